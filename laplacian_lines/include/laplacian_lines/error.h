@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace laplacian_lines {
+
+/// Why a call of the core was refused. Nothing the caller passed in has been changed.
+enum class ErrorCode {
+    InvalidOption,  ///< an option is outside its documented range
+    InvalidMesh,    ///< a triangle names a vertex that does not exist
+    EmptyMesh,      ///< no triangle of positive area with finite corners is left
+    FieldMismatch,  ///< a field and a mesh do not have the same vertices
+    Cancelled,      ///< the progress callback asked to stop
+};
+
+/// The only exception the core throws itself (std::bad_alloc may pass through).
+/// what() is one sentence for the user that says what to do.
+class Error : public std::runtime_error {
+public:
+    Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    ErrorCode code() const noexcept { return code_; }
+
+private:
+    ErrorCode code_;
+};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "laplacian_lines/field.h"
+#include "laplacian_lines/line_set.h"
+#include "laplacian_lines/line_style.h"
+#include "laplacian_lines/triangle_mesh.h"
+#include "laplacian_lines/view.h"
+
+namespace laplacian_lines {
+
+/// Memory that LineExtractor::extract() works in. It keeps what it allocated, so that redraws
+/// allocate nothing. One per thread; it can serve any extractor.
+class ExtractionScratch {
+public:
+    ExtractionScratch();
+    ~ExtractionScratch();
+    ExtractionScratch(ExtractionScratch&&) noexcept;
+    ExtractionScratch& operator=(ExtractionScratch&&) noexcept;
+
+private:
+    friend class LineExtractor;
+    struct Memory;
+    std::unique_ptr<Memory> memory_;
+};
+
+/// Extracts the lines of one mesh for any view. Built once from a mesh and its field, both of
+/// which may be gone afterwards.
+///
+/// Source: Zhang, He, Seah, "Laplacian Lines for Real-Time Shape Illustration", section on
+/// extraction (zero crossings on edges, gradient test, tracing, strength). Deviations from the
+/// paper are described at the members of LineStyle.
+class LineExtractor {
+public:
+    /// @throws Error(FieldMismatch) if the field has another number of vertices, InvalidMesh.
+    LineExtractor(const TriangleMesh& mesh, const Field& field);
+    ~LineExtractor();
+    LineExtractor(LineExtractor&&) noexcept;
+    LineExtractor& operator=(LineExtractor&&) noexcept;
+
+    /// Replaces `lines` with the lines of this view. Same input, same output, in the same order.
+    /// Safe to call from several threads at once, each with its own scratch and line set.
+    /// @throws Error(InvalidOption) if a value of the style is out of range or the view is not
+    /// finite.
+    void extract(const View& view, const LineStyle& style, ExtractionScratch& scratch,
+                 LineSet& lines) const;
+
+    /// Bytes held by this object.
+    std::size_t memory() const;
+
+private:
+    struct Data;
+    std::unique_ptr<const Data> data_;
+};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace laplacian_lines {
+
+enum class LineKind : std::uint32_t { Laplacian, Contour };
+
+/// A point of a line; plain floats in this order, so that an array of them can be uploaded as is.
+struct LinePoint {
+    Eigen::Vector3f position;  ///< mesh coordinates
+    float weight;              ///< 0..1, share of the full line width
+    float gradient;            ///< ‖∇I‖·D, dimensionless
+};
+
+/// A traced line: points[first .. first+count) of its LineSet. A closed line ends with a copy of
+/// its first point.
+struct Polyline {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    LineKind kind = LineKind::Laplacian;
+    bool closed = false;
+    float strength = 0;  ///< Eq. 4, dimensionless
+    float length = 0;    ///< in D
+    float slope = 0;     ///< mean slope along the line, dimensionless (0 for contours)
+};
+
+struct LineSet {
+    std::vector<LinePoint> points;
+    std::vector<Polyline> lines;
+
+    void clear() {
+        points.clear();
+        lines.clear();
+    }
+    /// Pairs of consecutive points over all lines.
+    std::size_t segment_count() const { return points.size() - lines.size(); }
+};
+
+}  // namespace laplacian_lines

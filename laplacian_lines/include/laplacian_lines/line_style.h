@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace laplacian_lines {
+
+/// Which zero crossings become lines. Every threshold is dimensionless, so that one style serves
+/// models of any size, seen from anywhere. D is the bounding-box diagonal. The illumination is
+/// I = s n·l with s = 1/|e − c| for perspective views (c: centre of the box) and l of unit length
+/// for orthographic ones. Names, limits and help texts for user interfaces: option_table.h.
+struct LineStyle {
+    /// t, the least ‖∇I‖·D at a crossing (the paper's threshold on the gradient).
+    double gradient_threshold = 2.0;
+    /// τ, the least strength of a line, Σ (‖∇I‖_i + ‖∇I‖_i+1)/2 · length of the segment (Eq. 4).
+    double strength_threshold = 0.03;
+    /// Drop crossings where the illumination's gradient has a minimum instead of a maximum, that
+    /// is, where ∇(ΔI)·∇I > 0. The paper has no such test.
+    bool reject_phantoms = true;
+    /// The slope of a crossing is ‖∇(ΔI)‖ · h_e^1.5, h_e = h + σ²/2 (kernel and normal smoothing).
+    double segment_slope = 0.02;  ///< least slope of a segment
+    double line_slope = 0.07;     ///< least mean slope of a line
+    double full_slope = 0.2;      ///< slope above segment_slope at which a line has its full width
+    double shortest_line = 0.02;  ///< least length of a line, in D
+    double least_facing = -0.15;  ///< least n·l/|l| at a crossing
+    /// Use the Laplacian of n·(e − p), ΔI = Δn·l − w tr S, instead of the paper's Δn·l. The two
+    /// are the same for orthographic views.
+    bool exact_point_light = false;
+    bool laplacian_lines = true;      ///< draw the zero crossings of ΔI
+    bool contours = true;             ///< draw the zero crossings of n·l
+    double shortest_contour = 0.005;  ///< least length of a contour, in D
+};
+
+/// @throws Error(InvalidOption) naming the first value that is out of range.
+void validate(const LineStyle& style);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "laplacian_lines/line_style.h"
+#include "laplacian_lines/precompute_options.h"
+
+namespace laplacian_lines {
+
+enum class OptionKind {
+    Real,     ///< a dimensionless number, or in the unit that its help names
+    Length,   ///< a length in mesh units; user interfaces may offer percent of the diagonal
+    Boolean,  ///< 0 or 1
+    Choice,   ///< index into `choices`
+};
+
+/// One member of an options struct, described for people and machines. Dialogs, scripts and range
+/// checks are made from these rows; defaults are those of a default-constructed struct.
+template <class Options>
+struct OptionDescription {
+    const char* key;    ///< identifier in scripts, stable between versions
+    const char* label;  ///< short name in dialogs
+    const char* help;   ///< what it does, with its unit
+    OptionKind kind;
+    double minimum;
+    double maximum;
+    std::vector<const char*> choices;
+    double (*get)(const Options&);
+    void (*set)(Options&, double);
+};
+
+const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table();
+const std::vector<OptionDescription<LineStyle>>& line_style_table();
+
+}  // namespace laplacian_lines

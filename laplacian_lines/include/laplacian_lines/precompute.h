@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "laplacian_lines/field.h"
+#include "laplacian_lines/precompute_options.h"
+#include "laplacian_lines/progress.h"
+#include "laplacian_lines/triangle_mesh.h"
+
+namespace laplacian_lines {
+
+/// Computes the view-independent field of a mesh: normals, Δn, shape operators.
+///
+/// Sources: L. Zhang, Y. He, H. S. Seah, "Laplacian Lines for Real-Time Shape Illustration", with
+/// the Laplacian of M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces"
+/// (SoCG 2008). The Laplacian is negative semi-definite: Δf < 0 at a maximum of f.
+///
+/// @throws Error: InvalidOption, InvalidMesh, EmptyMesh, Cancelled.
+/// Thread-safe; runs on OpenMP's threads, and the result does not depend on how many there are.
+Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options = {},
+                 const Progress& progress = {});
+
+/// Bounding-box diagonal and mean edge of the usable part of a mesh, with the kernel size and the
+/// smoothing that precompute() would use. @throws Error like precompute().
+FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options = {});
+
+}  // namespace laplacian_lines

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace laplacian_lines {
+
+enum class KernelMode {
+    Uniform,   ///< one kernel size for the whole mesh
+    Adaptive,  ///< √h(p) follows the local edge length, see PrecomputeOptions::kernel_mode
+};
+
+enum class LaplaceOperator {
+    Belkin,     ///< heat kernel on the mesh, Belkin et al. 2008 (the paper's Eq. 2)
+    Cotangent,  ///< cotangent weights; depends on the triangulation, kept for comparison (Fig. 2)
+};
+
+enum class NormalWeighting {
+    Area,   ///< triangle area
+    Angle,  ///< corner angle
+    Max,    ///< sin(angle) / (product of the two edge lengths), Max 1999
+};
+
+enum class NormalSmoothing { None, Gaussian, Bilateral };
+
+enum class GradientEstimator {
+    TriangleFit,   ///< curvature tensor fitted to each triangle, Rusinkiewicz 2004
+    LeastSquares,  ///< fit in a ball (the paper's Eq. 3), solved in the tangent plane
+};
+
+/// Everything that decides the view-independent field. The defaults are those of the drawings in
+/// the README and are not meant to be tuned per model. "Mean edge" is the mean edge length ē of
+/// the mesh, D the diagonal of its bounding box. Option names, limits and help texts for user
+/// interfaces are in option_table.h.
+struct PrecomputeOptions {
+    /// √h, a length in mesh units (h itself is a squared length; the Gaussian of Eq. 2 has the
+    /// standard deviation √2·√h). 0 means automatic: max(2 ē, 0.6 % of D).
+    double kernel_size = 0;
+    /// Adaptive: √h(p) = √h · clamp(ē(p)/ē, 1/4, 4), with ē(p) the mean length of the edges at p,
+    /// averaged over one-rings ten times. Normal smoothing scales by the same factor.
+    KernelMode kernel_mode = KernelMode::Uniform;
+    LaplaceOperator laplace_operator = LaplaceOperator::Belkin;
+    /// Part of the kernel's second moment that may be cut off, 1e-6..0.1. Smaller is slower.
+    double accuracy = 1e-3;
+    NormalWeighting normal_weighting = NormalWeighting::Area;
+    NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
+    double normal_sigma = 0.8;      ///< standard deviation of the smoothing, in mean edges
+    double bilateral_angle = 20.0;  ///< degrees between normals at which bilateral weights fade
+    GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
+    double gradient_radius = 3.0;      ///< ball of the least squares fit, in mean edges
+    bool correct_borders = true;       ///< make up for the half of the kernel a border lacks
+    bool skip_opposite_sheet = true;   ///< leave out sources q with n(p)·n(q) < 0
+};
+
+/// The automatic √h. Lengths in any unit; the result has the same one.
+double automatic_kernel_size(double mean_edge, double diagonal);
+
+/// @throws Error(InvalidOption) naming the first option that is out of range.
+void validate(const PrecomputeOptions& options);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace laplacian_lines {
+
+/// The eye in homogeneous form (e, w), in mesh coordinates. The vector from a surface point p to
+/// the light, which sits at the eye, is l(p) = e − w p. No scale is attached: (2e, 2w) is the same
+/// view.
+struct View {
+    Eigen::Vector3d eye = Eigen::Vector3d::UnitZ();
+    double w = 0;
+
+    /// A camera at the given position.
+    static View perspective(const Eigen::Vector3d& position) { return {position, 1}; }
+    /// A camera infinitely far away; `towards_viewer` points from the object to it, any length.
+    static View orthographic(const Eigen::Vector3d& towards_viewer) { return {towards_viewer, 0}; }
+};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "belkin_laplacian.h"
+
+#include <cmath>
+
+namespace laplacian_lines {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+// Less of the kernel than this is on the surface only at the tip of a border's corner.
+constexpr double kLeastKernelMass = 0.2;
+
+double tail(double u) { return (1 + u) * std::exp(-u); }
+
+}  // namespace
+
+double belkin_cutoff(double accuracy) {
+    double low = 0, high = 100;  // tail() falls from 1 to 4e-42
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        (tail(middle) > accuracy ? low : high) = middle;
+    }
+    return 2 * std::sqrt(high);
+}
+
+std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
+                                              const std::vector<Eigen::Vector3d>& normals,
+                                              const std::vector<float>& kernel_sizes,
+                                              const std::vector<Eigen::Matrix3d>& shape_operators,
+                                              const BelkinOptions& options,
+                                              const StageProgress& stage) {
+    GaussianKernel kernel;
+    kernel.kernel_sizes = kernel_sizes;
+    kernel.cutoff = belkin_cutoff(options.accuracy);
+    kernel.same_side = options.skip_opposite_sheet;
+    const GaussianSums sums = gaussian_sums(mesh, tree, normals, kernel, stage);
+
+    // The cut-off tail of a second moment is known, so its mean effect can be taken out.
+    const double kept = 1 - tail(kernel.cutoff * kernel.cutoff / 4);
+    std::vector<Eigen::Vector3d> laplacian(mesh.size());
+    for (std::size_t i = 0; i < laplacian.size(); ++i) {
+        const double h = double(kernel_sizes[i]) * kernel_sizes[i];
+        const double factor = 1 / (4 * kPi * h * h * kept);
+        laplacian[i] = factor * sums.normal_difference[i].cast<double>();
+        if (!options.correct_borders) continue;
+        const Eigen::Vector3d& n = normals[i];
+        const Eigen::Vector3d moment = factor * sums.first_moment[i].cast<double>();
+        // A border leaves a first moment along the surface, which S turns into a spurious term.
+        laplacian[i] -= shape_operators[i] * (moment - n * n.dot(moment));
+        const double kernel_mass = sums.mass[i] / (4 * kPi * h);
+        laplacian[i] /= std::max(kernel_mass, kLeastKernelMass);
+    }
+    return laplacian;
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "extractor_data.h"
+#include "laplacian_lines/line_set.h"
+#include "laplacian_lines/line_style.h"
+
+namespace laplacian_lines {
+
+/// The eye in local coordinates, scaled so that I = n·(eye − w p) is about in [−1, 1].
+struct LocalEye {
+    Eigen::Vector3f eye;
+    float w;
+};
+
+/// What decides which zero crossings of a per-vertex function become lines, one for each kind.
+struct LineRules {
+    LineKind kind;
+    float least_gradient;  ///< ‖∇I‖·D
+    float least_facing;    ///< n·l/|l|
+    bool reject_phantoms;
+    bool use_slope;  ///< false: slopes are neither computed nor tested, lines have full width
+    float segment_slope, line_slope, full_slope;
+    float least_strength;
+    float least_length;  ///< D
+};
+
+LineRules laplacian_rules(const LineStyle& style);
+LineRules contour_rules(const LineStyle& style);
+
+/// The functions whose zeros are lines, at all vertices, for one eye.
+struct VertexValues {
+    std::vector<float> laplacian;     ///< ΔI
+    std::vector<float> illumination;  ///< I
+    std::vector<float> facing;        ///< n·l/|l|
+    std::vector<std::uint8_t> signs;  ///< bits of SignBit
+};
+
+enum SignBit : std::uint8_t { kNegativeLaplacian = 1, kNegativeIllumination = 2, kFacesAway = 4 };
+
+void evaluate_vertices(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
+                       VertexValues& values);
+
+/// Triangles whose corners do not all have the same sign.
+struct MixedTriangles {
+    std::vector<std::uint32_t> laplacian;  ///< of ΔI, not counting those that face away
+    std::vector<std::uint32_t> contour;    ///< of I
+};
+
+void find_mixed_triangles(const ExtractorData& data, const VertexValues& values,
+                          MixedTriangles& mixed);
+
+/// A zero on an edge of the mesh.
+struct Crossing {
+    Eigen::Vector3f position;  ///< local
+    float gradient;            ///< ‖∇I‖
+    std::uint32_t edge;
+    bool accepted;  ///< passes the tests that look at the crossing alone
+};
+
+/// The piece of a line in one triangle, from one crossing to another. On consistently oriented
+/// triangles the end of one is the begin of the next.
+struct Segment {
+    std::uint32_t begin, end;  ///< crossings
+    float slope;
+};
+
+/// Crossings are found once an edge through `crossing_of_edge`, which is kNoCrossing everywhere
+/// between uses.
+struct CrossingGraph {
+    static constexpr std::uint32_t kNoCrossing = 0xffffffffu;
+    std::vector<Crossing> crossings;
+    std::vector<Segment> segments;
+    std::vector<std::uint32_t> crossing_of_edge;
+    bool in_use = false;  ///< an exception left crossing_of_edge behind
+};
+
+/// Replaces the graph by the segments in the given triangles that pass the rules of single
+/// crossings and segments. `function` is the one whose zeros are looked for.
+void find_segments(const ExtractorData& data, const LocalEye& eye, const LineRules& rules,
+                   const VertexValues& values, const std::vector<float>& function,
+                   const std::vector<std::uint32_t>& triangles, CrossingGraph& graph);
+
+}  // namespace laplacian_lines

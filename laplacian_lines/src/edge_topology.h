@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "laplacian_lines/triangle_mesh.h"
+
+namespace laplacian_lines {
+
+/// The undirected edges of a triangle list, each once, for any topology.
+struct EdgeTopology {
+    std::vector<std::array<std::uint32_t, 2>> edges;   ///< [E], smaller vertex first
+    std::vector<std::uint32_t> triangles_of_edge;      ///< [E], how many triangles have the edge
+    std::vector<std::array<std::uint32_t, 3>> edges_of_triangle;  ///< [T]; k: opposite corner k
+};
+
+/// Edges are numbered by their smaller vertex, so that they are stored near their vertices.
+EdgeTopology build_edge_topology(std::size_t vertex_count, const std::vector<Triangle>& triangles);
+
+}  // namespace laplacian_lines

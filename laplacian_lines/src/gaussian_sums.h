@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "parallel.h"
+#include "prepared_mesh.h"
+#include "spatial_tree.h"
+
+namespace laplacian_lines {
+
+/// For every vertex p: w(q) = m_q exp(−|q−p|²/(4 h(p)) − normal_falloff |n_q−n_p|²) over the
+/// vertices q within `cutoff`·√h(p) of p.
+struct GaussianKernel {
+    std::vector<float> kernel_sizes;  ///< [N], √h(p), local units
+    double cutoff = 6;                ///< in √h
+    double normal_falloff = 0;        ///< > 0 makes the sum bilateral
+    bool same_side = true;            ///< leave out q with n_q·n_p <= 0
+};
+
+/// The sums that both the normal smoothing and Belkin's operator are made of, [N] each.
+struct GaussianSums {
+    std::vector<float> mass;                          ///< Σ w
+    std::vector<Eigen::Vector3f> first_moment;        ///< Σ w (q − p)
+    std::vector<Eigen::Vector3f> normal_difference;   ///< Σ w (n_q − n_p)
+};
+
+/// Direct summation in float, relative error about 1e-6 before the truncation at the cutoff:
+/// positions are taken relative to the centre of a group of targets, and normals relative to the
+/// group's mean, since Σ w n_q − n_p Σ w would cancel.
+GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
+                           const std::vector<Eigen::Vector3d>& normals,
+                           const GaussianKernel& kernel, const StageProgress& stage);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laplacian_lines/option_table.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "laplacian_lines/error.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr double kUnlimited = std::numeric_limits<double>::max();
+
+template <class>
+struct MemberTraits;
+template <class Owner, class Value>
+struct MemberTraits<Value Owner::*> {
+    using Options = Owner;
+    using Type = Value;
+};
+
+/// A row for one member; the accessors convert between the member's type and double.
+template <auto Member>
+auto row(const char* key, const char* label, OptionKind kind, double minimum, double maximum,
+         const char* help, std::vector<const char*> choices = {}) {
+    using Options = typename MemberTraits<decltype(Member)>::Options;
+    using Type = typename MemberTraits<decltype(Member)>::Type;
+    return OptionDescription<Options>{
+        key,
+        label,
+        help,
+        kind,
+        minimum,
+        maximum,
+        std::move(choices),
+        [](const Options& options) { return static_cast<double>(options.*Member); },
+        [](Options& options, double value) {
+            if constexpr (std::is_floating_point_v<Type>)
+                options.*Member = value;
+            else
+                options.*Member = static_cast<Type>(static_cast<int>(value));
+        }};
+}
+
+template <auto Member>
+auto real(const char* key, const char* label, double minimum, double maximum, const char* help) {
+    return row<Member>(key, label, OptionKind::Real, minimum, maximum, help);
+}
+
+template <auto Member>
+auto boolean(const char* key, const char* label, const char* help) {
+    return row<Member>(key, label, OptionKind::Boolean, 0, 1, help);
+}
+
+template <auto Member>
+auto choice(const char* key, const char* label, std::vector<const char*> choices,
+            const char* help) {
+    const double last = double(choices.size()) - 1;
+    return row<Member>(key, label, OptionKind::Choice, 0, last, help, std::move(choices));
+}
+
+template <class Options>
+void check_ranges(const std::vector<OptionDescription<Options>>& table, const Options& options) {
+    for (const auto& option : table) {
+        const double value = option.get(options);
+        if (value >= option.minimum && value <= option.maximum) continue;
+        std::ostringstream message;
+        message << option.label << " is " << value << ", but must be ";
+        if (option.maximum == kUnlimited)
+            message << "at least " << option.minimum << ".";
+        else
+            message << "between " << option.minimum << " and " << option.maximum << ".";
+        throw Error(ErrorCode::InvalidOption, message.str());
+    }
+}
+
+}  // namespace
+
+const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table() {
+    using O = PrecomputeOptions;
+    static const std::vector<OptionDescription<O>> table = {
+        row<&O::kernel_size>(
+            "kernel_size", "Kernel Size", OptionKind::Length, 0, kUnlimited,
+            "Size of the features that the lines show, &radic;h, as a length in mesh units: larger "
+            "gives fewer and smoother lines. 0 means automatic: 2 mean edges, but at least 0.6 % "
+            "of the bounding-box diagonal."),
+        choice<&O::kernel_mode>(
+            "kernel_mode", "Kernel", {"Uniform", "Adaptive"},
+            "Uniform: one kernel size everywhere. Adaptive: the kernel size and the smoothing of "
+            "normals follow the local edge length (from a quarter to four times the given size), "
+            "for meshes with more detail in some places than in others."),
+        choice<&O::laplace_operator>(
+            "laplace_operator", "Laplace Operator", {"Heat Kernel (Belkin)", "Cotangent"},
+            "Heat Kernel: robust on irregular and noisy meshes. Cotangent: looks only at adjacent "
+            "vertices, ignores the kernel size and breaks down on irregular meshes; for "
+            "comparison."),
+        real<&O::accuracy>(
+            "accuracy", "Accuracy", 1e-6, 0.1,
+            "Part of the heat kernel that may be cut off, 0.000001 to 0.1. Smaller is slower."),
+        choice<&O::normal_weighting>(
+            "normal_weighting", "Normal Weighting", {"Area", "Angle", "Max"},
+            "How triangle normals are averaged to vertex normals: by triangle area, by corner "
+            "angle, or by N. Max's weights."),
+        choice<&O::normal_smoothing>(
+            "normal_smoothing", "Normal Smoothing", {"None", "Gaussian", "Bilateral"},
+            "Smoothing of the vertex normals before anything is computed from them (the mesh's own "
+            "normals are not changed). Bilateral keeps sharp edges."),
+        real<&O::normal_sigma>(
+            "normal_sigma", "Normal Smoothing Sigma", 0, 100,
+            "Standard deviation of the smoothing, in mean edge lengths. Raise it for noisy scans."),
+        real<&O::bilateral_angle>(
+            "bilateral_angle", "Bilateral Angle", 0.1, 180,
+            "For bilateral smoothing: angle in degrees between two normals at which they hardly "
+            "influence each other any more."),
+        choice<&O::gradient_estimator>(
+            "gradient_estimator", "Gradient Estimator", {"Triangle Fit", "Least Squares"},
+            "How the curvature tensor, which gives the gradient of the illumination, is estimated: "
+            "fitted to each triangle (Rusinkiewicz) or to all vertices in a ball."),
+        real<&O::gradient_radius>("gradient_radius", "Gradient Radius", 1, 100,
+                                  "For Least Squares: radius of the ball, in mean edge lengths."),
+        boolean<&O::correct_borders>(
+            "correct_borders", "Correct Borders",
+            "Make up for the missing half of the kernel at holes and borders, which otherwise get "
+            "spurious lines along them."),
+        boolean<&O::skip_opposite_sheet>(
+            "skip_opposite_sheet", "Skip Opposite Sheet",
+            "Leave out of the kernel vertices that face the other way, so that the two sides of a "
+            "thin wall do not disturb each other."),
+    };
+    return table;
+}
+
+const std::vector<OptionDescription<LineStyle>>& line_style_table() {
+    using S = LineStyle;
+    static const std::vector<OptionDescription<S>> table = {
+        boolean<&S::laplacian_lines>("laplacian_lines", "Laplacian Lines",
+                                     "Draw the Laplacian lines."),
+        boolean<&S::contours>("contours", "Occluding Contours",
+                              "Draw the outlines: where the surface turns away from the eye."),
+        real<&S::gradient_threshold>(
+            "gradient_threshold", "Gradient Threshold t", 0, 1e6,
+            "Least change of the shading across a line (gradient times bounding-box diagonal, no "
+            "unit). Larger leaves out lines on gentle forms."),
+        real<&S::strength_threshold>(
+            "strength_threshold", "Strength Threshold tau", 0, 1e6,
+            "Least strength of a line: its gradient summed along its length (no unit). Larger "
+            "leaves out short and weak lines."),
+        boolean<&S::reject_phantoms>(
+            "reject_phantoms", "Reject Phantom Lines",
+            "Leave out crossings where the change of shading is smallest instead of largest."),
+        real<&S::segment_slope>(
+            "segment_slope", "Least Slope of a Segment", 0, 1e6,
+            "How sharply the Laplacian must change sign at each piece of a line (no unit). Larger "
+            "cuts faint pieces off."),
+        real<&S::line_slope>(
+            "line_slope", "Least Slope of a Line", 0, 1e6,
+            "Least mean slope along a whole line (no unit). Larger leaves out faint lines."),
+        real<&S::full_slope>(
+            "full_slope", "Slope for Full Width", 1e-6, 1e6,
+            "Slope above the least slope of a segment at which a line has its full width (no "
+            "unit). Smaller makes faint lines bolder."),
+        real<&S::shortest_line>("shortest_line", "Shortest Line", 0, 10,
+                                "Least length of a line, in bounding-box diagonals."),
+        real<&S::shortest_contour>("shortest_contour", "Shortest Contour", 0, 10,
+                                   "Least length of a contour, in bounding-box diagonals."),
+        real<&S::least_facing>(
+            "least_facing", "Least Facing", -1, 1,
+            "Least cosine between normal and view direction: 1 faces the eye, 0 is a contour, -1 "
+            "shows lines on the far side as well."),
+        boolean<&S::exact_point_light>(
+            "exact_point_light", "Exact Point Light",
+            "Use the exact Laplacian of a point light at the eye instead of the paper's form. The "
+            "two differ for cameras close to the object."),
+    };
+    return table;
+}
+
+void validate(const PrecomputeOptions& options) { check_ranges(precompute_option_table(), options); }
+
+void validate(const LineStyle& style) { check_ranges(line_style_table(), style); }
+
+}  // namespace laplacian_lines

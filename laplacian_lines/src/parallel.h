@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/progress.h"
+
+namespace laplacian_lines {
+
+/// The share of a longer computation that one step covers.
+class StageProgress {
+public:
+    StageProgress(const Progress& progress, double begin, double end, const char* name)
+        : progress_(progress), begin_(begin), end_(end), name_(name) {}
+
+    /// `done` of this step, 0..1. @throws Error(Cancelled)
+    void report(double done) const {
+        if (progress_ && !progress_(begin_ + (end_ - begin_) * done, name_))
+            throw Error(ErrorCode::Cancelled, "Cancelled; the mesh was not changed.");
+    }
+
+private:
+    const Progress& progress_;
+    double begin_, end_;
+    const char* name_;
+};
+
+/// Runs body(i, scratch) for i in [0, count) on OpenMP's threads, each with a Scratch of its own.
+/// The body must write only to places that belong to i, so that the number of threads cannot
+/// change the result. Reports progress from the calling thread; the first exception stops all
+/// threads and is thrown again here.
+template <class Scratch, class Body>
+void parallel_for(std::size_t count, const StageProgress& stage, Body body) {
+    std::atomic<bool> stop{false};
+    std::atomic<std::size_t> finished{0};
+    std::exception_ptr failure;
+    const std::size_t report_every = std::max<std::size_t>(1, count / 100);
+#pragma omp parallel
+    {
+        Scratch scratch;
+        std::size_t next_report = 0;
+#pragma omp for schedule(dynamic, 16)
+        for (std::size_t i = 0; i < count; ++i) {
+            if (stop.load(std::memory_order_relaxed)) continue;
+            try {
+                body(i, scratch);
+                const std::size_t done = finished.fetch_add(1, std::memory_order_relaxed);
+                if (omp_get_thread_num() == 0 && done >= next_report) {
+                    next_report = done + report_every;
+                    stage.report(double(done) / double(count));
+                }
+            } catch (...) {
+#pragma omp critical(laplacian_lines_failure)
+                if (!failure) failure = std::current_exception();
+                stop = true;
+            }
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+struct NoScratch {};
+
+}  // namespace laplacian_lines

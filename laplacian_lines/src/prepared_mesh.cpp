@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepared_mesh.h"
+
+#include <Eigen/Geometry>
+
+#include "edge_topology.h"
+#include "laplacian_lines/error.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr std::uint32_t kUnused = 0xffffffffu;
+// sin of the smallest angle a triangle may have; far below what float input can resolve.
+constexpr double kLeastSine = 1e-12;
+
+bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
+    const Eigen::Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
+                          &c = mesh.positions[t[2]];
+    if (!a.allFinite() || !b.allFinite() || !c.allFinite()) return true;
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    if (!(longest > 0)) return true;
+    const Eigen::Vector3d u = (b - a) / longest, v = (c - a) / longest;
+    return !(u.cross(v).norm() > kLeastSine);
+}
+
+void check_indices(const TriangleMesh& mesh) {
+    for (const Triangle& t : mesh.triangles)
+        for (std::uint32_t v : t)
+            if (v >= mesh.positions.size())
+                throw Error(ErrorCode::InvalidMesh,
+                            "A triangle uses vertex " + std::to_string(v) + ", but the mesh has " +
+                                std::to_string(mesh.positions.size()) + " vertices.");
+}
+
+std::vector<Triangle> usable_triangles(const TriangleMesh& mesh, MeshReport& report) {
+    std::vector<Triangle> usable;
+    usable.reserve(mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles)
+        if (!is_degenerate(mesh, t)) usable.push_back(t);
+    report.degenerate_triangles = mesh.triangles.size() - usable.size();
+    if (usable.empty())
+        throw Error(ErrorCode::EmptyMesh,
+                    "The mesh has no triangle with an area. Laplacian lines need a surface: for a "
+                    "point cloud, reconstruct one first.");
+    return usable;
+}
+
+/// Numbers the vertices that triangles use and rewrites the triangles' indices.
+void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
+    std::vector<std::uint32_t> number(mesh.positions.size(), kUnused);
+    for (const Triangle& t : prepared.triangles)
+        for (std::uint32_t v : t) number[v] = 0;
+    for (std::uint32_t v = 0; v < number.size(); ++v) {
+        if (!mesh.positions[v].allFinite())
+            ++prepared.report.non_finite_vertices;
+        else if (number[v] == kUnused)
+            ++prepared.report.unreferenced_vertices;
+        else {
+            number[v] = std::uint32_t(prepared.original_vertex.size());
+            prepared.original_vertex.push_back(v);
+        }
+    }
+    for (Triangle& t : prepared.triangles)
+        for (std::uint32_t& v : t) v = number[v];
+}
+
+void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
+    Eigen::Vector3d low = mesh.positions[prepared.original_vertex[0]], high = low;
+    for (std::uint32_t v : prepared.original_vertex) {
+        low = low.cwiseMin(mesh.positions[v]);
+        high = high.cwiseMax(mesh.positions[v]);
+    }
+    prepared.centre = low / 2 + high / 2;
+    prepared.diagonal = (high - low).stableNorm();
+    prepared.positions.reserve(prepared.original_vertex.size());
+    for (std::uint32_t v : prepared.original_vertex)
+        prepared.positions.push_back((mesh.positions[v] - prepared.centre) / prepared.diagonal);
+}
+
+void measure(PreparedMesh& mesh) {
+    mesh.masses.assign(mesh.size(), 0);
+    double edges = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const double third_of_area = area_vector(mesh, t).norm() / 6;
+        for (int k = 0; k < 3; ++k) {
+            mesh.masses[t[k]] += third_of_area;
+            edges += (mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]]).norm();
+        }
+    }
+    mesh.mean_edge = edges / double(3 * mesh.triangles.size());
+}
+
+void mark_borders(PreparedMesh& mesh) {
+    mesh.on_border.assign(mesh.size(), 0);
+    const EdgeTopology topology = build_edge_topology(mesh.size(), mesh.triangles);
+    for (std::size_t e = 0; e < topology.edges.size(); ++e)
+        if (topology.triangles_of_edge[e] == 1)
+            for (std::uint32_t v : topology.edges[e]) mesh.on_border[v] = 1;
+    for (std::uint8_t b : mesh.on_border) mesh.report.border_vertices += b;
+}
+
+}  // namespace
+
+Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
+    const Eigen::Vector3d& a = mesh.positions[t[0]];
+    return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+}
+
+PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
+    check_indices(mesh);
+    PreparedMesh prepared;
+    prepared.report.vertices = mesh.positions.size();
+    prepared.report.triangles = mesh.triangles.size();
+    prepared.triangles = usable_triangles(mesh, prepared.report);
+    keep_used_vertices(mesh, prepared);
+    to_local_coordinates(mesh, prepared);
+    measure(prepared);
+    mark_borders(prepared);
+    return prepared;
+}
+
+}  // namespace laplacian_lines

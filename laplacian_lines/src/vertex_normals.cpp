@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vertex_normals.h"
+
+#include <Eigen/Geometry>
+
+namespace laplacian_lines {
+namespace {
+
+/// Weight of the unit triangle normal at the corner between the edge vectors u and v.
+double corner_weight(NormalWeighting weighting, const Eigen::Vector3d& u, const Eigen::Vector3d& v,
+                     double twice_area) {
+    switch (weighting) {
+        case NormalWeighting::Angle: return std::atan2(twice_area, u.dot(v));
+        case NormalWeighting::Max: return twice_area / (u.squaredNorm() * v.squaredNorm());
+        case NormalWeighting::Area: break;
+    }
+    return twice_area;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, NormalWeighting weighting) {
+    std::vector<Eigen::Vector3d> normals(mesh.size(), Eigen::Vector3d::Zero());
+    std::vector<Eigen::Vector3d> any_normal(mesh.size(), Eigen::Vector3d::Zero());
+    for (const Triangle& t : mesh.triangles) {
+        const Eigen::Vector3d area = area_vector(mesh, t);
+        const double twice_area = area.norm();
+        const Eigen::Vector3d normal = area / twice_area;
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::Vector3d& p = mesh.positions[t[k]];
+            const Eigen::Vector3d u = mesh.positions[t[(k + 1) % 3]] - p;
+            const Eigen::Vector3d v = mesh.positions[t[(k + 2) % 3]] - p;
+            normals[t[k]] += corner_weight(weighting, u, v, twice_area) * normal;
+            any_normal[t[k]] = normal;
+        }
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const double length = normals[i].norm();
+        // Faces that cancel (a doubled sheet) leave no mean; any incident one will do.
+        normals[i] = length > 0 && std::isfinite(length) ? Eigen::Vector3d(normals[i] / length)
+                                                         : any_normal[i];
+    }
+    return normals;
+}
+
+}  // namespace laplacian_lines
