@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+add_custom_target(meshlab_plugins COMMENT "All that MeshLab is to load")
+
+# add_meshlab_plugin(NAME SOURCES...)
+# A plugin that MeshLab can load: built into <build>/plugins, installed to MeshLab's own plugin folder.
+function(add_meshlab_plugin name)
+  add_loadable_plugin(${name} ${ARGN})
+  set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/plugins")
+  install(TARGETS ${name} LIBRARY DESTINATION "${LAPLACIAN_LINES_PLUGIN_DESTINATION}")
+endfunction()
+
+# add_loadable_plugin(NAME SOURCES...): the same, but neither placed among the plugins nor installed.
+function(add_loadable_plugin name)
+  add_library(${name} MODULE ${ARGN})
+  target_link_libraries(${name} PRIVATE MeshLab::common)
+  target_link_options(${name} PRIVATE -Wl,--no-undefined -Wl,--as-needed)
+  set_target_properties(${name} PROPERTIES
+    AUTOMOC ON
+    CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
+  add_dependencies(meshlab_plugins ${name})
+endfunction()

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Finds the installed MeshLab and the headers of the same version.
+#
+# No distribution packages MeshLab's headers; name a folder with its unpacked source by MESHLAB_SOURCE_DIR, or let
+# ./run or ./test fetch one into the cache folder, where this looks too.
+#
+# Sets  MeshLab_FOUND, MeshLab_VERSION ("2020.09"), MESHLAB_API (2020, 2022 or 2025: which plugin API the headers
+#       speak), MESHLAB_LIBRARY_DIR, MESHLAB_PLUGIN_DIR (where MeshLab looks for plugins)
+# Adds  MeshLab::common
+
+find_library(MESHLAB_COMMON_LIBRARY meshlab-common PATH_SUFFIXES meshlab
+             DOC "MeshLab's shared library")
+
+set(_meshlab_cache "$ENV{LAPLACIAN_LINES_CACHE}")
+if(NOT _meshlab_cache)
+  set(_meshlab_cache "$ENV{XDG_CACHE_HOME}/laplacian-lines")
+  if("$ENV{XDG_CACHE_HOME}" STREQUAL "")
+    set(_meshlab_cache "$ENV{HOME}/.cache/laplacian-lines")
+  endif()
+endif()
+# only the installed version's headers will do, whatever else the cache holds
+execute_process(COMMAND dpkg-query -W "-f=\${Version}" meshlab
+                OUTPUT_VARIABLE _meshlab_package_version ERROR_QUIET)
+find_path(MESHLAB_SOURCE_DIR src/common/mlexception.h
+          PATHS "${_meshlab_cache}/headers/${_meshlab_package_version}" NO_DEFAULT_PATH
+          DOC "Folder with the unpacked source of the installed MeshLab")
+
+# Which API: told by what the headers hold, so that a wrong folder cannot claim another version.
+set(MESHLAB_API "")
+if(EXISTS "${MESHLAB_SOURCE_DIR}/src/common/interfaces.h")
+  set(MESHLAB_API 2020)
+elseif(EXISTS "${MESHLAB_SOURCE_DIR}/src/common/parameters/rich_parameter.h")
+  file(STRINGS "${MESHLAB_SOURCE_DIR}/src/common/parameters/rich_parameter.h" _meshlab_percentage
+       REGEX "class.* RichPercentage")
+  if(_meshlab_percentage)
+    set(MESHLAB_API 2025)
+  else()
+    set(MESHLAB_API 2022)
+  endif()
+endif()
+
+set(MeshLab_VERSION "")
+if(EXISTS "${MESHLAB_SOURCE_DIR}/ML_VERSION")
+  file(STRINGS "${MESHLAB_SOURCE_DIR}/ML_VERSION" MeshLab_VERSION LIMIT_COUNT 1)
+  string(STRIP "${MeshLab_VERSION}" MeshLab_VERSION)
+endif()
+
+# vcglib lies beside src/ in 2020.09 and inside it later
+find_path(MESHLAB_VCGLIB_DIR vcg/complex/complex.h
+          PATHS "${MESHLAB_SOURCE_DIR}/vcglib" "${MESHLAB_SOURCE_DIR}/src/vcglib" NO_DEFAULT_PATH)
+
+find_package(Qt5 QUIET COMPONENTS Core Gui Widgets OpenGL Xml)
+set(OpenGL_GL_PREFERENCE GLVND)
+find_package(OpenGL QUIET)
+find_package(GLEW QUIET)
+find_package(Eigen3 QUIET NO_MODULE)
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(MeshLab
+  REQUIRED_VARS MESHLAB_COMMON_LIBRARY MESHLAB_SOURCE_DIR MESHLAB_API MESHLAB_VCGLIB_DIR Qt5_FOUND OPENGL_FOUND
+                GLEW_FOUND Eigen3_FOUND
+  VERSION_VAR MeshLab_VERSION)
+mark_as_advanced(MESHLAB_COMMON_LIBRARY MESHLAB_VCGLIB_DIR)
+
+if(MeshLab_FOUND AND NOT TARGET MeshLab::common)
+  get_filename_component(MESHLAB_LIBRARY_DIR "${MESHLAB_COMMON_LIBRARY}" DIRECTORY)
+  set(MESHLAB_PLUGIN_DIR "${MESHLAB_LIBRARY_DIR}/plugins")
+
+  add_library(MeshLab::common SHARED IMPORTED)
+  # Imported targets' include folders count as system folders: vcglib's warnings are not ours to mend.
+  set_target_properties(MeshLab::common PROPERTIES
+    IMPORTED_LOCATION "${MESHLAB_COMMON_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${MESHLAB_SOURCE_DIR}/src;${MESHLAB_VCGLIB_DIR}"
+    INTERFACE_COMPILE_DEFINITIONS "MESHLAB_SCALAR=float;MESHLAB_API=${MESHLAB_API};MESHLAB_VERSION=${MeshLab_VERSION}"
+    INTERFACE_LINK_LIBRARIES
+      "Qt5::Core;Qt5::Gui;Qt5::Widgets;Qt5::OpenGL;Qt5::Xml;GLEW::GLEW;OpenGL::GL;OpenGL::GLU;Eigen3::Eigen")
+endif()

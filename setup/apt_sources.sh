@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The machine's own apt sources, rewritten to source packages (deb-src). Reads them, never changes them.
+
+# One-line style: "deb [options] uri suite components".
+classic_source_entries() {
+    local file
+    for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
+        [[ -r $file ]] || continue
+        sed -nE 's/^[[:space:]]*deb(-src)?[[:space:]]/deb-src /p' "$file"
+    done | sort -u
+}
+
+# deb822 style: paragraphs of fields, where "Enabled: no" must keep its meaning.
+deb822_source_entries() {
+    local file
+    for file in /etc/apt/sources.list.d/*.sources; do
+        [[ -r $file ]] || continue
+        sed -E 's/^Types:.*/Types: deb-src/I; /^#/d' "$file"
+        printf '\n'
+    done
+}
+
+# write_source_list FOLDER: entries for apt's sourceparts folder.
+write_source_list() {
+    mkdir -p "$1"
+    classic_source_entries >"$1/classic.list"
+    deb822_source_entries >"$1/deb822.sources"
+}

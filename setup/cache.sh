@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# One folder holds all that is downloaded or generated; deleting it is always safe.
+
+cache_folder() {
+    printf '%s\n' "${LAPLACIAN_LINES_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/laplacian-lines}"
+}
+
+# publish_into FOLDER COMMAND ARGS...: run COMMAND ARGS... SCRATCH and rename SCRATCH to FOLDER when it succeeds,
+# so that an interrupted run never leaves half a folder that later runs would trust.
+publish_into() {
+    local folder=$1
+    shift
+    mkdir -p "$(dirname "$folder")"
+    local scratch
+    scratch=$(mktemp -d "$folder.XXXXXX")
+    if ! "$@" "$scratch"; then
+        rm -rf "$scratch"
+        return 1
+    fi
+    chmod 755 "$scratch" # mktemp makes it private; a shared cache should stay readable
+    rm -rf "$folder"
+    mv -T "$scratch" "$folder"
+}

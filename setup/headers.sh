@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# MeshLab's headers. No distribution packages them: they come from the source package of the very version that is
+# installed, because plugins share MeshLab's classes and a near match would crash.
+
+# source_apt_get FOLDER ARGS...: apt-get with its sources, lists and cache in FOLDER. The user's own stay untouched.
+source_apt_get() {
+    local folder=$1
+    shift
+    # -c is read after the system's configuration, the only place where its hooks can be cleared.
+    cat >"$folder/apt.conf" <<-END
+		#clear APT::Update::Post-Invoke;
+		#clear APT::Update::Post-Invoke-Success;
+		Dir::Etc::sourcelist "/dev/null";
+		Dir::Etc::sourceparts "$folder/sources";
+		Dir::State::lists "$folder/lists";
+		Dir::Cache "$folder/cache";
+		APT::Sandbox::User "";
+	END
+    apt-get -qq -c "$folder/apt.conf" "$@"
+}
+
+# download_source_package VERSION FOLDER: the tarball only; some mirrors lack the other files of a source package.
+download_source_package() {
+    local version=$1 folder=$2
+    write_source_list "$folder/sources"
+    mkdir -p "$folder/lists/partial" "$folder/cache"
+    source_apt_get "$folder" update &&
+        (cd "$folder" && source_apt_get "$folder" source --tar-only --download-only "meshlab=$version")
+}
+
+# unpack_headers VERSION FOLDER
+unpack_headers() {
+    local version=$1 folder=$2 apt tarball
+    apt=$(mktemp -d)
+    if ! download_source_package "$version" "$apt"; then
+        rm -rf "$apt"
+        return 1
+    fi
+    tarball=$(find "$apt" -maxdepth 1 -name 'meshlab_*.orig.tar.*' -print -quit)
+    # Wildcards cover vcglib beside src/ (2020.09) and inside it (later).
+    tar -xf "$tarball" -C "$folder" --strip-components=1 --wildcards \
+        '*/ML_VERSION' '*/src/common' '*/vcglib/vcg' '*/vcglib/wrap' || return 1
+    rm -rf "$apt"
+}
+
+# ensure_headers: sets MESHLAB_SOURCE_DIR.
+ensure_headers() {
+    local version
+    version=$(meshlab_version)
+    MESHLAB_SOURCE_DIR=$(cache_folder)/headers/$version
+    [[ -d $MESHLAB_SOURCE_DIR/src/common ]] && return 0
+    say "fetching the headers of MeshLab $version from the distribution's source package"
+    publish_into "$MESHLAB_SOURCE_DIR" unpack_headers "$version" ||
+        fail "could not fetch the source package of meshlab $version; unpack it yourself and name its folder: cmake -DMESHLAB_SOURCE_DIR=FOLDER"
+}

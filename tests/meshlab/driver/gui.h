@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QAction>
+#include <QGLWidget>
+#include <QList>
+#include <QMainWindow>
+#include <QString>
+#include <QWidget>
+
+// MeshLab's widgets, found by their class names: the executable exports no symbols to link with.
+namespace driver {
+
+QMainWindow* mainWindow();                  // null before it exists
+QMainWindow* requireMainWindow();           // CommandError when there is none
+
+QList<QGLWidget*> visibleViews();           // the GL views, in the order of their creation
+QGLWidget* view();                          // the chosen one (the first by default); null when there is none
+QGLWidget* requireView();
+void chooseView(int index);
+
+QWidget* childOfClass(const char* className);   // a visible descendant of the main window, or null
+QString withoutMnemonic(QString text);          // no '&', no shortcut
+QAction* requireAction(const QString& text);    // CommandError with look-alikes when there is none
+QAction* findAction(const QString& text);
+void clickButton(QWidget* container, const QString& text);
+
+QString describeBox(QWidget* modal);        // title and text, on one line
+bool acceptOptionsBox(QWidget* modal);      // accepts MeshLab's own "options" box on opening a file; false: another box
+
+} // namespace driver

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules.h"
+
+namespace driver {
+
+CommandTable allCommands()
+{
+	CommandTable table;
+	addWindowCommands(table);
+	addActionCommands(table);
+	addModalCommands(table);
+	addMouseCommands(table);
+	addPictureCommands(table);
+	addLogCommands(table);
+	return table;
+}
+
+} // namespace driver
