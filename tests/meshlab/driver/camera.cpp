@@ -6,6 +6,8 @@
 #include <QDomDocument>
 #include <QFile>
 #include <QVector3D>
+#include <QtMath>
+#include <cmath>
 
 namespace driver {
 namespace {
@@ -43,6 +45,14 @@ QString row(const QVector3D& v, int last)
 	return QString("%1 %2 %3 %4 ").arg(v.x(), 0, 'g', 9).arg(v.y(), 0, 'g', 9).arg(v.z(), 0, 'g', 9).arg(last);
 }
 
+// MeshLab's orthographic camera stands where a perspective one with an angle of 5 degrees would show a ball of radius
+// 1.75 (in units of the view's scale), and clips what is nearer than that suggests.
+double orthographicDistance(const QDomDocument& document)
+{
+	const double scale = document.elementsByTagName("ViewSettings").at(0).toElement().attribute("TrackScale").toDouble();
+	return 1.75 / std::sin(qDegreesToRadians(2.5)) / scale;
+}
+
 } // namespace
 
 void loadCamera(const QString& fileName)
@@ -63,7 +73,8 @@ void saveCamera(const QString& fileName)
 
 void lookFrom(const Command& command)
 {
-	const QVector3D eye = vectorAt(command, 0), target = vectorAt(command, 3);
+	const QVector3D target = vectorAt(command, 3);
+	QVector3D eye = vectorAt(command, 0);
 	const QVector3D up = command.words.size() > 6 ? vectorAt(command, 6) : QVector3D(0, 1, 0);
 	const QVector3D back = (eye - target).normalized();
 	const QVector3D right = QVector3D::crossProduct(up, back).normalized();
@@ -72,6 +83,8 @@ void lookFrom(const Command& command)
 
 	QDomDocument document = parseCamera(cameraText());
 	QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
+	if (camera.attribute("CameraType") == "1")
+		eye = target + back * float(orthographicDistance(document));
 	// rows: the camera's axes; the translation is minus the eye
 	camera.setAttribute("RotationMatrix",
 	                    row(right, 0) + row(QVector3D::crossProduct(back, right), 0) + row(back, 0) + "0 0 0 1 ");

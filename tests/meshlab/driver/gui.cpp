@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QMessageBox>
+#include <algorithm>
 #include <cstring>
 
 namespace driver {
@@ -42,6 +43,10 @@ QList<QGLWidget*> visibleViews()
 		for (QGLWidget* widget : window->findChildren<QGLWidget*>())
 			if (isOfClass(widget, "GLArea") && widget->isVisible())
 				views << widget;
+	std::sort(views.begin(), views.end(), [](QGLWidget* a, QGLWidget* b) {
+		const QPoint p = a->mapToGlobal(QPoint()), q = b->mapToGlobal(QPoint());
+		return std::make_pair(p.y(), p.x()) < std::make_pair(q.y(), q.x());
+	});
 	return views;
 }
 
@@ -84,6 +89,8 @@ QString withoutMnemonic(QString text)
 
 QAction* findAction(const QString& text)
 {
+	// MeshLab enables actions as if by chance: a resized window can be split only after its menus were updated
+	QMetaObject::invokeMethod(requireMainWindow(), "updateMenus", Qt::DirectConnection);
 	for (QWidget* widget : QApplication::allWidgets())
 		for (QAction* action : widget->actions())
 			if (withoutMnemonic(action->text()) == text)

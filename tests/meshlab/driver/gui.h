@@ -13,7 +13,7 @@ namespace driver {
 QMainWindow* mainWindow();                  // null before it exists
 QMainWindow* requireMainWindow();           // CommandError when there is none
 
-QList<QGLWidget*> visibleViews();           // the GL views, in the order of their creation
+QList<QGLWidget*> visibleViews();           // the GL views, from the upper left to the lower right
 QGLWidget* view();                          // the chosen one (the first by default); null when there is none
 QGLWidget* requireView();
 void chooseView(int index);

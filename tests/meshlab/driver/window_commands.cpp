@@ -6,12 +6,14 @@
 // camera FILE                  a view saved by MeshLab or by save-camera            save-camera FILE
 // look EX EY EZ TX TY TZ [UX UY UZ]   eye, target, upward direction
 // slot window|view NAME [TEXT] invokes a slot by its name
-// select-layer NAME            show-layer NAME (toggles its eye)                    delete-layer NAME
+// select-layer LAYER           show-layer LAYER (toggles its eye)                   delete-layer LAYER
+//                              LAYER is a name or a number of the layer list
 #include "camera.h"
 #include "gui.h"
 #include "modules.h"
 #include <QApplication>
 #include <QDockWidget>
+#include <QFocusEvent>
 #include <QTreeWidget>
 
 namespace driver {
@@ -22,12 +24,17 @@ Outcome waitForView(const Command&)
 	return view() ? Outcome::Done : Outcome::Retry;
 }
 
-// Docked dialogs keep the view from getting small, and change its size when they come and go.
-void undockDialogs()
+// Docked dialogs keep the view from getting small, and change its size when they come and go: put them beside it.
+void undockDialogs(const QSize& windowSize)
 {
-	for (QDockWidget* dock : requireMainWindow()->findChildren<QDockWidget*>())
-		if (dock->isVisible() && !dock->isFloating())
-			dock->setFloating(true);
+	int left = windowSize.width();
+	for (QDockWidget* dock : requireMainWindow()->findChildren<QDockWidget*>()) {
+		if (!dock->isVisible())
+			continue;
+		dock->setFloating(true);
+		dock->move(left, 0);
+		left += dock->width();
+	}
 }
 
 // The main window follows the view: the bars around it have sizes of their own, which settle after some events.
@@ -40,8 +47,8 @@ Outcome setViewSize(const Command& command)
 	QMainWindow* window = requireMainWindow();
 	if (window->isMaximized() || window->isFullScreen())
 		window->showNormal();
-	undockDialogs();
 	QGLWidget* area = requireView();
+	undockDialogs(window->size() + wanted - area->size());
 	if (area->size() == wanted)
 		return Outcome::Done;
 	const QSize needed = window->size() + wanted - area->size();
@@ -66,7 +73,9 @@ void openMesh(const Command& command)
 void makeCurrent(const Command& command)
 {
 	chooseView(int(command.number(0)));
-	requireView()->setFocus(); // MeshLab calls the view with the focus the current one
+	// MeshLab takes the view that got the focus last; a display without window manager may hand out none
+	QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
+	QApplication::sendEvent(requireView(), &event);
 }
 
 void expectViews(const Command& command)
@@ -93,22 +102,30 @@ void invokeSlot(const Command& command)
 		throw CommandError("there is no such slot");
 }
 
-enum LayerColumn { Eye = 0, Name = 1 };
+// MeshLab's layer list shows an eye, a number and a name, with a star when the layer was changed.
+enum LayerColumn { Eye, Number, Name };
+
+bool isLayer(const QTreeWidgetItem* item, const QString& which)
+{
+	QString name = item->text(Name);
+	if (name.endsWith(" *"))
+		name.chop(2);
+	return name == which || item->text(Number) == which;
+}
 
 void clickLayer(const Command& command, LayerColumn column)
 {
 	auto* tree = requireMainWindow()->findChild<QTreeWidget*>("meshTreeWidget");
-	QStringList others;
+	QStringList layers;
 	for (int i = 0; tree && i < tree->topLevelItemCount(); ++i) {
 		QTreeWidgetItem* item = tree->topLevelItem(i);
-		for (int c = 0; c < item->columnCount(); ++c) {
-			others << item->text(c);
-			if (item->text(c).section(' ', 1) == command.rest || item->text(c) == command.rest)
-				return void(QMetaObject::invokeMethod(tree, "itemPressed", Q_ARG(QTreeWidgetItem*, item),
-				                                      Q_ARG(int, int(column))));
+		layers << QString("'%1' (%2)").arg(item->text(Name), item->text(Number));
+		if (isLayer(item, command.rest)) {
+			emit tree->itemPressed(item, column);
+			return;
 		}
 	}
-	throw CommandError(QString("no layer '%1' among '%2'").arg(command.rest, others.join("', '")));
+	throw CommandError(QString("no layer '%1' among %2").arg(command.rest, layers.join(", ")));
 }
 
 void deleteLayer(const Command& command)

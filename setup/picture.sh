@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# MeshLab with Laplacian lines switched on, in a window or on a picture. The GUI driver does the clicking.
+
+readonly LINES_ACTION="Laplacian Lines"
+readonly MESHLAB_MINUTES=15 # more than a mesh of ten million triangles takes to load and prepare
+
+# run_meshlab STAGE FOLDER: MeshLab with the driver script FOLDER/script; its chatter goes to FOLDER/log.
+run_meshlab() {
+    LAPLACIAN_LINES_DRIVER=$2/script "$1/bin/meshlab" >"$2/log" 2>&1
+}
+
+# What went wrong, in the driver's words, else the last lines of MeshLab's own.
+explain_failure() {
+    local reason
+    reason=$(sed -n 's/^meshlab_driver: error: line [0-9]*: //p' "$1/log" | tail -n 1)
+    if [[ -n $reason ]]; then
+        say "MeshLab: $reason"
+    else
+        tail -n 5 "$1/log" >&2
+    fi
+}
+
+open_window() {
+    local stage=$1 folder=$2
+    printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "open $MESH" "check $LINES_ACTION on" >"$folder/script"
+    say "opening MeshLab; $LINES_ACTION is under Render"
+    run_meshlab "$stage" "$folder" || {
+        explain_failure "$folder"
+        fail "MeshLab ended with an error"
+    }
+}
+
+check_picture() {
+    [[ $1 == *.png ]] || fail "the picture has to be a .png file, not $1"
+    [[ -d $(dirname "$1") && -w $(dirname "$1") ]] || fail "cannot write into the folder of $1"
+}
+
+picture_script() {
+    local picture=$1 size=$2
+    printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "open $MESH" \
+        "check Show Info Panel off" "check Show Trackball off" \
+        "check $LINES_ACTION on" "size $size" "grab $picture" quit
+}
+
+take_picture() {
+    local stage=$1 folder=$2 picture=$3 size=$4 target
+    target=$(readlink -f "$(dirname "$picture")")/$(basename "$picture")
+    picture_script "$folder/picture.png" "$size" >"$folder/script"
+    # room for the window around the view and for the dialogs beside it
+    start_display $((${size%x*} + 600)) $((${size#*x} + 300))
+    say "drawing $size in MeshLab"
+    (
+        use_private_home "$folder/home"
+        white_background "$folder/home"
+        run_meshlab "$stage" "$folder"
+    ) || {
+        explain_failure "$folder"
+        fail "no picture was written"
+    }
+    mv "$folder/picture.png" "$target"
+    say "the picture is $target"
+}
