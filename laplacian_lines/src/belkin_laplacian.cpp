@@ -10,7 +10,9 @@ constexpr double kPi = 3.14159265358979323846;
 // Less of the kernel than this is on the surface only at the tip of a border's corner.
 constexpr double kLeastKernelMass = 0.2;
 
-double tail(double u) { return (1 + u) * std::exp(-u); }
+double tail(double u) {
+    return (1 + u) * std::exp(-u);
+}
 
 }  // namespace
 
@@ -45,10 +47,13 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
         if (!options.correct_borders) continue;
         const Eigen::Vector3d& n = normals[i];
         const Eigen::Vector3d moment = factor * sums.first_moment[i].cast<double>();
-        // A border leaves a first moment along the surface, which S turns into a spurious term.
+        // A kernel that is not symmetric around p, as at a border, has a first moment along the
+        // surface, which S turns into a spurious term.
         laplacian[i] -= shape_operators[i] * (moment - n * n.dot(moment));
-        const double kernel_mass = sums.mass[i] / (4 * kPi * h);
-        laplacian[i] /= std::max(kernel_mass, kLeastKernelMass);
+        // Part of the kernel is missing there, too. The same step halves the bias on curved
+        // surfaces; tangential parts get worse by it.
+        const double kernel_mass = std::max(sums.mass[i] / (4 * kPi * h), kLeastKernelMass);
+        laplacian[i] += n * n.dot(laplacian[i]) * (1 / kernel_mass - 1);
     }
     return laplacian;
 }

@@ -20,7 +20,8 @@ std::vector<Eigen::Vector3d> cotangent_laplacian(const PreparedMesh& mesh,
             laplacian[b] -= flow;
         }
     }
-    for (std::size_t i = 0; i < laplacian.size(); ++i) laplacian[i] /= mesh.masses[i];
+    for (std::size_t i = 0; i < laplacian.size(); ++i)
+        laplacian[i] /= mesh.masses[i];
     return laplacian;
 }
 

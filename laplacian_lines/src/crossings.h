@@ -36,7 +36,6 @@ LineRules contour_rules(const LineStyle& style);
 struct VertexValues {
     std::vector<float> laplacian;     ///< ΔI
     std::vector<float> illumination;  ///< I
-    std::vector<float> facing;        ///< n·l/|l|
     std::vector<std::uint8_t> signs;  ///< bits of SignBit
 };
 

@@ -23,7 +23,8 @@ std::vector<HalfEdge> bucket_by_smaller_vertex(const std::vector<Triangle>& tria
             }
     };
     for_each([&](std::uint32_t a, std::uint32_t, std::uint32_t) { ++start[a + 1]; });
-    for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
+    for (std::size_t v = 1; v < start.size(); ++v)
+        start[v] += start[v - 1];
     std::vector<HalfEdge> halves(3 * triangles.size());
     std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
     for_each([&](std::uint32_t a, std::uint32_t b, std::uint32_t corner) {
@@ -39,8 +40,6 @@ EdgeTopology build_edge_topology(std::size_t vertex_count, const std::vector<Tri
     std::vector<HalfEdge> halves = bucket_by_smaller_vertex(triangles, start);
     EdgeTopology topology;
     topology.edges_of_triangle.resize(triangles.size());
-    topology.edges.reserve(halves.size() / 2 + 1);
-    topology.triangles_of_edge.reserve(halves.size() / 2 + 1);
     for (std::uint32_t v = 0; v < vertex_count; ++v) {
         const auto begin = halves.begin() + start[v], end = halves.begin() + start[v + 1];
         std::sort(begin, end, [](const HalfEdge& x, const HalfEdge& y) {
@@ -48,13 +47,9 @@ EdgeTopology build_edge_topology(std::size_t vertex_count, const std::vector<Tri
                                                       : x.corner < y.corner;
         });
         for (auto h = begin; h != end; ++h) {
-            if (h == begin || h->larger_vertex != (h - 1)->larger_vertex) {
-                topology.edges.push_back({v, h->larger_vertex});
-                topology.triangles_of_edge.push_back(0);
-            }
-            ++topology.triangles_of_edge.back();
+            if (h == begin || h->larger_vertex != (h - 1)->larger_vertex) ++topology.edge_count;
             topology.edges_of_triangle[h->corner / 3][h->corner % 3] =
-                std::uint32_t(topology.edges.size() - 1);
+                std::uint32_t(topology.edge_count - 1);
         }
     }
     return topology;

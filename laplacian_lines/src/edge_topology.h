@@ -11,9 +11,8 @@ namespace laplacian_lines {
 
 /// The undirected edges of a triangle list, each once, for any topology.
 struct EdgeTopology {
-    std::vector<std::array<std::uint32_t, 2>> edges;   ///< [E], smaller vertex first
-    std::vector<std::uint32_t> triangles_of_edge;      ///< [E], how many triangles have the edge
-    std::vector<std::array<std::uint32_t, 3>> edges_of_triangle;  ///< [T]; k: opposite corner k
+    std::size_t edge_count = 0;
+    std::vector<std::array<std::uint32_t, 3>> edges_of_triangle;  ///< k: opposite corner k
 };
 
 /// Edges are numbered by their smaller vertex, so that they are stored near their vertices.

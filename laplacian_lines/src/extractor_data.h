@@ -2,48 +2,51 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
-#include "edge_topology.h"
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/triangle_mesh.h"
 
 namespace laplacian_lines {
 
-/// One array for each coordinate, so that a pass over all vertices is vectorized.
-struct Vectors {
-    std::vector<float> x, y, z;
+/// A linear form in the homogeneous eye (e, w) at each vertex: v·(e − w p), stored as v and v·p.
+/// One array for each number, so that a pass over all vertices is vectorized.
+struct LinearForms {
+    std::vector<float> x, y, z, offset;
 
-    Eigen::Vector3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
     void resize(std::size_t n) {
-        x.resize(n);
-        y.resize(n);
-        z.resize(n);
+        for (auto* values : {&x, &y, &z, &offset})
+            values->resize(n);
     }
-    void set(std::size_t i, const Eigen::Vector3d& v) {
+    void set(std::size_t i, const Eigen::Vector3d& v, const Eigen::Vector3d& p) {
         x[i] = float(v.x());
         y[i] = float(v.y());
         z[i] = float(v.z());
+        offset[i] = float(v.dot(p));
     }
+};
+
+/// What only the vertices near a line are asked for; together, since they are far apart.
+struct VertexRecord {
+    Eigen::Vector3f position;      ///< p, local
+    ShapeOperator shape_operator;  ///< S·D
+    float slope_scale;             ///< h_e(p)^1.5, local
 };
 
 /// What a redraw reads, in the order that it reads it: vertices in an order that keeps neighbours
 /// together, triangles by their first vertex. Local coordinates x' = (x − centre)/D, so that all
 /// thresholds are dimensionless as they stand.
 struct ExtractorData {
-    Vectors positions;                           ///< p, local
-    Vectors normals;                             ///< n
-    std::vector<float> normal_offsets;           ///< n·p
-    Vectors laplacians;                          ///< Δn·D²
-    std::vector<float> laplacian_offsets;        ///< Δn·p·D²
-    std::vector<ShapeOperator> shape_operators;  ///< S·D
-    std::vector<float> slope_scale;              ///< h_e(p)^1.5, local
+    LinearForms normals;     ///< n·l, the illumination
+    LinearForms laplacians;  ///< Δn·l·D², its Laplacian in the paper's form
+    std::vector<VertexRecord> vertices;
     std::vector<Triangle> triangles;
-    EdgeTopology topology;
+    std::vector<std::array<std::uint32_t, 3>> edges_of_triangle;  ///< k: opposite corner k
+    std::size_t edge_count = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     double diagonal = 1;                               ///< D, mesh units
 
-    std::size_t vertex_count() const { return normal_offsets.size(); }
     std::size_t memory() const;  ///< bytes
 };
 

@@ -21,7 +21,6 @@ public:
         : mesh_(mesh), tree_(tree), normals_(normals), kernel_(kernel), leaf_(leaf) {
         centre_ = leaf.box.center();
         for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) {
-            const std::uint32_t v = tree.order()[i];
             reference_normal_ += normals[v] / double(leaf.end - leaf.begin);
             radius_ = std::max(radius_, kernel.cutoff * kernel.kernel_sizes[v]);
         }
@@ -29,12 +28,13 @@ public:
 
     void collect_sources(std::vector<GaussianSource>& sources) const {
         sources.clear();
+        const Eigen::Array3f half_size = (leaf_.box.sizes() / 2).cast<float>();
+        const float squared_radius = float(radius_ * radius_);
         tree_.visit_leaves(leaf_.box, radius_, [&](const SpatialTree::Leaf& other) {
-            for (std::uint32_t i = other.begin; i < other.end; ++i) {
-                const std::uint32_t v = tree_.order()[i];
-                if (leaf_.box.squaredExteriorDistance(mesh_.positions[v]) > radius_ * radius_)
-                    continue;
+            for (std::uint32_t v = other.begin; v < other.end; ++v) {
                 const Eigen::Vector3f p = (mesh_.positions[v] - centre_).cast<float>();
+                const Eigen::Array3f outside = (p.array().abs() - half_size).max(0.f);
+                if (outside.matrix().squaredNorm() > squared_radius) continue;
                 const Eigen::Vector3f n = (normals_[v] - reference_normal_).cast<float>();
                 sources.push_back(
                     {p.x(), p.y(), p.z(), float(mesh_.masses[v]), n.x(), n.y(), n.z(), 0});
@@ -45,7 +45,7 @@ public:
     GaussianTargets targets(std::uint32_t begin) const {
         GaussianTargets t;
         for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-            const std::uint32_t v = tree_.order()[std::min(begin + lane, leaf_.end - 1)];
+            const std::uint32_t v = std::min(begin + lane, leaf_.end - 1);
             const Eigen::Vector3f p = (mesh_.positions[v] - centre_).cast<float>();
             const Eigen::Vector3f n = normals_[v].cast<float>();
             t.x[lane] = p.x(), t.y[lane] = p.y(), t.z[lane] = p.z();
@@ -63,7 +63,7 @@ public:
     void write(const GaussianLaneSums& s, std::uint32_t begin, GaussianSums& sums) const {
         for (std::uint32_t lane = 0; lane < std::min<std::uint32_t>(kLanes, leaf_.end - begin);
              ++lane) {
-            const std::uint32_t v = tree_.order()[begin + lane];
+            const std::uint32_t v = begin + lane;
             sums.mass[v] = s.mass[lane];
             sums.first_moment[v] = {s.mx[lane], s.my[lane], s.mz[lane]};
             sums.normal_difference[v] =

@@ -21,14 +21,15 @@ struct GaussianKernel {
 
 /// The sums that both the normal smoothing and Belkin's operator are made of, [N] each.
 struct GaussianSums {
-    std::vector<float> mass;                          ///< Σ w
-    std::vector<Eigen::Vector3f> first_moment;        ///< Σ w (q − p)
-    std::vector<Eigen::Vector3f> normal_difference;   ///< Σ w (n_q − n_p)
+    std::vector<float> mass;                         ///< Σ w
+    std::vector<Eigen::Vector3f> first_moment;       ///< Σ w (q − p)
+    std::vector<Eigen::Vector3f> normal_difference;  ///< Σ w (n_q − n_p)
 };
 
-/// Direct summation in float, relative error about 1e-6 before the truncation at the cutoff:
-/// positions are taken relative to the centre of a group of targets, and normals relative to the
-/// group's mean, since Σ w n_q − n_p Σ w would cancel.
+/// The mesh is sorted in space, and `tree` is its tree. Direct summation in float, relative error
+/// about 1e-6 before the truncation at the cutoff: positions are taken relative to the centre of a
+/// group of targets, and normals relative to the group's mean, since Σ w n_q − n_p Σ w would
+/// cancel.
 GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const std::vector<Eigen::Vector3d>& normals,
                            const GaussianKernel& kernel, const StageProgress& stage);

@@ -3,10 +3,13 @@
 
 #include <cstdint>
 
-// Sanitizers and some tool chains cannot resolve function clones at load time.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(LAPLACIAN_LINES_NO_CLONES)
+// One version for each level of the instruction set, chosen when the program starts. Named levels
+// (GCC 12) look at what the processor can do; "arch=" with a processor's name would look for that
+// very model. Sanitizers cannot resolve clones.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
+    !defined(LAPLACIAN_LINES_NO_CLONES)
 #define LAPLACIAN_LINES_CLONES \
-    __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
+    __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define LAPLACIAN_LINES_CLONES
 #endif
@@ -24,10 +27,17 @@ inline __attribute__((always_inline)) void store(float* p, Floats v) {
     *reinterpret_cast<Floats*>(p) = v;
 }
 
+/// All bits set where v < 0. Comparisons of vectors would be lowered to scalar code before the
+/// function is cloned for wider instruction sets; shifts are not.
+inline __attribute__((always_inline)) Ints is_negative(Floats v) {
+    return (Ints)v >> 31;
+}
+
 /// 2^x for x <= 0, relative error 2e-7; tiny results become about 1e-37 instead of 0.
 inline __attribute__((always_inline)) Floats exp2_of_negative(Floats x) {
     constexpr float kRound = 12582912.f;  // 1.5·2^23: adding it rounds to an integer
-    x = x > -124.f ? x : Floats{} - 124.f;
+    const Ints too_small = is_negative(x + 124.f);
+    x = (Floats)(((Ints)x & ~too_small) | ((Ints)(Floats{} - 124.f) & too_small));
     const Floats shifted = x + kRound;
     const Floats f = x - (shifted - kRound);  // [-0.5, 0.5]
     // Taylor series of 2^f; coefficients ln(2)^k / k!.
@@ -57,10 +67,11 @@ void sum_gaussians(const GaussianTargets& t, const GaussianSource* sources,
         const Floats dx = s.x - x, dy = s.y - y, dz = s.z - z;
         const Floats squared = dx * dx + dy * dy + dz * dz;
         const Floats cosine = s.nx * nx + s.ny * ny + s.nz * nz + reference_cosine;
-        const Ints inside = (squared <= squared_cutoff) & (cosine > t.least_cosine);
+        const Ints outside =
+            is_negative(squared_cutoff - squared) | is_negative(cosine - t.least_cosine);
         const Floats g =
             exp2_of_negative(squared * exponent + t.normal_exponent * (1.f - cosine)) * s.mass;
-        const Floats w = (Floats)((Ints)g & inside);
+        const Floats w = (Floats)((Ints)g & ~outside);
         mass += w;
         mx += w * dx;
         my += w * dy;

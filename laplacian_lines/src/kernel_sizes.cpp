@@ -21,7 +21,8 @@ std::vector<double> local_edge_lengths(const PreparedMesh& mesh) {
                 counts[v] += 1;
             }
         }
-    for (std::size_t v = 0; v < lengths.size(); ++v) lengths[v] /= counts[v];
+    for (std::size_t v = 0; v < lengths.size(); ++v)
+        lengths[v] /= counts[v];
     return lengths;
 }
 
@@ -32,7 +33,8 @@ void average_over_one_rings(const PreparedMesh& mesh, std::vector<double>& value
             sums[t[k]] += values[t[(k + 1) % 3]] + values[t[(k + 2) % 3]];
             counts[t[k]] += 2;
         }
-    for (std::size_t v = 0; v < values.size(); ++v) values[v] = sums[v] / counts[v];
+    for (std::size_t v = 0; v < values.size(); ++v)
+        values[v] = sums[v] / counts[v];
 }
 
 }  // namespace
@@ -49,7 +51,8 @@ double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& opt
 std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, KernelMode mode) {
     if (mode == KernelMode::Uniform) return std::vector<float>(mesh.size(), 1.f);
     std::vector<double> lengths = local_edge_lengths(mesh);
-    for (int pass = 0; pass < kSmoothingPasses; ++pass) average_over_one_rings(mesh, lengths);
+    for (int pass = 0; pass < kSmoothingPasses; ++pass)
+        average_over_one_rings(mesh, lengths);
     std::vector<float> ratios(mesh.size());
     for (std::size_t v = 0; v < ratios.size(); ++v)
         ratios[v] = float(std::clamp(lengths[v] / mesh.mean_edge, kSmallestRatio, kLargestRatio));

@@ -33,7 +33,9 @@ LineExtractor::~LineExtractor() = default;
 LineExtractor::LineExtractor(LineExtractor&&) noexcept = default;
 LineExtractor& LineExtractor::operator=(LineExtractor&&) noexcept = default;
 
-std::size_t LineExtractor::memory() const { return data_->memory(); }
+std::size_t LineExtractor::memory() const {
+    return data_->memory();
+}
 
 namespace {
 
@@ -43,8 +45,7 @@ constexpr double kLeastEyeDistance = 0.01;
 /// To local coordinates, times s = 1/|e − c| (perspective) or to unit length (orthographic).
 LocalEye to_local(const View& view, const ExtractorData& data) {
     const Eigen::Vector3d eye =
-        view.w == 0 ? view.eye
-                    : Eigen::Vector3d((view.eye / view.w - data.centre) / data.diagonal);
+        view.w == 0 ? view.eye : Eigen::Vector3d((view.eye / view.w - data.centre) / data.diagonal);
     const double distance = eye.stableNorm();
     if (!std::isfinite(view.w) || !std::isfinite(distance) || (view.w == 0 && distance == 0))
         throw Error(ErrorCode::InvalidOption, "The view has no finite eye or direction.");

@@ -18,7 +18,8 @@ void smooth_normals(const PreparedMesh& mesh, const SpatialTree& tree,
     if (options.normal_smoothing == NormalSmoothing::None || !(sigma > 0)) return;
     GaussianKernel kernel;
     kernel.kernel_sizes = relative_sizes;
-    for (float& size : kernel.kernel_sizes) size *= float(sigma / std::sqrt(2.0));
+    for (float& size : kernel.kernel_sizes)
+        size *= float(sigma / std::sqrt(2.0));
     kernel.cutoff = kCutoffInSigma * std::sqrt(2.0);
     if (options.normal_smoothing == NormalSmoothing::Bilateral)
         kernel.normal_falloff =

@@ -176,8 +176,12 @@ const std::vector<OptionDescription<LineStyle>>& line_style_table() {
     return table;
 }
 
-void validate(const PrecomputeOptions& options) { check_ranges(precompute_option_table(), options); }
+void validate(const PrecomputeOptions& options) {
+    check_ranges(precompute_option_table(), options);
+}
 
-void validate(const LineStyle& style) { check_ranges(line_style_table(), style); }
+void validate(const LineStyle& style) {
+    check_ranges(line_style_table(), style);
+}
 
 }  // namespace laplacian_lines

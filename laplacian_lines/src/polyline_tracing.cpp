@@ -48,7 +48,8 @@ public:
         for (std::uint32_t offset : {0u, 1u})
             for (std::uint32_t s = 0; s < graph_.segments.size(); ++s)
                 if (memory_.linked_half[2 * s + offset] == kNone) trace(2 * s + offset);
-        for (std::uint32_t s = 0; s < graph_.segments.size(); ++s) trace(2 * s);
+        for (std::uint32_t s = 0; s < graph_.segments.size(); ++s)
+            trace(2 * s);
     }
 
 private:
@@ -123,7 +124,8 @@ private:
                     : 1.f;
         }
         if (!rules_.use_slope) return;
-        for (int pass = 0; pass < kWeightSmoothingPasses; ++pass) smooth_weights(points, line);
+        for (int pass = 0; pass < kWeightSmoothingPasses; ++pass)
+            smooth_weights(points, line);
     }
 
     /// Binomial smoothing, since slopes of neighbouring triangles differ visibly.

@@ -13,7 +13,7 @@ struct TracingMemory {
     /// A half is an end of a segment: 2·segment for its begin, 2·segment + 1 for its end.
     std::vector<std::uint32_t> linked_half;  ///< the half that continues, by half
     std::vector<std::uint32_t> half_of_crossing;
-    std::vector<std::uint8_t> degree;  ///< halves at a crossing, saturating at 3
+    std::vector<std::uint8_t> degree;   ///< halves at a crossing, saturating at 3
     std::vector<std::uint8_t> visited;  ///< by segment
 };
 

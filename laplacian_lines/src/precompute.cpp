@@ -17,13 +17,13 @@ constexpr int kTensorSmoothingPasses = 2;
 /// The computation on the prepared mesh, step by step; everything in local units.
 class FieldComputation {
 public:
-    FieldComputation(const PreparedMesh& mesh, const PrecomputeOptions& options,
-                     const Progress& progress)
+    FieldComputation(const PreparedMesh& mesh, const SpatialTree& tree,
+                     const PrecomputeOptions& options, const Progress& progress)
         : mesh_(mesh),
+          tree_(tree),
           options_(options),
           progress_(progress),
-          relative_sizes_(relative_kernel_sizes(mesh, options.kernel_mode)),
-          tree_(mesh.positions) {
+          relative_sizes_(relative_kernel_sizes(mesh, options.kernel_mode)) {
         kernel_size_ = global_kernel_size(mesh, options);
         if (options.normal_smoothing != NormalSmoothing::None)
             normal_sigma_ = options.normal_sigma * mesh.mean_edge;
@@ -87,20 +87,20 @@ private:
             laplacian_ = cotangent_laplacian(mesh_, normals_);
         } else {
             std::vector<float> sizes = relative_sizes_;
-            for (float& size : sizes) size *= float(kernel_size_);
+            for (float& size : sizes)
+                size *= float(kernel_size_);
             laplacian_ = belkin_laplacian(
                 mesh_, tree_, normals_, sizes, shape_operators_,
-                {options_.accuracy, options_.correct_borders, options_.skip_opposite_sheet},
-                stage);
+                {options_.accuracy, options_.correct_borders, options_.skip_opposite_sheet}, stage);
         }
         stage.report(1);
     }
 
     const PreparedMesh& mesh_;
+    const SpatialTree& tree_;
     const PrecomputeOptions& options_;
     const Progress& progress_;
     std::vector<float> relative_sizes_;
-    SpatialTree tree_;
     double kernel_size_ = 0, normal_sigma_ = 0;
     std::vector<Eigen::Vector3d> normals_, laplacian_;
     std::vector<Eigen::Matrix3d> shape_operators_;
@@ -113,9 +113,11 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
     validate(options);
     const StageProgress stage(progress, 0, 0.1, "Preparing the mesh");
     stage.report(0);
-    const PreparedMesh prepared = prepare_mesh(mesh);
+    PreparedMesh prepared = prepare_mesh(mesh);
+    stage.report(0.7);
+    const SpatialTree tree = sort_in_space(prepared);
     stage.report(1);
-    FieldComputation computation(prepared, options, progress);
+    FieldComputation computation(prepared, tree, options, progress);
     computation.run();
     return computation.result(mesh.positions.size());
 }

@@ -2,8 +2,9 @@
 #include "prepared_mesh.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <string>
 
-#include "edge_topology.h"
 #include "laplacian_lines/error.h"
 
 namespace laplacian_lines {
@@ -49,7 +50,8 @@ std::vector<Triangle> usable_triangles(const TriangleMesh& mesh, MeshReport& rep
 void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
     std::vector<std::uint32_t> number(mesh.positions.size(), kUnused);
     for (const Triangle& t : prepared.triangles)
-        for (std::uint32_t v : t) number[v] = 0;
+        for (std::uint32_t v : t)
+            number[v] = 0;
     for (std::uint32_t v = 0; v < number.size(); ++v) {
         if (!mesh.positions[v].allFinite())
             ++prepared.report.non_finite_vertices;
@@ -61,7 +63,8 @@ void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
         }
     }
     for (Triangle& t : prepared.triangles)
-        for (std::uint32_t& v : t) v = number[v];
+        for (std::uint32_t& v : t)
+            v = number[v];
 }
 
 void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
@@ -90,13 +93,27 @@ void measure(PreparedMesh& mesh) {
     mesh.mean_edge = edges / double(3 * mesh.triangles.size());
 }
 
-void mark_borders(PreparedMesh& mesh) {
-    mesh.on_border.assign(mesh.size(), 0);
-    const EdgeTopology topology = build_edge_topology(mesh.size(), mesh.triangles);
-    for (std::size_t e = 0; e < topology.edges.size(); ++e)
-        if (topology.triangles_of_edge[e] == 1)
-            for (std::uint32_t v : topology.edges[e]) mesh.on_border[v] = 1;
-    for (std::uint8_t b : mesh.on_border) mesh.report.border_vertices += b;
+/// Sorts triangles by their smallest vertex, which becomes the first.
+void sort_triangles(PreparedMesh& mesh) {
+    std::vector<std::uint32_t> place(mesh.size() + 1, 0);
+    for (Triangle& t : mesh.triangles) {
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+        ++place[t[0] + 1];
+    }
+    for (std::size_t v = 1; v < place.size(); ++v)
+        place[v] += place[v - 1];
+    std::vector<Triangle> sorted(mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles)
+        sorted[place[t[0]]++] = t;
+    mesh.triangles.swap(sorted);
+}
+
+template <class T>
+void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+    std::vector<T> permuted(values.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        permuted[i] = values[order[i]];
+    values.swap(permuted);
 }
 
 }  // namespace
@@ -115,8 +132,23 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
     keep_used_vertices(mesh, prepared);
     to_local_coordinates(mesh, prepared);
     measure(prepared);
-    mark_borders(prepared);
     return prepared;
+}
+
+SpatialTree sort_in_space(PreparedMesh& mesh) {
+    std::vector<std::uint32_t> order;
+    SpatialTree tree(mesh.positions, order);
+    std::vector<std::uint32_t> place(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        place[order[i]] = i;
+    permute(mesh.positions, order);
+    permute(mesh.masses, order);
+    permute(mesh.original_vertex, order);
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t)
+            v = place[v];
+    sort_triangles(mesh);
+    return tree;
 }
 
 }  // namespace laplacian_lines

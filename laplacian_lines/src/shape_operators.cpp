@@ -67,8 +67,7 @@ std::vector<Eigen::Matrix3d> fit_triangles(const PreparedMesh& mesh,
 
 std::vector<Eigen::Matrix3d> fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
                                        const std::vector<Eigen::Vector3d>& normals, double radius,
-                                       bool same_side,
-                                       const std::vector<Eigen::Matrix3d>& fallback,
+                                       bool same_side, const std::vector<Eigen::Matrix3d>& fallback,
                                        const StageProgress& stage) {
     std::vector<Eigen::Matrix3d> operators = fallback;
     parallel_for<NoScratch>(mesh.size(), stage, [&](std::size_t i, NoScratch&) {
@@ -79,8 +78,7 @@ std::vector<Eigen::Matrix3d> fit_balls(const PreparedMesh& mesh, const SpatialTr
         Eigen::Matrix2d lhs = Eigen::Matrix2d::Zero();
         Eigen::Matrix<double, 2, 3> rhs = Eigen::Matrix<double, 2, 3>::Zero();
         tree.visit_leaves(Eigen::AlignedBox3d(p), radius, [&](const SpatialTree::Leaf& leaf) {
-            for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) {
-                const std::uint32_t q = tree.order()[k];
+            for (std::uint32_t q = leaf.begin; q < leaf.end; ++q) {
                 const Eigen::Vector3d d = mesh.positions[q] - p;
                 if (d.squaredNorm() > radius * radius) continue;
                 if (same_side && normals[q].dot(n) <= 0) continue;

@@ -21,8 +21,7 @@ std::vector<Eigen::Matrix3d> fit_triangles(const PreparedMesh& mesh,
 /// in the eye. Where the ball holds too few vertices, `fallback` is kept.
 std::vector<Eigen::Matrix3d> fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
                                        const std::vector<Eigen::Vector3d>& normals, double radius,
-                                       bool same_side,
-                                       const std::vector<Eigen::Matrix3d>& fallback,
+                                       bool same_side, const std::vector<Eigen::Matrix3d>& fallback,
                                        const StageProgress& stage);
 
 /// One pass of averaging S over one-rings, each neighbour's tensor projected on the tangent plane.

@@ -6,15 +6,18 @@
 
 namespace laplacian_lines {
 
-SpatialTree::SpatialTree(const std::vector<Eigen::Vector3d>& points) : order_(points.size()) {
-    std::iota(order_.begin(), order_.end(), 0u);
-    if (!points.empty()) build(points, 0, std::uint32_t(points.size()));
+SpatialTree::SpatialTree(const std::vector<Eigen::Vector3d>& points,
+                         std::vector<std::uint32_t>& order) {
+    order.resize(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (!points.empty()) build(points, order, 0, std::uint32_t(points.size()));
 }
 
-void SpatialTree::build(const std::vector<Eigen::Vector3d>& points, std::uint32_t begin,
-                        std::uint32_t end) {
+void SpatialTree::build(const std::vector<Eigen::Vector3d>& points,
+                        std::vector<std::uint32_t>& order, std::uint32_t begin, std::uint32_t end) {
     Node node{{}, 0, kNoLeaf};
-    for (std::uint32_t i = begin; i < end; ++i) node.box.extend(points[order_[i]]);
+    for (std::uint32_t i = begin; i < end; ++i)
+        node.box.extend(points[order[i]]);
     const std::size_t self = nodes_.size();
     if (end - begin <= kLeafSize) {
         node.leaf = std::uint32_t(leaves_.size());
@@ -28,15 +31,15 @@ void SpatialTree::build(const std::vector<Eigen::Vector3d>& points, std::uint32_
     const std::uint32_t half_leaves = (end - begin) / 2 / kLeafSize;
     const std::uint32_t middle =
         half_leaves > 0 ? begin + half_leaves * kLeafSize : begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](std::uint32_t i, std::uint32_t j) {
-                         return points[i][axis] != points[j][axis] ? points[i][axis] < points[j][axis]
-                                                                   : i < j;
-                     });
+    std::nth_element(
+        order.begin() + begin, order.begin() + middle, order.begin() + end,
+        [&](std::uint32_t i, std::uint32_t j) {
+            return points[i][axis] != points[j][axis] ? points[i][axis] < points[j][axis] : i < j;
+        });
     nodes_.push_back(node);
-    build(points, begin, middle);
+    build(points, order, begin, middle);
     nodes_[self].right = std::uint32_t(nodes_.size());
-    build(points, middle, end);
+    build(points, order, middle, end);
 }
 
 }  // namespace laplacian_lines

@@ -13,13 +13,13 @@ public:
     static constexpr std::uint32_t kLeafSize = 32;
 
     struct Leaf {
-        std::uint32_t begin, end;  ///< range in order()
+        std::uint32_t begin, end;  ///< range of points, in the tree's order
         Eigen::AlignedBox3d box;
     };
 
-    explicit SpatialTree(const std::vector<Eigen::Vector3d>& points);
+    /// `order` becomes the tree's order: order[i] is the index of its i-th point.
+    SpatialTree(const std::vector<Eigen::Vector3d>& points, std::vector<std::uint32_t>& order);
 
-    const std::vector<std::uint32_t>& order() const { return order_; }  ///< point indices
     const std::vector<Leaf>& leaves() const { return leaves_; }
 
     /// Calls visit(leaf) for every leaf whose box is within `radius` of `box`.
@@ -36,7 +36,8 @@ private:
     };
     static constexpr std::uint32_t kNoLeaf = 0xffffffffu;
 
-    void build(const std::vector<Eigen::Vector3d>& points, std::uint32_t begin, std::uint32_t end);
+    void build(const std::vector<Eigen::Vector3d>& points, std::vector<std::uint32_t>& order,
+               std::uint32_t begin, std::uint32_t end);
 
     template <class Visit>
     void visit_node(std::uint32_t n, const Eigen::AlignedBox3d& box, double squared_radius,
@@ -48,7 +49,6 @@ private:
         visit_node(node.right, box, squared_radius, visit);
     }
 
-    std::vector<std::uint32_t> order_;
     std::vector<Node> nodes_;
     std::vector<Leaf> leaves_;
 };

@@ -10,9 +10,12 @@ namespace {
 double corner_weight(NormalWeighting weighting, const Eigen::Vector3d& u, const Eigen::Vector3d& v,
                      double twice_area) {
     switch (weighting) {
-        case NormalWeighting::Angle: return std::atan2(twice_area, u.dot(v));
-        case NormalWeighting::Max: return twice_area / (u.squaredNorm() * v.squaredNorm());
-        case NormalWeighting::Area: break;
+        case NormalWeighting::Angle:
+            return std::atan2(twice_area, u.dot(v));
+        case NormalWeighting::Max:
+            return twice_area / (u.squaredNorm() * v.squaredNorm());
+        case NormalWeighting::Area:
+            break;
     }
     return twice_area;
 }

@@ -45,9 +45,9 @@ struct PrecomputeOptions {
     double normal_sigma = 0.8;      ///< standard deviation of the smoothing, in mean edges
     double bilateral_angle = 20.0;  ///< degrees between normals at which bilateral weights fade
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
-    double gradient_radius = 3.0;      ///< ball of the least squares fit, in mean edges
-    bool correct_borders = true;       ///< make up for the half of the kernel a border lacks
-    bool skip_opposite_sheet = true;   ///< leave out sources q with n(p)·n(q) < 0
+    double gradient_radius = 3.0;     ///< ball of the least squares fit, in mean edges
+    bool correct_borders = true;      ///< make up for the half of the kernel a border lacks
+    bool skip_opposite_sheet = true;  ///< leave out sources q with n(p)·n(q) < 0
 };
 
 /// The automatic √h. Lengths in any unit; the result has the same one.

@@ -21,12 +21,11 @@ struct TriangleMesh {
 
 /// What the input held and what was left out of the computation.
 struct MeshReport {
-    std::size_t vertices = 0;                ///< all vertices of the input
-    std::size_t triangles = 0;               ///< all triangles of the input
-    std::size_t non_finite_vertices = 0;     ///< a coordinate is NaN or infinite
-    std::size_t unreferenced_vertices = 0;   ///< finite, but no usable triangle has it
-    std::size_t degenerate_triangles = 0;    ///< zero area, repeated or non-finite corners
-    std::size_t border_vertices = 0;         ///< on an edge that has one usable triangle
+    std::size_t vertices = 0;               ///< all vertices of the input
+    std::size_t triangles = 0;              ///< all triangles of the input
+    std::size_t non_finite_vertices = 0;    ///< a coordinate is NaN or infinite
+    std::size_t unreferenced_vertices = 0;  ///< finite, but no usable triangle has it
+    std::size_t degenerate_triangles = 0;   ///< zero area, repeated or non-finite corners
 };
 
 }  // namespace laplacian_lines
