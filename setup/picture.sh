@@ -14,7 +14,7 @@ explain_failure() {
     local reason
     reason=$(sed -n 's/^meshlab_driver: error: line [0-9]*: //p' "$1/log" | tail -n 1)
     if [[ -n $reason ]]; then
-        say "MeshLab: $reason"
+        say "$reason"
     else
         tail -n 5 "$1/log" >&2
     fi

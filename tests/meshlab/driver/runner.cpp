@@ -79,7 +79,7 @@ void Runner::step()
 		run(command, entry);
 	}
 	catch (const std::exception& e) { // must not travel through Qt's event loop
-		endAt(m_running.isEmpty() ? describe(command) : m_running, e);
+		endAt(m_inProgress.isEmpty() ? describe(command) : m_inProgress.last(), e);
 	}
 }
 
@@ -87,12 +87,12 @@ bool Runner::mayStart(const CommandTable::Entry& entry)
 {
 	QWidget* modal = QApplication::activeModalWidget();
 	if (!modal)
-		return m_depth == 0; // otherwise a filter's progress call-back is running the event loop
+		return m_inProgress.isEmpty(); // otherwise a filter's progress call-back is running the event loop
 	if (entry.place == Place::ModalBox)
 		return true;
 	if (acceptOptionsBox(modal))
 		return false;
-	throw CommandError("a box is in the way: " + describeBox(modal));
+	throw CommandError("MeshLab says: " + describeBox(modal));
 }
 
 void Runner::watch(const Command& command)
@@ -100,18 +100,17 @@ void Runner::watch(const Command& command)
 	if (m_watchedLine == command.line)
 		return; // a retry: its time goes on
 	m_watchedLine = command.line;
-	m_running = describe(command);
-	say(m_running.toStdString());
-	m_watchdog.watch(m_running.toStdString());
+	say(describe(command).toStdString());
+	m_watchdog.watch(describe(command).toStdString());
 }
 
 void Runner::run(const Command& command, const CommandTable::Entry& entry)
 {
 	const int position = m_next++;
 	scheduleStep(betweenCommands); // before the command, which may block in a modal box
-	++m_depth;
+	m_inProgress << describe(command);
 	const Outcome outcome = entry.handler(command);
-	--m_depth;
+	m_inProgress.removeLast();
 	if (outcome == Outcome::Retry)
 		m_next = position;
 }

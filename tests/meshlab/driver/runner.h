@@ -28,9 +28,8 @@ private:
 	CommandTable m_table;
 	Watchdog m_watchdog;
 	QElapsedTimer m_sleeping;
-	QString m_running;     // description of the command that was started last
+	QStringList m_inProgress; // commands: more than one when a command sits in a modal box's event loop
 	int m_next = 0;
-	int m_depth = 0;       // commands in progress: more than one when a command sits in a modal box's event loop
 	int m_watchedLine = 0;
 };
 

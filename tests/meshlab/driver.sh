@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The other tests rely on the driver: to notice what goes wrong, and to do what it says.
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+
+small_torus "$WORK/torus.ply"
+printf 'not a mesh\n' >"$WORK/broken.ply"
+
+drive_to_failure "line 2: jump: unknown command 'jump'" <<'END'
+wait
+jump
+END
+drive_to_failure "line 2: open nothing.ply: MeshLab says: .*does not exist" <<'END'
+wait
+open nothing.ply
+sleep 500
+END
+drive_to_failure "line 2: open broken.ply: MeshLab says: Opening Failure" <<'END'
+wait
+open broken.ply
+END
+drive_to_failure "line 3: trigger No Such Filter: no action 'No Such Filter'" <<'END'
+wait
+open torus.ply
+trigger No Such Filter
+END
+drive_to_failure "line 4: set No Such Field = 1: no field 'No Such Field' among .*'Smoothing steps'" <<'END'
+wait
+open torus.ply
+trigger Laplacian Smooth
+set No Such Field = 1
+END
+drive_to_failure "line 3: expect-modal .*: time-out after 1" <<'END'
+wait
+time-limit 1
+expect-modal a box that never comes
+END
+drive_to_failure "line 4: expect-log no such text: the log does not say so" <<'END'
+wait
+open torus.ply
+expect-log Opened mesh
+expect-log no such text
+END
+
+# and that it does its work
+drive <<'END'
+wait
+open torus.ply
+check Show Info Panel off
+size 500x400
+check Show Normal on
+setdeco Vector Length = 0.02
+setdeco Curr Vert Normal Color = #ff0000
+look 0 0 3  0 0 0
+grab normals.png
+save-camera camera.xml
+look 3 0 1  0 0 0  0 0 1
+camera camera.xml
+grab again.png
+snapshot tiled.png 2
+trigger Laplacian Smooth
+set Smoothing steps = 2
+apply
+close
+expect-log Smoothed
+END
+expect_picture "$WORK/normals.png" 500x400
+expect_picture "$WORK/tiled.png" 1000x800
+expect_same_picture "$WORK/normals.png" "$WORK/again.png" 50 # cameras travel as text of a few digits

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the tests in MeshLab share. A test sources this file and then has
+#   $WORK            an empty folder of its own, kept afterwards for a look
+#   drive            runs MeshLab with the driver script on stdin and expects success
+#   drive_to_failure the same, but expects MeshLab to end with an error whose text matches $1
+#   serve ARGS...    runs meshlabserver ARGS..., its exit code in $SERVER_CODE, its output in $WORK/log
+#   expect_text FILE REGEX        expect_picture FILE WxH       expect_same_picture FILE FILE PIXELS
+#   small_torus FILE              a mesh
+# With set -e, the first thing that is not as expected ends the test and shows the logs.
+set -euo pipefail
+
+TEST_NAME=$(basename "$0" .sh)
+SETUP=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../setup
+STAGE=$LAPLACIAN_LINES_BUILD/stage
+WORK=$LAPLACIAN_LINES_BUILD/Testing/meshlab/$TEST_NAME
+DRIVE_SECONDS=${DRIVE_SECONDS:-100} # a hung MeshLab, before ctest's own limit, so that its log is shown
+
+for part in messages cache packages stage display private_home models; do
+    # shellcheck source=/dev/null
+    source "$SETUP/$part.sh"
+done
+
+end_test() {
+    local code=$?
+    stop_display
+    if ((code != 0 && code != 77)) && [[ -s $WORK/log ]]; then
+        printf -- '--- the end of %s\n' "$WORK/log"
+        tail -n 60 "$WORK/log"
+    fi
+    exit "$code"
+}
+
+begin_test() {
+    rm -rf "$WORK"
+    mkdir -p "$WORK"
+    trap end_test EXIT
+    trap 'exit 143' TERM INT
+    start_display 1700 1000
+    use_private_home "$WORK/home"
+    white_background "$WORK/home"
+    # The same pixels on every machine, whatever the graphics card
+    export LIBGL_ALWAYS_SOFTWARE=1
+}
+
+# run_driver: the exit code of MeshLab driven by the script on stdin
+run_driver() {
+    cat >"$WORK/script"
+    printf 'quit\n' >>"$WORK/script"
+    local code=0
+    (cd "$WORK" && LAPLACIAN_LINES_DRIVER=$WORK/script timeout --kill-after=5 "$DRIVE_SECONDS" \
+        "$STAGE/bin/meshlab" >"$WORK/log" 2>&1) || code=$?
+    return "$code"
+}
+
+drive() {
+    local code=0
+    run_driver || code=$?
+    ((code == 0)) || fail "MeshLab ended with $code: $(grep 'meshlab_driver: error' "$WORK/log" || echo 'no word from the driver')"
+}
+
+drive_to_failure() {
+    local code=0
+    run_driver || code=$?
+    ((code == 3)) || fail "MeshLab ended with $code instead of the driver's 3"
+    expect_text "$WORK/log" "meshlab_driver: error: .*$1"
+}
+
+serve() {
+    SERVER_CODE=0
+    (cd "$WORK" && timeout --kill-after=5 "$DRIVE_SECONDS" "$STAGE/bin/meshlabserver" "$@" >"$WORK/log" 2>&1) || SERVER_CODE=$?
+}
+
+expect_text() {
+    grep -Eq -- "$2" "$1" || fail "$1 has nothing that matches: $2"
+}
+
+expect_picture() {
+    local size
+    size=$(identify -format '%wx%h' "$1") || fail "$1 is not a picture"
+    [[ $size == "$2" ]] || fail "$1 is $size instead of $2"
+}
+
+# expect_same_picture A B PIXELS: at most PIXELS differ
+expect_same_picture() {
+    local differing
+    differing=$(compare -metric AE "$1" "$2" null: 2>&1) || true # it fails when a single one differs
+    ((differing <= $3)) || fail "$differing pixels differ between $1 and $2, more than $3"
+}
+
+# 2,400 triangles
+small_torus() {
+    write_bumpy_torus 40 30 >"$1"
+}
+
+begin_test
