@@ -20,7 +20,7 @@ public:
             const SpatialTree::Leaf& leaf)
         : mesh_(mesh), tree_(tree), normals_(normals), kernel_(kernel), leaf_(leaf) {
         centre_ = leaf.box.center();
-        for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) {
+        for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
             reference_normal_ += normals[v] / double(leaf.end - leaf.begin);
             radius_ = std::max(radius_, kernel.cutoff * kernel.kernel_sizes[v]);
         }
