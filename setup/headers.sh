@@ -24,8 +24,9 @@ download_source_package() {
     local version=$1 folder=$2
     write_source_list "$folder/sources"
     mkdir -p "$folder/lists/partial" "$folder/cache"
-    source_apt_get "$folder" update &&
-        (cd "$folder" && source_apt_get "$folder" source --tar-only --download-only "meshlab=$version")
+    # Sources of other vendors often hold no source packages: that alone is no reason to stop.
+    source_apt_get "$folder" update || say "not all package sources answered; going on with those that did"
+    (cd "$folder" && source_apt_get "$folder" source --tar-only --download-only "meshlab=$version")
 }
 
 # unpack_headers VERSION FOLDER

@@ -6,6 +6,7 @@
 #   serve ARGS...    runs meshlabserver ARGS..., its exit code in $SERVER_CODE, its output in $WORK/log
 #   expect_text FILE REGEX        expect_picture FILE WxH       expect_same_picture FILE FILE PIXELS
 #   small_torus FILE              a mesh
+# shellcheck disable=SC2034 # some of it is for the tests only
 # With set -e, the first thing that is not as expected ends the test and shows the logs.
 set -euo pipefail
 
