@@ -63,6 +63,24 @@ set Smoothing steps = 2
 apply
 close
 expect-log Smoothed
+trigger Save snapshot
+expect-modal Snapshot|Save
+button Cancel
+open torus.ply
+select-layer 1
+delete-layer 1
+expect-log Delete Current Mesh
+trigger Toggle Orthographic Camera
+look 3 0 1  0 0 0  0 0 1
+wheel 2
+drag 0.4 0.5 0.6 0.5
+grab orthographic.png
+size 600x700
+trigger Horizontally
+expect-views 2
+view 0
+trigger Close current view
+expect-views 1
 END
 expect_picture "$WORK/normals.png" 500x400
 expect_picture "$WORK/tiled.png" 1000x800
