@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_report.h"
+
+#include "laplacian_lines/option_table.h"
+#include "meshlab_host/field_attributes.h"
+
+using laplacian_lines::FieldScale;
+using laplacian_lines::MeshReport;
+using laplacian_lines::PrecomputeOptions;
+
+namespace {
+
+QString meshLine(const MeshReport& report) {
+    return QString("Laplacian lines: %1 vertices, %2 triangles")
+        .arg(report.vertices)
+        .arg(report.triangles);
+}
+
+/// Empty if everything was used.
+QString leftOutLine(const MeshReport& report) {
+    QStringList parts;
+    if (report.non_finite_vertices)
+        parts << QString("%1 vertices with non-finite coordinates").arg(report.non_finite_vertices);
+    if (report.degenerate_triangles)
+        parts << QString("%1 triangles without area").arg(report.degenerate_triangles);
+    if (report.unreferenced_vertices)
+        parts << QString("%1 vertices without triangles").arg(report.unreferenced_vertices);
+    return parts.isEmpty() ? QString() : "Left out: " + parts.join(", ");
+}
+
+QString kernelLine(const FieldScale& scale) {
+    return QString(
+               "Kernel size %1 in mesh units = %2 mean edges = %3 % of the bounding-box diagonal")
+        .arg(scale.kernel_size, 0, 'g', 5)
+        .arg(scale.kernel_size / scale.mean_edge, 0, 'f', 2)
+        .arg(100 * scale.kernel_size / scale.diagonal, 0, 'f', 2);
+}
+
+/// "Laplace Operator: Heat Kernel (Belkin), Normal Smoothing: Gaussian, ...": the choices made.
+QString choicesLine(const PrecomputeOptions& options) {
+    QStringList parts;
+    for (const auto& row : laplacian_lines::precompute_option_table())
+        if (row.kind == laplacian_lines::OptionKind::Choice)
+            parts << QString("%1: %2").arg(row.label, row.choices[std::size_t(row.get(options))]);
+    return parts.join(", ");
+}
+
+}  // namespace
+
+QStringList filterReport(const laplacian_lines::Field& field, const PrecomputeOptions& options,
+                         double seconds) {
+    QStringList lines{meshLine(field.report), leftOutLine(field.report), kernelLine(field.scale),
+                      choicesLine(options)};
+    lines << QString("Computed in %1 s, stored per vertex in %2")
+                 .arg(seconds, 0, 'f', 2)
+                 .arg(meshlab_host::fieldAttributeNames());
+    lines.removeAll(QString());
+    return lines;
+}

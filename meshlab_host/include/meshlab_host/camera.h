@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "laplacian_lines/view.h"
+#include "meshlab_host/meshlab_api.h"
+
+namespace meshlab_host {
+
+/// OpenGL's matrices, column vectors: clip = projection · modelview · point.
+struct CameraMatrices {
+    Eigen::Matrix4d modelview = Eigen::Matrix4d::Identity();
+    Eigen::Matrix4d projection = Eigen::Matrix4d::Identity();
+};
+
+/// The matrices of the current GL context, which must be current on this thread.
+CameraMatrices cameraFromGl();
+
+/// The transformation of a layer: mesh coordinates to world coordinates.
+Eigen::Matrix4d layerTransform(const CMeshO& mesh);
+
+/// Whether a projection has parallel rays of sight.
+bool isOrthographic(const Eigen::Matrix4d& projection);
+
+/// The eye in the coordinates of a mesh whose layer has the transformation `layer`; any invertible
+/// one will do, also with unequal scales or a reflection. Off-centre frustums (snapshot tiles) are
+/// fine. Empty if the product of the matrices cannot be inverted.
+std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& modelview,
+                                                      const Eigen::Matrix4d& projection,
+                                                      const Eigen::Matrix4d& layer);
+
+}  // namespace meshlab_host

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "meshlab_host/meshlab_api.h"
+
+namespace meshlab_host {
+
+/// What MeshLab asks about a decoration.
+struct DecorationDescription {
+    QString plugin_name;
+    QString decoration_name;  ///< menu entry
+    QString help;             ///< tool tip
+};
+
+/// A plugin with one decoration of meshes: the same virtual functions for every version of
+/// MeshLab. A plugin class adds Q_OBJECT and
+///     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
+///     Q_INTERFACES(MESHLAB_HOST_DECORATE_INTERFACE)
+/// MeshLab calls everything from the GUI thread; its GL context is current in start() and draw().
+/// MeshLab ends and starts a decoration again, in every view, after each filter and after each edit
+/// of a decoration parameter, and it ignores what start() returned then. Exceptions must not leave
+/// the virtual functions.
+///
+/// `view` only ever serves as a name: the class GLArea is not available to plugins.
+class DecoratePluginBase : public QObject, public MESHLAB_HOST_DECORATE_INTERFACE {
+public:
+    explicit DecoratePluginBase(DecorationDescription description);
+
+protected:
+    virtual void listParameters(RichParameterList& list) const = 0;
+
+    /// The decoration of `mesh` in `view` was switched on. False: nothing can be drawn.
+    virtual bool start(MeshModel& mesh, const RichParameterList& parameters, GLArea* view) = 0;
+    virtual void draw(MeshModel& mesh, const RichParameterList& parameters, GLArea* view,
+                      QPainter* painter, GLLogStream& log) = 0;
+    virtual void end(MeshModel& mesh, GLArea* view) = 0;
+    /// The view is being closed, with all its meshes.
+    virtual void endAll(GLArea* view) = 0;
+    /// A mesh that was decorated in `view` does not exist any more; MeshLab does not say which.
+    virtual void meshGone(GLArea* view) = 0;
+
+    /// Adds a line to the log of the document that is being served.
+    void say(const QString& line);
+
+    // MeshLab's interface, not meant to be overridden further.
+public:
+    QString pluginName() const final { return description_.plugin_name; }
+    QString decorationName(int) const final { return description_.decoration_name; }
+    QString decorationInfo(int) const final { return description_.help; }
+    using MESHLAB_HOST_DECORATE_INTERFACE::decorationInfo;
+    using MESHLAB_HOST_DECORATE_INTERFACE::decorationName;
+    int getDecorationClass(ActionPointer) const final { return PerMesh; }
+    bool startDecorate(ActionPointer, MeshModel&, const RichParameterList*, GLArea*) final;
+    bool startDecorate(ActionPointer, MeshDocument&, const RichParameterList*, GLArea*) final {
+        return false;
+    }
+    void decorateMesh(ActionPointer, MeshModel&, const RichParameterList*, GLArea*, QPainter*,
+                      GLLogStream&) final;
+    void decorateDoc(ActionPointer, MeshDocument&, const RichParameterList*, GLArea*, QPainter*,
+                     GLLogStream&) final {}
+    void endDecorate(ActionPointer, MeshModel&, const RichParameterList*, GLArea*) final;
+    void endDecorate(ActionPointer, MeshDocument&, const RichParameterList*, GLArea*) final;
+#if MESHLAB_API < 2022
+    void initGlobalParameterSet(QAction*, RichParameterList& list) final {
+        listParameters(list);
+    }
+#else
+    QString vendor() const final {
+        return "Laplacian Lines";
+    }
+    void initGlobalParameterList(const QAction*, RichParameterList& list) final {
+        listParameters(list);
+    }
+#endif
+
+private:
+    DecorationDescription description_;
+};
+
+}  // namespace meshlab_host

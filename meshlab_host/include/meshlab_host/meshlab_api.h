@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The one place that tells MeshLab's versions apart by their headers and names. MESHLAB_API (2020,
+// 2022 or 2025) comes from the build. Macros, not aliases, where Qt's moc has to read the name.
+
+#include <GL/glew.h>  // before every header that might include gl.h
+
+#if MESHLAB_API < 2022
+#include <common/interfaces.h>
+#include <common/mlexception.h>
+#define MESHLAB_HOST_FILTER_INTERFACE MeshFilterInterface
+#define MESHLAB_HOST_FILTER_IID MESH_FILTER_INTERFACE_IID
+#define MESHLAB_HOST_DECORATE_INTERFACE MeshDecorateInterface
+#define MESHLAB_HOST_DECORATE_IID MESH_DECORATE_INTERFACE_IID
+#else
+#include <common/globals.h>
+#include <common/ml_document/mesh_document.h>
+#include <common/mlexception.h>
+#include <common/parameters/rich_parameter_list.h>
+#include <common/plugins/interfaces/decorate_plugin.h>
+#include <common/plugins/interfaces/filter_plugin.h>
+#define MESHLAB_HOST_FILTER_INTERFACE FilterPlugin
+#define MESHLAB_HOST_FILTER_IID FILTER_PLUGIN_IID
+#define MESHLAB_HOST_DECORATE_INTERFACE DecoratePlugin
+#define MESHLAB_HOST_DECORATE_IID DECORATE_PLUGIN_IID
+#endif
+
+namespace meshlab_host {
+
+#if MESHLAB_API < 2022
+using ActionPointer = QAction*;
+#else
+using ActionPointer = const QAction*;
+#endif
+
+/// A length with a percentage beside it in dialogs; its value is always the length.
+#if MESHLAB_API < 2025
+using RichLength = ::RichAbsPerc;
+#else
+using RichLength = ::RichPercentage;
+#endif
+
+}  // namespace meshlab_host

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "laplacian_lines/option_table.h"
+#include "meshlab_host/meshlab_api.h"
+
+namespace meshlab_host {
+
+/// Dialogs, scripts and settings made from the core's option tables: one MeshLab parameter a row,
+/// named key_prefix + key. A MeshLab parameter is a float; numbers are read back as the decimal
+/// that a person would write for it, so that 0.07 stays 0.07.
+
+/// A row of an option table without the struct it belongs to.
+struct ParameterDescription {
+    QString name;  ///< with prefix
+    QString label;
+    QString help;
+    laplacian_lines::OptionKind kind;
+    double minimum;
+    double maximum;
+    QStringList choices;
+};
+
+/// Adds a parameter. `diagonal` of the mesh's bounding box is what percentages of lengths refer to;
+/// 0 if there is no mesh.
+void addParameter(const ParameterDescription& description, double value, double diagonal,
+                  RichParameterList& list);
+
+/// The value of a parameter; `fallback` if the list has none of this name.
+/// @throws laplacian_lines::Error(InvalidOption) that names label, value and range if the value is
+/// out of range or of another type.
+double readParameter(const ParameterDescription& description, double fallback,
+                     const RichParameterList& list);
+
+template <class Options>
+ParameterDescription describe(const laplacian_lines::OptionDescription<Options>& row,
+                              const QString& key_prefix) {
+    ParameterDescription result{key_prefix + row.key, row.label,   row.help, row.kind,
+                                row.minimum,          row.maximum, {}};
+    for (const char* choice : row.choices)
+        result.choices << choice;
+    return result;
+}
+
+template <class Options>
+void addParameters(const std::vector<laplacian_lines::OptionDescription<Options>>& table,
+                   const Options& defaults, double diagonal, const QString& key_prefix,
+                   RichParameterList& list) {
+    for (const auto& row : table)
+        addParameter(describe(row, key_prefix), row.get(defaults), diagonal, list);
+}
+
+/// @throws laplacian_lines::Error(InvalidOption), see readParameter().
+template <class Options>
+Options readOptions(const std::vector<laplacian_lines::OptionDescription<Options>>& table,
+                    const QString& key_prefix, const RichParameterList& list) {
+    Options options;
+    for (const auto& row : table)
+        row.set(options, readParameter(describe(row, key_prefix), row.get(options), list));
+    return options;
+}
+
+/// A number that belongs to no option table, brought into minimum..maximum. Never throws.
+double readClamped(const QString& name, double fallback, double minimum, double maximum,
+                   const RichParameterList& list);
+bool readSwitch(const QString& name, bool fallback, const RichParameterList& list);
+QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list);
+
+}  // namespace meshlab_host

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <wrap/callback.h>
+
+#include "laplacian_lines/progress.h"
+
+namespace meshlab_host {
+
+/// The core's reports, passed on to MeshLab's callback (percent and text; false cancels), which
+/// may be null. The callback runs the GUI's event loop: anything may have happened to the document
+/// when it returns.
+inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback) {
+    if (!callback) return {};
+    return [callback](double done, const char* stage) { return callback(int(100 * done), stage); };
+}
+
+}  // namespace meshlab_host

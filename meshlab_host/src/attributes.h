@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+#include <typeindex>
+#include <vector>
+
+#include "meshlab_host/meshlab_api.h"
+
+namespace meshlab_host {
+
+/// Typed access to a mesh's attributes. vcglib's own functions check the size of the type alone,
+/// some of them create what they were to find, and they need a mesh that is not const.
+
+using Attributes = std::set<vcg::PointerToAttribute>;
+template <class T>
+using VertexColumn = vcg::SimpleTempData<CMeshO::VertContainer, T>;
+
+inline const vcg::PointerToAttribute* findAttribute(const Attributes& attributes,
+                                                    const char* name) {
+    vcg::PointerToAttribute key;
+    key._name = name;
+    const auto found = attributes.find(key);
+    return found == attributes.end() ? nullptr : &*found;
+}
+
+template <class T>
+bool hasType(const vcg::PointerToAttribute& attribute) {
+    return attribute._handle && attribute._type == std::type_index(typeid(T)) &&
+           attribute._sizeof == int(sizeof(T)) && attribute._padding == 0;
+}
+
+inline bool hasVertexAttribute(const CMeshO& mesh, const char* name) {
+    return findAttribute(mesh.vert_attr, name) != nullptr;
+}
+
+/// The values by slot (see mesh_conversion.h), or null if there is no attribute of this name, type
+/// and length.
+template <class T>
+const std::vector<T>* findVertexColumn(const CMeshO& mesh, const char* name) {
+    const vcg::PointerToAttribute* attribute = findAttribute(mesh.vert_attr, name);
+    if (!attribute || !hasType<T>(*attribute)) return nullptr;
+    const auto* column = static_cast<const VertexColumn<T>*>(attribute->_handle);
+    return column->data.size() == mesh.vert.size() ? &column->data : nullptr;
+}
+
+/// The same, created or replaced where needed.
+template <class T>
+std::vector<T>& demandVertexColumn(CMeshO& mesh, const char* name) {
+    using Allocator = vcg::tri::Allocator<CMeshO>;
+    if (!findVertexColumn<T>(mesh, name)) {
+        Allocator::DeletePerVertexAttribute(mesh, std::string(name));
+        Allocator::AddPerVertexAttribute<T>(mesh, std::string(name));
+    }
+    return *const_cast<std::vector<T>*>(findVertexColumn<T>(mesh, name));  // the mesh is not const
+}
+
+template <class T>
+const T* findMeshValue(const CMeshO& mesh, const char* name) {
+    const vcg::PointerToAttribute* attribute = findAttribute(mesh.mesh_attr, name);
+    if (!attribute || !hasType<T>(*attribute)) return nullptr;
+    return static_cast<const T*>(attribute->_handle->DataBegin());
+}
+
+inline void removeMeshValue(CMeshO& mesh, const char* name) {
+    vcg::tri::Allocator<CMeshO>::DeletePerMeshAttribute(mesh, std::string(name));
+}
+
+/// Adds a value or replaces the one of this name.
+template <class T>
+void setMeshValue(CMeshO& mesh, const char* name, const T& value) {
+    removeMeshValue(mesh, name);
+    auto handle = vcg::tri::Allocator<CMeshO>::AddPerMeshAttribute<T>(mesh, std::string(name));
+    handle() = value;
+}
+
+}  // namespace meshlab_host

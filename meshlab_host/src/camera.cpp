@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshlab_host/camera.h"
+
+#include <Eigen/LU>
+
+namespace meshlab_host {
+
+Eigen::Matrix4d layerTransform(const CMeshO& mesh) {
+    Eigen::Matrix4d result;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            result(row, column) = double(mesh.Tr[row][column]);
+    return result;
+}
+
+bool isOrthographic(const Eigen::Matrix4d& projection) {
+    // The last row makes the clip coordinate w: (0, 0, 0, 1) or, in perspective, (0, 0, -1, 0).
+    return projection(3, 2) == 0;
+}
+
+std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& modelview,
+                                                      const Eigen::Matrix4d& projection,
+                                                      const Eigen::Matrix4d& layer) {
+    const Eigen::Matrix4d to_mesh = (modelview * layer).inverse();
+    if (!to_mesh.allFinite()) return std::nullopt;
+    // In eye coordinates the eye is the origin; an infinitely far one lies along +z.
+    if (isOrthographic(projection)) {
+        const Eigen::Vector3d towards_viewer = to_mesh.col(2).head<3>();
+        if (!(towards_viewer.norm() > 0)) return std::nullopt;
+        return laplacian_lines::View::orthographic(towards_viewer.normalized());
+    }
+    if (to_mesh(3, 3) == 0) return std::nullopt;
+    return laplacian_lines::View::perspective(to_mesh.col(3).head<3>() / to_mesh(3, 3));
+}
+
+}  // namespace meshlab_host

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshlab_host/camera.h"
+
+namespace meshlab_host {
+
+CameraMatrices cameraFromGl() {
+    CameraMatrices camera;
+    // OpenGL and Eigen both store columns.
+    glGetDoublev(GL_MODELVIEW_MATRIX, camera.modelview.data());
+    glGetDoublev(GL_PROJECTION_MATRIX, camera.projection.data());
+    return camera;
+}
+
+}  // namespace meshlab_host

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshlab_host/decorate_plugin_base.h"
+
+#include <memory>
+
+namespace meshlab_host {
+namespace {
+
+/// MeshLab keeps the decorations of a deleted layer and later passes "*null" for it. The detour by
+/// a volatile pointer is needed because a compiler may take a reference's address as never null.
+bool exists(MeshModel& mesh) {
+    MeshModel* volatile address = std::addressof(mesh);
+    return address != nullptr;
+}
+
+}  // namespace
+
+DecoratePluginBase::DecoratePluginBase(DecorationDescription description)
+    : description_(std::move(description)) {
+    typeList.push_back(0);
+    auto* action = new QAction(description_.decoration_name, this);
+    action->setCheckable(true);
+    actionList.push_back(action);
+}
+
+void DecoratePluginBase::say(const QString& line) {
+#if MESHLAB_API < 2022
+    Log(line.toStdString());
+#else
+    log(line.toStdString());
+#endif
+}
+
+bool DecoratePluginBase::startDecorate(ActionPointer, MeshModel& mesh,
+                                       const RichParameterList* parameters, GLArea* view) {
+    if (exists(mesh)) return start(mesh, parameters ? *parameters : RichParameterList(), view);
+    meshGone(view);
+    return false;
+}
+
+void DecoratePluginBase::decorateMesh(ActionPointer, MeshModel& mesh,
+                                      const RichParameterList* parameters, GLArea* view,
+                                      QPainter* painter, GLLogStream& log) {
+    if (!exists(mesh)) return;
+    setLog(&log);  // switching the decoration off in another view has taken the log away
+    draw(mesh, parameters ? *parameters : RichParameterList(), view, painter, log);
+}
+
+void DecoratePluginBase::endDecorate(ActionPointer, MeshModel& mesh, const RichParameterList*,
+                                     GLArea* view) {
+    if (exists(mesh))
+        end(mesh, view);
+    else
+        meshGone(view);
+}
+
+void DecoratePluginBase::endDecorate(ActionPointer, MeshDocument&, const RichParameterList*,
+                                     GLArea* view) {
+    endAll(view);
+}
+
+}  // namespace meshlab_host

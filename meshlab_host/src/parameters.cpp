@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshlab_host/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "laplacian_lines/error.h"
+
+namespace meshlab_host {
+
+using laplacian_lines::OptionKind;
+
+namespace {
+
+/// The shortest decimal that means this float.
+double asWritten(float value) {
+    if (!std::isfinite(value)) return value;
+    for (int digits = 6; digits < 9; ++digits) {
+        const double decimal = QString::number(double(value), 'g', digits).toDouble();
+        if (float(decimal) == value) return decimal;
+    }
+    return value;
+}
+
+/// The number in a parameter of any type; empty for types that hold none. Asking a value for
+/// another type than it has ends MeshLab by an assertion.
+std::optional<double> number(const Value& value) {
+    if (value.isBool()) return value.getBool() ? 1 : 0;
+    if (value.isInt()) return value.getInt();
+    if (value.isFloat()) return asWritten(float(value.getFloat()));
+#if MESHLAB_API < 2022
+    if (value.isEnum()) return value.getEnum();
+    if (value.isAbsPerc()) return asWritten(value.getAbsPerc());
+    if (value.isDynamicFloat()) return asWritten(value.getDynamicFloat());
+#endif
+    return std::nullopt;
+}
+
+QString range(const ParameterDescription& d) {
+    if (d.kind == OptionKind::Choice) {
+        QStringList items;
+        for (int i = 0; i < d.choices.size(); ++i)
+            items << QString("%1 (%2)").arg(i).arg(d.choices[i]);
+        return "one of " + items.join(", ");
+    }
+    if (d.maximum >= 1e30) return QString("at least %1").arg(d.minimum);
+    return QString("between %1 and %2").arg(d.minimum).arg(d.maximum);
+}
+
+[[noreturn]] void refuse(const ParameterDescription& d, const QString& value) {
+    const QString sentence =
+        QString("\"%1\" is %2. It has to be %3.").arg(d.label, value, range(d));
+    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
+}
+
+}  // namespace
+
+void addParameter(const ParameterDescription& d, double value, double diagonal,
+                  RichParameterList& list) {
+    switch (d.kind) {
+        case OptionKind::Real:
+            list.addParam(RichFloat(d.name, float(value), d.label, d.help));
+            break;
+        case OptionKind::Length: {
+            const double whole = diagonal > 0 ? diagonal : 1;  // the widget divides by it
+            list.addParam(RichLength(d.name, float(value), 0, float(whole), d.label, d.help));
+            break;
+        }
+        case OptionKind::Boolean:
+            list.addParam(RichBool(d.name, value != 0, d.label, d.help));
+            break;
+        case OptionKind::Choice:
+            list.addParam(RichEnum(d.name, int(value), d.choices, d.label, d.help));
+            break;
+    }
+}
+
+double readParameter(const ParameterDescription& d, double fallback,
+                     const RichParameterList& list) {
+    if (!list.hasParameter(d.name)) return fallback;
+    const std::optional<double> value = number(list.getParameterByName(d.name).value());
+    if (!value) refuse(d, "not a number");
+    // written so that NaN is refused as well
+    if (!(*value >= d.minimum && *value <= d.maximum)) refuse(d, QString::number(*value));
+    return *value;
+}
+
+double readClamped(const QString& name, double fallback, double minimum, double maximum,
+                   const RichParameterList& list) {
+    if (!list.hasParameter(name)) return fallback;
+    const double value = number(list.getParameterByName(name).value()).value_or(fallback);
+    return std::isfinite(value) ? std::clamp(value, minimum, maximum) : fallback;
+}
+
+bool readSwitch(const QString& name, bool fallback, const RichParameterList& list) {
+    return readClamped(name, fallback, 0, 1, list) != 0;
+}
+
+QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list) {
+    if (!list.hasParameter(name)) return fallback;
+    const Value& value = list.getParameterByName(name).value();
+    return value.isColor() ? value.getColor() : fallback;
+}
+
+}  // namespace meshlab_host
