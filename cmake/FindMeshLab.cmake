@@ -45,9 +45,13 @@ if(EXISTS "${MESHLAB_SOURCE_DIR}/ML_VERSION")
   string(STRIP "${MeshLab_VERSION}" MeshLab_VERSION)
 endif()
 
-# vcglib lies beside src/ in 2020.09 and inside it later
-find_path(MESHLAB_VCGLIB_DIR vcg/complex/complex.h
-          PATHS "${MESHLAB_SOURCE_DIR}/vcglib" "${MESHLAB_SOURCE_DIR}/src/vcglib" NO_DEFAULT_PATH)
+# vcglib lies beside src/ in 2020.09 and inside it later. Not cached: it has to follow MESHLAB_SOURCE_DIR.
+set(MESHLAB_VCGLIB_DIR "")
+foreach(_meshlab_folder vcglib src/vcglib)
+  if(EXISTS "${MESHLAB_SOURCE_DIR}/${_meshlab_folder}/vcg/complex/complex.h")
+    set(MESHLAB_VCGLIB_DIR "${MESHLAB_SOURCE_DIR}/${_meshlab_folder}")
+  endif()
+endforeach()
 
 find_package(Qt5 QUIET COMPONENTS Core Gui Widgets OpenGL Xml)
 set(OpenGL_GL_PREFERENCE GLVND)
@@ -60,7 +64,7 @@ find_package_handle_standard_args(MeshLab
   REQUIRED_VARS MESHLAB_COMMON_LIBRARY MESHLAB_SOURCE_DIR MESHLAB_API MESHLAB_VCGLIB_DIR Qt5_FOUND OPENGL_FOUND
                 GLEW_FOUND Eigen3_FOUND
   VERSION_VAR MeshLab_VERSION)
-mark_as_advanced(MESHLAB_COMMON_LIBRARY MESHLAB_VCGLIB_DIR)
+mark_as_advanced(MESHLAB_COMMON_LIBRARY)
 
 if(MeshLab_FOUND AND NOT TARGET MeshLab::common)
   get_filename_component(MESHLAB_LIBRARY_DIR "${MESHLAB_COMMON_LIBRARY}" DIRECTORY)
