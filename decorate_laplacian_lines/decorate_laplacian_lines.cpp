@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "decorate_laplacian_lines.h"
+
+#include <QElapsedTimer>
+#include <QPainter>
+
+#include "decoration_parameters.h"
+#include "meshlab_host/camera.h"
+#include "meshlab_host/live_meshes.h"
+#include "meshlab_host/log.h"
+
+namespace {
+
+const QString title = "Laplacian Lines";
+
+/// How far, in diagonals, a line may lie behind the surface and still be seen. Lines lie on the
+/// triangles, but contours of the smoothed normals run a little beyond the visible horizon.
+constexpr double depth_bias = 0.003;
+
+meshlab_host::DecorationDescription description() {
+    return {"DecorateLaplacianLines", title,
+            "Draws Laplacian lines: the zero crossings of the illumination's Laplacian, with the "
+            "light at the eye, and the occluding contours. Run the filter Compute Laplacian Lines "
+            "first to choose how they are computed; otherwise the default parameters are used."};
+}
+
+double milliseconds(const QElapsedTimer& clock) {
+    return 1e-6 * double(clock.nsecsElapsed());
+}
+
+QString statistics(const laplacian_lines::LineSet& lines, double extraction, double drawing) {
+    return QString("%1 lines, %2 segments\nextraction %3 ms, drawing %4 ms")
+        .arg(lines.lines.size())
+        .arg(lines.segment_count())
+        .arg(extraction, 0, 'f', 2)
+        .arg(drawing, 0, 'f', 2);
+}
+
+}  // namespace
+
+DecorateLaplacianLines::DecorateLaplacianLines() : DecoratePluginBase(description()) {}
+
+void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
+    listDecorationParameters(list);
+}
+
+bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GLArea* view) {
+    try {
+        const PreparedLinesPointer lines = demandLines(mesh, view);
+        if (lines->failure.isEmpty()) return true;
+        complain(QString("%1: %2").arg(mesh.label(), lines->failure));
+    } catch (const std::exception& error) {
+        complain(QString::fromUtf8(error.what()));
+    }
+    return false;
+}
+
+void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& parameters,
+                                  GLArea* view, QPainter* painter, GLLogStream& log) {
+    QString text;
+    try {
+        PreparedLinesPointer lines = cache_.at(view, mesh.id());
+        if (!lines || !meshlab_host::sameCounts(lines->key.stamp, mesh.cm))
+            lines = demandLines(mesh, view);
+        text = lines->failure.isEmpty() ? drawLines(mesh, *lines, parameters, painter)
+                                        : lines->failure;
+    } catch (const std::exception& error) {
+        text = QString::fromUtf8(error.what());
+        complain(text);
+    }
+    if (!text.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), text);
+}
+
+void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
+    cache_.release(view, mesh.id());
+}
+
+void DecorateLaplacianLines::endAll(GLArea* view) {
+    cache_.releaseView(view);
+}
+
+void DecorateLaplacianLines::meshGone(GLArea* view) {
+    cache_.releaseUnlessAssigned(view);
+}
+
+PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view) {
+    const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
+    if (!alive.empty()) cache_.releaseAllBut(view, alive);
+    const LineSource source = lineSource(mesh.cm);
+    PreparedLinesPointer lines = cache_.find(source.key);
+    if (!lines)
+        lines = prepareLines(mesh.cm, mesh.label(), source, [this](const QString& s) { say(s); });
+    cache_.assign(view, mesh.id(), lines);
+    return lines;
+}
+
+QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLines& lines,
+                                          const RichParameterList& parameters, QPainter* painter) {
+    DecorationParameters chosen = readDecorationParameters(parameters);
+    if (painter && painter->device())
+        chosen.appearance.width *= painter->device()->devicePixelRatioF();
+
+    const meshlab_host::CameraMatrices camera = meshlab_host::cameraFromGl();
+    const Eigen::Matrix4d layer = meshlab_host::layerTransform(mesh.cm);
+    const auto view = meshlab_host::viewFromMatrices(camera.modelview, camera.projection, layer);
+    if (!view) return "The layer's transformation cannot be inverted.";
+
+    QElapsedTimer clock;
+    clock.start();
+    lines.extractor->extract(*view, chosen.style, scratch_, lines_);
+    const double extraction = milliseconds(clock);
+
+    if (chosen.show_statistics) glFinish();  // the mesh's own drawing must not count
+    clock.restart();
+    const std::string failure =
+        renderer_.draw(lines_, chosen.appearance,
+                       {camera.modelview * layer, camera.projection, depth_bias * lines.diagonal});
+    if (!failure.empty()) {
+        complain(QString::fromStdString(failure));
+        return QString::fromStdString(failure);
+    }
+    if (!chosen.show_statistics) return {};
+    glFinish();
+    return statistics(lines_, extraction, milliseconds(clock));
+}
+
+void DecorateLaplacianLines::complain(const QString& text) {
+    if (text == last_complaint_) return;
+    last_complaint_ = text;
+    say(title + ": " + text);
+}
+
+MESHLAB_PLUGIN_NAME_EXPORTER(DecorateLaplacianLines)

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "laplacian_lines/line_extractor.h"
+#include "line_cache.h"
+#include "line_renderer.h"
+#include "meshlab_host/decorate_plugin_base.h"
+
+struct DecorationParameters;
+
+/// MeshLab's side of drawing: mesh attributes, camera and parameters in, lines on the screen out.
+/// Never draws lines of a geometry that the mesh does not have any more.
+class DecorateLaplacianLines : public meshlab_host::DecoratePluginBase {
+    Q_OBJECT
+    MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
+    Q_INTERFACES(MESHLAB_HOST_DECORATE_INTERFACE)
+
+public:
+    DecorateLaplacianLines();
+
+protected:
+    void listParameters(RichParameterList& list) const override;
+    bool start(MeshModel& mesh, const RichParameterList& parameters, GLArea* view) override;
+    void draw(MeshModel& mesh, const RichParameterList& parameters, GLArea* view, QPainter* painter,
+              GLLogStream& log) override;
+    void end(MeshModel& mesh, GLArea* view) override;
+    void endAll(GLArea* view) override;
+    void meshGone(GLArea* view) override;
+
+private:
+    /// Lines of the mesh's present geometry, found or prepared, and assigned to the view.
+    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view);
+    /// Text for the view (statistics or a complaint), empty if there is nothing to tell.
+    QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
+                      const RichParameterList& parameters, QPainter* painter);
+    /// Adds a complaint to the log, but not at every redraw.
+    void complain(const QString& text);
+
+    LineCache cache_;
+    LineRenderer renderer_;
+    laplacian_lines::ExtractionScratch scratch_;
+    laplacian_lines::LineSet lines_;
+    QString last_complaint_;
+};

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "decoration_parameters.h"
+
+#include "laplacian_lines/option_table.h"
+#include "meshlab_host/parameters.h"
+
+namespace {
+
+QString key(const char* name) {
+    return QString("MeshLab::Decoration::LaplacianLines_") + name;
+}
+
+constexpr const char* color_name = "line_color";
+constexpr const char* width_name = "line_width";
+constexpr const char* contour_name = "contour_width_factor";
+constexpr const char* statistics_name = "show_statistics";
+
+}  // namespace
+
+void listDecorationParameters(RichParameterList& list) {
+    const LineAppearance look;
+    list.addParam(RichColor(key(color_name), look.color, "Line Color", "Color of all lines."));
+    list.addParam(RichFloat(key(width_name), float(look.width), "Line Width",
+                            "Width in pixels of a Laplacian line at its strongest; lines taper "
+                            "where they fade out."));
+    list.addParam(RichFloat(key(contour_name), float(look.contour_factor), "Contour Width Factor",
+                            "Width of occluding contours, in widths of Laplacian lines."));
+    meshlab_host::addParameters(laplacian_lines::line_style_table(), laplacian_lines::LineStyle(),
+                                0, key(""), list);
+    list.addParam(RichBool(key(statistics_name), DecorationParameters().show_statistics,
+                           "Show Statistics",
+                           "Show the number of lines and the time they take in the view."));
+}
+
+DecorationParameters readDecorationParameters(const RichParameterList& list) {
+    DecorationParameters result;
+    LineAppearance& look = result.appearance;
+    look.color = meshlab_host::readColor(key(color_name), look.color, list);
+    look.width = meshlab_host::readClamped(key(width_name), look.width, 0.1, 64, list);
+    look.contour_factor =
+        meshlab_host::readClamped(key(contour_name), look.contour_factor, 0, 16, list);
+    result.show_statistics =
+        meshlab_host::readSwitch(key(statistics_name), result.show_statistics, list);
+    result.style = meshlab_host::readOptions(laplacian_lines::line_style_table(), key(""), list);
+    return result;
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_cache.h"
+
+#include <QTimer>
+#include <algorithm>
+#include <limits>
+
+PreparedLinesPointer LineCache::find(const LineKey& key) const {
+    const auto found = known_.find(key);
+    return found == known_.end() ? nullptr : found->second.lock();
+}
+
+PreparedLinesPointer LineCache::at(View view, int mesh) const {
+    const auto found = uses_.find({view, mesh});
+    return found == uses_.end() ? nullptr : found->second.lines;
+}
+
+void LineCache::assign(View view, int mesh, PreparedLinesPointer lines) {
+    release(view, mesh);
+    known_[lines->key] = lines;
+    uses_[{view, mesh}] = {std::move(lines), turn_};
+    endTurnSoon();
+}
+
+void LineCache::release(View view, int mesh) {
+    const auto found = uses_.find({view, mesh});
+    if (found != uses_.end()) retire(found);
+}
+
+void LineCache::releaseView(View view) {
+    retireIf(view, [](const Uses::value_type&) { return true; });
+}
+
+void LineCache::releaseAllBut(View view, const std::vector<int>& alive) {
+    retireIf(view, [&](const Uses::value_type& use) {
+        return !std::binary_search(alive.begin(), alive.end(), use.first.second);
+    });
+}
+
+void LineCache::releaseUnlessAssigned(View view) {
+    unsure_views_.insert(view);
+    endTurnSoon();
+}
+
+LineCache::Uses::iterator LineCache::retire(Uses::iterator use) {
+    retired_.push_back(std::move(use->second.lines));
+    endTurnSoon();
+    return uses_.erase(use);
+}
+
+template <class Condition>
+void LineCache::retireIf(View view, Condition condition) {
+    auto use = uses_.lower_bound({view, std::numeric_limits<int>::min()});
+    while (use != uses_.end() && use->first.first == view)
+        use = condition(*use) ? retire(use) : std::next(use);
+}
+
+void LineCache::endTurnSoon() {
+    if (turn_end_is_due_) return;
+    turn_end_is_due_ = true;
+    QTimer::singleShot(0, &receiver_, [this] { endTurn(); });
+}
+
+void LineCache::endTurn() {
+    for (View view : unsure_views_)
+        retireIf(view, [this](const Uses::value_type& use) { return use.second.turn != turn_; });
+    unsure_views_.clear();
+    retired_.clear();
+    for (auto known = known_.begin(); known != known_.end();)
+        known = known->second.expired() ? known_.erase(known) : std::next(known);
+    ++turn_;
+    turn_end_is_due_ = false;
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <GL/glew.h>
+
+#include <string>
+
+/// The shader program that draws the segments of a StreamPoint array.
+struct LineProgram {
+    /// Attribute locations. Corner comes first because some drivers want the attribute at location
+    /// 0 to advance with every vertex; the others advance with every segment.
+    enum Attribute : GLuint { Corner = 0, Before = 1, Start = 2, End = 3, After = 4 };
+
+    GLuint id = 0;             ///< 0: could not be built
+    GLint to_eye = -1;         ///< mat4, mesh to eye coordinates
+    GLint projection = -1;     ///< mat4
+    GLint half_viewport = -1;  ///< vec2, pixels
+    GLint depth_bias = -1;     ///< float, length in eye coordinates, see line_shaders.cpp
+    GLint color = -1;          ///< vec4
+    std::string failure;       ///< the compiler's words if id is 0
+};
+
+/// Needs a current context with OpenGL 2.0; the program belongs to its share group.
+LineProgram buildLineProgram();

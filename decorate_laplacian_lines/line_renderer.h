@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <QColor>
+#include <QObject>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "laplacian_lines/line_set.h"
+#include "line_program.h"
+#include "line_stream.h"
+#include "share_group.h"
+
+/// How lines look.
+struct LineAppearance {
+    QColor color = Qt::black;
+    double width = 1.6;           ///< pixels of the viewport, of a Laplacian line of full weight
+    double contour_factor = 1.3;  ///< width of contours in Laplacian line widths
+};
+
+/// Where lines are drawn.
+struct LinePlacement {
+    Eigen::Matrix4d to_eye;      ///< mesh coordinates to eye coordinates
+    Eigen::Matrix4d projection;  ///< eye coordinates to clip coordinates
+    double depth_bias = 0;  ///< mesh units by which a line may lie behind the surface and be seen
+};
+
+/// Draws line sets with OpenGL over what is in the depth buffer. Holds a program and buffers for
+/// each share group, which live as long as the group: no view that closes takes them
+/// from another. GUI thread only.
+class LineRenderer {
+public:
+    /// Draws into the current context's viewport and leaves the OpenGL state as it was.
+    /// Returns why nothing could be drawn, empty on success. No allocation while sets get no
+    /// larger.
+    std::string draw(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
+                     const LinePlacement& placement);
+
+private:
+    struct GroupObjects {
+        LineProgram program;
+        GLuint corners = 0;  ///< buffer with the corners of a quad
+        GLuint stream = 0;   ///< buffer for this frame's points
+    };
+
+    GroupObjects& objectsOfCurrentGroup();
+    void drawStream(const GroupObjects& objects);
+
+    std::map<ShareGroup, GroupObjects> groups_;
+    std::vector<StreamPoint> stream_;
+    QObject receiver_;  ///< of the groups' last words; destroyed first
+};

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_shaders.h"
+
+// Joints: neighbouring segments meet at the line that halves the angle between them, and each is
+// cut off there. Every pixel of a line is so painted once; overlapping soft edges would add up to
+// hard ones.
+//
+// Depth: the point is moved towards the eye before its depth is taken, while its place on the
+// screen stays. In eye coordinates that is a fixed length, so lines come out in front of the very
+// surface they lie on at any zoom, but stay behind what is clearly in front of them.
+const char* const line_vertex_shader = R"(#version 120
+attribute vec2 corner;  // x: 0 at the start, 1 at the end; y: -1 or 1, side
+attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark
+attribute vec4 start;
+attribute vec4 end;
+attribute vec4 after;
+uniform mat4 to_eye;
+uniform mat4 projection;
+uniform vec2 half_viewport;
+uniform float depth_bias;
+varying vec2 place;  // pixels along and across, from the start of the segment
+varying vec3 shape;  // length, radius at the start, radius at the end; pixels
+varying vec4 cuts;   // normals of the cuts at the start and at the end; zero: a round end
+
+const float nothing_here = -1.5;  // marks below this one still have a position
+
+vec4 toEye(vec4 point)
+{
+    vec4 eye = to_eye * vec4(point.xyz, 1.0);
+    return eye / eye.w;
+}
+
+// Distance from the near plane in clip coordinates, negative behind it.
+float beforeNear(vec4 eye)
+{
+    vec4 clip = projection * eye;
+    return clip.z + clip.w;
+}
+
+vec2 toScreen(vec4 eye)
+{
+    vec4 clip = projection * eye;
+    return clip.xy / clip.w * half_viewport;
+}
+
+// Depth in -1..1 of an eye-space point moved towards the viewer by depth_bias.
+float biasedDepth(vec4 eye)
+{
+    bool orthographic = projection[2][3] == 0.0;
+    vec3 towards_viewer = orthographic ? vec3(0.0, 0.0, 1.0) : normalize(-eye.xyz);
+    vec4 clip = projection * vec4(eye.xyz + depth_bias * towards_viewer, 1.0);
+    return clip.w > 0.0 ? max(clip.z / clip.w, -1.0) : -1.0;
+}
+
+// Normal of the cut between two segments with a common point, along the line.
+vec2 cutBetween(vec2 direction, vec2 other)
+{
+    float pixels = length(other);
+    vec2 sum = pixels > 1e-4 ? direction + other / pixels : vec2(0.0);
+    return length(sum) > 1e-3 ? sum : vec2(0.0);  // no cut where the line turns back
+}
+
+bool isPoint(vec4 neighbour)
+{
+    return neighbour.w >= 0.0 || neighbour.w < nothing_here;
+}
+
+void main()
+{
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside
+    place = vec2(0.0);
+    shape = vec3(0.0);
+    cuts = vec4(0.0);
+    if (start.w < 0.0 || end.w < 0.0)
+        return;
+    vec4 a = toEye(start);
+    vec4 b = toEye(end);
+    float a_front = beforeNear(a);
+    float b_front = beforeNear(b);
+    if (a_front <= 0.0 && b_front <= 0.0)
+        return;
+    // cut off what is behind the near plane
+    vec4 visible_a = a_front < 0.0 ? mix(a, b, a_front / (a_front - b_front)) : a;
+    vec4 visible_b = b_front < 0.0 ? mix(b, a, b_front / (b_front - a_front)) : b;
+
+    vec2 screen_a = toScreen(visible_a);
+    vec2 screen_b = toScreen(visible_b);
+    vec2 direction = screen_b - screen_a;
+    float pixels = length(direction);
+    direction = pixels > 1e-4 ? direction / pixels : vec2(1.0, 0.0);
+    vec2 across = vec2(-direction.y, direction.x);
+
+    vec4 p = toEye(before);
+    vec4 n = toEye(after);
+    vec2 start_cut = vec2(0.0);
+    vec2 end_cut = vec2(0.0);
+    if (isPoint(before) && a_front > 0.0 && beforeNear(p) > 0.0)
+        start_cut = cutBetween(direction, screen_a - toScreen(p));
+    if (isPoint(after) && b_front > 0.0 && beforeNear(n) > 0.0)
+        end_cut = cutBetween(direction, toScreen(n) - screen_b);
+
+    float reach = max(start.w, end.w) + 1.0;
+    place = vec2(corner.x * pixels + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
+    shape = vec3(pixels, start.w, end.w);
+    cuts = vec4(dot(start_cut, direction), dot(start_cut, across),
+                dot(end_cut, direction), dot(end_cut, across));
+    vec2 screen = screen_a + direction * place.x + across * place.y;
+    // w = 1 keeps the interpolation linear on the screen
+    gl_Position = vec4(screen / half_viewport,
+                       biasedDepth(corner.x < 0.5 ? visible_a : visible_b), 1.0);
+}
+)";
+
+const char* const line_fragment_shader = R"(#version 120
+uniform vec4 color;
+varying vec2 place;
+varying vec3 shape;
+varying vec4 cuts;
+
+void main()
+{
+    vec2 from_end = vec2(place.x - shape.x, place.y);
+    if (dot(place, cuts.xy) < 0.0 || dot(from_end, cuts.zw) > 0.0)
+        discard;
+    float along = clamp(place.x, 0.0, shape.x);
+    float radius = mix(shape.y, shape.z, shape.x > 0.0 ? along / shape.x : 0.0);
+    float distance_to_segment = length(place - vec2(along, 0.0));
+    // lines thinner than a pixel fade instead of breaking up
+    float coverage = clamp(radius + 0.5 - distance_to_segment, 0.0, 1.0) * min(1.0, 2.0 * radius);
+    if (coverage <= 0.0)
+        discard;
+    gl_FragColor = vec4(color.rgb, color.a * coverage);
+}
+)";

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "laplacian_lines/line_set.h"
+
+/// Half widths of lines in pixels.
+struct LineRadii {
+    float laplacian;            ///< of a Laplacian line of full weight
+    float contour;              ///< of an occluding contour of full weight
+    float least_share = 0.35f;  ///< share of the radius that is left at weight 0
+};
+
+/// A point as the vertex shader sees it. Every four consecutive points are one call of the shader:
+/// it draws the segment between the middle two, joined to the outer two.
+struct StreamPoint {
+    float position[3];  ///< mesh coordinates
+    float radius;       ///< pixels, or one of the marks
+};
+
+/// Marks instead of a radius. A segment with a marked end is not drawn.
+constexpr float nothing_here = -1;    ///< before and after a line: its ends are round
+constexpr float neighbour_only = -2;  ///< around a closed line: a point to join to
+
+/// Replaces `stream` by the points of all lines, each line between two marks. Keeps the memory.
+void makeStream(const laplacian_lines::LineSet& lines, const LineRadii& radii,
+                std::vector<StreamPoint>& stream);
