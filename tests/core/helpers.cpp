@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "helpers.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace helpers {
+
+using namespace laplacian_lines;
+
+double relative_error(const std::vector<Eigen::Vector3f>& a, const std::vector<Eigen::Vector3d>& b,
+                      const std::vector<bool>& use) {
+    double error = 0, size = 0;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        if (!use.empty() && !use[i]) continue;
+        error += (a[i].cast<double>() - b[i]).squaredNorm();
+        size += b[i].squaredNorm();
+    }
+    return std::sqrt(error / size);
+}
+
+std::vector<Eigen::Vector3d> true_laplacians(const std::vector<test_meshes::SurfacePoint>& truth) {
+    std::vector<Eigen::Vector3d> laplacians;
+    for (const auto& point : truth)
+        laplacians.push_back(point.laplacian_normal);
+    return laplacians;
+}
+
+double laplacian_error(const Field& field, const std::vector<test_meshes::SurfacePoint>& truth,
+                       const std::vector<bool>& use) {
+    return relative_error(field.laplacian_normals, true_laplacians(truth), use);
+}
+
+double shape_error(const Field& field, const std::vector<test_meshes::SurfacePoint>& truth,
+                   const std::vector<bool>& use) {
+    double error = 0, size = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        if (!use.empty() && !use[i]) continue;
+        error += (matrix(field.shape_operators[i]) - truth[i].shape_operator).squaredNorm();
+        size += truth[i].shape_operator.squaredNorm();
+    }
+    return std::sqrt(error / size);
+}
+
+Eigen::Matrix3d matrix(const ShapeOperator& s) {
+    Eigen::Matrix3d m;
+    m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
+    return m;
+}
+
+PrecomputeOptions plain_options(double kernel_size) {
+    PrecomputeOptions options;
+    options.kernel_size = kernel_size;
+    options.normal_smoothing = NormalSmoothing::None;
+    options.correct_borders = false;
+    options.skip_opposite_sheet = false;
+    return options;
+}
+
+LineStyle all_crossings() {
+    LineStyle style;
+    style.gradient_threshold = style.strength_threshold = 0;
+    style.reject_phantoms = false;
+    style.segment_slope = style.line_slope = 0;
+    style.shortest_line = style.shortest_contour = 0;
+    style.least_facing = -1;
+    return style;
+}
+
+LineStyle all_laplacian_lines() {
+    LineStyle style = all_crossings();
+    style.contours = false;
+    return style;
+}
+
+LineStyle all_contours() {
+    LineStyle style = all_crossings();
+    style.laplacian_lines = false;
+    return style;
+}
+
+LineSet extract(const LineExtractor& extractor, const View& view, const LineStyle& style) {
+    ExtractionScratch scratch;
+    LineSet lines;
+    extractor.extract(view, style, scratch, lines);
+    return lines;
+}
+
+float total_length(const LineSet& lines) {
+    float sum = 0;
+    for (const Polyline& line : lines.lines)
+        sum += line.length;
+    return sum;
+}
+
+std::vector<View> random_views(const TriangleMesh& mesh, int count) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : mesh.positions)
+        if (p.allFinite() && p.norm() < 1e4) box.extend(p);
+    std::mt19937 random(11);
+    const auto unit = [&] { return double(random()) / double(std::mt19937::max()) - 0.5; };
+    std::vector<View> views;
+    for (int i = 0; i < count; ++i) {
+        const Eigen::Vector3d direction = Eigen::Vector3d(unit(), unit(), unit()).normalized();
+        const double distance = box.diagonal().norm() * (0.6 + 8 * std::pow(unit() + 0.5, 2));
+        views.push_back(i % 4 == 3 ? View::orthographic(direction * 3)
+                                   : View::perspective(box.center() + distance * direction));
+    }
+    return views;
+}
+
+double distance_to_lines(const Eigen::Vector3d& p, const LineSet& lines) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Polyline& line : lines.lines)
+        for (std::uint32_t i = line.first; i + 1 < line.first + line.count; ++i) {
+            const Eigen::Vector3d a = lines.points[i].position.cast<double>();
+            const Eigen::Vector3d d = lines.points[i + 1].position.cast<double>() - a;
+            const double t =
+                d.squaredNorm() > 0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0., 1.) : 0;
+            nearest = std::min(nearest, (p - a - t * d).squaredNorm());
+        }
+    return std::sqrt(nearest);
+}
+
+bool same_lines(const LineSet& a, const LineSet& b) {
+    const auto same_point = [](const LinePoint& p, const LinePoint& q) {
+        return p.position == q.position && p.weight == q.weight && p.gradient == q.gradient;
+    };
+    const auto same_line = [](const Polyline& p, const Polyline& q) {
+        return p.first == q.first && p.count == q.count && p.kind == q.kind &&
+               p.closed == q.closed && p.strength == q.strength && p.length == q.length &&
+               p.slope == q.slope;
+    };
+    return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                      same_point) &&
+           std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(), same_line);
+}
+
+bool same_fields(const Field& a, const Field& b) {
+    // Bit by bit; all of these are plain floats without padding.
+    const auto same = [](const auto& x, const auto& y) {
+        return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0]));
+    };
+    return same(a.normals, b.normals) && same(a.laplacian_normals, b.laplacian_normals) &&
+           same(a.shape_operators, b.shape_operators) && same(a.kernel_sizes, b.kernel_sizes);
+}
+
+}  // namespace helpers

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "laplacian_lines/field.h"
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/precompute_options.h"
+#include "registry.h"
+
+/// What several tests share.
+namespace helpers {
+
+/// √(Σ|a − b|² / Σ|b|²), over the vertices for which `use` holds (all, if it is empty).
+double relative_error(const std::vector<Eigen::Vector3f>& a, const std::vector<Eigen::Vector3d>& b,
+                      const std::vector<bool>& use = {});
+
+std::vector<Eigen::Vector3d> true_laplacians(const std::vector<test_meshes::SurfacePoint>& truth);
+/// Relative error of Δn against the truth.
+double laplacian_error(const laplacian_lines::Field& field,
+                       const std::vector<test_meshes::SurfacePoint>& truth,
+                       const std::vector<bool>& use = {});
+/// Relative error of S against the truth (Frobenius norm).
+double shape_error(const laplacian_lines::Field& field,
+                   const std::vector<test_meshes::SurfacePoint>& truth,
+                   const std::vector<bool>& use = {});
+
+Eigen::Matrix3d matrix(const laplacian_lines::ShapeOperator& s);
+
+/// Eq. 2 alone: no smoothing of normals, no border correction, all sources.
+laplacian_lines::PrecomputeOptions plain_options(double kernel_size);
+
+/// Every zero crossing becomes part of a line.
+laplacian_lines::LineStyle all_crossings();
+laplacian_lines::LineStyle all_laplacian_lines();  ///< without contours
+laplacian_lines::LineStyle all_contours();         ///< without Laplacian lines
+
+laplacian_lines::LineSet extract(const laplacian_lines::LineExtractor& extractor,
+                                 const laplacian_lines::View& view,
+                                 const laplacian_lines::LineStyle& style);
+
+float total_length(const laplacian_lines::LineSet& lines);
+
+/// `count` views around a mesh, perspective and orthographic, near and far; always the same.
+std::vector<laplacian_lines::View> random_views(const laplacian_lines::TriangleMesh& mesh,
+                                                int count);
+
+/// Distance of p to the nearest of the segments of a line set.
+double distance_to_lines(const Eigen::Vector3d& p, const laplacian_lines::LineSet& lines);
+
+bool same_lines(const laplacian_lines::LineSet& a, const laplacian_lines::LineSet& b);
+bool same_fields(const laplacian_lines::Field& a, const laplacian_lines::Field& b);
+
+}  // namespace helpers

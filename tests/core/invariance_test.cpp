@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The field moves with the mesh, scales with it, and does not care where it is or how its
+// vertices are numbered.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "helpers.h"
+#include "laplacian_lines/precompute.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using helpers::relative_error;
+
+const TriangleMesh& base() {
+    return test_meshes::mesh_named("bumpy_sphere").mesh;
+}
+
+TriangleMesh transformed(const Eigen::Affine3d& transform) {
+    TriangleMesh mesh = base();
+    for (Eigen::Vector3d& p : mesh.positions)
+        p = transform * p;
+    return mesh;
+}
+
+std::vector<Eigen::Vector3d> applied(const Eigen::Matrix3d& a,
+                                     const std::vector<Eigen::Vector3f>& vectors) {
+    std::vector<Eigen::Vector3d> result;
+    for (const Eigen::Vector3f& v : vectors)
+        result.push_back(a * v.cast<double>());
+    return result;
+}
+
+/// The field of the transformed mesh against the transformed field. `scale`: lengths are
+/// multiplied by it. `tolerance` allows for what rounding the coordinates does.
+void expect_equivariant(const Eigen::Matrix3d& rotation, double scale,
+                        const Eigen::Vector3d& offset, double tolerance) {
+    const Eigen::Affine3d transform =
+        Eigen::Translation3d(offset) * Eigen::Affine3d(scale * rotation);
+    PrecomputeOptions options;
+    options.kernel_size = 0.1;
+    const Field field = precompute(base(), options);
+    options.kernel_size *= scale;
+    const Field moved = precompute(transformed(transform), options);
+    EXPECT_LT(relative_error(moved.normals, applied(rotation, field.normals)), tolerance);
+    EXPECT_LT(relative_error(moved.laplacian_normals,
+                             applied(rotation / (scale * scale), field.laplacian_normals)),
+              tolerance);
+    double error = 0, size = 0;
+    for (std::size_t v = 0; v < field.normals.size(); ++v) {
+        const Eigen::Matrix3d expected =
+            rotation * helpers::matrix(field.shape_operators[v]) * rotation.transpose() / scale;
+        error += (helpers::matrix(moved.shape_operators[v]) - expected).squaredNorm();
+        size += expected.squaredNorm();
+    }
+    EXPECT_LT(std::sqrt(error / size), tolerance);
+    EXPECT_FLOAT_EQ(moved.kernel_sizes[0], float(scale) * field.kernel_sizes[0]);
+}
+
+const Eigen::Matrix3d kTurn =
+    Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+
+TEST(Invariance, Rotation) {
+    // The box of a turned mesh has another diagonal; √h is given, so nothing else changes but
+    // the sources at the edge of the cutoff.
+    expect_equivariant(kTurn, 1, Eigen::Vector3d::Zero(), 3e-5);
+}
+
+TEST(Invariance, QuarterTurnKeepsTheBox) {
+    Eigen::Matrix3d turn;
+    turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    expect_equivariant(turn, 1, Eigen::Vector3d::Zero(), 3e-6);
+}
+
+TEST(Invariance, Offset) {
+    expect_equivariant(Eigen::Matrix3d::Identity(), 1, {1e4, -2e4, 3e4}, 1e-5);
+}
+
+TEST(Invariance, ScaleFromMicrometresToKilometres) {
+    for (double scale : {1e-6, 1e-3, 1e3, 1e6})
+        expect_equivariant(Eigen::Matrix3d::Identity(), scale, Eigen::Vector3d::Zero(), 3e-6);
+}
+
+TEST(Invariance, ScaleAndOffsetTogether) {
+    expect_equivariant(kTurn, 1e-3, {10, 0, -5}, 1e-4);
+}
+
+TEST(Invariance, MirroringTurnsTheNormals) {
+    TriangleMesh mirrored = base();
+    for (Eigen::Vector3d& p : mirrored.positions)
+        p.x() = -p.x();
+    const Field field = precompute(base()), inside_out = precompute(mirrored);
+    const Eigen::Matrix3d mirror = Eigen::Vector3d(-1, 1, 1).asDiagonal();
+    EXPECT_LT(relative_error(inside_out.normals, applied(-mirror, field.normals)), 1e-6);
+    EXPECT_LT(
+        relative_error(inside_out.laplacian_normals, applied(-mirror, field.laplacian_normals)),
+        1e-5);
+}
+
+TEST(Invariance, NumberingOfVerticesAndTriangles) {
+    TriangleMesh shuffled = base();
+    std::vector<std::uint32_t> order(base().positions.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::mt19937 random(3);
+    for (std::size_t i = order.size(); i > 1; --i)
+        std::swap(order[i - 1], order[random() % i]);
+    for (std::size_t v = 0; v < order.size(); ++v)
+        shuffled.positions[order[v]] = base().positions[v];
+    for (Triangle& t : shuffled.triangles)
+        t = {order[t[1]], order[t[2]], order[t[0]]};
+    std::reverse(shuffled.triangles.begin(), shuffled.triangles.end());
+    const Field field = precompute(base()), other = precompute(shuffled);
+    for (std::size_t v = 0; v < order.size(); ++v) {
+        EXPECT_LT((field.laplacian_normals[v] - other.laplacian_normals[order[v]]).norm(), 1e-4);
+        EXPECT_LT((field.normals[v] - other.normals[order[v]]).norm(), 1e-6);
+    }
+}
+
+/// Lines of a scaled and moved mesh: same lines point by point, in the new place.
+void expect_same_lines(double scale, const Eigen::Vector3d& offset) {
+    const Eigen::Affine3d transform = Eigen::Translation3d(offset) * Eigen::Scaling(scale);
+    const TriangleMesh mesh = transformed(transform);
+    const LineExtractor here(base(), precompute(base())), there(mesh, precompute(mesh));
+    for (const Eigen::Vector3d& eye : {Eigen::Vector3d(3, 1, 2), Eigen::Vector3d(-1, 2, 0.5)}) {
+        const LineSet a = helpers::extract(here, View::perspective(eye), {});
+        const LineSet b = helpers::extract(there, View::perspective(transform * eye), {});
+        ASSERT_EQ(a.lines.size(), b.lines.size());
+        ASSERT_EQ(a.points.size(), b.points.size());
+        ASSERT_GT(a.lines.size(), 3u);
+        for (std::size_t i = 0; i < a.points.size(); ++i) {
+            const Eigen::Vector3d expected = transform * a.points[i].position.cast<double>();
+            EXPECT_LT((b.points[i].position.cast<double>() - expected).norm(),
+                      1e-4 * scale + 1e-7 * offset.norm());
+            EXPECT_NEAR(a.points[i].gradient, b.points[i].gradient, 1e-3 * a.points[i].gradient);
+        }
+        for (std::size_t i = 0; i < a.lines.size(); ++i) {
+            EXPECT_EQ(a.lines[i].closed, b.lines[i].closed);
+            EXPECT_NEAR(a.lines[i].length, b.lines[i].length, 1e-4);
+        }
+    }
+}
+
+TEST(Invariance, LinesScaleWithTheMesh) {
+    // Powers of two keep every bit of the coordinates.
+    expect_same_lines(std::ldexp(1.0, 20), Eigen::Vector3d::Zero());
+    expect_same_lines(std::ldexp(1.0, -20), Eigen::Vector3d::Zero());
+}
+
+}  // namespace

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "analytic_surface.h"
+#include "laplacian_lines/triangle_mesh.h"
+
+namespace test_meshes {
+
+using laplacian_lines::Triangle;
+using laplacian_lines::TriangleMesh;
+
+/// A regular grid over the parameter square [0,1]² with `columns` x `rows` cells.
+struct Grid {
+    int columns = 10, rows = 10;
+    bool wrap_u = false, wrap_v = false;
+    /// Each vertex is moved by up to this part of a cell, always the same way for one seed. Rows
+    /// of vertices on a border move along it only.
+    double jitter = 0;
+    unsigned seed = 1;
+};
+
+TriangleMesh grid_mesh(const Grid& grid,
+                       const std::function<Eigen::Vector3d(double u, double v)>& point);
+AnalyticMesh grid_mesh(const Grid& grid,
+                       const std::function<SurfacePoint(double u, double v)>& point);
+
+/// Unit directions and the triangles of an icosahedron, each split into 4^level.
+TriangleMesh icosphere(int level);
+/// Vertices of an icosphere, moved along it by up to `jitter` edges, then mapped.
+AnalyticMesh mapped_icosphere(int level, const DirectionMap& map, double jitter = 0);
+
+AnalyticMesh sphere(int level, double radius = 1, double jitter = 0);
+AnalyticMesh ellipsoid(int level, double jitter = 0);  ///< half axes 1, 0.8, 0.6
+AnalyticMesh bumpy_sphere(int level, double jitter = 0);
+/// Triangles: 2 · columns · rows.
+AnalyticMesh torus(int columns, int rows, double jitter = 0, const Torus& shape = {});
+/// One half of the torus, 0 <= u <= π: two borders.
+AnalyticMesh half_torus(int columns, int rows, double jitter = 0, const Torus& shape = {});
+AnalyticMesh hills(int cells, double jitter = 0);  ///< over [−1, 1]²
+AnalyticMesh cylinder(int columns, int rows, double radius = 1, double length = 2);  ///< open, z
+TriangleMesh plane(int cells, double jitter = 0);  ///< [−1, 1]², z = 0, facing +z
+TriangleMesh cube(int cells);                      ///< [−1, 1]³, welded edges
+
+/// An anchor ring of unit radius and a width of 0.6, one half turn: not orientable.
+TriangleMesh moebius_strip(int columns, int rows);
+/// `sheets` half planes that meet in the z axis, equally spaced around it.
+TriangleMesh fan_of_sheets(int sheets, int cells);
+/// Two plane squares, z = 0 facing down and z = `distance` facing up: a thin wall without rim.
+TriangleMesh parallel_sheets(int cells, double distance);
+
+void append(TriangleMesh& mesh, const TriangleMesh& other);
+void flip_triangles(TriangleMesh& mesh, int every);  ///< reverses each `every`-th triangle
+/// Adds what real files hold: NaN and infinite vertices with triangles, triangles without area,
+/// triangles that repeat a corner, vertices without triangles; in front, between and at the end.
+/// `clean_vertex[v]` is where vertex v of `mesh` ended up.
+TriangleMesh with_dirt(const TriangleMesh& mesh, std::vector<std::uint32_t>& clean_vertex);
+
+}  // namespace test_meshes

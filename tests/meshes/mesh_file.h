@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "laplacian_lines/triangle_mesh.h"
+
+namespace test_meshes {
+
+/// Reads an OBJ or PLY file (ASCII or little-endian, faces or triangle strips), or either packed
+/// with gzip (.gz; needs the program gzip). Polygons become fans; only x, y, z are read of a
+/// vertex. @throws std::runtime_error
+laplacian_lines::TriangleMesh read_mesh(const std::string& path);
+
+}  // namespace test_meshes

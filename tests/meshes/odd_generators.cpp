@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes that are not smooth closed surfaces.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "generators.h"
+
+namespace test_meshes {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Makes vertices at exactly the same place one and drops those without triangles.
+TriangleMesh welded(const TriangleMesh& mesh) {
+    std::map<std::tuple<double, double, double>, std::uint32_t> place;
+    TriangleMesh result;
+    for (Triangle t : mesh.triangles) {
+        for (std::uint32_t& v : t) {
+            const Eigen::Vector3d p =
+                mesh.positions[v] + Eigen::Vector3d::Zero();  // -0 and 0 are one place
+            const auto [found, is_new] = place.try_emplace(std::make_tuple(p.x(), p.y(), p.z()),
+                                                           std::uint32_t(result.positions.size()));
+            if (is_new) result.positions.push_back(p);
+            v = found->second;
+        }
+        result.triangles.push_back(t);
+    }
+    return result;
+}
+
+}  // namespace
+
+TriangleMesh cube(int cells) {
+    TriangleMesh faces;
+    for (int axis = 0; axis < 3; ++axis)
+        for (double side : {-1.0, 1.0})
+            append(faces, grid_mesh({cells, cells}, [&](double u, double v) {
+                       Eigen::Vector3d p;
+                       p[axis] = side;
+                       p[(axis + (side > 0 ? 1 : 2)) % 3] = 2 * u - 1;
+                       p[(axis + (side > 0 ? 2 : 1)) % 3] = 2 * v - 1;
+                       return p;
+                   }));
+    return welded(faces);
+}
+
+TriangleMesh moebius_strip(int columns, int rows) {
+    TriangleMesh mesh = grid_mesh({columns, rows}, [](double u, double v) {
+        const double turn = kPi * u, across = 0.6 * (v - 0.5);
+        const double ring = 1 + across * std::cos(turn);
+        return Eigen::Vector3d(ring * std::cos(2 * turn), ring * std::sin(2 * turn),
+                               across * std::sin(turn));
+    });
+    // The last column is the first one upside down.
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t) {
+            const int column = int(v) % (columns + 1), row = int(v) / (columns + 1);
+            if (column == columns) v = std::uint32_t((rows - row) * (columns + 1));
+        }
+    return welded(mesh);
+}
+
+TriangleMesh fan_of_sheets(int sheets, int cells) {
+    TriangleMesh fan;
+    for (int s = 0; s < sheets; ++s) {
+        const double angle = 2 * kPi * s / sheets + 0.2;
+        append(fan, grid_mesh({cells, cells}, [&](double u, double v) {
+                   const double bulge = 0.2 * std::sin(3 * u) * std::sin(4 * v);
+                   return Eigen::Vector3d(u * std::cos(angle + bulge), u * std::sin(angle + bulge),
+                                          2 * v - 1);
+               }));
+    }
+    return welded(fan);
+}
+
+TriangleMesh parallel_sheets(int cells, double distance) {
+    TriangleMesh mesh = plane(cells), top = mesh;
+    for (Triangle& t : mesh.triangles)
+        std::swap(t[1], t[2]);
+    for (Eigen::Vector3d& p : top.positions)
+        p.z() = distance;
+    append(mesh, top);
+    return mesh;
+}
+
+void append(TriangleMesh& mesh, const TriangleMesh& other) {
+    const auto first = std::uint32_t(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+    for (const Triangle& t : other.triangles)
+        mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+void flip_triangles(TriangleMesh& mesh, int every) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += std::size_t(every))
+        std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+}
+
+TriangleMesh with_dirt(const TriangleMesh& mesh, std::vector<std::uint32_t>& clean_vertex) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    TriangleMesh dirty;
+    dirty.positions = {{kNaN, 0, 0}, {1e5, 2e5, -3e5}};  // the second one has no triangle
+    clean_vertex.clear();
+    const auto half = mesh.positions.size() / 2;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        if (v == half) dirty.positions.push_back({0, kInfinity, 0});
+        clean_vertex.push_back(std::uint32_t(dirty.positions.size()));
+        dirty.positions.push_back(mesh.positions[v]);
+    }
+    const auto last = std::uint32_t(dirty.positions.size());
+    dirty.positions.push_back({0, 0, -kInfinity});
+    dirty.positions.push_back(mesh.positions[0]);  // used by a triangle without area only
+    const std::uint32_t a = clean_vertex[0], b = clean_vertex[1];
+    dirty.triangles = {{0, a, b}, {a, a, b}, {a, b, last + 1}};
+    for (const Triangle& t : mesh.triangles)
+        dirty.triangles.push_back({clean_vertex[t[0]], clean_vertex[t[1]], clean_vertex[t[2]]});
+    dirty.triangles.push_back({b, last, a});
+    dirty.triangles.push_back({b, b, b});
+    return dirty;
+}
+
+}  // namespace test_meshes
