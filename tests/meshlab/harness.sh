@@ -41,6 +41,7 @@ begin_test() {
     white_background "$WORK/home"
     # The same pixels on every machine, whatever the graphics card
     export LIBGL_ALWAYS_SOFTWARE=1
+    export LAPLACIAN_LINES_PROBE=1 # the decoration that expect-lines needs
 }
 
 # run_driver: the exit code of MeshLab driven by the script on stdin

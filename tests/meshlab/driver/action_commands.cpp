@@ -1,85 +1,72 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // trigger ACTION            check ACTION on|off          expect-action ACTION [checked|unchecked]
 // set LABEL = VALUE         apply  close  defaults       (the filter dialog)
-// setdeco LABEL = VALUE                                  (the decorations' parameters in the layer dialog)
+// setdeco LABEL = VALUE                                  (the decorations' parameters in the layer
+// dialog)
+#include <QTreeWidget>
 #include "fields.h"
 #include "gui.h"
 #include "modules.h"
-#include <QTreeWidget>
 
 namespace driver {
 namespace {
 
-QWidget* filterDialog()
-{
-	for (const char* name : {"MeshlabStdDialog", "FilterDockDialog"}) // up to 2020.09, later
-		if (QWidget* dialog = childOfClass(name))
-			return dialog;
-	throw CommandError("no filter dialog is open");
+QWidget* filterDialog() {
+    for (const char* name : {"MeshlabStdDialog", "FilterDockDialog"})  // up to 2020.09, later
+        if (QWidget* dialog = childOfClass(name)) return dialog;
+    throw CommandError("no filter dialog is open");
 }
 
-QAction* enabledAction(const QString& text)
-{
-	QAction* action = requireAction(text);
-	if (!action->isEnabled())
-		throw CommandError(QString("the action '%1' is disabled").arg(text));
-	return action;
+QAction* enabledAction(const QString& text) {
+    QAction* action = requireAction(text);
+    if (!action->isEnabled()) throw CommandError(QString("the action '%1' is disabled").arg(text));
+    return action;
 }
 
-void triggerAction(const Command& command)
-{
-	enabledAction(command.rest)->trigger();
+void triggerAction(const Command& command) {
+    enabledAction(command.rest)->trigger();
 }
 
-void checkAction(const Command& command)
-{
-	const QString state = command.rest.section(' ', -1);
-	QAction* action = enabledAction(command.rest.section(' ', 0, -2));
-	if (state != "on" && state != "off")
-		throw CommandError("say on or off after the action");
-	if (!action->isCheckable())
-		throw CommandError("the action is not checkable");
-	if (action->isChecked() != (state == "on"))
-		action->trigger();
+void checkAction(const Command& command) {
+    const QString state = command.rest.section(' ', -1);
+    QAction* action = enabledAction(command.rest.section(' ', 0, -2));
+    if (state != "on" && state != "off") throw CommandError("say on or off after the action");
+    if (!action->isCheckable()) throw CommandError("the action is not checkable");
+    if (action->isChecked() != (state == "on")) action->trigger();
 }
 
-void expectAction(const Command& command)
-{
-	const QString state = command.rest.section(' ', -1);
-	const bool hasState = state == "checked" || state == "unchecked";
-	QAction* action = requireAction(hasState ? command.rest.section(' ', 0, -2) : command.rest);
-	if (hasState && action->isChecked() != (state == "checked"))
-		throw CommandError(QString("it is %1").arg(action->isChecked() ? "checked" : "unchecked"));
+void expectAction(const Command& command) {
+    const QString state = command.rest.section(' ', -1);
+    const bool hasState = state == "checked" || state == "unchecked";
+    QAction* action = requireAction(hasState ? command.rest.section(' ', 0, -2) : command.rest);
+    if (hasState && action->isChecked() != (state == "checked"))
+        throw CommandError(QString("it is %1").arg(action->isChecked() ? "checked" : "unchecked"));
 }
 
-void setIn(QWidget* container, const Command& command)
-{
-	if (!command.rest.contains('='))
-		throw CommandError("say LABEL = VALUE");
-	// labels may hold a '=', values do not
-	setField(container, command.rest.section('=', 0, -2).trimmed(), command.rest.section('=', -1).trimmed());
+void setIn(QWidget* container, const Command& command) {
+    if (!command.rest.contains('=')) throw CommandError("say LABEL = VALUE");
+    // labels may hold a '=', values do not
+    setField(container, command.rest.section('=', 0, -2).trimmed(),
+             command.rest.section('=', -1).trimmed());
 }
 
-void setDecorationParameter(const Command& command)
-{
-	auto* tree = requireMainWindow()->findChild<QTreeWidget*>("decParsTree");
-	if (!tree)
-		throw CommandError("the layer dialog shows no decoration parameters");
-	setIn(tree, command);
+void setDecorationParameter(const Command& command) {
+    auto* tree = requireMainWindow()->findChild<QTreeWidget*>("decParsTree");
+    if (!tree) throw CommandError("the layer dialog shows no decoration parameters");
+    setIn(tree, command);
 }
 
-} // namespace
+}  // namespace
 
-void addActionCommands(CommandTable& table)
-{
-	table.addSimple("trigger", triggerAction);
-	table.addSimple("check", checkAction);
-	table.addSimple("expect-action", expectAction);
-	table.addSimple("set", [](const Command& c) { setIn(filterDialog(), c); });
-	table.addSimple("apply", [](const Command&) { clickButton(filterDialog(), "Apply"); });
-	table.addSimple("close", [](const Command&) { clickButton(filterDialog(), "Close"); });
-	table.addSimple("defaults", [](const Command&) { clickButton(filterDialog(), "Default"); });
-	table.addSimple("setdeco", setDecorationParameter);
+void addActionCommands(CommandTable& table) {
+    table.addSimple("trigger", triggerAction);
+    table.addSimple("check", checkAction);
+    table.addSimple("expect-action", expectAction);
+    table.addSimple("set", [](const Command& c) { setIn(filterDialog(), c); });
+    table.addSimple("apply", [](const Command&) { clickButton(filterDialog(), "Apply"); });
+    table.addSimple("close", [](const Command&) { clickButton(filterDialog(), "Close"); });
+    table.addSimple("defaults", [](const Command&) { clickButton(filterDialog(), "Default"); });
+    table.addSimple("setdeco", setDecorationParameter);
 }
 
-} // namespace driver
+}  // namespace driver

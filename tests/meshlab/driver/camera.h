@@ -4,12 +4,13 @@
 
 namespace driver {
 
-void loadCamera(const QString& fileName); // XML, as MeshLab's "Save camera settings to file" writes it
+void loadCamera(
+    const QString& fileName);  // XML, as MeshLab's "Save camera settings to file" writes it
 void saveCamera(const QString& fileName);
 
-// look EX EY EZ  TX TY TZ  [UX UY UZ]: the eye, a point it looks at, the upward direction (y by default), all in the
-// coordinates of the scene. Field of view, projection and scale stay; with an orthographic camera only the direction
-// counts.
+// look EX EY EZ  TX TY TZ  [UX UY UZ]: the eye, a point it looks at, the upward direction (y by
+// default), all in the coordinates of the scene. Field of view, projection and scale stay; with an
+// orthographic camera only the direction counts.
 void lookFrom(const Command& command);
 
-} // namespace driver
+}  // namespace driver

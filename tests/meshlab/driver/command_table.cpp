@@ -3,50 +3,48 @@
 
 namespace driver {
 
-const QString& Command::word(int index) const
-{
-	if (index >= words.size())
-		throw CommandError(QString("%1 needs at least %2 argument(s)").arg(name).arg(index + 1));
-	return words[index];
+const QString& Command::word(int index) const {
+    if (index >= words.size())
+        throw CommandError(QString("%1 needs at least %2 argument(s)").arg(name).arg(index + 1));
+    return words[index];
 }
 
-double Command::number(int index) const
-{
-	bool isNumber = false;
-	const double value = word(index).toDouble(&isNumber);
-	if (!isNumber)
-		throw CommandError(QString("'%1' is not a number").arg(word(index)));
-	return value;
+double Command::number(int index) const {
+    bool isNumber = false;
+    const double value = word(index).toDouble(&isNumber);
+    if (!isNumber) throw CommandError(QString("'%1' is not a number").arg(word(index)));
+    return value;
 }
 
-QString Command::wordOr(int index, const QString& otherwise) const
-{
-	return index < words.size() ? words[index] : otherwise;
+QString Command::wordOr(int index, const QString& otherwise) const {
+    return index < words.size() ? words[index] : otherwise;
 }
 
-void CommandTable::add(const QString& name, Handler handler, Place place)
-{
-	m_entries[name] = Entry{std::move(handler), place};
+void CommandTable::add(const QString& name, Handler handler, Place place) {
+    m_entries[name] = Entry{std::move(handler), place};
 }
 
-void CommandTable::addSimple(const QString& name, std::function<void(const Command&)> handler, Place place)
-{
-	add(name, [handler = std::move(handler)](const Command& command) {
-		handler(command);
-		return Outcome::Done;
-	}, place);
+void CommandTable::addSimple(const QString& name, std::function<void(const Command&)> handler,
+                             Place place) {
+    add(
+        name,
+        [handler = std::move(handler)](const Command& command) {
+            handler(command);
+            return Outcome::Done;
+        },
+        place);
 }
 
-const CommandTable::Entry& CommandTable::find(const QString& name) const
-{
-	const auto found = m_entries.find(name);
-	if (found == m_entries.end()) {
-		QStringList known;
-		for (const auto& entry : m_entries)
-			known << entry.first;
-		throw CommandError(QString("unknown command '%1'; there are: %2").arg(name, known.join(' ')));
-	}
-	return found->second;
+const CommandTable::Entry& CommandTable::find(const QString& name) const {
+    const auto found = m_entries.find(name);
+    if (found == m_entries.end()) {
+        QStringList known;
+        for (const auto& entry : m_entries)
+            known << entry.first;
+        throw CommandError(
+            QString("unknown command '%1'; there are: %2").arg(name, known.join(' ')));
+    }
+    return found->second;
 }
 
-} // namespace driver
+}  // namespace driver

@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "driver_plugin.h"
-#include "modules.h"
-#include "report.h"
-#include "runner.h"
+
 #include <QApplication>
 
+#include "modules.h"
+#include "probe_recorder.h"
+#include "report.h"
+#include "runner.h"
+
 DriverPlugin::DriverPlugin()
-{
-	const QString script = qEnvironmentVariable("LAPLACIAN_LINES_DRIVER");
-	if (script.isEmpty() || !qobject_cast<QApplication*>(QCoreApplication::instance()))
-		return;
-	try {
-		new driver::Runner(driver::readScript(script), driver::allCommands(), this);
-	}
-	catch (const driver::CommandError& e) {
-		driver::endWithError(e.what());
-	}
+    : DecoratePluginBase({"LaplacianLinesDriver", "Laplacian Lines Probe",
+                          "Notes what the view shows, for tests."}) {
+    if (!qEnvironmentVariableIsSet("LAPLACIAN_LINES_PROBE")) {
+        actionList.clear();
+        typeList.clear();
+    }
+    const QString script = qEnvironmentVariable("LAPLACIAN_LINES_DRIVER");
+    if (script.isEmpty() || !qobject_cast<QApplication*>(QCoreApplication::instance())) return;
+    try {
+        new driver::Runner(driver::readScript(script), driver::allCommands(), this);
+    } catch (const driver::CommandError& e) {
+        driver::endWithError(e.what());
+    }
+}
+
+void DriverPlugin::draw(MeshModel& mesh, const RichParameterList&, GLArea*, QPainter*,
+                        GLLogStream&) {
+    driver::layerIsDrawn(mesh);
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DriverPlugin)

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <GL/glew.h> // before any other GL header
-#include <common/interfaces.h>
-#include <QObject>
 
-// Drives MeshLab from a script, for tests and pictures: see README.md. A decoration plugin without decorations, only to
-// be loaded; it does nothing unless the environment variable LAPLACIAN_LINES_DRIVER names a script.
-class DriverPlugin : public QObject, public MeshDecorateInterface
-{
-	Q_OBJECT
-	MESHLAB_PLUGIN_IID_EXPORTER(MESH_DECORATE_INTERFACE_IID)
-	Q_INTERFACES(MeshDecorateInterface)
+#include <meshlab_host/decorate_plugin_base.h>
+
+/// Drives MeshLab from a script, for tests and pictures: see README.md. It does nothing unless the
+/// environment variable LAPLACIAN_LINES_DRIVER names a script, and has its one decoration, the
+/// probe of expect-lines, only if LAPLACIAN_LINES_PROBE is set as well.
+class DriverPlugin : public meshlab_host::DecoratePluginBase {
+    Q_OBJECT
+    MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
+    Q_INTERFACES(MESHLAB_HOST_DECORATE_INTERFACE)
+
 public:
-	DriverPlugin();
+    DriverPlugin();
 
-	using MeshDecorateInterface::decorationInfo;
-	using MeshDecorateInterface::decorationName;
-	QString pluginName() const override { return "LaplacianLinesDriver"; }
-	QString decorationName(FilterIDType) const override { return {}; }
-	QString decorationInfo(FilterIDType) const override { return {}; }
-	int getDecorationClass(QAction*) const override { return PerMesh; }
-	void decorateMesh(QAction*, MeshModel&, const RichParameterList*, GLArea*, QPainter*, GLLogStream&) override {}
-	void decorateDoc(QAction*, MeshDocument&, const RichParameterList*, GLArea*, QPainter*, GLLogStream&) override {}
+protected:
+    void listParameters(RichParameterList&) const override {}
+    bool start(MeshModel&, const RichParameterList&, GLArea*) override { return true; }
+    void draw(MeshModel& mesh, const RichParameterList&, GLArea*, QPainter*, GLLogStream&) override;
+    void end(MeshModel&, GLArea*) override {}
+    void endAll(GLArea*) override {}
+    void meshGone(GLArea*) override {}
 };

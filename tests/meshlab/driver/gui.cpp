@@ -1,142 +1,119 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui.h"
-#include "command_table.h"
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDialog>
 #include <QMessageBox>
 #include <algorithm>
 #include <cstring>
+#include "command_table.h"
 
 namespace driver {
 namespace {
 
 int chosenView = 0;
 
-bool isOfClass(const QObject* object, const char* className)
-{
-	return std::strcmp(object->metaObject()->className(), className) == 0;
+bool isOfClass(const QObject* object, const char* className) {
+    return std::strcmp(object->metaObject()->className(), className) == 0;
 }
 
-} // namespace
+}  // namespace
 
-QMainWindow* mainWindow()
-{
-	for (QWidget* widget : QApplication::topLevelWidgets())
-		if (isOfClass(widget, "MainWindow"))
-			return qobject_cast<QMainWindow*>(widget);
-	return nullptr;
+QMainWindow* mainWindow() {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (isOfClass(widget, "MainWindow")) return qobject_cast<QMainWindow*>(widget);
+    return nullptr;
 }
 
-QMainWindow* requireMainWindow()
-{
-	QMainWindow* window = mainWindow();
-	if (!window)
-		throw CommandError("MeshLab has no main window");
-	return window;
+QMainWindow* requireMainWindow() {
+    QMainWindow* window = mainWindow();
+    if (!window) throw CommandError("MeshLab has no main window");
+    return window;
 }
 
-QList<QGLWidget*> visibleViews()
-{
-	QList<QGLWidget*> views;
-	if (QMainWindow* window = mainWindow())
-		for (QGLWidget* widget : window->findChildren<QGLWidget*>())
-			if (isOfClass(widget, "GLArea") && widget->isVisible())
-				views << widget;
-	std::sort(views.begin(), views.end(), [](QGLWidget* a, QGLWidget* b) {
-		const QPoint p = a->mapToGlobal(QPoint()), q = b->mapToGlobal(QPoint());
-		return std::make_pair(p.y(), p.x()) < std::make_pair(q.y(), q.x());
-	});
-	return views;
+QList<QGLWidget*> visibleViews() {
+    QList<QGLWidget*> views;
+    if (QMainWindow* window = mainWindow())
+        for (QGLWidget* widget : window->findChildren<QGLWidget*>())
+            if (isOfClass(widget, "GLArea") && widget->isVisible()) views << widget;
+    std::sort(views.begin(), views.end(), [](QGLWidget* a, QGLWidget* b) {
+        const QPoint p = a->mapToGlobal(QPoint()), q = b->mapToGlobal(QPoint());
+        return std::make_pair(p.y(), p.x()) < std::make_pair(q.y(), q.x());
+    });
+    return views;
 }
 
-QGLWidget* view()
-{
-	const QList<QGLWidget*> views = visibleViews();
-	if (views.isEmpty())
-		return nullptr;
-	return views[qMin(chosenView, int(views.size()) - 1)];
+QGLWidget* view() {
+    const QList<QGLWidget*> views = visibleViews();
+    if (views.isEmpty()) return nullptr;
+    return views[qMin(chosenView, int(views.size()) - 1)];
 }
 
-QGLWidget* requireView()
-{
-	QGLWidget* widget = view();
-	if (!widget)
-		throw CommandError("MeshLab shows no GL view");
-	return widget;
+QGLWidget* requireView() {
+    QGLWidget* widget = view();
+    if (!widget) throw CommandError("MeshLab shows no GL view");
+    return widget;
 }
 
-void chooseView(int index)
-{
-	const int count = visibleViews().size();
-	if (index < 0 || index >= count)
-		throw CommandError(QString("there are %1 views, counted from 0").arg(count));
-	chosenView = index;
+void chooseView(int index) {
+    const int count = visibleViews().size();
+    if (index < 0 || index >= count)
+        throw CommandError(QString("there are %1 views, counted from 0").arg(count));
+    chosenView = index;
 }
 
-QWidget* childOfClass(const char* className)
-{
-	for (QWidget* widget : requireMainWindow()->findChildren<QWidget*>())
-		if (isOfClass(widget, className) && widget->isVisible())
-			return widget;
-	return nullptr;
+QWidget* childOfClass(const char* className) {
+    for (QWidget* widget : requireMainWindow()->findChildren<QWidget*>())
+        if (isOfClass(widget, className) && widget->isVisible()) return widget;
+    return nullptr;
 }
 
-QString withoutMnemonic(QString text)
-{
-	return text.remove('&').section('\t', 0, 0);
+QString withoutMnemonic(QString text) {
+    return text.remove('&').section('\t', 0, 0);
 }
 
-QAction* findAction(const QString& text)
-{
-	// MeshLab enables actions as if by chance: a resized window can be split only after its menus were updated
-	QMetaObject::invokeMethod(requireMainWindow(), "updateMenus", Qt::DirectConnection);
-	for (QWidget* widget : QApplication::allWidgets())
-		for (QAction* action : widget->actions())
-			if (withoutMnemonic(action->text()) == text)
-				return action;
-	return nullptr;
+QAction* findAction(const QString& text) {
+    // MeshLab enables actions as if by chance: a resized window can be split only after its menus
+    // were updated
+    QMetaObject::invokeMethod(requireMainWindow(), "updateMenus", Qt::DirectConnection);
+    for (QWidget* widget : QApplication::allWidgets())
+        for (QAction* action : widget->actions())
+            if (withoutMnemonic(action->text()) == text) return action;
+    return nullptr;
 }
 
-QAction* requireAction(const QString& text)
-{
-	if (QAction* action = findAction(text))
-		return action;
-	QStringList alike;
-	for (QWidget* widget : QApplication::allWidgets())
-		for (QAction* action : widget->actions())
-			if (action->text().contains(text.section(' ', 0, 0), Qt::CaseInsensitive))
-				alike << "'" + withoutMnemonic(action->text()) + "'";
-	alike.removeDuplicates();
-	throw CommandError(QString("no action '%1'; similar: %2").arg(text, alike.isEmpty() ? "none" : alike.join(", ")));
+QAction* requireAction(const QString& text) {
+    if (QAction* action = findAction(text)) return action;
+    QStringList alike;
+    for (QWidget* widget : QApplication::allWidgets())
+        for (QAction* action : widget->actions())
+            if (action->text().contains(text.section(' ', 0, 0), Qt::CaseInsensitive))
+                alike << "'" + withoutMnemonic(action->text()) + "'";
+    alike.removeDuplicates();
+    throw CommandError(QString("no action '%1'; similar: %2")
+                           .arg(text, alike.isEmpty() ? "none" : alike.join(", ")));
 }
 
-void clickButton(QWidget* container, const QString& text)
-{
-	QStringList others;
-	for (QAbstractButton* button : container->findChildren<QAbstractButton*>()) {
-		if (withoutMnemonic(button->text()) == text && button->isVisible())
-			return button->click();
-		others << "'" + withoutMnemonic(button->text()) + "'";
-	}
-	throw CommandError(QString("no button '%1' among %2").arg(text, others.join(", ")));
+void clickButton(QWidget* container, const QString& text) {
+    QStringList others;
+    for (QAbstractButton* button : container->findChildren<QAbstractButton*>()) {
+        if (withoutMnemonic(button->text()) == text && button->isVisible()) return button->click();
+        others << "'" + withoutMnemonic(button->text()) + "'";
+    }
+    throw CommandError(QString("no button '%1' among %2").arg(text, others.join(", ")));
 }
 
-QString describeBox(QWidget* modal)
-{
-	QString text = modal->windowTitle();
-	if (const auto* box = qobject_cast<QMessageBox*>(modal))
-		text += ": " + box->text();
-	return text.simplified();
+QString describeBox(QWidget* modal) {
+    QString text = modal->windowTitle();
+    if (const auto* box = qobject_cast<QMessageBox*>(modal)) text += ": " + box->text();
+    return text.simplified();
 }
 
-bool acceptOptionsBox(QWidget* modal)
-{
-	auto* box = qobject_cast<QDialog*>(modal);
-	if (!box || !isOfClass(box, "RichParameterListDialog"))
-		return false;
-	box->accept();
-	return true;
+bool acceptOptionsBox(QWidget* modal) {
+    auto* box = qobject_cast<QDialog*>(modal);
+    if (!box || !isOfClass(box, "RichParameterListDialog")) return false;
+    box->accept();
+    return true;
 }
 
-} // namespace driver
+}  // namespace driver

@@ -10,21 +10,22 @@
 // MeshLab's widgets, found by their class names: the executable exports no symbols to link with.
 namespace driver {
 
-QMainWindow* mainWindow();                  // null before it exists
-QMainWindow* requireMainWindow();           // CommandError when there is none
+QMainWindow* mainWindow();         // null before it exists
+QMainWindow* requireMainWindow();  // CommandError when there is none
 
-QList<QGLWidget*> visibleViews();           // the GL views, from the upper left to the lower right
-QGLWidget* view();                          // the chosen one (the first by default); null when there is none
+QList<QGLWidget*> visibleViews();  // the GL views, from the upper left to the lower right
+QGLWidget* view();                 // the chosen one (the first by default); null when there is none
 QGLWidget* requireView();
 void chooseView(int index);
 
-QWidget* childOfClass(const char* className);   // a visible descendant of the main window, or null
-QString withoutMnemonic(QString text);          // no '&', no shortcut
-QAction* requireAction(const QString& text);    // CommandError with look-alikes when there is none
+QWidget* childOfClass(const char* className);  // a visible descendant of the main window, or null
+QString withoutMnemonic(QString text);         // no '&', no shortcut
+QAction* requireAction(const QString& text);   // CommandError with look-alikes when there is none
 QAction* findAction(const QString& text);
 void clickButton(QWidget* container, const QString& text);
 
-QString describeBox(QWidget* modal);        // title and text, on one line
-bool acceptOptionsBox(QWidget* modal);      // accepts MeshLab's own "options" box on opening a file; false: another box
+QString describeBox(QWidget* modal);  // title and text, on one line
+bool acceptOptionsBox(
+    QWidget* modal);  // accepts MeshLab's own "options" box on opening a file; false: another box
 
-} // namespace driver
+}  // namespace driver

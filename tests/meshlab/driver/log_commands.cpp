@@ -1,62 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // log FILE               the text of MeshLab's log panel
 // expect-log REGEX       expect-no-log REGEX
-#include "gui.h"
-#include "modules.h"
 #include <QFile>
 #include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QTextEdit>
+#include "gui.h"
+#include "modules.h"
 
 namespace driver {
 namespace {
 
-QString logText()
-{
-	QMainWindow* window = requireMainWindow();
-	QMetaObject::invokeMethod(window, "updateLayerDialog", Qt::DirectConnection); // it also refreshes the log panel
-	if (const auto* panel = window->findChild<QPlainTextEdit*>("logPlainTextEdit"))
-		return panel->toPlainText();
-	if (const auto* panel = window->findChild<QTextEdit*>("logPlainTextEdit"))
-		return panel->toPlainText();
-	throw CommandError("MeshLab's log panel was not found");
+QString logText() {
+    QMainWindow* window = requireMainWindow();
+    QMetaObject::invokeMethod(window, "updateLayerDialog",
+                              Qt::DirectConnection);  // it also refreshes the log panel
+    if (const auto* panel = window->findChild<QPlainTextEdit*>("logPlainTextEdit"))
+        return panel->toPlainText();
+    if (const auto* panel = window->findChild<QTextEdit*>("logPlainTextEdit"))
+        return panel->toPlainText();
+    throw CommandError("MeshLab's log panel was not found");
 }
 
-void dumpLog(const Command& command)
-{
-	QFile file(command.rest);
-	const QByteArray text = logText().toUtf8();
-	if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
-		throw CommandError(QString("cannot write %1").arg(command.rest));
+void dumpLog(const Command& command) {
+    QFile file(command.rest);
+    const QByteArray text = logText().toUtf8();
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+        throw CommandError(QString("cannot write %1").arg(command.rest));
 }
 
-bool logHas(const QString& pattern)
-{
-	const QRegularExpression expression(pattern);
-	if (!expression.isValid())
-		throw CommandError("this is not a regular expression: " + expression.errorString());
-	return logText().contains(expression);
+bool logHas(const QString& pattern) {
+    const QRegularExpression expression(pattern);
+    if (!expression.isValid())
+        throw CommandError("this is not a regular expression: " + expression.errorString());
+    return logText().contains(expression);
 }
 
-void expectLog(const Command& command)
-{
-	if (!logHas(command.rest))
-		throw CommandError("the log does not say so; it says:\n" + logText());
+void expectLog(const Command& command) {
+    if (!logHas(command.rest))
+        throw CommandError("the log does not say so; it says:\n" + logText());
 }
 
-void expectNoLog(const Command& command)
-{
-	if (logHas(command.rest))
-		throw CommandError("the log says so:\n" + logText());
+void expectNoLog(const Command& command) {
+    if (logHas(command.rest)) throw CommandError("the log says so:\n" + logText());
 }
 
-} // namespace
+}  // namespace
 
-void addLogCommands(CommandTable& table)
-{
-	table.addSimple("log", dumpLog);
-	table.addSimple("expect-log", expectLog);
-	table.addSimple("expect-no-log", expectNoLog);
+void addLogCommands(CommandTable& table) {
+    table.addSimple("log", dumpLog);
+    table.addSimple("expect-log", expectLog);
+    table.addSimple("expect-no-log", expectNoLog);
 }
 
-} // namespace driver
+}  // namespace driver

@@ -2,8 +2,6 @@
 // expect-modal REGEX           waits for a modal box whose title or text matches
 // button TEXT                  waits for a modal box and clicks its button
 // snapshot FILE.png [TILES]    MeshLab's File > Save snapshot, with TILES x TILES tiles, on white
-#include "gui.h"
-#include "modules.h"
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -14,91 +12,81 @@
 #include <QRegularExpression>
 #include <QSpinBox>
 #include <QTimer>
+#include "gui.h"
+#include "modules.h"
 
 namespace driver {
 namespace {
 
-Outcome expectModal(const Command& command)
-{
-	QWidget* modal = QApplication::activeModalWidget();
-	if (!modal)
-		return Outcome::Retry;
-	if (!describeBox(modal).contains(QRegularExpression(command.rest)))
-		throw CommandError("the box says: " + describeBox(modal));
-	return Outcome::Done;
+Outcome expectModal(const Command& command) {
+    QWidget* modal = QApplication::activeModalWidget();
+    if (!modal) return Outcome::Retry;
+    if (!describeBox(modal).contains(QRegularExpression(command.rest)))
+        throw CommandError("the box says: " + describeBox(modal));
+    return Outcome::Done;
 }
 
-Outcome clickInModal(const Command& command)
-{
-	QWidget* modal = QApplication::activeModalWidget();
-	if (!modal)
-		return Outcome::Retry;
-	clickButton(modal, command.rest);
-	return Outcome::Done;
+Outcome clickInModal(const Command& command) {
+    QWidget* modal = QApplication::activeModalWidget();
+    if (!modal) return Outcome::Retry;
+    clickButton(modal, command.rest);
+    return Outcome::Done;
 }
 
 template <class Widget>
-Widget* childNamed(QWidget* box, const char* name)
-{
-	auto* child = box->findChild<Widget*>(name);
-	if (!child)
-		throw CommandError(QString("MeshLab's snapshot box has no field '%1'").arg(name));
-	return child;
+Widget* childNamed(QWidget* box, const char* name) {
+    auto* child = box->findChild<Widget*>(name);
+    if (!child) throw CommandError(QString("MeshLab's snapshot box has no field '%1'").arg(name));
+    return child;
 }
 
-constexpr int whiteBackground = 2; // entries of the box: current, transparent, white, black ...
+constexpr int whiteBackground = 2;  // entries of the box: current, transparent, white, black ...
 
 // MeshLab adds two digits, the counter, to the base name.
-QString fillSnapshotBox(QWidget* box, const QFileInfo& target, int tiles)
-{
-	childNamed<QLineEdit>(box, "outDirLineEdit")->setText(target.absolutePath());
-	childNamed<QLineEdit>(box, "baseNameLineEdit")->setText(target.completeBaseName());
-	childNamed<QSpinBox>(box, "counterSpinBox")->setValue(0);
-	childNamed<QSpinBox>(box, "resolutionSpinBox")->setValue(tiles);
-	childNamed<QComboBox>(box, "backgroundComboBox")->setCurrentIndex(whiteBackground);
-	childNamed<QCheckBox>(box, "alllayersCheckBox")->setChecked(false);
-	childNamed<QCheckBox>(box, "tiledSaveCheckBox")->setChecked(false);
-	childNamed<QCheckBox>(box, "addToRastersCheckBox")->setChecked(false);
-	return QString("%1/%2%3.png").arg(target.absolutePath(), target.completeBaseName(), "00");
+QString fillSnapshotBox(QWidget* box, const QFileInfo& target, int tiles) {
+    childNamed<QLineEdit>(box, "outDirLineEdit")->setText(target.absolutePath());
+    childNamed<QLineEdit>(box, "baseNameLineEdit")->setText(target.completeBaseName());
+    childNamed<QSpinBox>(box, "counterSpinBox")->setValue(0);
+    childNamed<QSpinBox>(box, "resolutionSpinBox")->setValue(tiles);
+    childNamed<QComboBox>(box, "backgroundComboBox")->setCurrentIndex(whiteBackground);
+    childNamed<QCheckBox>(box, "alllayersCheckBox")->setChecked(false);
+    childNamed<QCheckBox>(box, "tiledSaveCheckBox")->setChecked(false);
+    childNamed<QCheckBox>(box, "addToRastersCheckBox")->setChecked(false);
+    return QString("%1/%2%3.png").arg(target.absolutePath(), target.completeBaseName(), "00");
 }
 
-void takeSnapshot(const Command& command)
-{
-	const QFileInfo target(command.word(0));
-	const int tiles = command.wordOr(1, "1").toInt();
-	QString written, error;
-	QTimer::singleShot(0, requireMainWindow(), [&] { // runs inside the box's event loop
-		auto* box = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-		if (!box)
-			return void(error = "MeshLab showed no snapshot box");
-		try {
-			written = fillSnapshotBox(box, target, tiles);
-			QFile::remove(written);
-			box->accept();
-		}
-		catch (const CommandError& e) {
-			error = e.what();
-			box->reject();
-		}
-	});
-	QMetaObject::invokeMethod(requireMainWindow(), "saveSnapshot", Qt::DirectConnection);
-	if (!error.isEmpty())
-		throw CommandError(error);
-	// MeshLab draws the tiles later, one a repaint. Ends by the time limit when it never does.
-	while (!QFileInfo(written).size())
-		QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
-	QFile::remove(target.absoluteFilePath());
-	if (!QFile::rename(written, target.absoluteFilePath()))
-		throw CommandError("cannot write " + target.filePath());
+void takeSnapshot(const Command& command) {
+    const QFileInfo target(command.word(0));
+    const int tiles = command.wordOr(1, "1").toInt();
+    QString written, error;
+    QTimer::singleShot(0, requireMainWindow(), [&] {  // runs inside the box's event loop
+        auto* box = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (!box) return void(error = "MeshLab showed no snapshot box");
+        try {
+            written = fillSnapshotBox(box, target, tiles);
+            QFile::remove(written);
+            box->accept();
+        } catch (const CommandError& e) {
+            error = e.what();
+            box->reject();
+        }
+    });
+    QMetaObject::invokeMethod(requireMainWindow(), "saveSnapshot", Qt::DirectConnection);
+    if (!error.isEmpty()) throw CommandError(error);
+    // MeshLab draws the tiles later, one a repaint. Ends by the time limit when it never does.
+    while (!QFileInfo(written).size())
+        QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
+    QFile::remove(target.absoluteFilePath());
+    if (!QFile::rename(written, target.absoluteFilePath()))
+        throw CommandError("cannot write " + target.filePath());
 }
 
-} // namespace
+}  // namespace
 
-void addModalCommands(CommandTable& table)
-{
-	table.add("expect-modal", expectModal, Place::ModalBox);
-	table.add("button", clickInModal, Place::ModalBox);
-	table.addSimple("snapshot", takeSnapshot);
+void addModalCommands(CommandTable& table) {
+    table.add("expect-modal", expectModal, Place::ModalBox);
+    table.add("button", clickInModal, Place::ModalBox);
+    table.addSimple("snapshot", takeSnapshot);
 }
 
-} // namespace driver
+}  // namespace driver

@@ -3,16 +3,16 @@
 
 namespace driver {
 
-CommandTable allCommands()
-{
-	CommandTable table;
-	addWindowCommands(table);
-	addActionCommands(table);
-	addModalCommands(table);
-	addMouseCommands(table);
-	addPictureCommands(table);
-	addLogCommands(table);
-	return table;
+CommandTable allCommands() {
+    CommandTable table;
+    addWindowCommands(table);
+    addActionCommands(table);
+    addModalCommands(table);
+    addMouseCommands(table);
+    addPictureCommands(table);
+    addLogCommands(table);
+    addProbeCommands(table);
+    return table;
 }
 
-} // namespace driver
+}  // namespace driver

@@ -4,15 +4,18 @@
 
 namespace driver {
 
-// Each module adds its commands to the table; modules.cpp lists them all. A new module is a file of its own, a line
-// here and a line there.
-void addWindowCommands(CommandTable& table);   // window_commands.cpp: views, size, camera, layers
-void addActionCommands(CommandTable& table);   // action_commands.cpp: menus, filter dialog, decoration parameters
-void addModalCommands(CommandTable& table);    // modal_commands.cpp: boxes that wait for an answer, snapshots
+// Each module adds its commands to the table; modules.cpp lists them all. A new module is a file of
+// its own, a line here and a line there.
+void addWindowCommands(CommandTable& table);  // window_commands.cpp: views, size, camera, layers
+void addActionCommands(
+    CommandTable& table);  // action_commands.cpp: menus, filter dialog, decoration parameters
+void addModalCommands(
+    CommandTable& table);  // modal_commands.cpp: boxes that wait for an answer, snapshots
 void addMouseCommands(CommandTable& table);    // mouse_commands.cpp
 void addPictureCommands(CommandTable& table);  // picture_commands.cpp
 void addLogCommands(CommandTable& table);      // log_commands.cpp
+void addProbeCommands(CommandTable& table);    // probe_commands.cpp
 
 CommandTable allCommands();
 
-} // namespace driver
+}  // namespace driver

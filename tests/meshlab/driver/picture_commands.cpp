@@ -1,42 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// grab FILE       what the GL view draws           screen FILE     the whole screen, boxes and menus included
+// grab FILE       what the GL view draws           screen FILE     the whole screen, boxes and
+// menus included
+#include <QGuiApplication>
+#include <QScreen>
 #include "gui.h"
 #include "modules.h"
 #include "report.h"
-#include <QGuiApplication>
-#include <QScreen>
 
 namespace driver {
 namespace {
 
-void save(const QImage& picture, const QString& fileName)
-{
-	if (picture.isNull() || !picture.save(fileName))
-		throw CommandError(QString("cannot write the picture %1").arg(fileName));
-	say(QString("%1: %2x%3").arg(fileName).arg(picture.width()).arg(picture.height()).toStdString());
+void save(const QImage& picture, const QString& fileName) {
+    if (picture.isNull() || !picture.save(fileName))
+        throw CommandError(QString("cannot write the picture %1").arg(fileName));
+    say(QString("%1: %2x%3")
+            .arg(fileName)
+            .arg(picture.width())
+            .arg(picture.height())
+            .toStdString());
 }
 
 // repaint, not updateGL: MeshLab draws in paintEvent, and updateGL only clears
-void grabView(const Command& command)
-{
-	QGLWidget* area = requireView();
-	area->repaint();
-	save(area->grabFrameBuffer(), command.rest);
+void grabView(const Command& command) {
+    QGLWidget* area = requireView();
+    area->repaint();
+    save(area->grabFrameBuffer(), command.rest);
 }
 
-void grabScreen(const Command& command)
-{
-	if (QGLWidget* area = view())
-		area->repaint();
-	save(QGuiApplication::primaryScreen()->grabWindow(0).toImage(), command.rest);
+void grabScreen(const Command& command) {
+    if (QGLWidget* area = view()) area->repaint();
+    save(QGuiApplication::primaryScreen()->grabWindow(0).toImage(), command.rest);
 }
 
-} // namespace
+}  // namespace
 
-void addPictureCommands(CommandTable& table)
-{
-	table.addSimple("grab", grabView);
-	table.addSimple("screen", grabScreen, Place::ModalBox);
+void addPictureCommands(CommandTable& table) {
+    table.addSimple("grab", grabView);
+    table.addSimple("screen", grabScreen, Place::ModalBox);
 }
 
-} // namespace driver
+}  // namespace driver

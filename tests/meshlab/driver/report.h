@@ -8,6 +8,6 @@ constexpr int failureExitCode = 3;
 
 void say(const std::string& text);                       // one line on stderr
 [[noreturn]] void endWithError(const std::string& why);  // from any thread
-[[noreturn]] void endProcess(int exitCode);              // at once: no "save changes?" box, no teardown
+[[noreturn]] void endProcess(int exitCode);  // at once: no "save changes?" box, no teardown
 
-} // namespace driver
+}  // namespace driver

@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "script.h"
-#include "watchdog.h"
 #include <QElapsedTimer>
 #include <QObject>
+#include "script.h"
+#include "watchdog.h"
 
 namespace driver {
 
 // Runs the script's commands one after the other in MeshLab's own event loop.
-class Runner : public QObject
-{
-	Q_OBJECT
+class Runner : public QObject {
+    Q_OBJECT
 public:
-	Runner(QVector<Command> script, CommandTable table, QObject* parent);
+    Runner(QVector<Command> script, CommandTable table, QObject* parent);
 
 private:
-	void step();
-	bool mayStart(const CommandTable::Entry& entry);
-	void run(const Command& command, const CommandTable::Entry& entry);
-	void scheduleStep(int milliseconds);
-	void watch(const Command& command);
-	void addOwnCommands();
-	void checkNames() const;
-	Outcome sleep(const Command& command);
+    void step();
+    bool mayStart(const CommandTable::Entry& entry);
+    void run(const Command& command, const CommandTable::Entry& entry);
+    void scheduleStep(int milliseconds);
+    void watch(const Command& command);
+    void addOwnCommands();
+    void checkNames() const;
+    Outcome sleep(const Command& command);
 
-	QVector<Command> m_script;
-	CommandTable m_table;
-	Watchdog m_watchdog;
-	QElapsedTimer m_sleeping;
-	QStringList m_inProgress; // commands: more than one when a command sits in a modal box's event loop
-	int m_next = 0;
-	int m_watchedLine = 0;
+    QVector<Command> m_script;
+    CommandTable m_table;
+    Watchdog m_watchdog;
+    QElapsedTimer m_sleeping;
+    QStringList
+        m_inProgress;  // commands: more than one when a command sits in a modal box's event loop
+    int m_next = 0;
+    int m_watchedLine = 0;
 };
 
-} // namespace driver
+}  // namespace driver

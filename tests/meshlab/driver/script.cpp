@@ -6,55 +6,48 @@
 namespace driver {
 namespace {
 
-QStringList cutIntoWords(const QString& text)
-{
-	QStringList words;
-	QString word;
-	bool quoted = false, inWord = false;
-	for (const QChar c : text) {
-		if (c == '"') {
-			quoted = !quoted;
-			inWord = true; // "" is an empty word
-		}
-		else if (c.isSpace() && !quoted) {
-			if (inWord)
-				words << word;
-			word.clear();
-			inWord = false;
-		}
-		else {
-			word += c;
-			inWord = true;
-		}
-	}
-	if (inWord)
-		words << word;
-	return words;
+QStringList cutIntoWords(const QString& text) {
+    QStringList words;
+    QString word;
+    bool quoted = false, inWord = false;
+    for (const QChar c : text) {
+        if (c == '"') {
+            quoted = !quoted;
+            inWord = true;  // "" is an empty word
+        } else if (c.isSpace() && !quoted) {
+            if (inWord) words << word;
+            word.clear();
+            inWord = false;
+        } else {
+            word += c;
+            inWord = true;
+        }
+    }
+    if (inWord) words << word;
+    return words;
 }
 
-} // namespace
+}  // namespace
 
-QVector<Command> readScript(const QString& fileName)
-{
-	QFile file(fileName);
-	if (!file.open(QIODevice::ReadOnly))
-		throw CommandError(QString("cannot read the script %1").arg(fileName));
-	QTextStream text(&file);
-	text.setCodec("UTF-8");
+QVector<Command> readScript(const QString& fileName) {
+    QFile file(fileName);
+    if (!file.open(QIODevice::ReadOnly))
+        throw CommandError(QString("cannot read the script %1").arg(fileName));
+    QTextStream text(&file);
+    text.setCodec("UTF-8");
 
-	QVector<Command> script;
-	for (int line = 1; !text.atEnd(); ++line) {
-		const QString content = text.readLine().trimmed();
-		if (content.isEmpty() || content.startsWith('#'))
-			continue;
-		Command command;
-		command.line = line;
-		command.name = content.section(' ', 0, 0);
-		command.rest = content.mid(command.name.size()).trimmed();
-		command.words = cutIntoWords(command.rest);
-		script << command;
-	}
-	return script;
+    QVector<Command> script;
+    for (int line = 1; !text.atEnd(); ++line) {
+        const QString content = text.readLine().trimmed();
+        if (content.isEmpty() || content.startsWith('#')) continue;
+        Command command;
+        command.line = line;
+        command.name = content.section(' ', 0, 0);
+        command.rest = content.mid(command.name.size()).trimmed();
+        command.words = cutIntoWords(command.rest);
+        script << command;
+    }
+    return script;
 }
 
-} // namespace driver
+}  // namespace driver

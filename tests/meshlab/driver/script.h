@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "command_table.h"
 #include <QVector>
+#include "command_table.h"
 
 namespace driver {
 
-// One command a line; empty lines and lines that start with # are skipped. CommandError when unreadable.
+// One command a line; empty lines and lines that start with # are skipped. CommandError when
+// unreadable.
 QVector<Command> readScript(const QString& fileName);
 
-} // namespace driver
+}  // namespace driver

@@ -6,49 +6,45 @@ namespace driver {
 
 Watchdog::Watchdog(std::chrono::milliseconds limit) : m_limit(limit), m_thread([this] { run(); }) {}
 
-Watchdog::~Watchdog()
-{
-	{
-		std::lock_guard<std::mutex> lock(m_mutex);
-		m_ending = true;
-	}
-	m_changed.notify_one();
-	m_thread.join();
+Watchdog::~Watchdog() {
+    {
+        std::lock_guard<std::mutex> lock(m_mutex);
+        m_ending = true;
+    }
+    m_changed.notify_one();
+    m_thread.join();
 }
 
-void Watchdog::setLimit(std::chrono::milliseconds limit)
-{
-	std::lock_guard<std::mutex> lock(m_mutex);
-	m_limit = limit;
+void Watchdog::setLimit(std::chrono::milliseconds limit) {
+    std::lock_guard<std::mutex> lock(m_mutex);
+    m_limit = limit;
 }
 
-void Watchdog::watch(const std::string& what)
-{
-	{
-		std::lock_guard<std::mutex> lock(m_mutex);
-		m_what = what;
-		m_deadline = std::chrono::steady_clock::now() + m_limit;
-		m_watching = true;
-	}
-	m_changed.notify_one();
+void Watchdog::watch(const std::string& what) {
+    {
+        std::lock_guard<std::mutex> lock(m_mutex);
+        m_what = what;
+        m_deadline = std::chrono::steady_clock::now() + m_limit;
+        m_watching = true;
+    }
+    m_changed.notify_one();
 }
 
-void Watchdog::rest()
-{
-	std::lock_guard<std::mutex> lock(m_mutex);
-	m_watching = false;
+void Watchdog::rest() {
+    std::lock_guard<std::mutex> lock(m_mutex);
+    m_watching = false;
 }
 
-void Watchdog::run()
-{
-	std::unique_lock<std::mutex> lock(m_mutex);
-	while (!m_ending) {
-		if (!m_watching)
-			m_changed.wait(lock);
-		else if (m_changed.wait_until(lock, m_deadline) == std::cv_status::timeout && m_watching &&
-		         std::chrono::steady_clock::now() >= m_deadline)
-			endWithError(m_what + ": time-out after " + std::to_string(m_limit.count() / 1000.) + " s");
-	}
+void Watchdog::run() {
+    std::unique_lock<std::mutex> lock(m_mutex);
+    while (!m_ending) {
+        if (!m_watching)
+            m_changed.wait(lock);
+        else if (m_changed.wait_until(lock, m_deadline) == std::cv_status::timeout && m_watching &&
+                 std::chrono::steady_clock::now() >= m_deadline)
+            endWithError(m_what + ": time-out after " + std::to_string(m_limit.count() / 1000.) +
+                         " s");
+    }
 }
 
-} // namespace driver
+}  // namespace driver

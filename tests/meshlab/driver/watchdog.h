@@ -8,29 +8,28 @@
 
 namespace driver {
 
-// Ends the process with a clear line when one script line takes too long. A thread of its own, because a timer of
-// the GUI thread never fires while a filter or a drawing hangs there.
-class Watchdog
-{
+// Ends the process with a clear line when one script line takes too long. A thread of its own,
+// because a timer of the GUI thread never fires while a filter or a drawing hangs there.
+class Watchdog {
 public:
-	explicit Watchdog(std::chrono::milliseconds limit);
-	~Watchdog();
+    explicit Watchdog(std::chrono::milliseconds limit);
+    ~Watchdog();
 
-	void setLimit(std::chrono::milliseconds limit);
-	void watch(const std::string& what); // starts the clock anew
-	void rest();                         // nothing to watch
+    void setLimit(std::chrono::milliseconds limit);
+    void watch(const std::string& what);  // starts the clock anew
+    void rest();                          // nothing to watch
 
 private:
-	void run();
+    void run();
 
-	std::mutex m_mutex;
-	std::condition_variable m_changed;
-	std::chrono::milliseconds m_limit;
-	std::chrono::steady_clock::time_point m_deadline;
-	std::string m_what;
-	bool m_watching = false;
-	bool m_ending = false;
-	std::thread m_thread; // last: starts when all else is ready
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    std::chrono::milliseconds m_limit;
+    std::chrono::steady_clock::time_point m_deadline;
+    std::string m_what;
+    bool m_watching = false;
+    bool m_ending = false;
+    std::thread m_thread;  // last: starts when all else is ready
 };
 
-} // namespace driver
+}  // namespace driver

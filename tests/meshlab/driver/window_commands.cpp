@@ -3,153 +3,142 @@
 // size WxH                     of the GL view, in pixels
 // open FILE                    a mesh, as a new layer
 // view N                       makes the N-th GL view (from 0) the current one      expect-views N
-// camera FILE                  a view saved by MeshLab or by save-camera            save-camera FILE
-// look EX EY EZ TX TY TZ [UX UY UZ]   eye, target, upward direction
-// slot window|view NAME [TEXT] invokes a slot by its name
-// select-layer LAYER           show-layer LAYER (toggles its eye)                   delete-layer LAYER
+// camera FILE                  a view saved by MeshLab or by save-camera            save-camera
+// FILE look EX EY EZ TX TY TZ [UX UY UZ]   eye, target, upward direction slot window|view NAME
+// [TEXT] invokes a slot by its name select-layer LAYER           show-layer LAYER (toggles its eye)
+// delete-layer LAYER
 //                              LAYER is a name or a number of the layer list
-#include "camera.h"
-#include "gui.h"
-#include "modules.h"
 #include <QApplication>
 #include <QDockWidget>
 #include <QFocusEvent>
 #include <QTreeWidget>
+#include "camera.h"
+#include "gui.h"
+#include "modules.h"
 
 namespace driver {
 namespace {
 
-Outcome waitForView(const Command&)
-{
-	return view() ? Outcome::Done : Outcome::Retry;
+Outcome waitForView(const Command&) {
+    return view() ? Outcome::Done : Outcome::Retry;
 }
 
-// Docked dialogs keep the view from getting small, and change its size when they come and go: put them beside it.
-void undockDialogs(const QSize& windowSize)
-{
-	int left = windowSize.width();
-	for (QDockWidget* dock : requireMainWindow()->findChildren<QDockWidget*>()) {
-		if (!dock->isVisible())
-			continue;
-		dock->setFloating(true);
-		dock->move(left, 0);
-		left += dock->width();
-	}
+// Docked dialogs keep the view from getting small, and change its size when they come and go: put
+// them beside it.
+void undockDialogs(const QSize& windowSize) {
+    int left = windowSize.width();
+    for (QDockWidget* dock : requireMainWindow()->findChildren<QDockWidget*>()) {
+        if (!dock->isVisible()) continue;
+        dock->setFloating(true);
+        dock->move(left, 0);
+        left += dock->width();
+    }
 }
 
-// The main window follows the view: the bars around it have sizes of their own, which settle after some events.
-Outcome setViewSize(const Command& command)
-{
-	const QStringList parts = command.word(0).split('x');
-	const QSize wanted(parts.value(0).toInt(), parts.value(1).toInt());
-	if (parts.size() != 2 || wanted.isEmpty())
-		throw CommandError("say WIDTHxHEIGHT");
-	QMainWindow* window = requireMainWindow();
-	if (window->isMaximized() || window->isFullScreen())
-		window->showNormal();
-	QGLWidget* area = requireView();
-	undockDialogs(window->size() + wanted - area->size());
-	if (area->size() == wanted)
-		return Outcome::Done;
-	const QSize needed = window->size() + wanted - area->size();
-	if (needed.width() < window->minimumSizeHint().width() || needed.height() < window->minimumSizeHint().height())
-		throw CommandError(QString("MeshLab's window does not get so small; at least %1x%2")
-		                       .arg(window->minimumSizeHint().width() - window->width() + area->width())
-		                       .arg(window->minimumSizeHint().height() - window->height() + area->height()));
-	window->setGeometry(QRect(QPoint(0, 0), needed));
-	return Outcome::Retry;
+// The main window follows the view: the bars around it have sizes of their own, which settle after
+// some events.
+Outcome setViewSize(const Command& command) {
+    const QStringList parts = command.word(0).split('x');
+    const QSize wanted(parts.value(0).toInt(), parts.value(1).toInt());
+    if (parts.size() != 2 || wanted.isEmpty()) throw CommandError("say WIDTHxHEIGHT");
+    QMainWindow* window = requireMainWindow();
+    if (window->isMaximized() || window->isFullScreen()) window->showNormal();
+    QGLWidget* area = requireView();
+    undockDialogs(window->size() + wanted - area->size());
+    if (area->size() == wanted) return Outcome::Done;
+    const QSize needed = window->size() + wanted - area->size();
+    if (needed.width() < window->minimumSizeHint().width() ||
+        needed.height() < window->minimumSizeHint().height())
+        throw CommandError(
+            QString("MeshLab's window does not get so small; at least %1x%2")
+                .arg(window->minimumSizeHint().width() - window->width() + area->width())
+                .arg(window->minimumSizeHint().height() - window->height() + area->height()));
+    window->setGeometry(QRect(QPoint(0, 0), needed));
+    return Outcome::Retry;
 }
 
-void openMesh(const Command& command)
-{
-	bool opened = false;
-	if (!QMetaObject::invokeMethod(requireMainWindow(), "importMeshWithLayerManagement", Qt::DirectConnection,
-	                               Q_RETURN_ARG(bool, opened), Q_ARG(QString, command.rest)))
-		throw CommandError("MeshLab's main window has no slot to import a mesh");
-	if (!opened)
-		throw CommandError("MeshLab could not open the mesh");
+void openMesh(const Command& command) {
+    bool opened = false;
+    if (!QMetaObject::invokeMethod(requireMainWindow(), "importMeshWithLayerManagement",
+                                   Qt::DirectConnection, Q_RETURN_ARG(bool, opened),
+                                   Q_ARG(QString, command.rest)))
+        throw CommandError("MeshLab's main window has no slot to import a mesh");
+    if (!opened) throw CommandError("MeshLab could not open the mesh");
 }
 
-void makeCurrent(const Command& command)
-{
-	chooseView(int(command.number(0)));
-	// MeshLab takes the view that got the focus last; a display without window manager may hand out none
-	QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
-	QApplication::sendEvent(requireView(), &event);
+void makeCurrent(const Command& command) {
+    chooseView(int(command.number(0)));
+    // MeshLab takes the view that got the focus last; a display without window manager may hand out
+    // none
+    QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
+    QApplication::sendEvent(requireView(), &event);
 }
 
-void expectViews(const Command& command)
-{
-	const int count = visibleViews().size();
-	if (count != int(command.number(0)))
-		throw CommandError(QString("there are %1 views").arg(count));
+void expectViews(const Command& command) {
+    const int count = visibleViews().size();
+    if (count != int(command.number(0)))
+        throw CommandError(QString("there are %1 views").arg(count));
 }
 
-void invokeSlot(const Command& command)
-{
-	QObject* object = nullptr;
-	if (command.word(0) == "window")
-		object = requireMainWindow();
-	else if (command.word(0) == "view")
-		object = requireView();
-	else
-		throw CommandError("say window or view");
-	const QByteArray slot = command.word(1).toLatin1();
-	const bool invoked = command.words.size() > 2
-	                         ? QMetaObject::invokeMethod(object, slot, Q_ARG(QString, command.word(2)))
-	                         : QMetaObject::invokeMethod(object, slot);
-	if (!invoked)
-		throw CommandError("there is no such slot");
+void invokeSlot(const Command& command) {
+    QObject* object = nullptr;
+    if (command.word(0) == "window")
+        object = requireMainWindow();
+    else if (command.word(0) == "view")
+        object = requireView();
+    else
+        throw CommandError("say window or view");
+    const QByteArray slot = command.word(1).toLatin1();
+    const bool invoked =
+        command.words.size() > 2
+            ? QMetaObject::invokeMethod(object, slot, Q_ARG(QString, command.word(2)))
+            : QMetaObject::invokeMethod(object, slot);
+    if (!invoked) throw CommandError("there is no such slot");
 }
 
 // MeshLab's layer list shows an eye, a number and a name, with a star when the layer was changed.
 enum LayerColumn { Eye, Number, Name };
 
-bool isLayer(const QTreeWidgetItem* item, const QString& which)
-{
-	QString name = item->text(Name);
-	if (name.endsWith(" *"))
-		name.chop(2);
-	return name == which || item->text(Number) == which;
+bool isLayer(const QTreeWidgetItem* item, const QString& which) {
+    QString name = item->text(Name);
+    if (name.endsWith(" *")) name.chop(2);
+    return name == which || item->text(Number) == which;
 }
 
-void clickLayer(const Command& command, LayerColumn column)
-{
-	auto* tree = requireMainWindow()->findChild<QTreeWidget*>("meshTreeWidget");
-	QStringList layers;
-	for (int i = 0; tree && i < tree->topLevelItemCount(); ++i) {
-		QTreeWidgetItem* item = tree->topLevelItem(i);
-		layers << QString("'%1' (%2)").arg(item->text(Name), item->text(Number));
-		if (isLayer(item, command.rest)) {
-			emit tree->itemPressed(item, column);
-			return;
-		}
-	}
-	throw CommandError(QString("no layer '%1' among %2").arg(command.rest, layers.join(", ")));
+void clickLayer(const Command& command, LayerColumn column) {
+    auto* tree = requireMainWindow()->findChild<QTreeWidget*>("meshTreeWidget");
+    QStringList layers;
+    for (int i = 0; tree && i < tree->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* item = tree->topLevelItem(i);
+        layers << QString("'%1' (%2)").arg(item->text(Name), item->text(Number));
+        if (isLayer(item, command.rest)) {
+            emit tree->itemPressed(item, column);
+            return;
+        }
+    }
+    throw CommandError(QString("no layer '%1' among %2").arg(command.rest, layers.join(", ")));
 }
 
-void deleteLayer(const Command& command)
-{
-	clickLayer(command, Name);
-	requireAction("Delete Current Mesh")->trigger();
+void deleteLayer(const Command& command) {
+    clickLayer(command, Name);
+    requireAction("Delete Current Mesh")->trigger();
 }
 
-} // namespace
+}  // namespace
 
-void addWindowCommands(CommandTable& table)
-{
-	table.add("wait", waitForView);
-	table.add("size", setViewSize);
-	table.addSimple("open", openMesh);
-	table.addSimple("view", makeCurrent);
-	table.addSimple("expect-views", expectViews);
-	table.addSimple("camera", [](const Command& c) { loadCamera(c.rest); });
-	table.addSimple("save-camera", [](const Command& c) { saveCamera(c.rest); });
-	table.addSimple("look", [](const Command& c) { lookFrom(c); });
-	table.addSimple("slot", invokeSlot);
-	table.addSimple("select-layer", [](const Command& c) { clickLayer(c, Name); });
-	table.addSimple("show-layer", [](const Command& c) { clickLayer(c, Eye); });
-	table.addSimple("delete-layer", deleteLayer);
+void addWindowCommands(CommandTable& table) {
+    table.add("wait", waitForView);
+    table.add("size", setViewSize);
+    table.addSimple("open", openMesh);
+    table.addSimple("view", makeCurrent);
+    table.addSimple("expect-views", expectViews);
+    table.addSimple("camera", [](const Command& c) { loadCamera(c.rest); });
+    table.addSimple("save-camera", [](const Command& c) { saveCamera(c.rest); });
+    table.addSimple("look", [](const Command& c) { lookFrom(c); });
+    table.addSimple("slot", invokeSlot);
+    table.addSimple("select-layer", [](const Command& c) { clickLayer(c, Name); });
+    table.addSimple("show-layer", [](const Command& c) { clickLayer(c, Eye); });
+    table.addSimple("delete-layer", deleteLayer);
 }
 
-} // namespace driver
+}  // namespace driver

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ink COLOUR               the colour the lines are drawn in (red), to tell them from the rest
+// expect-lines KEY=VALUE…  the view shows the lines that the core extracts for its camera, with
+// these
+//                          options instead of the defaults
+// expect-no-lines          no pixel has the colour of ink
+#include <QColor>
+
+#include "gui.h"
+#include "line_probe.h"
+#include "modules.h"
+#include "probe_recorder.h"
+#include "report.h"
+
+#include <laplacian_lines/option_table.h>
+
+namespace driver {
+namespace {
+
+constexpr double kReach = 2.0;        // pixels between a line and its ink
+constexpr double kLeastFound = 0.98;  // of the visible samples; lines may pass behind one another
+constexpr double kMostUnexplained = 0.01;
+constexpr int kLeastSamples = 200;  // fewer would show nothing
+
+QColor ink_colour = Qt::red;
+
+template <class Options>
+bool setOption(const std::vector<laplacian_lines::OptionDescription<Options>>& table,
+               const QString& key, double value, Options& options) {
+    for (const auto& row : table)
+        if (key == row.key) {
+            row.set(options, value);
+            return true;
+        }
+    return false;
+}
+
+ProbeOptions parseOptions(const Command& command) {
+    ProbeOptions options;
+    for (const QString& word : command.words) {
+        const QString key = word.section('=', 0, 0);
+        bool is_number = false;
+        const double value = word.section('=', 1).toDouble(&is_number);
+        if (!is_number) throw CommandError("KEY=NUMBER is needed, not " + word);
+        if (!setOption(laplacian_lines::precompute_option_table(), key, value, options.field) &&
+            !setOption(laplacian_lines::line_style_table(), key, value, options.style))
+            throw CommandError("no option is called " + key);
+    }
+    return options;
+}
+
+void expectLines(const Command& command) {
+    QGLWidget* area = requireView();
+    const std::vector<ProjectedLines> layers = recordRedraw(area, parseOptions(command));
+    const ProbeResult result =
+        compareWithPicture(layers, area->grabFrameBuffer(), ink_colour, kReach);
+    const QString report = QString(
+                               "%1 layers; of %2 samples of visible lines %3 have ink; of %4 "
+                               "inked pixels %5 are far from any line")
+                               .arg(layers.size())
+                               .arg(result.expected)
+                               .arg(result.found)
+                               .arg(result.inked)
+                               .arg(result.unexplained);
+    say(report.toStdString());
+    if (result.expected < kLeastSamples) throw CommandError("too few lines to compare: " + report);
+    if (result.found < kLeastFound * result.expected ||
+        result.unexplained > kMostUnexplained * result.inked)
+        throw CommandError("the view does not show the core's lines: " + report);
+}
+
+void expectNoLines(const Command&) {
+    QGLWidget* area = requireView();
+    area->repaint();
+    const ProbeResult result = compareWithPicture({}, area->grabFrameBuffer(), ink_colour, kReach);
+    if (result.inked > 0)
+        throw CommandError(QString("%1 pixels have the lines' colour").arg(result.inked));
+}
+
+void chooseInk(const Command& command) {
+    const QColor colour(command.word(0));
+    if (!colour.isValid()) throw CommandError("no colour is called " + command.word(0));
+    ink_colour = colour;
+}
+
+}  // namespace
+
+void addProbeCommands(CommandTable& table) {
+    table.addSimple("ink", chooseInk);
+    table.addSimple("expect-lines", expectLines);
+    table.addSimple("expect-no-lines", expectNoLines);
+}
+
+}  // namespace driver

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QGLWidget>
+#include <vector>
+
+#include "line_probe.h"
+
+namespace driver {
+
+/// Redraws the view and returns what probeLayer() says of each layer whose "Laplacian Lines Probe"
+/// decoration is on. CommandError when no layer has it on.
+std::vector<ProjectedLines> recordRedraw(QGLWidget* view, const ProbeOptions& options);
+
+/// To be called by the probe's decoration; does nothing outside recordRedraw().
+void layerIsDrawn(const MeshModel& mesh);
+
+}  // namespace driver
