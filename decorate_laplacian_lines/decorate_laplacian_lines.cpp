@@ -29,7 +29,7 @@ double milliseconds(const QElapsedTimer& clock) {
 }
 
 QString statistics(const laplacian_lines::LineSet& lines, double extraction, double drawing) {
-    return QString("%1 lines, %2 segments\nextraction %3 ms, drawing %4 ms")
+    return QString("%1 lines, %2 segments; extraction %3 ms, drawing %4 ms")
         .arg(lines.lines.size())
         .arg(lines.segment_count())
         .arg(extraction, 0, 'f', 2)

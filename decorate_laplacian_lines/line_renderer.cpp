@@ -18,7 +18,8 @@ double meanScale(const Eigen::Matrix4d& to_eye) {
 LineRadii radii(const LineAppearance& appearance) {
     LineRadii result;
     result.laplacian = float(appearance.width / 2);
-    result.contour = float(appearance.contour_factor * appearance.width / 2);
+    // twice as much: a contour lies where the surface falls away, which hides its inner half
+    result.contour = float(appearance.contour_factor * appearance.width);
     return result;
 }
 
