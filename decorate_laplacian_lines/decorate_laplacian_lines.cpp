@@ -60,8 +60,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     QString text;
     try {
         PreparedLinesPointer lines = cache_.at(view, mesh.id());
-        if (!lines || !meshlab_host::sameCounts(lines->key.stamp, mesh.cm))
-            lines = demandLines(mesh, view);
+        if (!lines || !areCurrent(*lines, mesh, view)) lines = demandLines(mesh, view);
         text = lines->failure.isEmpty() ? drawLines(mesh, *lines, parameters, painter)
                                         : lines->failure;
     } catch (const std::exception& error) {
@@ -92,6 +91,13 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
         lines = prepareLines(mesh.cm, mesh.label(), source, [this](const QString& s) { say(s); });
     cache_.assign(view, mesh.id(), lines);
     return lines;
+}
+
+bool DecorateLaplacianLines::areCurrent(const PreparedLines& lines, const MeshModel& mesh,
+                                        GLArea* view) {
+    if (!meshlab_host::sameCounts(lines.key.stamp, mesh.cm)) return false;
+    return !cache_.isCheckDue(view, mesh.id()) ||
+           meshlab_host::geometryStamp(mesh.cm) == lines.key.stamp;
 }
 
 QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLines& lines,

@@ -30,6 +30,8 @@ protected:
 private:
     /// Lines of the mesh's present geometry, found or prepared, and assigned to the view.
     PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view);
+    /// Whether lines still belong to the mesh; the whole geometry is compared only now and then.
+    bool areCurrent(const PreparedLines& lines, const MeshModel& mesh, GLArea* view);
     /// Text for the view (statistics or a complaint), empty if there is nothing to tell.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
                       const RichParameterList& parameters, QPainter* painter);

@@ -5,6 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+namespace {
+
+constexpr qint64 milliseconds_between_checks = 250;
+
+}  // namespace
+
 PreparedLinesPointer LineCache::find(const LineKey& key) const {
     const auto found = known_.find(key);
     return found == known_.end() ? nullptr : found->second.lock();
@@ -18,8 +24,19 @@ PreparedLinesPointer LineCache::at(View view, int mesh) const {
 void LineCache::assign(View view, int mesh, PreparedLinesPointer lines) {
     release(view, mesh);
     known_[lines->key] = lines;
-    uses_[{view, mesh}] = {std::move(lines), turn_};
+    Use& use = uses_[{view, mesh}];
+    use.lines = std::move(lines);
+    use.turn = turn_;
+    use.since_check.start();
     endTurnSoon();
+}
+
+bool LineCache::isCheckDue(View view, int mesh) {
+    const auto found = uses_.find({view, mesh});
+    if (found == uses_.end() || found->second.since_check.elapsed() < milliseconds_between_checks)
+        return false;
+    found->second.since_check.start();
+    return true;
 }
 
 void LineCache::release(View view, int mesh) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <map>
 #include <memory>
@@ -24,6 +25,10 @@ public:
     PreparedLinesPointer at(View view, int mesh) const;
     void assign(View view, int mesh, PreparedLinesPointer lines);
 
+    /// Whether it is time to compare the whole geometry again, which is too slow for every redraw;
+    /// true now and then. Edit tools can move vertices without MeshLab telling decorations.
+    bool isCheckDue(View view, int mesh);
+
     void release(View view, int mesh);
     void releaseView(View view);
     /// Releases all meshes of the view that are not in `alive` (ascending ids).
@@ -38,6 +43,7 @@ private:
     struct Use {
         PreparedLinesPointer lines;
         unsigned turn;  ///< of the event loop, when they were assigned
+        QElapsedTimer since_check;
     };
     using Uses = std::map<User, Use>;
 
