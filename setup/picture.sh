@@ -39,7 +39,7 @@ picture_script() {
     local picture=$1 size=$2
     printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "open $MESH" \
         "check Show Info Panel off" "check Show Trackball off" \
-        "check $LINES_ACTION on" "size $size" "grab $picture" quit
+        "check $LINES_ACTION on" "size $size" fill-view "grab $picture" quit
 }
 
 take_picture() {
@@ -51,7 +51,7 @@ take_picture() {
     say "drawing $size in MeshLab"
     (
         use_private_home "$folder/home"
-        white_background "$folder/home"
+        paper "$folder/home"
         run_meshlab "$stage" "$folder"
     ) || {
         explain_failure "$folder"

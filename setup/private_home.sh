@@ -12,14 +12,24 @@ use_private_home() {
     export LC_ALL=C.UTF-8
 }
 
-# white_background HOME: MeshLab keeps each setting as a small XML text under its own name.
+# set_colour HOME NAME R G B: MeshLab keeps each setting as a small XML text under its own name.
+set_colour() {
+    local file=$1/.config/VCG/MeshLab_64bit_fp.conf name=$2
+    [[ -s $file ]] || printf '[General]\n' >"$file"
+    printf 'MeshLab%%3A%%3AAppearance%%3A%%3A%s="%s"\n' "$name" \
+        "<Param type=\\\"RichColor\\\" name=\\\"MeshLab::Appearance::$name\\\" r=\\\"$3\\\" g=\\\"$4\\\" b=\\\"$5\\\" a=\\\"255\\\" description=\\\"\\\" tooltip=\\\"\\\"/>" \
+        >>"$file"
+}
+
 white_background() {
-    local name
-    {
-        printf '[General]\n'
-        for name in backgroundBotColor backgroundTopColor; do
-            printf 'MeshLab%%3A%%3AAppearance%%3A%%3A%s="%s"\n' "$name" \
-                "<Param type=\\\"RichColor\\\" name=\\\"MeshLab::Appearance::$name\\\" r=\\\"255\\\" g=\\\"255\\\" b=\\\"255\\\" a=\\\"255\\\" description=\\\"\\\" tooltip=\\\"\\\"/>"
-        done
-    } >"$1/.config/VCG/MeshLab_64bit_fp.conf"
+    set_colour "$1" backgroundBotColor 255 255 255
+    set_colour "$1" backgroundTopColor 255 255 255
+}
+
+# So much light that a surface without colours of its own is as white as the background: paper.
+paper() {
+    white_background "$1"
+    set_colour "$1" baseLightAmbientColor 255 255 255
+    set_colour "$1" baseLightDiffuseColor 255 255 255
+    set_colour "$1" baseLightSpecularColor 0 0 0
 }

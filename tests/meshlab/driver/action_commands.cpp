@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// trigger ACTION            check ACTION on|off          expect-action ACTION [checked|unchecked]
-// set LABEL = VALUE         apply  close  defaults       (the filter dialog)
-// setdeco LABEL = VALUE                                  (the decorations' parameters in the layer
-// dialog)
+// The commands are described in README.md.
 #include <QTreeWidget>
 #include "fields.h"
 #include "gui.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// log FILE               the text of MeshLab's log panel
-// expect-log REGEX       expect-no-log REGEX
+// The commands are described in README.md.
 #include <QFile>
 #include <QPlainTextEdit>
 #include <QRegularExpression>

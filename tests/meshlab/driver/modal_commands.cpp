@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// expect-modal REGEX           waits for a modal box whose title or text matches
-// button TEXT                  waits for a modal box and clicks its button
-// snapshot FILE.png [TILES]    MeshLab's File > Save snapshot, with TILES x TILES tiles, on white
+// The commands are described in README.md.
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>

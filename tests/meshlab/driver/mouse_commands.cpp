@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// drag X0 Y0 X1 Y1 [left|middle|right] [shift,ctrl,alt]   in fractions of the GL view, from its
-// upper left corner press X Y ...  move X Y ...  release X Y ...            the parts of a drag,
-// with the same last arguments wheel N [shift,ctrl,alt]                                N notches
+// The commands are described in README.md.
 #include <QApplication>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
+
 #include "gui.h"
 #include "modules.h"
 
@@ -66,15 +66,45 @@ void drag(const Command& command) {
     sendMouse(QEvent::MouseButtonRelease, to, button, modifiers);
 }
 
-void turnWheel(const Command& command) {
+void turnWheel(double notches, Qt::KeyboardModifiers modifiers) {
     QGLWidget* area = requireView();
     const QPointF centre(area->width() / 2., area->height() / 2.);
     const int oneNotch = 120;
     QWheelEvent event(centre, area->mapToGlobal(centre.toPoint()), QPoint(),
-                      QPoint(0, int(oneNotch * command.number(0))), Qt::NoButton,
-                      modifiersNamed(command.wordOr(1, "")), Qt::NoScrollPhase, false);
+                      QPoint(0, int(oneNotch * notches)), Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
     QApplication::sendEvent(area, &event);
     area->repaint();
+}
+
+void wheel(const Command& command) {
+    turnWheel(command.number(0), modifiersNamed(command.wordOr(1, "")));
+}
+
+/// Whether a frame along the view's border, a twentieth wide, shows nothing but one colour.
+bool hasMargin() {
+    QGLWidget* area = requireView();
+    area->repaint();
+    const QImage picture = area->grabFrameBuffer();
+    const QRect all = picture.rect();
+    const int margin = std::min(all.width(), all.height()) / 20;
+    const QRect inside = all.adjusted(margin, margin, -margin, -margin);
+    const int border = 2;  // MeshLab may outline the current view
+    const QRect outside = all.adjusted(border, border, -border, -border);
+    const QRgb background = picture.pixel(border, border);
+    for (int y = outside.top(); y <= outside.bottom(); ++y)
+        for (int x = outside.left(); x <= outside.right(); ++x)
+            if (!inside.contains(x, y) && picture.pixel(x, y) != background) return false;
+    return true;
+}
+
+void fillView(const Command&) {
+    const double step = 0.25;       // notches
+    const int most_steps = 8 * 12;  // a mesh that is nowhere to be seen must not keep us here
+    for (int i = 0; i < most_steps && hasMargin(); ++i)
+        turnWheel(-step, Qt::NoModifier);
+    for (int i = 0; i < most_steps && !hasMargin(); ++i)
+        turnWheel(step, Qt::NoModifier);
 }
 
 }  // namespace
@@ -84,7 +114,8 @@ void addMouseCommands(CommandTable& table) {
     table.addSimple("press", [](const Command& c) { sendOne(QEvent::MouseButtonPress, c); });
     table.addSimple("move", [](const Command& c) { sendOne(QEvent::MouseMove, c); });
     table.addSimple("release", [](const Command& c) { sendOne(QEvent::MouseButtonRelease, c); });
-    table.addSimple("wheel", turnWheel);
+    table.addSimple("wheel", wheel);
+    table.addSimple("fill-view", fillView);
 }
 
 }  // namespace driver

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// grab FILE       what the GL view draws           screen FILE     the whole screen, boxes and
-// menus included
+// The commands are described in README.md.
 #include <QGuiApplication>
 #include <QScreen>
 #include "gui.h"

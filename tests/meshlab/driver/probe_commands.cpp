@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ink COLOUR               the colour the lines are drawn in (red), to tell them from the rest
-// expect-lines KEY=VALUE…  the view shows the lines that the core extracts for its camera, with
-// these
-//                          options instead of the defaults
-// expect-no-lines          no pixel has the colour of ink
+// The commands are described in README.md.
 #include <QColor>
 
 #include "gui.h"

@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wait                         until MeshLab shows a GL view
-// size WxH                     of the GL view, in pixels
-// open FILE                    a mesh, as a new layer
-// view N                       makes the N-th GL view (from 0) the current one      expect-views N
-// camera FILE                  a view saved by MeshLab or by save-camera            save-camera
-// FILE look EX EY EZ TX TY TZ [UX UY UZ]   eye, target, upward direction slot window|view NAME
-// [TEXT] invokes a slot by its name select-layer LAYER           show-layer LAYER (toggles its eye)
-// delete-layer LAYER
-//                              LAYER is a name or a number of the layer list
+// The commands are described in README.md.
 #include <QApplication>
 #include <QDockWidget>
 #include <QFocusEvent>
