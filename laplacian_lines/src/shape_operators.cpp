@@ -13,16 +13,36 @@ Eigen::Matrix3d tangential(const Eigen::Matrix3d& a, const Eigen::Vector3d& n) {
     return (t + t.transpose()) / 2;
 }
 
-/// The symmetric 2x2 matrix that best takes each edge to the change of the normal along it, as a
-/// 3x3 tensor in the triangle's plane (Rusinkiewicz 2004, section 3).
-Eigen::Matrix3d triangle_tensor(const Eigen::Vector3d edges[3], const Eigen::Vector3d changes[3],
-                                const Eigen::Vector3d& face_normal) {
-    const Eigen::Vector3d t = edges[0].normalized(), b = face_normal.cross(t);
+/// A symmetric tensor in the plane of a triangle with unit normal n.
+struct TriangleTensor {
+    Eigen::Vector3d n, t, b;  // orthonormal
+    Eigen::Vector3d entries;  // tt, tb, bb
+
+    /// The tensor turned, with its plane, from n to the unit normal m; false for opposite normals,
+    /// where no turn is the shortest.
+    bool turned_to(const Eigen::Vector3d& m, Eigen::Matrix3d& result) const {
+        const double cosine = n.dot(m);
+        if (!(cosine > -0.999)) return false;
+        const Eigen::Vector3d middle = (n + m) / (1 + cosine);
+        const Eigen::Vector3d u = t - t.dot(m) * middle, v = b - b.dot(m) * middle;
+        const Eigen::Matrix3d uv = u * v.transpose();
+        result = entries[0] * u * u.transpose() + entries[1] * (uv + uv.transpose()) +
+                 entries[2] * v * v.transpose();
+        return true;
+    }
+};
+
+/// The symmetric 2x2 matrix that best takes each edge to the change of the normal along it
+/// (Rusinkiewicz 2004, section 3).
+TriangleTensor fit_triangle(const Eigen::Vector3d edges[3], const Eigen::Vector3d changes[3],
+                            const Eigen::Vector3d& face_normal) {
+    TriangleTensor tensor{face_normal, edges[0].normalized(), {}, {}};
+    tensor.b = face_normal.cross(tensor.t);
     Eigen::Matrix3d lhs = Eigen::Matrix3d::Zero();
     Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k) {
-        const double u = edges[k].dot(t), v = edges[k].dot(b);
-        const double du = changes[k].dot(t), dv = changes[k].dot(b);
+        const double u = edges[k].dot(tensor.t), v = edges[k].dot(tensor.b);
+        const double du = changes[k].dot(tensor.t), dv = changes[k].dot(tensor.b);
         lhs(0, 0) += u * u;
         lhs(0, 1) += u * v;
         lhs(2, 2) += v * v;
@@ -30,9 +50,8 @@ Eigen::Matrix3d triangle_tensor(const Eigen::Vector3d edges[3], const Eigen::Vec
     }
     lhs(1, 1) = lhs(0, 0) + lhs(2, 2);
     lhs(1, 0) = lhs(1, 2) = lhs(2, 1) = lhs(0, 1);
-    const Eigen::Vector3d s = lhs.ldlt().solve(rhs);
-    return s[0] * t * t.transpose() + s[1] * (t * b.transpose() + b * t.transpose()) +
-           s[2] * b * b.transpose();
+    tensor.entries = lhs.ldlt().solve(rhs);
+    return tensor;
 }
 
 }  // namespace
@@ -50,13 +69,12 @@ std::vector<Eigen::Matrix3d> fit_triangles(const PreparedMesh& mesh,
         }
         const Eigen::Vector3d area = area_vector(mesh, t);
         const double weight = area.norm();
-        const Eigen::Vector3d face_normal = area / weight;
-        const Eigen::Matrix3d tensor = triangle_tensor(edges, changes, face_normal);
-        if (!tensor.allFinite()) continue;  // a sliver whose fit has no solution
+        const TriangleTensor tensor = fit_triangle(edges, changes, area / weight);
+        if (!tensor.entries.allFinite()) continue;  // a sliver whose fit has no solution
         for (std::uint32_t v : t) {
-            const Eigen::Matrix3d turn =
-                Eigen::Quaterniond::FromTwoVectors(face_normal, normals[v]).toRotationMatrix();
-            sums[v] += weight * (turn * tensor * turn.transpose());
+            Eigen::Matrix3d turned;
+            if (!tensor.turned_to(normals[v], turned)) continue;
+            sums[v] += weight * turned;
             weights[v] += weight;
         }
     }
