@@ -53,19 +53,35 @@ Eigen::Matrix3d shape_operator(const JetVector& ru, const JetVector& rv, const J
     return to * from.inverse();
 }
 
+/// All that follows from a chart.
+struct Derivatives {
+    explicit Derivatives(const Chart& chart)
+        : r(chart(Jet::u(), Jet::v())), ru(derivative_u(r)), rv(derivative_v(r)) {
+        const JetVector area = cross(ru, rv);
+        metric = {dot(ru, ru), dot(ru, rv), dot(rv, rv), sqrt(dot(area, area))};
+        n = scaled(area, reciprocal(metric.root));
+    }
+    JetVector r, ru, rv, n;
+    Metric metric;
+};
+
+Chart torus_chart(const Torus& torus, double u, double v) {
+    return [=](const Jet& du, const Jet& dv) -> JetVector {
+        const Jet ring = torus.large + torus.small * cos(v + dv);
+        return {ring * cos(u + du), ring * sin(u + du), torus.small * sin(v + dv)};
+    };
+}
+
 }  // namespace
 
 SurfacePoint surface_point(const Chart& chart) {
-    const JetVector r = chart(Jet::u(), Jet::v());
-    const JetVector ru = derivative_u(r), rv = derivative_v(r), area = cross(ru, rv);
-    const Metric metric{dot(ru, ru), dot(ru, rv), dot(rv, rv), sqrt(dot(area, area))};
-    const JetVector n = scaled(area, reciprocal(metric.root));
+    const Derivatives d(chart);
     SurfacePoint point;
-    point.position = value(r);
-    point.normal = value(n);
+    point.position = value(d.r);
+    point.normal = value(d.n);
     for (int k = 0; k < 3; ++k)
-        point.laplacian_normal[k] = laplace_beltrami(metric, n[k]);
-    point.shape_operator = shape_operator(ru, rv, n);
+        point.laplacian_normal[k] = laplace_beltrami(d.metric, d.n[k]);
+    point.shape_operator = shape_operator(d.ru, d.rv, d.n);
     return point;
 }
 
@@ -91,10 +107,14 @@ JetVector bumpy_map(const JetVector& d) {
 }
 
 SurfacePoint torus_point(const Torus& torus, double u, double v) {
-    return surface_point([&](const Jet& du, const Jet& dv) -> JetVector {
-        const Jet ring = torus.large + torus.small * cos(v + dv);
-        return {ring * cos(u + du), ring * sin(u + du), torus.small * sin(v + dv)};
-    });
+    return surface_point(torus_chart(torus, u, v));
+}
+
+double torus_illumination_laplacian(const Torus& torus, double u, double v,
+                                    const Eigen::Vector3d& eye) {
+    const Derivatives d(torus_chart(torus, u, v));
+    const JetVector l = each([&](int k) { return eye[k] - d.r[k]; });
+    return laplace_beltrami(d.metric, dot(d.n, l));
 }
 
 SurfacePoint closed_form_torus_point(const Torus& torus, double u, double v) {

@@ -39,7 +39,10 @@ struct Torus {
     double large = 1, small = 0.4;  ///< radii; the axis is z
 };
 SurfacePoint torus_point(const Torus& torus, double u, double v);
-/// The same from closed formulas.
+/// Δ(n·(e − p)): the illumination by a point light at `eye`, derived as a whole.
+double torus_illumination_laplacian(const Torus& torus, double u, double v,
+                                    const Eigen::Vector3d& eye);
+/// The same as torus_point() from closed formulas.
 SurfacePoint closed_form_torus_point(const Torus& torus, double u, double v);
 
 /// Hills z = f(x, y) with bumps of about 0.1.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registry.h"
 
+#include <random>
 #include <stdexcept>
 
 namespace test_meshes {
@@ -45,6 +46,27 @@ TriangleMesh dirty_torus() {
     return with_dirt(torus(40, 20, 0.2).mesh, clean_vertex);
 }
 
+/// Any three of 40 vertices: edges with one to many triangles, crossing each other.
+TriangleMesh triangle_soup() {
+    TriangleMesh mesh;
+    std::mt19937 random(5);
+    const auto unit = [&] { return double(random()) / double(std::mt19937::max()); };
+    for (int v = 0; v < 40; ++v) {
+        const double x = unit(), y = unit(), z = unit();
+        mesh.positions.push_back({x, y, z});
+    }
+    for (std::uint32_t i = 0; i < 400; ++i) {
+        const std::uint32_t a = i % 40, b = random() % 40, c = random() % 40;
+        if (a != b && b != c && c != a) mesh.triangles.push_back({a, b, c});
+    }
+    return mesh;
+}
+
+/// Two triangles back to back: closed, without a volume.
+TriangleMesh pillow() {
+    return {{{0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0.1}}, {{0, 1, 2}, {0, 2, 1}}};
+}
+
 TriangleMesh single_triangle() {
     return {{{0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0.1}}, {{0, 1, 2}}};
 }
@@ -69,6 +91,8 @@ std::vector<TestMesh> generate() {
     meshes.push_back(plain("moebius_strip", kInconsistent, moebius_strip(72, 12)));
     meshes.push_back(plain("flipped_torus", kInconsistent, flipped_torus()));
     meshes.push_back(plain("dirty_torus", kDirty, dirty_torus()));
+    meshes.push_back(plain("triangle_soup", kNonManifold | kSharp, triangle_soup()));
+    meshes.push_back(plain("pillow", kClosed | kSharp, pillow()));
     meshes.push_back(plain("single_triangle", kBorder, single_triangle()));
     meshes.push_back(plain("scattered_spheres", kClosed | kComponents, scattered_spheres()));
     return meshes;

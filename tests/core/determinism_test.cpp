@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The same input gives the same bits, with any number of threads; redraws allocate nothing.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <thread>
+
+#include "helpers.h"
+#include "laplacian_lines/precompute.h"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+}
+
+// Counts every allocation of this program.
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    ++allocations;
+    const std::size_t step = static_cast<std::size_t>(alignment);
+    if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+
+namespace {
+
+using namespace laplacian_lines;
+
+Field with_threads(int threads, const TriangleMesh& mesh, const PrecomputeOptions& options) {
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(threads);
+    Field field = precompute(mesh, options);
+    omp_set_num_threads(before);
+    return field;
+}
+
+TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
+    PrecomputeOptions plain, other;
+    other.kernel_mode = KernelMode::Adaptive;
+    other.gradient_estimator = GradientEstimator::LeastSquares;
+    other.normal_smoothing = NormalSmoothing::Bilateral;
+    for (const char* name : {"bumpy_sphere", "hills", "three_sheets", "dirty_torus"}) {
+        const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
+        for (const PrecomputeOptions& options : {plain, other}) {
+            const Field one = with_threads(1, mesh, options);
+            for (int threads : {1, 2, 3, 7})
+                EXPECT_TRUE(helpers::same_fields(one, with_threads(threads, mesh, options)))
+                    << name << ", " << threads << " threads";
+        }
+    }
+}
+
+class Extraction : public testing::Test {
+protected:
+    const test_meshes::AnalyticMesh surface_ = test_meshes::bumpy_sphere(5, 0.15);
+    const LineExtractor extractor_{surface_.mesh, precompute(surface_.mesh)};
+    const std::vector<View> views_ = helpers::random_views(surface_.mesh, 24);
+};
+
+TEST_F(Extraction, GivesTheSameLinesWithUsedAndNewScratch) {
+    ExtractionScratch used;
+    LineSet lines;
+    const test_meshes::TestMesh& other = test_meshes::mesh_named("torus");
+    const LineExtractor other_extractor(other.mesh, precompute(other.mesh));
+    for (const View& view : views_) {
+        other_extractor.extract(view, {}, used, lines);
+        extractor_.extract(view, {}, used, lines);
+        EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor_, view, {})));
+    }
+}
+
+TEST_F(Extraction, SurvivesTheMeshAndItsField) {
+    TriangleMesh mesh = surface_.mesh;
+    Field field = precompute(mesh);
+    LineExtractor extractor(mesh, field);
+    mesh = {};
+    field = {};
+    LineExtractor moved(std::move(extractor));
+    EXPECT_TRUE(helpers::same_lines(helpers::extract(moved, views_[0], {}),
+                                    helpers::extract(extractor_, views_[0], {})));
+    EXPECT_GT(moved.memory(), 40 * surface_.mesh.positions.size());
+}
+
+TEST_F(Extraction, RunsInSeveralThreadsAtOnce) {
+    std::vector<LineSet> expected;
+    for (const View& view : views_)
+        expected.push_back(helpers::extract(extractor_, view, {}));
+    std::atomic<int> different{0};
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < 3; ++t)
+        threads.emplace_back([&, t] {
+            ExtractionScratch scratch;
+            LineSet lines;
+            for (std::size_t i = 0; i < 3 * views_.size(); ++i) {
+                const std::size_t view = (i + 5 * t) % views_.size();
+                extractor_.extract(views_[view], {}, scratch, lines);
+                different += !helpers::same_lines(lines, expected[view]);
+            }
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+    EXPECT_EQ(different, 0);
+}
+
+TEST_F(Extraction, AllocatesNothingInTheSteadyState) {
+    ExtractionScratch scratch;
+    LineSet lines;
+    for (const View& view : views_)
+        extractor_.extract(view, {}, scratch, lines);
+    const std::size_t before = allocations;
+    for (const View& view : views_)
+        extractor_.extract(view, {}, scratch, lines);
+    EXPECT_EQ(allocations, before);
+    EXPECT_GT(before, 0u);
+}
+
+TEST_F(Extraction, LeavesTheScratchUsableAfterAnError) {
+    ExtractionScratch scratch;
+    LineSet lines;
+    LineStyle bad;
+    bad.full_slope = 0;
+    EXPECT_THROW(extractor_.extract(views_[0], bad, scratch, lines), std::exception);
+    extractor_.extract(views_[0], {}, scratch, lines);
+    EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor_, views_[0], {})));
+}
+
+}  // namespace
