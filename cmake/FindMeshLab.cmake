@@ -29,14 +29,10 @@ find_path(MESHLAB_SOURCE_DIR src/common/mlexception.h
 set(MESHLAB_API "")
 if(EXISTS "${MESHLAB_SOURCE_DIR}/src/common/interfaces.h")
   set(MESHLAB_API 2020)
+elseif(EXISTS "${MESHLAB_SOURCE_DIR}/src/common/parameters/rich_parameter")
+  set(MESHLAB_API 2025)
 elseif(EXISTS "${MESHLAB_SOURCE_DIR}/src/common/parameters/rich_parameter.h")
-  file(STRINGS "${MESHLAB_SOURCE_DIR}/src/common/parameters/rich_parameter.h" _meshlab_percentage
-       REGEX "class.* RichPercentage")
-  if(_meshlab_percentage)
-    set(MESHLAB_API 2025)
-  else()
-    set(MESHLAB_API 2022)
-  endif()
+  set(MESHLAB_API 2022)
 endif()
 
 set(MeshLab_VERSION "")
