@@ -3,9 +3,13 @@
 #   $WORK            an empty folder of its own, kept afterwards for a look
 #   drive            runs MeshLab with the driver script on stdin and expects success
 #   drive_to_failure the same, but expects MeshLab to end with an error whose text matches $1
+#   show_lines       prints the commands that draw a view's lines in red
+#   drive_lines MESH drive, with MESH open and its lines drawn in red before the script on stdin begins
 #   serve ARGS...    runs meshlabserver ARGS..., its exit code in $SERVER_CODE, its output in $WORK/log
 #   expect_text FILE REGEX        expect_picture FILE WxH       expect_same_picture FILE FILE PIXELS
+#   red_pixels FILE               how much of the lines' red a picture has
 #   small_torus FILE              a mesh
+#   torus FILE                    one with lines all over it
 # shellcheck disable=SC2034 # some of it is for the tests only
 # With set -e, the first thing that is not as expected ends the test and shows the logs.
 set -euo pipefail
@@ -67,6 +71,21 @@ drive_to_failure() {
     expect_text "$WORK/log" "meshlab_driver: error: .*$1"
 }
 
+# Nothing but meshes and the current layer's lines in the view, and the probe that expect-lines needs
+show_lines() {
+    cat <<'END'
+check Show Info Panel off
+check Show Trackball off
+check Laplacian Lines on
+check Laplacian Lines Probe on
+setdeco Line Color = #ff0000
+END
+}
+
+drive_lines() {
+    drive < <(printf 'wait\nopen %s\nsize 800x600\n' "$1" && show_lines && cat)
+}
+
 serve() {
     SERVER_CODE=0
     (cd "$WORK" && timeout --kill-after=5 "$DRIVE_SECONDS" "$STAGE/bin/meshlabserver" "$@" >"$WORK/log" 2>&1) || SERVER_CODE=$?
@@ -89,9 +108,20 @@ expect_same_picture() {
     ((differing <= $3)) || fail "$differing pixels differ between $1 and $2, more than $3"
 }
 
+# red_pixels FILE: how many there are
+red_pixels() {
+    convert "$1" -alpha off -fuzz 35% -fill black +opaque red -fill white -opaque red -colorspace gray \
+        -format '%[fx:round(mean*w*h)]' info:
+}
+
 # 2,400 triangles
 small_torus() {
     write_bumpy_torus 40 30 >"$1"
+}
+
+# 25,600 triangles
+torus() {
+    write_bumpy_torus 160 80 >"$1"
 }
 
 begin_test

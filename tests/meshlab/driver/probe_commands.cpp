@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands are described in README.md.
 #include <QColor>
+#include <QFile>
 
 #include "gui.h"
 #include "line_probe.h"
@@ -45,9 +46,14 @@ ProbeOptions parseOptions(const Command& command) {
     return options;
 }
 
-void expectLines(const Command& command) {
+struct Comparison {
+    bool same = false;
+    QString report;
+};
+
+Comparison compareView(const ProbeOptions& options) {
     QGLWidget* area = requireView();
-    const std::vector<ProjectedLines> layers = recordRedraw(area, parseOptions(command));
+    const std::vector<ProjectedLines> layers = recordRedraw(area, options);
     const ProbeResult result =
         compareWithPicture(layers, area->grabFrameBuffer(), ink_colour, kReach);
     const QString report = QString(
@@ -60,9 +66,21 @@ void expectLines(const Command& command) {
                                .arg(result.unexplained);
     say(report.toStdString());
     if (result.expected < kLeastSamples) throw CommandError("too few lines to compare: " + report);
-    if (result.found < kLeastFound * result.expected ||
-        result.unexplained > kMostUnexplained * result.inked)
-        throw CommandError("the view does not show the core's lines: " + report);
+    return {result.found >= kLeastFound * result.expected &&
+                result.unexplained <= kMostUnexplained * result.inked,
+            report};
+}
+
+void expectLines(const Command& command) {
+    const Comparison comparison = compareView(parseOptions(command));
+    if (!comparison.same)
+        throw CommandError("the view does not show the core's lines: " + comparison.report);
+}
+
+void expectOtherLines(const Command& command) {
+    const Comparison comparison = compareView(parseOptions(command));
+    if (comparison.same)
+        throw CommandError("the view shows just these lines: " + comparison.report);
 }
 
 void expectNoLines(const Command&) {
@@ -71,6 +89,13 @@ void expectNoLines(const Command&) {
     const ProbeResult result = compareWithPicture({}, area->grabFrameBuffer(), ink_colour, kReach);
     if (result.inked > 0)
         throw CommandError(QString("%1 pixels have the lines' colour").arg(result.inked));
+}
+
+void writeGlState(const Command& command) {
+    const QByteArray text = recordGlState(requireView()).toUtf8();
+    QFile file(command.rest);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+        throw CommandError("cannot write " + command.rest);
 }
 
 void chooseInk(const Command& command) {
@@ -84,6 +109,8 @@ void chooseInk(const Command& command) {
 void addProbeCommands(CommandTable& table) {
     table.addSimple("ink", chooseInk);
     table.addSimple("expect-lines", expectLines);
+    table.addSimple("expect-other-lines", expectOtherLines);
+    table.addSimple("gl-state", writeGlState);
     table.addSimple("expect-no-lines", expectNoLines);
 }
 

@@ -3,34 +3,49 @@
 
 #include "probe_recorder.h"
 
+#include <functional>
+
 #include "command_table.h"
+#include "gl_state_text.h"
 
 namespace driver {
 namespace {
 
-// Set while recordRedraw() waits for the redraw; everything happens on the GUI's thread.
-const ProbeOptions* recording = nullptr;
-std::vector<ProjectedLines> recorded;
+// Set while a redraw is recorded; everything happens on the GUI's thread.
+std::function<void(const MeshModel&)> record;
+int recorded_layers = 0;
 QString problem;
+
+void redraw(QGLWidget* view, std::function<void(const MeshModel&)> recorder) {
+    recorded_layers = 0;
+    problem.clear();
+    record = std::move(recorder);
+    view->repaint();
+    record = nullptr;
+    if (!problem.isEmpty()) throw CommandError(problem);
+    if (recorded_layers == 0)
+        throw CommandError("no layer has the decoration Laplacian Lines Probe switched on");
+}
 
 }  // namespace
 
 std::vector<ProjectedLines> recordRedraw(QGLWidget* view, const ProbeOptions& options) {
-    recorded.clear();
-    problem.clear();
-    recording = &options;
-    view->repaint();
-    recording = nullptr;
-    if (!problem.isEmpty()) throw CommandError(problem);
-    if (recorded.empty())
-        throw CommandError("no layer has the decoration Laplacian Lines Probe switched on");
-    return std::move(recorded);
+    std::vector<ProjectedLines> layers;
+    redraw(view, [&](const MeshModel& mesh) { layers.push_back(probeLayer(mesh, options)); });
+    return layers;
+}
+
+QString recordGlState(QGLWidget* view) {
+    QString text;
+    redraw(view, [&](const MeshModel&) { text += glStateText(); });
+    return text;
 }
 
 void layerIsDrawn(const MeshModel& mesh) {
-    if (!recording) return;
+    if (!record) return;
+    ++recorded_layers;
     try {
-        recorded.push_back(probeLayer(mesh, *recording));
+        record(mesh);
     } catch (const std::exception& e) {  // none may pass through MeshLab's drawing
         problem = e.what();
     }

@@ -12,7 +12,10 @@ namespace driver {
 /// decoration is on. CommandError when no layer has it on.
 std::vector<ProjectedLines> recordRedraw(QGLWidget* view, const ProbeOptions& options);
 
-/// To be called by the probe's decoration; does nothing outside recordRedraw().
+/// Redraws the view and returns the state of OpenGL as it is when the probe's decoration is drawn.
+QString recordGlState(QGLWidget* view);
+
+/// To be called by the probe's decoration; does nothing outside these functions.
 void layerIsDrawn(const MeshModel& mesh);
 
 }  // namespace driver

@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The view follows each parameter of the decoration, and says so when one is out of range.
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+
+# change LABEL KEY VALUE DEFAULT: the lines with this value, seen to differ from the default ones
+change() {
+    printf 'setdeco %s = %s\nexpect-lines %s=%s\nexpect-other-lines\nsetdeco %s = %s\n' "$1" "$3" "$2" "$3" "$1" "$4"
+}
+
+# refuse LABEL BAD GOOD REASON: no lines and the reason in the log, until the value is good again
+refuse() {
+    printf 'setdeco %s = %s\nexpect-no-lines\nexpect-log %s\nsetdeco %s = %s\nexpect-lines\n' "$1" "$2" "$4" "$1" "$3"
+}
+
+# expect_ink A B FACTOR: picture B has at least FACTOR times as much of the lines' red as A
+expect_ink() {
+    local a b
+    a=$(red_pixels "$WORK/$1")
+    b=$(red_pixels "$WORK/$2")
+    awk "BEGIN { exit !($a > 0 && $b >= $3 * $a) }" || fail "$2 has $b red pixels, $1 has $a"
+}
+
+torus "$WORK/torus.ply"
+drive_lines torus.ply <<END
+look 1.5 0.5 1.5  0 0 0
+expect-lines
+$(change "Strength Threshold tau" strength_threshold 0.5 0.03)
+$(change "Gradient Threshold t" gradient_threshold 10 2)
+$(change "Least Slope of a Segment" segment_slope 0.2 0.02)
+$(change "Least Slope of a Line" line_slope 0.3 0.07)
+$(change "Shortest Line" shortest_line 0.3 0.02)
+$(change "Shortest Contour" shortest_contour 10 0.005)
+$(change "Least Facing" least_facing 0.5 -0.15)
+expect-lines
+setdeco Least Slope of a Segment = 0
+setdeco Least Slope of a Line = 0
+setdeco Gradient Threshold t = 0
+expect-lines segment_slope=0 line_slope=0 gradient_threshold=0
+setdeco Reject Phantom Lines = off
+expect-lines segment_slope=0 line_slope=0 gradient_threshold=0 reject_phantoms=0
+expect-other-lines segment_slope=0 line_slope=0 gradient_threshold=0
+setdeco Reject Phantom Lines = on
+setdeco Least Slope of a Segment = 0.02
+setdeco Least Slope of a Line = 0.07
+setdeco Gradient Threshold t = 2
+
+setdeco Exact Point Light = on
+expect-lines exact_point_light=1
+expect-other-lines
+setdeco Exact Point Light = off
+setdeco Occluding Contours = off
+expect-lines contours=0
+expect-other-lines
+setdeco Laplacian Lines = off
+expect-no-lines
+setdeco Occluding Contours = on
+expect-lines laplacian_lines=0
+expect-other-lines
+setdeco Laplacian Lines = on
+
+setdeco Line Width = 2
+grab narrow.png
+setdeco Line Width = 5
+grab wide.png
+setdeco Line Width = 2
+setdeco Contour Width Factor = 3
+grab wide_contours.png
+setdeco Contour Width Factor = 1
+setdeco Slope for Full Width = 10
+grab faint.png
+setdeco Slope for Full Width = 0.2
+setdeco Contour Width Factor = 0
+expect-lines contours=0
+setdeco Contour Width Factor = 1
+setdeco Line Color = #0000ff
+expect-no-lines
+ink #0000ff
+expect-lines
+ink red
+setdeco Line Color = #ff0000
+
+$(refuse "Gradient Threshold t" -1 2 '"Gradient Threshold t" is -1\. It has to be between 0 and')
+$(refuse "Strength Threshold tau" -0.5 0.03 '"Strength Threshold tau" is -0.5\. It has to be between 0 and')
+$(refuse "Shortest Line" 11 0.02 '"Shortest Line" is 11\. It has to be between 0 and 10')
+$(refuse "Slope for Full Width" 0 0.2 '"Slope for Full Width" is 0\. It has to be between 1e-06 and')
+$(refuse "Least Facing" 1.5 -0.15 '"Least Facing" is 1.5\. It has to be between -1 and 1')
+$(refuse "Gradient Threshold t" nan 2 '"Gradient Threshold t" is nan\. It has to be between 0 and')
+END
+
+# a line takes its width in the picture; contours and faint lines their own
+expect_ink narrow.png wide.png 1.8
+expect_ink narrow.png wide_contours.png 1.2
+expect_ink faint.png narrow.png 1.2
