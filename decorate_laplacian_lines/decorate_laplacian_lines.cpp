@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QPainter>
+#include <stdexcept>
 
 #include "decoration_parameters.h"
 #include "meshlab_host/camera.h"
@@ -48,9 +49,9 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GL
     try {
         const PreparedLinesPointer lines = demandLines(mesh, view);
         if (lines->failure.isEmpty()) return true;
-        complain(QString("%1: %2").arg(mesh.label(), lines->failure));
+        say(QString("%1: %2: %3").arg(title, mesh.label(), lines->failure));
     } catch (const std::exception& error) {
-        complain(QString::fromUtf8(error.what()));
+        say(title + ": " + QString::fromUtf8(error.what()));
     }
     return false;
 }
@@ -63,9 +64,10 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
         if (!lines || !areCurrent(*lines, mesh, view)) lines = demandLines(mesh, view);
         text = lines->failure.isEmpty() ? drawLines(mesh, *lines, parameters, painter)
                                         : lines->failure;
+        complaints_.erase(mesh.id());
     } catch (const std::exception& error) {
         text = QString::fromUtf8(error.what());
-        complain(text);
+        complain(mesh, text);
     }
     if (!text.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), text);
 }
@@ -109,7 +111,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     const meshlab_host::CameraMatrices camera = meshlab_host::cameraFromGl();
     const Eigen::Matrix4d layer = meshlab_host::layerTransform(mesh.cm);
     const auto view = meshlab_host::viewFromMatrices(camera.modelview, camera.projection, layer);
-    if (!view) return "The layer's transformation cannot be inverted.";
+    if (!view) throw std::runtime_error("The layer's transformation cannot be inverted.");
 
     QElapsedTimer clock;
     clock.start();
@@ -121,19 +123,17 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     const std::string failure =
         renderer_.draw(lines_, chosen.appearance,
                        {camera.modelview * layer, camera.projection, depth_bias * lines.diagonal});
-    if (!failure.empty()) {
-        complain(QString::fromStdString(failure));
-        return QString::fromStdString(failure);
-    }
+    if (!failure.empty()) throw std::runtime_error(failure);
     if (!chosen.show_statistics) return {};
     glFinish();
     return statistics(lines_, extraction, milliseconds(clock));
 }
 
-void DecorateLaplacianLines::complain(const QString& text) {
-    if (text == last_complaint_) return;
-    last_complaint_ = text;
-    say(title + ": " + text);
+void DecorateLaplacianLines::complain(const MeshModel& mesh, const QString& text) {
+    QString& last = complaints_[mesh.id()];
+    if (text == last) return;
+    last = text;
+    say(QString("%1: %2: %3").arg(title, mesh.label(), text));
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DecorateLaplacianLines)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+
 #include "laplacian_lines/line_extractor.h"
 #include "line_cache.h"
 #include "line_renderer.h"
@@ -32,15 +34,15 @@ private:
     PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view);
     /// Whether lines still belong to the mesh; the whole geometry is compared only now and then.
     bool areCurrent(const PreparedLines& lines, const MeshModel& mesh, GLArea* view);
-    /// Text for the view (statistics or a complaint), empty if there is nothing to tell.
+    /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
                       const RichParameterList& parameters, QPainter* painter);
     /// Adds a complaint to the log, but not at every redraw.
-    void complain(const QString& text);
+    void complain(const MeshModel& mesh, const QString& text);
 
     LineCache cache_;
     LineRenderer renderer_;
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_;
-    QString last_complaint_;
+    std::map<int, QString> complaints_;  ///< by mesh, since its lines were last drawn
 };
