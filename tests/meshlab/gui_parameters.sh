@@ -85,6 +85,8 @@ $(refuse "Strength Threshold tau" -0.5 0.03 '"Strength Threshold tau" is -0.5\. 
 $(refuse "Shortest Line" 11 0.02 '"Shortest Line" is 11\. It has to be between 0 and 10')
 $(refuse "Slope for Full Width" 0 0.2 '"Slope for Full Width" is 0\. It has to be between 1e-06 and')
 $(refuse "Least Facing" 1.5 -0.15 '"Least Facing" is 1.5\. It has to be between -1 and 1')
+# and again, because it was all right in between
+$(refuse "Gradient Threshold t" -1 2 '("Gradient Threshold t" is -1\.(.*\n)*.*){2}')
 $(refuse "Gradient Threshold t" nan 2 '"Gradient Threshold t" is nan\. It has to be between 0 and')
 END
 

@@ -148,7 +148,7 @@ void setField(QWidget* container, const QString& label, const QString& value) {
     for (QCheckBox* box : container->findChildren<QCheckBox*>())
         if (withoutMnemonic(box->text()) == label) return setCheckBox(box, value);
     for (QLabel* candidate : container->findChildren<QLabel*>())
-        if (withoutMnemonic(candidate->text()) == label &&
+        if (withoutMnemonic(candidate->text()).trimmed() == label &&
             setEditors(editorsBeside(container, candidate), value))
             return;
     throw CommandError(
