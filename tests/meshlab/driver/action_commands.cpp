@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands are described in README.md.
+#include <QApplication>
+#include <QMenu>
 #include <QTreeWidget>
 #include "fields.h"
 #include "gui.h"
@@ -40,6 +42,23 @@ void expectAction(const Command& command) {
         throw CommandError(QString("it is %1").arg(action->isChecked() ? "checked" : "unchecked"));
 }
 
+// MeshLab's search box lists actions in a menu below it.
+void searchAndTrigger(const Command& command) {
+    QMenu* menu = nullptr;
+    for (QWidget* widget : QApplication::allWidgets())
+        if (widget->inherits("SearchMenu")) menu = qobject_cast<QMenu*>(widget);
+    const QString words = command.rest.section('=', 0, 0).trimmed();
+    if (!menu || !QMetaObject::invokeMethod(menu, "edited", Q_ARG(QString, words)))
+        throw CommandError("MeshLab has no search box");
+    QStringList found;
+    for (QAction* action : menu->actions()) {
+        found << "'" + withoutMnemonic(action->text()) + "'";
+        if (withoutMnemonic(action->text()) == command.rest.section('=', 1).trimmed())
+            return action->trigger();
+    }
+    throw CommandError("the search finds only " + found.join(", "));
+}
+
 void setIn(QWidget* container, const Command& command) {
     if (!command.rest.contains('=')) throw CommandError("say LABEL = VALUE");
     // labels may hold a '=', values do not
@@ -57,6 +76,7 @@ void setDecorationParameter(const Command& command) {
 
 void addActionCommands(CommandTable& table) {
     table.addSimple("trigger", triggerAction);
+    table.addSimple("search", searchAndTrigger);
     table.addSimple("check", checkAction);
     table.addSimple("expect-action", expectAction);
     table.addSimple("set", [](const Command& c) { setIn(filterDialog(), c); });
