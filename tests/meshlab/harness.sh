@@ -6,6 +6,7 @@
 #   show_lines       prints the commands that draw a view's lines in red
 #   drive_lines MESH drive, with MESH open and its lines drawn in red before the script on stdin begins
 #   serve ARGS...    runs meshlabserver ARGS..., its exit code in $SERVER_CODE, its output in $WORK/log
+#   write_script FILE [KEY=VALUE...]  a script for it, the example with other values
 #   expect_text FILE REGEX        expect_picture FILE WxH       expect_same_picture FILE FILE PIXELS
 #   red_pixels FILE               how much of the lines' red a picture has
 #   small_torus FILE              a mesh
@@ -16,6 +17,7 @@ set -euo pipefail
 
 TEST_NAME=$(basename "$0" .sh)
 SETUP=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../setup
+EXAMPLE=$SETUP/../examples/laplacian_lines.mlx
 STAGE=$LAPLACIAN_LINES_BUILD/stage
 WORK=$LAPLACIAN_LINES_BUILD/Testing/meshlab/$TEST_NAME
 DRIVE_SECONDS=${DRIVE_SECONDS:-100} # a hung MeshLab, before ctest's own limit, so that its log is shown
@@ -89,6 +91,17 @@ drive_lines() {
 serve() {
     SERVER_CODE=0
     (cd "$WORK" && timeout --kill-after=5 "$DRIVE_SECONDS" "$STAGE/bin/meshlabserver" "$@" >"$WORK/log" 2>&1) || SERVER_CODE=$?
+}
+
+# write_script FILE [KEY=VALUE...]: the example with other values
+write_script() {
+    local file=$WORK/$1 setting edits=()
+    shift
+    for setting in "$@"; do
+        grep -q "name=\"${setting%%=*}\"" "$EXAMPLE" || fail "the example has no parameter ${setting%%=*}"
+        edits+=(-e "s/\(name=\"${setting%%=*}\" [^>]* value=\"\)[^\"]*/\1${setting#*=}/")
+    done
+    sed "${edits[@]}" -e '' "$EXAMPLE" >"$file"
 }
 
 expect_text() {

@@ -59,17 +59,10 @@ void searchAndTrigger(const Command& command) {
     throw CommandError("the search finds only " + found.join(", "));
 }
 
-void setIn(QWidget* container, const Command& command) {
-    if (!command.rest.contains('=')) throw CommandError("say LABEL = VALUE");
-    // labels may hold a '=', values do not
-    setField(container, command.rest.section('=', 0, -2).trimmed(),
-             command.rest.section('=', -1).trimmed());
-}
-
 void setDecorationParameter(const Command& command) {
     auto* tree = requireMainWindow()->findChild<QTreeWidget*>("decParsTree");
     if (!tree) throw CommandError("the layer dialog shows no decoration parameters");
-    setIn(tree, command);
+    setFieldAsSaid(tree, command);
 }
 
 }  // namespace
@@ -79,7 +72,7 @@ void addActionCommands(CommandTable& table) {
     table.addSimple("search", searchAndTrigger);
     table.addSimple("check", checkAction);
     table.addSimple("expect-action", expectAction);
-    table.addSimple("set", [](const Command& c) { setIn(filterDialog(), c); });
+    table.addSimple("set", [](const Command& c) { setFieldAsSaid(filterDialog(), c); });
     table.addSimple("apply", [](const Command&) { clickButton(filterDialog(), "Apply"); });
     table.addSimple("close", [](const Command&) { clickButton(filterDialog(), "Close"); });
     table.addSimple("defaults", [](const Command&) { clickButton(filterDialog(), "Default"); });

@@ -155,4 +155,11 @@ void setField(QWidget* container, const QString& label, const QString& value) {
         QString("no field '%1' among %2").arg(label, labelsOf(container).join(", ")));
 }
 
+void setFieldAsSaid(QWidget* container, const Command& command) {
+    if (!command.rest.contains('=')) throw CommandError("say LABEL = VALUE");
+    // labels may hold a '=', values do not
+    setField(container, command.rest.section('=', 0, -2).trimmed(),
+             command.rest.section('=', -1).trimmed());
+}
+
 }  // namespace driver

@@ -11,4 +11,8 @@ namespace driver {
 //   percentage: 0.1 (absolute) or 5%   point: "x y z"              colour: #rrggbb or a name
 void setField(QWidget* container, const QString& label, const QString& value);
 
+// The same for the words of a command: LABEL = VALUE.
+struct Command;
+void setFieldAsSaid(QWidget* container, const Command& command);
+
 }  // namespace driver

@@ -22,6 +22,13 @@ using laplacian_lines::View;
 // nothing covers by more than a quarter of it must be seen; in between it may be drawn or not.
 constexpr double kDepthTolerance = 0.01;
 
+// Pixels along the edge of the view where no samples are taken.
+constexpr double kEdge = 3;
+
+bool nearEdge(double x, double y, int width, int height, double distance) {
+    return x < distance || y < distance || x > width - 1 - distance || y > height - 1 - distance;
+}
+
 TriangleMesh convert(const CMeshO& mesh) {
     TriangleMesh result;
     std::vector<std::uint32_t> number(mesh.vert.size());
@@ -81,7 +88,7 @@ public:
         for (int i = 0; i <= steps; ++i) {
             const Eigen::Vector4d p = eye_a + (eye_b - eye_a) * (double(i) / steps);
             const Eigen::Vector2d at = pixel(p);
-            if (at.x() < 3 || at.y() < 3 || at.x() > width() - 4 || at.y() > height() - 4) continue;
+            if (nearEdge(at.x(), at.y(), width(), height(), kEdge)) continue;
             lines.samples.push_back({at, sight(p, at)});
         }
     }
@@ -193,11 +200,13 @@ ProbeResult compareWithPicture(const std::vector<ProjectedLines>& layers, const 
             result.found += near_ink(int(sample.pixel.x()), int(sample.pixel.y()));
         }
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            if (hasInk(picture.pixel(x, y), ink)) {
-                ++result.inked;
+        for (int x = 0; x < width; ++x) {
+            if (!hasInk(picture.pixel(x, y), ink)) continue;
+            ++result.inked;
+            // ink near the edge may belong to a line beyond it
+            if (!nearEdge(x, y, width, height, kEdge + reach + 1))
                 result.unexplained += !near_line(x, y);
-            }
+        }
     return result;
 }
 

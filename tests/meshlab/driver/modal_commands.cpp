@@ -10,6 +10,7 @@
 #include <QRegularExpression>
 #include <QSpinBox>
 #include <QTimer>
+#include "fields.h"
 #include "gui.h"
 #include "modules.h"
 
@@ -28,6 +29,13 @@ Outcome clickInModal(const Command& command) {
     QWidget* modal = QApplication::activeModalWidget();
     if (!modal) return Outcome::Retry;
     clickButton(modal, command.rest);
+    return Outcome::Done;
+}
+
+Outcome setInModal(const Command& command) {
+    QWidget* modal = QApplication::activeModalWidget();
+    if (!modal) return Outcome::Retry;
+    setFieldAsSaid(modal, command);
     return Outcome::Done;
 }
 
@@ -83,6 +91,7 @@ void takeSnapshot(const Command& command) {
 
 void addModalCommands(CommandTable& table) {
     table.add("expect-modal", expectModal, Place::ModalBox);
+    table.add("set-modal", setInModal, Place::ModalBox);
     table.add("button", clickInModal, Place::ModalBox);
     table.addSimple("snapshot", takeSnapshot);
 }
