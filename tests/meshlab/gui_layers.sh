@@ -64,6 +64,17 @@ close
 expect-lines
 expect-log ring.* has (no precomputed attributes|changed).*\n(.*\n)*.*ring.* has (no precomputed attributes|changed)
 
+# flattened by a transformation that has no inverse, a layer has no lines, and the others keep theirs
+trigger Matrix: Set from translation/rotation/scale
+set Freeze Matrix = off
+set X Scale = 0
+apply
+expect-log Laplacian Lines: ring.*: The layer's transformation cannot be inverted
+set X Scale = 1
+apply
+close
+expect-lines
+
 # MeshLab never says that a deleted layer's decoration ends, and hands out a null mesh instead
 select-layer torus
 delete-layer torus

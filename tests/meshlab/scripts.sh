@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The filter in scripts of meshlabserver: every parameter, every choice, what it says and what it leaves alone.
 #
-# Not tested, because MeshLab 2020.09 itself ends there by an assertion (exit code 134): a script in which parameters
-# are missing or hold text that is not a number.
+# Not tested, because MeshLab 2020.09 itself ends there by an assertion (exit code 134): a script in which a parameter
+# other than the first is missing or holds text that is not a number.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
 # accept [KEY=VALUE...]: a script that works
