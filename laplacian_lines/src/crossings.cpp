@@ -31,33 +31,36 @@ LineRules contour_rules(const LineStyle& s) {
 
 namespace {
 
-void evaluate(const LinearForms& forms, const LocalEye& eye, std::vector<float>& values) {
-    values.resize(forms.x.size());
+void evaluate(const LinearForms& forms, const LocalEye& eye, LineFunction function,
+              std::vector<VertexValue>& values) {
     const float ex = eye.eye.x(), ey = eye.eye.y(), ez = eye.eye.z(), w = eye.w;
     for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = forms.x[i] * ex + forms.y[i] * ey + forms.z[i] * ez - w * forms.offset[i];
+        values[i].*function =
+            forms.x[i] * ex + forms.y[i] * ey + forms.z[i] * ez - w * forms.offset[i];
 }
 
 }  // namespace
 
 void evaluate_vertices(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
-                       VertexValues& values) {
-    evaluate(data.normals, eye, values.illumination);
-    evaluate(data.laplacians, eye, values.laplacian);
+                       VertexValues& vertices) {
+    std::vector<VertexValue>& values = vertices.values;
+    values.resize(data.vertices.size());
+    evaluate(data.normals, eye, &VertexValue::illumination, values);
+    evaluate(data.laplacians, eye, &VertexValue::laplacian, values);
     if (style.exact_point_light)  // the cross term that the paper's derivation loses
-        for (std::size_t i = 0; i < values.laplacian.size(); ++i)
-            values.laplacian[i] -= eye.w * data.vertices[i].shape_operator.trace();
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i].laplacian -= eye.w * data.vertices[i].shape_operator.trace();
     // Local points are within 1/2 of the centre, so |l| is within w/2 of |e|; a bound that
     // needs no |l| and never refuses too much.
     const float least_facing = float(style.least_facing);
     const float length = eye.eye.norm() + (least_facing < 0 ? eye.w : -eye.w) / 2;
     const float least_illumination = least_facing * std::max(length, 0.f);
-    values.signs.resize(values.laplacian.size());
-    for (std::size_t i = 0; i < values.signs.size(); ++i)
-        values.signs[i] =
-            std::uint8_t((values.laplacian[i] < 0 ? kNegativeLaplacian : 0) |
-                         (values.illumination[i] < 0 ? kNegativeIllumination : 0) |
-                         (values.illumination[i] < least_illumination ? kFacesAway : 0));
+    vertices.signs.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        vertices.signs[i] =
+            std::uint8_t((values[i].laplacian < 0 ? kNegativeLaplacian : 0) |
+                         (values[i].illumination < 0 ? kNegativeIllumination : 0) |
+                         (values[i].illumination < least_illumination ? kFacesAway : 0));
 }
 
 void find_mixed_triangles(const ExtractorData& data, const VertexValues& values,
@@ -71,8 +74,8 @@ void find_mixed_triangles(const ExtractorData& data, const VertexValues& values,
         const unsigned differing = (a ^ b) | (a ^ c);
         if (!(differing & (kNegativeLaplacian | kNegativeIllumination))) continue;
         if ((differing & kNegativeLaplacian) && !(a & b & c & kFacesAway))
-            mixed.laplacian.push_back(i);
-        if (differing & kNegativeIllumination) mixed.contour.push_back(i);
+            mixed.laplacian.push_back({i, t});
+        if (differing & kNegativeIllumination) mixed.contour.push_back({i, t});
     }
 }
 
@@ -83,24 +86,31 @@ constexpr std::size_t kPrefetchDistance = 12;  // triangles; half a microsecond 
 class SegmentFinder {
 public:
     SegmentFinder(const ExtractorData& data, const LocalEye& eye, const LineRules& rules,
-                  const VertexValues& values, const std::vector<float>& function,
-                  CrossingGraph& graph)
-        : data_(data), eye_(eye), rules_(rules), values_(values), f_(function), graph_(graph) {}
+                  const VertexValues& values, LineFunction function, CrossingGraph& graph)
+        : data_(data),
+          eye_(eye),
+          rules_(rules),
+          values_(values.values),
+          function_(function),
+          graph_(graph) {}
 
-    // Lines are far apart in memory, so what add_triangle(index) reads is asked for in two steps.
-    void prefetch_indices(std::uint32_t index) const {
-        __builtin_prefetch(&data_.triangles[index]);
-        __builtin_prefetch(&data_.edges_of_triangle[index]);
+    // Lines are far apart in memory, so what add() reads is asked for in two steps. Inlined always:
+    // GCC takes functions that only prefetch for ones without effect and drops calls of them.
+    [[gnu::always_inline]] void prefetch_edges(const MixedTriangle& triangle) const {
+        __builtin_prefetch(&data_.edges_of_triangle[triangle.index]);
     }
-    void prefetch_records(std::uint32_t index) const {
-        for (std::uint32_t v : data_.triangles[index])
+    [[gnu::always_inline]] void prefetch_records(const MixedTriangle& triangle) const {
+        for (std::uint32_t v : triangle.corners) {
             __builtin_prefetch(&data_.vertices[v]);
-        for (std::uint32_t e : data_.edges_of_triangle[index])
+            __builtin_prefetch(&data_.vertices[v].slope_scale);  // often in the next cache line
+            __builtin_prefetch(&values_[v]);
+        }
+        for (std::uint32_t e : data_.edges_of_triangle[triangle.index])
             __builtin_prefetch(&graph_.crossing_of_edge[e]);
     }
 
-    void add_triangle(std::uint32_t index) {
-        const Triangle& t = data_.triangles[index];
+    void add(const MixedTriangle& triangle) {
+        const Triangle& t = triangle.corners;
         const Corner corners[3] = {corner(t[0]), corner(t[1]), corner(t[2])};
         float slope = 0;
         if (rules_.use_slope && !passes_gradient_tests(corners, slope)) return;
@@ -108,7 +118,8 @@ public:
         for (int k = 0; k < 3; ++k) {
             const Corner &from = corners[(k + 1) % 3], &to = corners[(k + 2) % 3];
             if ((from.value < 0) == (to.value < 0)) continue;
-            (from.value < 0 ? end : begin) = crossing(data_.edges_of_triangle[index][k], from, to);
+            (from.value < 0 ? end : begin) =
+                crossing(data_.edges_of_triangle[triangle.index][k], from, to);
         }
         if (graph_.crossings[begin].accepted && graph_.crossings[end].accepted)
             graph_.segments.push_back({begin, end, slope});
@@ -126,7 +137,8 @@ private:
 
     Corner corner(std::uint32_t v) const {
         const VertexRecord& record = data_.vertices[v];
-        return {v, f_[v], record, record.shape_operator * light(record.position)};  // ∇I = S l
+        return {v, values_[v].*function_, record,
+                record.shape_operator * light(record.position)};  // ∇I = S l
     }
 
     std::uint32_t crossing(std::uint32_t edge, const Corner& from, const Corner& to) {
@@ -149,7 +161,7 @@ private:
         c.position = (1 - t) * a.record.position + t * b.record.position;
         c.gradient = ((1 - t) * a.gradient + t * b.gradient).norm();
         const float illumination =
-            (1 - t) * values_.illumination[a.vertex] + t * values_.illumination[b.vertex];
+            (1 - t) * values_[a.vertex].illumination + t * values_[b.vertex].illumination;
         c.accepted = c.gradient >= rules_.least_gradient &&
                      illumination >= rules_.least_facing * light(c.position).norm();
         return c;
@@ -174,16 +186,16 @@ private:
     const ExtractorData& data_;
     const LocalEye& eye_;
     const LineRules& rules_;
-    const VertexValues& values_;
-    const std::vector<float>& f_;
+    const std::vector<VertexValue>& values_;
+    const LineFunction function_;
     CrossingGraph& graph_;
 };
 
 }  // namespace
 
 void find_segments(const ExtractorData& data, const LocalEye& eye, const LineRules& rules,
-                   const VertexValues& values, const std::vector<float>& function,
-                   const std::vector<std::uint32_t>& triangles, CrossingGraph& graph) {
+                   const VertexValues& values, LineFunction function,
+                   const std::vector<MixedTriangle>& triangles, CrossingGraph& graph) {
     if (graph.in_use || graph.crossing_of_edge.size() != data.edge_count)
         graph.crossing_of_edge.assign(data.edge_count, CrossingGraph::kNoCrossing);
     graph.crossings.clear();
@@ -192,10 +204,10 @@ void find_segments(const ExtractorData& data, const LocalEye& eye, const LineRul
     SegmentFinder finder(data, eye, rules, values, function, graph);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (i + 2 * kPrefetchDistance < triangles.size()) {
-            finder.prefetch_indices(triangles[i + 2 * kPrefetchDistance]);
+            finder.prefetch_edges(triangles[i + 2 * kPrefetchDistance]);
             finder.prefetch_records(triangles[i + kPrefetchDistance]);
         }
-        finder.add_triangle(triangles[i]);
+        finder.add(triangles[i]);
     }
     for (const Crossing& c : graph.crossings)
         graph.crossing_of_edge[c.edge] = CrossingGraph::kNoCrossing;

@@ -32,10 +32,15 @@ struct LineRules {
 LineRules laplacian_rules(const LineStyle& style);
 LineRules contour_rules(const LineStyle& style);
 
-/// The functions whose zeros are lines, at all vertices, for one eye.
+/// The functions whose zeros are lines, at a vertex; together, since both are read near lines.
+struct VertexValue {
+    float laplacian;     ///< ΔI
+    float illumination;  ///< I
+};
+using LineFunction = float VertexValue::*;
+
 struct VertexValues {
-    std::vector<float> laplacian;     ///< ΔI
-    std::vector<float> illumination;  ///< I
+    std::vector<VertexValue> values;
     std::vector<std::uint8_t> signs;  ///< bits of SignBit
 };
 
@@ -44,10 +49,16 @@ enum SignBit : std::uint8_t { kNegativeLaplacian = 1, kNegativeIllumination = 2,
 void evaluate_vertices(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                        VertexValues& values);
 
-/// Triangles whose corners do not all have the same sign.
+/// A triangle whose corners do not all have the same sign, with its corners, so that they need not
+/// be fetched again.
+struct MixedTriangle {
+    std::uint32_t index;
+    Triangle corners;
+};
+
 struct MixedTriangles {
-    std::vector<std::uint32_t> laplacian;  ///< of ΔI, not counting those that face away
-    std::vector<std::uint32_t> contour;    ///< of I
+    std::vector<MixedTriangle> laplacian;  ///< of ΔI, not counting those that face away
+    std::vector<MixedTriangle> contour;    ///< of I
 };
 
 void find_mixed_triangles(const ExtractorData& data, const VertexValues& values,
@@ -81,7 +92,7 @@ struct CrossingGraph {
 /// Replaces the graph by the segments in the given triangles that pass the rules of single
 /// crossings and segments. `function` is the one whose zeros are looked for.
 void find_segments(const ExtractorData& data, const LocalEye& eye, const LineRules& rules,
-                   const VertexValues& values, const std::vector<float>& function,
-                   const std::vector<std::uint32_t>& triangles, CrossingGraph& graph);
+                   const VertexValues& values, LineFunction function,
+                   const std::vector<MixedTriangle>& triangles, CrossingGraph& graph);
 
 }  // namespace laplacian_lines

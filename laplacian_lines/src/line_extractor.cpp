@@ -64,15 +64,15 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
     ExtractionScratch::Memory& memory = *scratch.memory_;
     evaluate_vertices(*data_, eye, style, memory.values);
     find_mixed_triangles(*data_, memory.values, memory.mixed);
-    const auto extract_kind = [&](const LineRules& rules, const std::vector<float>& function,
-                                  const std::vector<std::uint32_t>& triangles) {
+    const auto extract_kind = [&](const LineRules& rules, LineFunction function,
+                                  const std::vector<MixedTriangle>& triangles) {
         find_segments(*data_, eye, rules, memory.values, function, triangles, memory.graph);
         trace_polylines(*data_, rules, memory.graph, memory.tracing, lines);
     };
     if (style.laplacian_lines)
-        extract_kind(laplacian_rules(style), memory.values.laplacian, memory.mixed.laplacian);
+        extract_kind(laplacian_rules(style), &VertexValue::laplacian, memory.mixed.laplacian);
     if (style.contours)
-        extract_kind(contour_rules(style), memory.values.illumination, memory.mixed.contour);
+        extract_kind(contour_rules(style), &VertexValue::illumination, memory.mixed.contour);
 }
 
 }  // namespace laplacian_lines
