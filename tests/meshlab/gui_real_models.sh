@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A scanned model of a quarter of a million triangles, where there is one beside the repository.
-DRIVE_SECONDS=250
+export DRIVE_SECONDS=250
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
 MODEL=$(dirname "$(readlink -f "$0")")/../../../shared/models/igea.ply.gz
