@@ -16,15 +16,22 @@ QString meshLine(const MeshReport& report) {
         .arg(report.triangles);
 }
 
+QString counted(std::size_t count, const char* one, const char* several) {
+    return QString("%1 %2").arg(count).arg(count == 1 ? one : several);
+}
+
 /// Empty if everything was used.
 QString leftOutLine(const MeshReport& report) {
     QStringList parts;
     if (report.non_finite_vertices)
-        parts << QString("%1 vertices with non-finite coordinates").arg(report.non_finite_vertices);
+        parts << counted(report.non_finite_vertices, "vertex with non-finite coordinates",
+                         "vertices with non-finite coordinates");
     if (report.degenerate_triangles)
-        parts << QString("%1 triangles without area").arg(report.degenerate_triangles);
+        parts << counted(report.degenerate_triangles, "triangle without area",
+                         "triangles without area");
     if (report.unreferenced_vertices)
-        parts << QString("%1 vertices without triangles").arg(report.unreferenced_vertices);
+        parts << counted(report.unreferenced_vertices, "vertex without triangles",
+                         "vertices without triangles");
     return parts.isEmpty() ? QString() : "Left out: " + parts.join(", ");
 }
 
