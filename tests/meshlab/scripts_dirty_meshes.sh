@@ -46,7 +46,7 @@ try "" "3 0 0 1,3 5 5 5" "2 triangles without area"
 try "3 3 3,4 4 4" "" "2 vertices without triangles"
 # the added vertices are 1200 to 1203
 try "nan 0 0,3 3 3,inf 0 0,5 5 5" "3 0 1 1200,3 0 1201 1,3 7 7 8" \
-    "2 vertices with non-finite coordinates, 2 triangles without area, 1 vertices without triangles"
+    "2 vertices with non-finite coordinates, 2 triangles without area, 1 vertex without triangles"
 
 refuse "0 0 0,1 0 0,2 0 0" "3 0 1 2"
 refuse "0 0 0,1 0 0,0 nan 0" "3 0 1 2"
