@@ -77,7 +77,7 @@ private:
     /// `weight` holds the sum of the slopes of the point's segments until finish().
     void add_point(std::uint32_t crossing, float slope) {
         const Crossing& c = graph_.crossings[crossing];
-        lines_.points.push_back({c.position, slope, c.gradient});
+        lines_.points.push_back({c.position, slope, c.gradient, 1.f});
     }
 
     void add_segment(std::uint32_t from, std::uint32_t to, float slope, Polyline& line) {

@@ -14,6 +14,7 @@ struct LinePoint {
     Eigen::Vector3f position;  ///< mesh coordinates
     float weight;              ///< 0..1, share of the full line width
     float gradient;            ///< ‖∇I‖·D, dimensionless
+    float opacity;             ///< 0..1; lines that are about to vanish are nearly transparent
 };
 
 /// A traced line: points[first .. first+count) of its LineSet. A closed line ends with a copy of
