@@ -220,7 +220,7 @@ LineSet irregular_edges(const TriangleMesh& mesh) {
         if (count == 2) continue;
         edges.lines.push_back({std::uint32_t(edges.points.size()), 2});
         for (std::uint32_t v : {edge.first, edge.second})
-            edges.points.push_back({mesh.positions[v].cast<float>(), 0, 0});
+            edges.points.push_back({mesh.positions[v].cast<float>(), 0, 0, 1});
     }
     return edges;
 }
