@@ -120,6 +120,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
 
     if (chosen.show_statistics) glFinish();  // the mesh's own drawing must not count
     clock.restart();
+    if (!lines_.lines.empty()) surface_renderer_.drawDepth(lines.surface, layer);
     const std::string failure =
         renderer_.draw(lines_, chosen.appearance,
                        {camera.modelview * layer, camera.projection, depth_bias * lines.diagonal});

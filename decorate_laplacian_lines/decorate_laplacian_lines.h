@@ -7,6 +7,7 @@
 #include "line_cache.h"
 #include "line_renderer.h"
 #include "meshlab_host/decorate_plugin_base.h"
+#include "surface_renderer.h"
 
 struct DecorationParameters;
 
@@ -42,6 +43,7 @@ private:
 
     LineCache cache_;
     LineRenderer renderer_;
+    SurfaceRenderer surface_renderer_;
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_;
     std::map<int, QString> complaints_;  ///< by mesh, since its lines were last drawn

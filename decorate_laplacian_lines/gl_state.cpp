@@ -10,7 +10,9 @@ LineGlState::LineGlState() : has_vertex_arrays_(GLEW_VERSION_3_0 || GLEW_ARB_ver
         glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertex_array_);
         glBindVertexArray(0);
     }
-    glPushAttrib(GL_ENABLE_BIT | GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_POLYGON_BIT);
+    glGetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &element_buffer_);  // of the array object bound
+    glPushAttrib(GL_ENABLE_BIT | GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_POLYGON_BIT |
+                 GL_TRANSFORM_BIT);
     glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
 
     for (GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
@@ -29,6 +31,7 @@ LineGlState::LineGlState() : has_vertex_arrays_(GLEW_VERSION_3_0 || GLEW_ARB_ver
 LineGlState::~LineGlState() {
     glPopClientAttrib();
     glPopAttrib();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(element_buffer_));
     if (has_vertex_arrays_) glBindVertexArray(GLuint(vertex_array_));
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(array_buffer_));
     glUseProgram(GLuint(program_));

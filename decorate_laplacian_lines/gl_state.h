@@ -3,9 +3,9 @@
 
 #include <GL/glew.h>
 
-/// Saves the OpenGL state that drawing lines touches, sets what lines need (depth test without
-/// depth writes, blending, no culling, no program of the fixed pipeline) and restores all of it
-/// when it goes out of scope. The context must be the same and current at both ends.
+/// Saves the OpenGL state that drawing lines and surfaces touches, sets what lines need (depth test
+/// without depth writes, blending, no culling, no program of the fixed pipeline) and restores all
+/// of it when it goes out of scope. The context must be the same and current at both ends.
 class LineGlState {
 public:
     LineGlState();
@@ -16,6 +16,7 @@ public:
 private:
     GLint program_ = 0;
     GLint array_buffer_ = 0;
+    GLint element_buffer_ = 0;
     GLint vertex_array_ = 0;
     bool has_vertex_arrays_;
 };

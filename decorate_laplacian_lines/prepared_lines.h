@@ -9,6 +9,7 @@
 
 #include "laplacian_lines/line_extractor.h"
 #include "meshlab_host/field_attributes.h"
+#include "surface.h"
 
 /// What decides the lines of a mesh, the view and the style aside. Two meshes with equal keys have
 /// the same lines, whatever layer or view they are in.
@@ -24,7 +25,8 @@ struct PreparedLines {
     LineKey key;
     double diagonal = 0;  ///< of the usable mesh's bounding box, mesh units
     std::optional<laplacian_lines::LineExtractor> extractor;
-    QString failure;  ///< one sentence, empty if there is an extractor
+    SurfacePointer surface;  ///< set if there is an extractor
+    QString failure;         ///< one sentence, empty if there is an extractor
 };
 using PreparedLinesPointer = std::shared_ptr<const PreparedLines>;
 

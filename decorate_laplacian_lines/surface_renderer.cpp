@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_renderer.h"
+
+#include "gl_state.h"
+
+namespace {
+
+/// Fills a new buffer and leaves it bound.
+template <class T>
+GLuint makeBuffer(GLenum target, const std::vector<T>& content) {
+    GLuint buffer = 0;
+    glGenBuffers(1, &buffer);
+    glBindBuffer(target, buffer);
+    glBufferData(target, GLsizeiptr(content.size() * sizeof(T)), content.data(), GL_STATIC_DRAW);
+    return buffer;
+}
+
+template <class Map>
+void freeExpired(Map& buffers) {
+    for (auto entry = buffers.begin(); entry != buffers.end();) {
+        if (!entry->first.expired()) {
+            ++entry;
+            continue;
+        }
+        glDeleteBuffers(1, &entry->second.vertices);
+        glDeleteBuffers(1, &entry->second.triangles);
+        entry = buffers.erase(entry);
+    }
+}
+
+const void* offset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);
+}
+
+}  // namespace
+
+SurfaceRenderer::GroupObjects& SurfaceRenderer::objectsOfCurrentGroup() {
+    const ShareGroup group = currentShareGroup();
+    const auto [place, is_new] = groups_.try_emplace(group);
+    if (is_new) whenGone(group, &receiver_, [this, group] { groups_.erase(group); });
+    freeExpired(place->second.buffers);
+    return place->second;
+}
+
+void SurfaceRenderer::drawFaces(const SurfacePointer& surface, const Eigen::Matrix4d& layer) {
+    const auto [entry, is_new] = objectsOfCurrentGroup().buffers.try_emplace(surface);
+    Buffers& buffers = entry->second;
+    if (is_new) {
+        buffers.vertices = makeBuffer(GL_ARRAY_BUFFER, surface->vertices);
+        buffers.triangles = makeBuffer(GL_ELEMENT_ARRAY_BUFFER, surface->triangles);
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.triangles);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glVertexPointer(3, GL_FLOAT, sizeof(SurfaceVertex), offset(0));
+    glNormalPointer(GL_FLOAT, sizeof(SurfaceVertex), offset(sizeof(Eigen::Vector3f)));
+
+    glMatrixMode(GL_MODELVIEW);
+    glPushMatrix();
+    glMultMatrixd(layer.data());
+    glDrawElements(GL_TRIANGLES, GLsizei(3 * surface->triangles.size()), GL_UNSIGNED_INT, nullptr);
+    glPopMatrix();
+}
+
+void SurfaceRenderer::drawDepth(const SurfacePointer& surface, const Eigen::Matrix4d& layer) {
+    const LineGlState state;
+    // the fixed pipeline, as in MeshLab's own drawing, so that depths are the same
+    glUseProgram(0);
+    glDisable(GL_BLEND);
+    glDisable(GL_TEXTURE_2D);
+    glDisable(GL_LIGHTING);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    // behind wires and points, and behind what later decorations draw on the surface
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1, 1);
+    drawFaces(surface, layer);
+}
