@@ -64,6 +64,22 @@ TEST(Borders, CorrectionLeavesTheInsideAlone) {
     EXPECT_LT(a, 1.1 * b);
 }
 
+/// A kernel much larger than the surface finds next to no mass; making up for all that is missing
+/// would leave numbers without meaning.
+TEST(Borders, CorrectionMakesUpForNoMoreThanFourFifths) {
+    const test_meshes::TestMesh& hills = test_meshes::mesh_named("hills");
+    PrecomputeOptions options;
+    options.kernel_size = 3;
+    const Field corrected = precompute(hills.mesh, options);
+    options.correct_borders = false;
+    const Field plain = precompute(hills.mesh, options);
+    for (std::size_t v = 0; v < hills.mesh.positions.size(); ++v) {
+        const double expected = 5 * plain.laplacian_normals[v].dot(plain.normals[v]);
+        EXPECT_NEAR(corrected.laplacian_normals[v].dot(plain.normals[v]), expected,
+                    1e-4 * std::abs(expected) + 1e-6);
+    }
+}
+
 /// Between a square and its parallel at distance d, facing away, Eq. 2 puts 2 exp(−d²/4h)/h.
 TEST(ThinWalls, SpuriousTermIsAsPredictedWithoutSkipping) {
     const double d = 0.1, size = 0.1;

@@ -128,7 +128,8 @@ double distance_to_lines(const Eigen::Vector3d& p, const LineSet& lines) {
 
 bool same_lines(const LineSet& a, const LineSet& b) {
     const auto same_point = [](const LinePoint& p, const LinePoint& q) {
-        return p.position == q.position && p.weight == q.weight && p.gradient == q.gradient;
+        return p.position == q.position && p.weight == q.weight && p.gradient == q.gradient &&
+               p.opacity == q.opacity;
     };
     const auto same_line = [](const Polyline& p, const Polyline& q) {
         return p.first == q.first && p.count == q.count && p.kind == q.kind &&
