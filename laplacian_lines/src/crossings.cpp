@@ -6,27 +6,32 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace laplacian_lines {
 
 LineRules laplacian_rules(const LineStyle& s) {
-    return {LineKind::Laplacian,
-            float(s.gradient_threshold),
-            float(s.least_facing),
-            s.reject_phantoms,
-            true,
-            float(s.segment_slope),
-            float(s.line_slope),
-            float(s.full_slope),
-            float(s.strength_threshold),
-            float(s.shortest_line)};
+    LineRules rules;
+    rules.kind = LineKind::Laplacian;
+    rules.least_gradient = float(s.gradient_threshold);
+    rules.least_facing = float(s.least_facing);
+    rules.reject_phantoms = s.reject_phantoms;
+    rules.use_slope = true;
+    rules.segment_slope = float(s.segment_slope);
+    rules.line_slope = float(s.line_slope);
+    rules.full_slope = float(s.full_slope);
+    rules.least_strength = float(s.strength_threshold);
+    rules.least_length = float(s.shortest_line);
+    rules.fading = float(s.fading);
+    rules.end_length = float(s.end_length);
+    rules.contour_clearance = s.contours ? float(s.contour_clearance) : 0;
+    return rules;
 }
 
 LineRules contour_rules(const LineStyle& s) {
-    constexpr float kAnything = std::numeric_limits<float>::lowest();
-    return {LineKind::Contour, kAnything, kAnything, false,     false,
-            kAnything,         kAnything, 1,         kAnything, float(s.shortest_contour)};
+    LineRules rules;
+    rules.kind = LineKind::Contour;
+    rules.least_length = float(s.shortest_contour);
+    return rules;
 }
 
 namespace {
@@ -164,7 +169,16 @@ private:
             (1 - t) * values_[a.vertex].illumination + t * values_[b.vertex].illumination;
         c.accepted = c.gradient >= rules_.least_gradient &&
                      illumination >= rules_.least_facing * light(c.position).norm();
+        c.opacity = clearance_opacity(illumination, c.gradient);
         return c;
+    }
+
+    /// Fades crossings that would double a contour. To first order the contour is I/‖∇I‖ away on
+    /// the surface, which is seen at half the crossing's cosine on the way there.
+    float clearance_opacity(float illumination, float gradient) const {
+        if (!(rules_.contour_clearance > 0)) return 1;
+        const float distance = illumination * std::abs(illumination) / (2 * gradient);
+        return std::clamp(2 * distance / rules_.contour_clearance - 1, 0.f, 1.f);
     }
 
     /// Slope of the function across the line, and whether the illumination's gradient is largest

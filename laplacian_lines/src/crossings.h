@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "extractor_data.h"
@@ -18,15 +19,21 @@ struct LocalEye {
 };
 
 /// What decides which zero crossings of a per-vertex function become lines, one for each kind.
+/// Without more ado, everything is kept and nothing fades.
 struct LineRules {
-    LineKind kind;
-    float least_gradient;  ///< ‖∇I‖·D
-    float least_facing;    ///< n·l/|l|
-    bool reject_phantoms;
-    bool use_slope;  ///< false: slopes are neither computed nor tested, lines have full width
-    float segment_slope, line_slope, full_slope;
-    float least_strength;
-    float least_length;  ///< D
+    static constexpr float kAnything = std::numeric_limits<float>::lowest();
+
+    LineKind kind = LineKind::Laplacian;
+    float least_gradient = kAnything;  ///< ‖∇I‖·D
+    float least_facing = kAnything;    ///< n·l/|l|
+    bool reject_phantoms = false;
+    bool use_slope = false;  ///< false: no slopes are computed or tested, lines have full width
+    float segment_slope = 0, line_slope = 0, full_slope = 1;
+    float least_strength = kAnything;
+    float least_length = kAnything;  ///< D
+    float fading = 0;                ///< full opacity at (1 + fading) times a threshold
+    float end_length = 0;            ///< over which open ends fade, D
+    float contour_clearance = 0;     ///< lines nearer to a contour fade out, D in the picture
 };
 
 LineRules laplacian_rules(const LineStyle& style);
@@ -68,6 +75,7 @@ void find_mixed_triangles(const ExtractorData& data, const VertexValues& values,
 struct Crossing {
     Eigen::Vector3f position;  ///< local
     float gradient;            ///< ‖∇I‖
+    float opacity;             ///< less than 1 where the crossing alone asks for fading
     std::uint32_t edge;
     bool accepted;  ///< passes the tests that look at the crossing alone
 };

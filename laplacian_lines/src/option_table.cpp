@@ -168,6 +168,16 @@ const std::vector<OptionDescription<LineStyle>>& line_style_table() {
             "least_facing", "Least Facing", -1, 1,
             "Least cosine between normal and view direction: 1 faces the eye, 0 is a contour, -1 "
             "shows lines on the far side as well."),
+        real<&S::fading>("fading", "Fading", 0, 1e6,
+                         "How gently lines fade in above the thresholds: 0 is a hard cut, 1 means "
+                         "full strength at twice the threshold."),
+        real<&S::end_length>(
+            "end_length", "Fading Ends", 0, 10,
+            "Length over which the ends of lines fade, in bounding-box diagonals."),
+        real<&S::contour_clearance>(
+            "contour_clearance", "Contour Clearance", 0, 10,
+            "Laplacian lines nearer to an outline than this fade out, since they only double it; "
+            "in bounding-box diagonals."),
         boolean<&S::exact_point_light>(
             "exact_point_light", "Exact Point Light",
             "Use the exact Laplacian of a point light at the eye instead of the paper's form. The "

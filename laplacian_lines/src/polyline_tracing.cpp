@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polyline_tracing.h"
 
-#include <algorithm>
+#include "line_tapering.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-constexpr int kWeightSmoothingPasses = 2;
 
 std::uint32_t crossing_at(const CrossingGraph& graph, std::uint32_t half) {
     const Segment& s = graph.segments[half / 2];
@@ -74,10 +73,10 @@ private:
         finish(line);
     }
 
-    /// `weight` holds the sum of the slopes of the point's segments until finish().
+    /// Weight and opacity hold what taper_line() starts from.
     void add_point(std::uint32_t crossing, float slope) {
         const Crossing& c = graph_.crossings[crossing];
-        lines_.points.push_back({c.position, slope, c.gradient, 1.f});
+        lines_.points.push_back({c.position, slope, c.gradient, c.opacity});
     }
 
     void add_segment(std::uint32_t from, std::uint32_t to, float slope, Polyline& line) {
@@ -97,7 +96,7 @@ private:
             return;
         }
         LinePoint* points = lines_.points.data() + line.first;
-        set_weights(points, line);
+        taper_line(rules_, line, points);
         for (std::uint32_t i = 0; i < line.count; ++i)
             points[i].position =
                 (data_.centre + data_.diagonal * points[i].position.cast<double>()).cast<float>();
@@ -107,38 +106,6 @@ private:
     bool accepts(const Polyline& line) const {
         return line.length >= rules_.least_length && line.strength >= rules_.least_strength &&
                (!rules_.use_slope || line.slope >= rules_.line_slope);
-    }
-
-    void set_weights(LinePoint* points, const Polyline& line) const {
-        const std::uint32_t last = line.count - 1;
-        if (line.closed) {  // the first point and its copy share their two segments
-            points[0].weight += points[last].weight;
-            points[last].weight = points[0].weight;
-        }
-        for (std::uint32_t i = 0; i <= last; ++i) {
-            const bool is_end = !line.closed && (i == 0 || i == last);
-            const float slope = points[i].weight / (is_end ? 1 : 2);
-            points[i].weight =
-                rules_.use_slope
-                    ? std::clamp((slope - rules_.segment_slope) / rules_.full_slope, 0.f, 1.f)
-                    : 1.f;
-        }
-        if (!rules_.use_slope) return;
-        for (int pass = 0; pass < kWeightSmoothingPasses; ++pass)
-            smooth_weights(points, line);
-    }
-
-    /// Binomial smoothing, since slopes of neighbouring triangles differ visibly.
-    static void smooth_weights(LinePoint* points, const Polyline& line) {
-        const std::uint32_t last = line.count - 1;
-        const float second = points[1].weight;
-        float before = line.closed ? points[last - 1].weight : points[0].weight;
-        for (std::uint32_t i = 0; i <= last; ++i) {
-            const float here = points[i].weight;
-            const float after = i < last ? points[i + 1].weight : line.closed ? second : here;
-            points[i].weight = (before + 2 * here + after) / 4;
-            before = here;
-        }
     }
 
     const ExtractorData& data_;

@@ -21,6 +21,13 @@ struct LineStyle {
     double full_slope = 0.2;      ///< slope above segment_slope at which a line has its full width
     double shortest_line = 0.02;  ///< least length of a line, in D
     double least_facing = -0.15;  ///< least n·l/|l| at a crossing
+    /// Lines fade in above the thresholds of slope, length and strength: from nothing at the
+    /// threshold to full opacity at (1 + fading) times it. 0: lines are there or not.
+    double fading = 0.4;
+    double end_length = 0.01;  ///< length over which open ends of lines fade, in D
+    /// Laplacian lines within this distance of a contour, in D on the picture, fade out, since they
+    /// only double it; from half the distance on nothing is left. Only if contours are drawn.
+    double contour_clearance = 0.001;
     /// Use the Laplacian of n·(e − p), ΔI = Δn·l − w tr S, instead of the paper's Δn·l. The two
     /// are the same for orthographic views.
     bool exact_point_light = false;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_tapering.h"
+
+#include <algorithm>
+
+namespace laplacian_lines {
+namespace {
+
+constexpr int kSmoothingPasses = 2;
+
+/// 0 at the threshold, 1 at (1 + fading) times it; 1 where there is no threshold.
+float above(float value, float threshold, float fading) {
+    const float range = threshold * fading;
+    return range > 0 ? std::clamp((value - threshold) / range, 0.f, 1.f) : 1.f;
+}
+
+/// Binomial smoothing along the line, since slopes of neighbouring triangles differ visibly.
+void smooth(const Polyline& line, LinePoint* points, float LinePoint::*value) {
+    const std::uint32_t last = line.count - 1;
+    const float second = points[1].*value;
+    float before = points[line.closed ? last - 1 : 0].*value;
+    for (std::uint32_t i = 0; i <= last; ++i) {
+        const float here = points[i].*value;
+        const float after = i < last ? points[i + 1].*value : line.closed ? second : here;
+        points[i].*value = (before + 2 * here + after) / 4;
+        before = here;
+    }
+}
+
+/// From sums over a point's segments to their means.
+void slopes_to_means(const Polyline& line, LinePoint* points) {
+    const std::uint32_t last = line.count - 1;
+    if (line.closed) {  // the first point and its copy share their two segments
+        points[0].weight += points[last].weight;
+        points[last].weight = points[0].weight;
+    }
+    for (std::uint32_t i = 0; i <= last; ++i)
+        if (line.closed || (i > 0 && i < last)) points[i].weight /= 2;
+}
+
+/// Lets open ends run out over `length`.
+void fade_ends(const Polyline& line, float length, LinePoint* points) {
+    if (line.closed || !(length > 0)) return;
+    const auto fade = [&](LinePoint* from, LinePoint* to, int step) {
+        float distance = 0;
+        Eigen::Vector3f before = from->position;
+        for (LinePoint* p = from; distance < length; p += step) {
+            distance += (p->position - before).norm();
+            before = p->position;
+            p->opacity *= std::min(distance / length, 1.f);
+            if (p == to) return;
+        }
+    };
+    LinePoint* last = points + line.count - 1;
+    fade(points, last, 1);
+    fade(last, points, -1);
+}
+
+}  // namespace
+
+void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points) {
+    if (!rules.use_slope) {
+        for (std::uint32_t i = 0; i < line.count; ++i)
+            points[i].weight = points[i].opacity = 1;
+        return;
+    }
+    slopes_to_means(line, points);
+    // A line that only just passes the tests on whole lines is hardly seen, so that it does not
+    // jump into the picture when the view turns a little further.
+    const float whole = std::min({above(line.slope, rules.line_slope, rules.fading),
+                                  above(line.length, rules.least_length, rules.fading),
+                                  above(line.strength, rules.least_strength, rules.fading)});
+    for (std::uint32_t i = 0; i < line.count; ++i) {
+        LinePoint& p = points[i];
+        p.opacity *= whole * above(p.weight, rules.segment_slope, rules.fading);
+        p.weight = std::clamp((p.weight - rules.segment_slope) / rules.full_slope, 0.f, 1.f);
+    }
+    for (int pass = 0; pass < kSmoothingPasses; ++pass) {
+        smooth(line, points, &LinePoint::weight);
+        smooth(line, points, &LinePoint::opacity);
+    }
+    fade_ends(line, rules.end_length, points);
+}
+
+}  // namespace laplacian_lines
