@@ -14,6 +14,7 @@
 namespace driver {
 namespace {
 
+using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 using laplacian_lines::TriangleMesh;
 using laplacian_lines::View;
@@ -21,6 +22,9 @@ using laplacian_lines::View;
 // In box diagonals. A line this far behind everything around it must be hidden, and one that
 // nothing covers by more than a quarter of it must be seen; in between it may be drawn or not.
 constexpr double kDepthTolerance = 0.01;
+
+// What is fainter than this may leave no pixel that counts as ink.
+constexpr float kLeastOpacity = 0.9f;
 
 // Pixels along the edge of the view where no samples are taken.
 constexpr double kEdge = 3;
@@ -80,16 +84,18 @@ public:
         return View::orthographic(modelview_.row(2).head<3>().dot(d) > 0 ? d : Eigen::Vector3d(-d));
     }
 
-    void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, ProjectedLines& lines) const {
-        const Eigen::Vector4d eye_a = modelview_ * a.homogeneous(),
-                              eye_b = modelview_ * b.homogeneous();
+    void add(const LinePoint& a, const LinePoint& b, ProjectedLines& lines) const {
+        const Eigen::Vector4d eye_a = modelview_ * a.position.cast<double>().homogeneous(),
+                              eye_b = modelview_ * b.position.cast<double>().homogeneous();
+        const bool faint = std::min(a.opacity, b.opacity) < kLeastOpacity;
         const double length = (pixel(eye_a) - pixel(eye_b)).norm();
         const int steps = 1 + int(std::min(length, 4096.) * 2);
         for (int i = 0; i <= steps; ++i) {
             const Eigen::Vector4d p = eye_a + (eye_b - eye_a) * (double(i) / steps);
             const Eigen::Vector2d at = pixel(p);
             if (nearEdge(at.x(), at.y(), width(), height(), kEdge)) continue;
-            lines.samples.push_back({at, sight(p, at)});
+            const Sight seen = sight(p, at);
+            lines.samples.push_back({at, faint && seen == Sight::Visible ? Sight::Unsure : seen});
         }
     }
 
@@ -146,8 +152,7 @@ ProjectedLines probeLayer(const MeshModel& mesh, const ProbeOptions& options) {
     projected.lines = int(lines.lines.size());
     for (const laplacian_lines::Polyline& line : lines.lines)
         for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
-            screen.add(lines.points[i - 1].position.cast<double>(),
-                       lines.points[i].position.cast<double>(), projected);
+            screen.add(lines.points[i - 1], lines.points[i], projected);
     return projected;
 }
 
