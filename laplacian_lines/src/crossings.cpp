@@ -9,18 +9,25 @@
 
 namespace laplacian_lines {
 
+double threshold_factor(double detail) {
+    // Fitted to the number of lines on the Stanford bunny and dragon, igea and the armadillo.
+    const double x = detail / 50 - 1;  // -1..1
+    return std::exp2(x < 0 ? 3.5 * std::pow(-x, 1.6) : -5 * std::pow(x, 1.3));
+}
+
 LineRules laplacian_rules(const LineStyle& s) {
+    const double factor = threshold_factor(s.detail);
     LineRules rules;
     rules.kind = LineKind::Laplacian;
-    rules.least_gradient = float(s.gradient_threshold);
+    rules.least_gradient = float(factor * s.gradient_threshold);
     rules.least_facing = float(s.least_facing);
     rules.reject_phantoms = s.reject_phantoms;
     rules.use_slope = true;
-    rules.segment_slope = float(s.segment_slope);
-    rules.line_slope = float(s.line_slope);
+    rules.segment_slope = float(factor * s.segment_slope);
+    rules.line_slope = float(factor * s.line_slope);
     rules.full_slope = float(s.full_slope);
-    rules.least_strength = float(s.strength_threshold);
-    rules.least_length = float(s.shortest_line);
+    rules.least_strength = float(factor * s.strength_threshold);
+    rules.least_length = float(std::sqrt(factor) * s.shortest_line);
     rules.fading = float(s.fading);
     rules.end_length = float(s.end_length);
     rules.contour_clearance = s.contours ? float(s.contour_clearance) : 0;

@@ -134,6 +134,9 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
 const std::vector<OptionDescription<LineStyle>>& line_style_table() {
     using S = LineStyle;
     static const std::vector<OptionDescription<S>> table = {
+        real<&S::detail>("detail", "Detail", 0, 100,
+                         "More or fewer lines, 0 to 100: moves all thresholds below together. 50 "
+                         "leaves them as they are."),
         boolean<&S::laplacian_lines>("laplacian_lines", "Laplacian Lines",
                                      "Draw the Laplacian lines."),
         boolean<&S::contours>("contours", "Occluding Contours",

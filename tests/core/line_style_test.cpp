@@ -6,48 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "helpers.h"
 #include "laplacian_lines/precompute.h"
+#include "made_up_line.h"
 
 namespace {
 
 using namespace laplacian_lines;
 using helpers::extract;
-
-/// On the square [−1, 1]², seen from +z: ΔI = slope · (x − offset), ∇I = (gradient, 0, 0). The
-/// line x = offset has the length 2 and no end but the borders.
-struct MadeUp {
-    double gradient = -1;  ///< negative: an edge; positive: a phantom
-    double slope = 1;
-    double offset = 0.013;
-    double facing = 1;       ///< n·z
-    double kernel_size = 1;  ///< √h; no smoothing, so h_e = h and the line's slope is slope · √h³
-    double trace = 0;        ///< of S
-
-    static constexpr double kDiagonal = 2.8284271247461903;
-
-    static const TriangleMesh& mesh() { return test_meshes::mesh_named("plane").mesh; }
-
-    LineExtractor extractor() const {
-        Field field = precompute(mesh());
-        for (std::size_t v = 0; v < field.normals.size(); ++v) {
-            field.laplacian_normals[v] = {0, 0, float(slope * (mesh().positions[v].x() - offset))};
-            field.normals[v] = {0, float(std::sqrt(1 - facing * facing)), float(facing)};
-            field.shape_operators[v] = {};
-            field.shape_operators[v].xz = float(gradient);
-            field.shape_operators[v].yy = float(trace);
-            field.kernel_sizes[v] = float(kernel_size);
-        }
-        field.scale.kernel_size = kernel_size;
-        field.scale.normal_sigma = 0;
-        return LineExtractor(mesh(), field);
-    }
-
-    LineSet lines(const LineStyle& style) const {
-        return extract(extractor(), View::orthographic(Eigen::Vector3d::UnitZ()), style);
-    }
-    bool is_drawn(const LineStyle& style) const { return !lines(style).lines.empty(); }
-};
+using helpers::MadeUp;
 
 TEST(MadeUpLine, HasTheMeasuresThatItWasMadeWith) {
     MadeUp made_up;
@@ -257,67 +223,6 @@ TEST(Kinds, ContoursAskOnlyForTheirLength) {
     EXPECT_TRUE(helpers::same_lines(expected, extract(extractor, view, style)));
     style.shortest_contour = 10;
     EXPECT_TRUE(extract(extractor, view, style).lines.empty());
-}
-
-/// A style under which nothing fades.
-LineStyle all_opaque() {
-    LineStyle style = helpers::all_laplacian_lines();
-    style.fading = style.end_length = style.contour_clearance = 0;
-    return style;
-}
-
-float middle_opacity(const LineSet& set) {
-    return set.points.at(set.points.size() / 2).opacity;
-}
-
-TEST(Fading, NothingFadesWithoutIt) {
-    for (const LinePoint& p : MadeUp().lines(all_opaque()).points)
-        EXPECT_EQ(p.opacity, 1);
-}
-
-/// Half-way between the threshold and (1 + fading) times it, a line is half opaque.
-TEST(Fading, RisesAboveTheThresholds) {
-    const MadeUp made_up;
-    const Polyline line = made_up.lines(all_opaque()).lines.at(0);
-    const std::pair<double LineStyle::*, double> thresholds[] = {
-        {&LineStyle::line_slope, line.slope},
-        {&LineStyle::segment_slope, line.slope},
-        {&LineStyle::strength_threshold, line.strength},
-        {&LineStyle::shortest_line, line.length}};
-    for (const auto& [threshold, value] : thresholds) {
-        LineStyle style = all_opaque();
-        style.fading = 0.4;
-        style.*threshold = value / 1.2;
-        EXPECT_NEAR(middle_opacity(made_up.lines(style)), 0.5, 1e-3);
-        style.*threshold = value / 1.5;
-        EXPECT_NEAR(middle_opacity(made_up.lines(style)), 1, 1e-3);
-    }
-}
-
-TEST(Fading, OpenEndsRunOutOverTheGivenLength) {
-    LineStyle style = all_opaque();
-    style.end_length = 0.1;
-    const LineSet set = MadeUp().lines(style);
-    const double end = 1 / MadeUp::kDiagonal;  // local distance of the ends from the middle
-    for (const LinePoint& p : set.points) {
-        const double to_end = end - std::abs(p.position.y()) / MadeUp::kDiagonal;
-        EXPECT_NEAR(p.opacity, std::clamp(to_end / 0.1, 0., 1.), 1e-3);
-    }
-}
-
-/// At I = facing and ‖∇I‖·D = g the contour is estimated at facing²/(2g) D in the picture.
-TEST(Fading, SparesTheNeighbourhoodOfContours) {
-    MadeUp made_up;
-    made_up.facing = 0.2;
-    const double distance = 0.2 * 0.2 / (2 * MadeUp::kDiagonal);
-    LineStyle style = all_opaque();
-    style.contours = true;
-    style.contour_clearance = distance / 0.75;  // half-way from fading to gone
-    EXPECT_NEAR(middle_opacity(made_up.lines(style)), 0.5, 2e-2);
-    style.contour_clearance = 2.1 * distance;
-    EXPECT_EQ(middle_opacity(made_up.lines(style)), 0);
-    style.contours = false;  // nothing is doubled
-    EXPECT_EQ(middle_opacity(made_up.lines(style)), 1);
 }
 
 }  // namespace

@@ -8,6 +8,10 @@ namespace laplacian_lines {
 /// I = s n·l with s = 1/|e − c| for perspective views (c: centre of the box) and l of unit length
 /// for orthographic ones. Names, limits and help texts for user interfaces: option_table.h.
 struct LineStyle {
+    /// 0..100, moves all thresholds on gradient, strength, slope and length together: 50 leaves
+    /// them as they are, 0 keeps hardly a line, 100 nearly all. The number of lines grows about
+    /// evenly with it.
+    double detail = 50;
     /// t, the least ‖∇I‖·D at a crossing (the paper's threshold on the gradient).
     double gradient_threshold = 2.0;
     /// τ, the least strength of a line, Σ (‖∇I‖_i + ‖∇I‖_i+1)/2 · length of the segment (Eq. 4).
@@ -35,6 +39,10 @@ struct LineStyle {
     bool contours = true;             ///< draw the zero crossings of n·l
     double shortest_contour = 0.005;  ///< least length of a contour, in D
 };
+
+/// What the style's detail multiplies thresholds by: 1 at 50, falling. Thresholds on lengths are
+/// multiplied by its square root.
+double threshold_factor(double detail);
 
 /// @throws Error(InvalidOption) naming the first value that is out of range.
 void validate(const LineStyle& style);

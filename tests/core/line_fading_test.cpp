@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How lines fade, and how the detail moves all thresholds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "made_up_line.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using helpers::MadeUp;
+
+/// A style under which nothing fades.
+LineStyle all_opaque() {
+    LineStyle style = helpers::all_laplacian_lines();
+    style.fading = style.end_length = style.contour_clearance = 0;
+    return style;
+}
+
+float middle_opacity(const LineSet& set) {
+    return set.points.at(set.points.size() / 2).opacity;
+}
+
+TEST(Fading, NothingFadesWithoutIt) {
+    for (const LinePoint& p : MadeUp().lines(all_opaque()).points)
+        EXPECT_EQ(p.opacity, 1);
+}
+
+/// Half-way between the threshold and (1 + fading) times it, a line is half opaque.
+TEST(Fading, RisesAboveTheThresholds) {
+    const MadeUp made_up;
+    const Polyline line = made_up.lines(all_opaque()).lines.at(0);
+    const std::pair<double LineStyle::*, double> thresholds[] = {
+        {&LineStyle::line_slope, line.slope},
+        {&LineStyle::segment_slope, line.slope},
+        {&LineStyle::strength_threshold, line.strength},
+        {&LineStyle::shortest_line, line.length}};
+    for (const auto& [threshold, value] : thresholds) {
+        LineStyle style = all_opaque();
+        style.fading = 0.4;
+        style.*threshold = value / 1.2;
+        EXPECT_NEAR(middle_opacity(made_up.lines(style)), 0.5, 1e-3);
+        style.*threshold = value / 1.5;
+        EXPECT_NEAR(middle_opacity(made_up.lines(style)), 1, 1e-3);
+    }
+}
+
+TEST(Fading, OpenEndsRunOutOverTheGivenLength) {
+    LineStyle style = all_opaque();
+    style.end_length = 0.1;
+    const LineSet set = MadeUp().lines(style);
+    const double end = 1 / MadeUp::kDiagonal;  // local distance of the ends from the middle
+    for (const LinePoint& p : set.points) {
+        const double to_end = end - std::abs(p.position.y()) / MadeUp::kDiagonal;
+        EXPECT_NEAR(p.opacity, std::clamp(to_end / 0.1, 0., 1.), 1e-3);
+    }
+}
+
+/// At I = facing and ‖∇I‖·D = g the contour is estimated at facing²/(2g) D in the picture.
+TEST(Fading, SparesTheNeighbourhoodOfContours) {
+    MadeUp made_up;
+    made_up.facing = 0.2;
+    const double distance = 0.2 * 0.2 / (2 * MadeUp::kDiagonal);
+    LineStyle style = all_opaque();
+    style.contours = true;
+    style.contour_clearance = distance / 0.75;  // half-way from fading to gone
+    EXPECT_NEAR(middle_opacity(made_up.lines(style)), 0.5, 2e-2);
+    style.contour_clearance = 2.1 * distance;
+    EXPECT_EQ(middle_opacity(made_up.lines(style)), 0);
+    style.contours = false;  // nothing is doubled
+    EXPECT_EQ(middle_opacity(made_up.lines(style)), 1);
+}
+
+TEST(Detail, LeavesTheThresholdsInTheMiddle) {
+    EXPECT_EQ(threshold_factor(50), 1);
+    for (double detail = 1; detail <= 100; ++detail)
+        EXPECT_LT(threshold_factor(detail), threshold_factor(detail - 1));
+}
+
+TEST(Detail, MovesEachThreshold) {
+    const MadeUp made_up;
+    const Polyline line = made_up.lines(all_opaque()).lines.at(0);
+    const std::pair<double LineStyle::*, double> thresholds[] = {
+        {&LineStyle::gradient_threshold, MadeUp::kDiagonal},
+        {&LineStyle::segment_slope, line.slope},
+        {&LineStyle::line_slope, line.slope},
+        {&LineStyle::strength_threshold, line.strength},
+        {&LineStyle::shortest_line, line.length}};
+    for (const auto& [threshold, value] : thresholds) {
+        LineStyle style = all_opaque();
+        style.*threshold = 1.1 * value;
+        EXPECT_FALSE(made_up.is_drawn(style));
+        style.detail = 70;
+        EXPECT_TRUE(made_up.is_drawn(style));
+        style.*threshold = 0.9 * value;
+        style.detail = 30;
+        EXPECT_FALSE(made_up.is_drawn(style));
+    }
+}
+
+}  // namespace
