@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "decoration_parameters.h"
-#include "meshlab_host/camera.h"
+#include "mean_scale.h"
 #include "meshlab_host/live_meshes.h"
 #include "meshlab_host/log.h"
 
@@ -120,14 +120,27 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
 
     if (chosen.show_statistics) glFinish();  // the mesh's own drawing must not count
     clock.restart();
-    if (!lines_.lines.empty()) surface_renderer_.drawDepth(lines.surface, layer);
-    const std::string failure =
-        renderer_.draw(lines_, chosen.appearance,
-                       {camera.modelview * layer, camera.projection, depth_bias * lines.diagonal});
-    if (!failure.empty()) throw std::runtime_error(failure);
+    drawAll(lines, chosen, camera, layer);
     if (!chosen.show_statistics) return {};
     glFinish();
     return statistics(lines_, extraction, milliseconds(clock));
+}
+
+void DecorateLaplacianLines::drawAll(const PreparedLines& lines, const DecorationParameters& chosen,
+                                     const meshlab_host::CameraMatrices& camera,
+                                     const Eigen::Matrix4d& layer) {
+    const bool has_paint = chosen.surface.style != SurfaceAppearance::AsMeshLabDrawsIt;
+    if (lines_.lines.empty() && !has_paint) return;
+    const Eigen::Matrix4d to_eye = camera.modelview * layer;
+    surface_renderer_.drawDepth(lines.surface, layer);
+    std::string failure;
+    if (has_paint)
+        failure = surface_renderer_.paint(lines.surface, layer, chosen.surface,
+                                          lines.diagonal * meanScale(to_eye));
+    if (failure.empty())
+        failure = renderer_.draw(lines_, chosen.appearance,
+                                 {to_eye, camera.projection, depth_bias * lines.diagonal});
+    if (!failure.empty()) throw std::runtime_error(failure);
 }
 
 void DecorateLaplacianLines::complain(const MeshModel& mesh, const QString& text) {

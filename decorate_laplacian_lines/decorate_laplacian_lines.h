@@ -6,6 +6,7 @@
 #include "laplacian_lines/line_extractor.h"
 #include "line_cache.h"
 #include "line_renderer.h"
+#include "meshlab_host/camera.h"
 #include "meshlab_host/decorate_plugin_base.h"
 #include "surface_renderer.h"
 
@@ -38,6 +39,9 @@ private:
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
                       const RichParameterList& parameters, QPainter* painter);
+    /// The surface, as far as it is wanted, and the extracted lines.
+    void drawAll(const PreparedLines& lines, const DecorationParameters& chosen,
+                 const meshlab_host::CameraMatrices& camera, const Eigen::Matrix4d& layer);
     /// Adds a complaint to the log, but not at every redraw.
     void complain(const MeshModel& mesh, const QString& text);
 

@@ -4,11 +4,13 @@
 #include "laplacian_lines/line_style.h"
 #include "line_renderer.h"
 #include "meshlab_host/meshlab_api.h"
+#include "surface_renderer.h"
 
 /// What the user chose in MeshLab's decoration parameters, which are the same for all views.
 struct DecorationParameters {
     laplacian_lines::LineStyle style;
     LineAppearance appearance;
+    SurfaceAppearance surface;
     bool show_statistics = false;
 };
 

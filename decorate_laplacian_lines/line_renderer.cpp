@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_renderer.h"
 
-#include <Eigen/LU>
-#include <cmath>
-
 #include "gl_state.h"
 #include "instancing.h"
+#include "mean_scale.h"
 
 namespace {
-
-/// Length in eye coordinates of a length in mesh coordinates, the mean over directions if the
-/// layer's transformation scales them differently.
-double meanScale(const Eigen::Matrix4d& to_eye) {
-    return std::cbrt(std::abs(to_eye.topLeftCorner<3, 3>().determinant()));
-}
 
 LineRadii radii(const LineAppearance& appearance) {
     LineRadii result;

@@ -2,8 +2,14 @@
 #include "surface_renderer.h"
 
 #include "gl_state.h"
+#include "shader_program.h"
+#include "surface_shaders.h"
 
 namespace {
+
+/// How far paint may come before the surface to cover MeshLab's wires and points, in diagonals.
+constexpr double least_move = 0.0005;
+constexpr double greatest_move = 0.03;
 
 /// Fills a new buffer and leaves it bound.
 template <class T>
@@ -30,6 +36,10 @@ void freeExpired(Map& buffers) {
 
 const void* offset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);
+}
+
+void setColor(GLint location, const QColor& color) {
+    glUniform4f(location, float(color.redF()), float(color.greenF()), float(color.blueF()), 1);
 }
 
 }  // namespace
@@ -77,4 +87,36 @@ void SurfaceRenderer::drawDepth(const SurfacePointer& surface, const Eigen::Matr
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1, 1);
     drawFaces(surface, layer);
+}
+
+void SurfaceRenderer::build(Program& program) {
+    if (!GLEW_VERSION_2_0) {
+        program.failure = "shaders (OpenGL 2.0) are not available";
+        return;
+    }
+    program.id =
+        buildShaderProgram(surface_vertex_shader, surface_fragment_shader, {}, program.failure);
+    if (!program.id) return;
+    program.paper = glGetUniformLocation(program.id, "paper");
+    program.shade = glGetUniformLocation(program.id, "shade");
+    program.tones = glGetUniformLocation(program.id, "tones");
+    program.nearer = glGetUniformLocation(program.id, "nearer");
+}
+
+std::string SurfaceRenderer::paint(const SurfacePointer& surface, const Eigen::Matrix4d& layer,
+                                   const SurfaceAppearance& appearance, double diagonal) {
+    Program& program = objectsOfCurrentGroup().program;
+    if (!program.id && program.failure.empty()) build(program);
+    if (!program.id) return "The surface cannot be painted: " + program.failure;
+
+    const LineGlState state;
+    glDisable(GL_BLEND);
+    glUseProgram(program.id);
+    setColor(program.paper, appearance.paper);
+    setColor(program.shade, appearance.shade);
+    const bool is_toon = appearance.style == SurfaceAppearance::Toon;
+    glUniform1f(program.tones, is_toon ? float(appearance.tones) : 1);
+    glUniform2f(program.nearer, float(least_move * diagonal), float(greatest_move * diagonal));
+    drawFaces(surface, layer);
+    return {};
 }
