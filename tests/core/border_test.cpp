@@ -116,4 +116,20 @@ TEST(ThinWalls, SmoothingTakesNoNormalsFromTheOppositeSheet) {
                   1e-6);
 }
 
+/// The two sides of a shell: spheres of radius 1 facing out and 0.97 facing in.
+TEST(ThinWalls, LeastSquaresTakeNoNormalsFromTheOppositeSheet) {
+    const test_meshes::AnalyticMesh outer = test_meshes::sphere(4);
+    TriangleMesh shell = outer.mesh, inner = outer.mesh;
+    for (Eigen::Vector3d& p : inner.positions)
+        p *= 0.97;
+    for (Triangle& t : inner.triangles)
+        std::swap(t[1], t[2]);
+    test_meshes::append(shell, inner);
+    PrecomputeOptions options;
+    options.gradient_estimator = GradientEstimator::LeastSquares;
+    EXPECT_LT(helpers::shape_error(precompute(shell, options), outer.truth), 0.02);
+    options.skip_opposite_sheet = false;
+    EXPECT_GT(helpers::shape_error(precompute(shell, options), outer.truth), 0.2);
+}
+
 }  // namespace

@@ -245,4 +245,49 @@ TEST(Views, DoNotChangeWithTheScaleOfTheHomogeneousEye) {
     EXPECT_TRUE(helpers::same_lines(far, extract(extractor, View{8 * kTorusEye, 0}, {})));
 }
 
+// ---- made-up fields on the square [−1, 1]², seen from +z ----
+
+/// ΔI = f(x, y), ∇I = (1, 0, 0); the kernel size is 0.5 everywhere.
+LineSet lines_of(const Field& scales, const std::function<double(double x, double y)>& f,
+                 const LineStyle& style) {
+    const TriangleMesh square = test_meshes::plane(60);
+    Field field = precompute(square);
+    field.scale = scales.scale;
+    for (std::size_t v = 0; v < field.normals.size(); ++v) {
+        const Eigen::Vector3d& p = square.positions[v];
+        field.laplacian_normals[v] = {0, 0, float(f(p.x(), p.y()))};
+        field.shape_operators[v] = {};
+        field.shape_operators[v].xz = 1;
+        field.kernel_sizes[v] = 0.5f;
+    }
+    return extract(LineExtractor(square, field), View::orthographic(Eigen::Vector3d::UnitZ()),
+                   style);
+}
+
+/// Where an adaptive kernel is half as large as elsewhere, normals were smoothed half as far:
+/// slope = ‖∇ΔI‖ (h + σ²/2)^1.5 with both at that place.
+TEST(Slope, FollowsTheAdaptiveKernelAndItsSmoothing) {
+    Field scales;
+    scales.scale = {std::sqrt(8.0), 0.1, 1.0, 0.8};  // √h = 1 and σ = 0.8, before adaptation
+    const LineSet set = lines_of(
+        scales, [](double x, double) { return 3 * (x - 0.01); }, helpers::all_laplacian_lines());
+    ASSERT_EQ(set.lines.size(), 1u);
+    EXPECT_NEAR(set.lines[0].slope, 3 * std::pow(0.25 + 0.16 / 2, 1.5), 1e-3);
+}
+
+/// The point at which a closed line starts is like all others.
+TEST(ClosedLines, HaveTheSameWeightAllRound) {
+    Field scales;
+    scales.scale = {std::sqrt(8.0), 0.1, 0.5, 0};
+    LineStyle style = helpers::all_laplacian_lines();
+    style.full_slope = 0.25;  // twice the slope of the circle, which is 0.5³
+    const LineSet set = lines_of(
+        scales, [](double x, double y) { return std::hypot(x, y) - 0.61; }, style);
+    ASSERT_EQ(set.lines.size(), 1u);
+    EXPECT_TRUE(set.lines[0].closed);
+    EXPECT_NEAR(set.lines[0].length * std::sqrt(8.0), 2 * kPi * 0.61, 0.01);
+    for (const LinePoint& p : set.points)
+        EXPECT_NEAR(p.weight, 0.5, 0.01);
+}
+
 }  // namespace
