@@ -53,26 +53,26 @@ void evaluate(const LinearForms& forms, const LocalEye& eye, LineFunction functi
 
 }  // namespace
 
-void evaluate_vertices(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
+void evaluate_vertices(const ExtractorData& data, const LocalView& view, const LineStyle& style,
                        VertexValues& vertices) {
     std::vector<VertexValue>& values = vertices.values;
     values.resize(data.vertices.size());
-    evaluate(data.normals, eye, &VertexValue::illumination, values);
-    evaluate(data.laplacians, eye, &VertexValue::laplacian, values);
+    evaluate(data.normals, view.eye, &VertexValue::facing, values);
+    evaluate(data.laplacians, view.light, &VertexValue::laplacian, values);
     if (style.exact_point_light)  // the cross term that the paper's derivation loses
         for (std::size_t i = 0; i < values.size(); ++i)
-            values[i].laplacian -= eye.w * data.vertices[i].shape_operator.trace();
+            values[i].laplacian -= view.light.w * data.vertices[i].shape_operator.trace();
     // Local points are within 1/2 of the centre, so |l| is within w/2 of |e|; a bound that
     // needs no |l| and never refuses too much.
     const float least_facing = float(style.least_facing);
+    const LocalEye& eye = view.eye;
     const float length = eye.eye.norm() + (least_facing < 0 ? eye.w : -eye.w) / 2;
-    const float least_illumination = least_facing * std::max(length, 0.f);
+    const float least_scaled_facing = least_facing * std::max(length, 0.f);
     vertices.signs.resize(values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
-        vertices.signs[i] =
-            std::uint8_t((values[i].laplacian < 0 ? kNegativeLaplacian : 0) |
-                         (values[i].illumination < 0 ? kNegativeIllumination : 0) |
-                         (values[i].illumination < least_illumination ? kFacesAway : 0));
+        vertices.signs[i] = std::uint8_t((values[i].laplacian < 0 ? kNegativeLaplacian : 0) |
+                                         (values[i].facing < 0 ? kNegativeFacing : 0) |
+                                         (values[i].facing < least_scaled_facing ? kFacesAway : 0));
 }
 
 void find_mixed_triangles(const ExtractorData& data, const VertexValues& values,
@@ -84,10 +84,10 @@ void find_mixed_triangles(const ExtractorData& data, const VertexValues& values,
         const Triangle& t = data.triangles[i];
         const unsigned a = signs[t[0]], b = signs[t[1]], c = signs[t[2]];
         const unsigned differing = (a ^ b) | (a ^ c);
-        if (!(differing & (kNegativeLaplacian | kNegativeIllumination))) continue;
+        if (!(differing & (kNegativeLaplacian | kNegativeFacing))) continue;
         if ((differing & kNegativeLaplacian) && !(a & b & c & kFacesAway))
             mixed.laplacian.push_back({i, t});
-        if (differing & kNegativeIllumination) mixed.contour.push_back({i, t});
+        if (differing & kNegativeFacing) mixed.contour.push_back({i, t});
     }
 }
 
@@ -97,10 +97,10 @@ constexpr std::size_t kPrefetchDistance = 12;  // triangles; half a microsecond 
 
 class SegmentFinder {
 public:
-    SegmentFinder(const ExtractorData& data, const LocalEye& eye, const LineRules& rules,
+    SegmentFinder(const ExtractorData& data, const LocalView& view, const LineRules& rules,
                   const VertexValues& values, LineFunction function, CrossingGraph& graph)
         : data_(data),
-          eye_(eye),
+          view_(view),
           rules_(rules),
           values_(values.values),
           function_(function),
@@ -145,12 +145,10 @@ private:
         Eigen::Vector3f gradient;  // ∇I
     };
 
-    Eigen::Vector3f light(const Eigen::Vector3f& p) const { return eye_.eye - eye_.w * p; }
-
     Corner corner(std::uint32_t v) const {
         const VertexRecord& record = data_.vertices[v];
         return {v, values_[v].*function_, record,
-                record.shape_operator * light(record.position)};  // ∇I = S l
+                record.shape_operator * view_.light.towards(record.position)};  // ∇I = S l
     }
 
     std::uint32_t crossing(std::uint32_t edge, const Corner& from, const Corner& to) {
@@ -172,19 +170,18 @@ private:
         c.edge = edge;
         c.position = (1 - t) * a.record.position + t * b.record.position;
         c.gradient = ((1 - t) * a.gradient + t * b.gradient).norm();
-        const float illumination =
-            (1 - t) * values_[a.vertex].illumination + t * values_[b.vertex].illumination;
+        const float facing = (1 - t) * values_[a.vertex].facing + t * values_[b.vertex].facing;
         c.accepted = c.gradient >= rules_.least_gradient &&
-                     illumination >= rules_.least_facing * light(c.position).norm();
-        c.opacity = clearance_opacity(illumination, c.gradient);
+                     facing >= rules_.least_facing * view_.eye.towards(c.position).norm();
+        c.opacity = clearance_opacity(facing, c.gradient);
         return c;
     }
 
     /// Fades crossings that would double a contour. To first order the contour is I/‖∇I‖ away on
     /// the surface, which is seen at half the crossing's cosine on the way there.
-    float clearance_opacity(float illumination, float gradient) const {
+    float clearance_opacity(float facing, float gradient) const {
         if (!(rules_.contour_clearance > 0)) return 1;
-        const float distance = illumination * std::abs(illumination) / (2 * gradient);
+        const float distance = facing * std::abs(facing) / (2 * gradient);
         return std::clamp(2 * distance / rules_.contour_clearance - 1, 0.f, 1.f);
     }
 
@@ -205,7 +202,7 @@ private:
     }
 
     const ExtractorData& data_;
-    const LocalEye& eye_;
+    const LocalView& view_;
     const LineRules& rules_;
     const std::vector<VertexValue>& values_;
     const LineFunction function_;
@@ -214,7 +211,7 @@ private:
 
 }  // namespace
 
-void find_segments(const ExtractorData& data, const LocalEye& eye, const LineRules& rules,
+void find_segments(const ExtractorData& data, const LocalView& view, const LineRules& rules,
                    const VertexValues& values, LineFunction function,
                    const std::vector<MixedTriangle>& triangles, CrossingGraph& graph) {
     if (graph.in_use || graph.crossing_of_edge.size() != data.edge_count)
@@ -222,7 +219,7 @@ void find_segments(const ExtractorData& data, const LocalEye& eye, const LineRul
     graph.crossings.clear();
     graph.segments.clear();
     graph.in_use = true;
-    SegmentFinder finder(data, eye, rules, values, function, graph);
+    SegmentFinder finder(data, view, rules, values, function, graph);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (i + 2 * kPrefetchDistance < triangles.size()) {
             finder.prefetch_edges(triangles[i + 2 * kPrefetchDistance]);

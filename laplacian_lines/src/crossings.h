@@ -12,10 +12,17 @@
 
 namespace laplacian_lines {
 
-/// The eye in local coordinates, scaled so that I = n·(eye − w p) is about in [−1, 1].
+/// A homogeneous point in local coordinates, scaled so that n·(eye − w p) is about in [−1, 1].
 struct LocalEye {
     Eigen::Vector3f eye;
     float w;
+
+    Eigen::Vector3f towards(const Eigen::Vector3f& p) const { return eye - w * p; }
+};
+
+/// Where the eye and the light are; mostly the same.
+struct LocalView {
+    LocalEye eye, light;
 };
 
 /// What decides which zero crossings of a per-vertex function become lines, one for each kind.
@@ -41,8 +48,8 @@ LineRules contour_rules(const LineStyle& style);
 
 /// The functions whose zeros are lines, at a vertex; together, since both are read near lines.
 struct VertexValue {
-    float laplacian;     ///< ΔI
-    float illumination;  ///< I
+    float laplacian;  ///< ΔI
+    float facing;     ///< n·(eye − w p), zero on contours; I itself with the light at the eye
 };
 using LineFunction = float VertexValue::*;
 
@@ -51,9 +58,9 @@ struct VertexValues {
     std::vector<std::uint8_t> signs;  ///< bits of SignBit
 };
 
-enum SignBit : std::uint8_t { kNegativeLaplacian = 1, kNegativeIllumination = 2, kFacesAway = 4 };
+enum SignBit : std::uint8_t { kNegativeLaplacian = 1, kNegativeFacing = 2, kFacesAway = 4 };
 
-void evaluate_vertices(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
+void evaluate_vertices(const ExtractorData& data, const LocalView& view, const LineStyle& style,
                        VertexValues& values);
 
 /// A triangle whose corners do not all have the same sign, with its corners, so that they need not
@@ -65,7 +72,7 @@ struct MixedTriangle {
 
 struct MixedTriangles {
     std::vector<MixedTriangle> laplacian;  ///< of ΔI, not counting those that face away
-    std::vector<MixedTriangle> contour;    ///< of I
+    std::vector<MixedTriangle> contour;    ///< of the facing
 };
 
 void find_mixed_triangles(const ExtractorData& data, const VertexValues& values,
@@ -99,7 +106,7 @@ struct CrossingGraph {
 
 /// Replaces the graph by the segments in the given triangles that pass the rules of single
 /// crossings and segments. `function` is the one whose zeros are looked for.
-void find_segments(const ExtractorData& data, const LocalEye& eye, const LineRules& rules,
+void find_segments(const ExtractorData& data, const LocalView& view, const LineRules& rules,
                    const VertexValues& values, LineFunction function,
                    const std::vector<MixedTriangle>& triangles, CrossingGraph& graph);
 

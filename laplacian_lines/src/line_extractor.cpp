@@ -42,16 +42,29 @@ namespace {
 // An eye this close to the centre, in D, is inside the object, where no scale makes sense.
 constexpr double kLeastEyeDistance = 0.01;
 
-/// To local coordinates, times s = 1/|e − c| (perspective) or to unit length (orthographic).
-LocalEye to_local(const View& view, const ExtractorData& data) {
-    const Eigen::Vector3d eye =
-        view.w == 0 ? view.eye : Eigen::Vector3d((view.eye / view.w - data.centre) / data.diagonal);
-    const double distance = eye.stableNorm();
-    if (!std::isfinite(view.w) || !std::isfinite(distance) || (view.w == 0 && distance == 0))
-        throw Error(ErrorCode::InvalidOption, "The view has no finite eye or direction.");
-    if (view.w == 0) return {(eye / distance).cast<float>(), 0.f};
-    const double scale = 1 / std::max(distance, kLeastEyeDistance);
-    return {(eye * scale).cast<float>(), float(scale)};
+LocalEye direction_to_local(const Eigen::Vector3d& direction, const char* complaint) {
+    const double length = direction.stableNorm();
+    if (!std::isfinite(length) || length == 0) throw Error(ErrorCode::InvalidOption, complaint);
+    return {(direction / length).cast<float>(), 0.f};
+}
+
+/// To local coordinates, times s = 1/|e − c| (perspective) or to unit length (directions).
+LocalView to_local(const View& view, const ExtractorData& data) {
+    constexpr const char* complaint = "The view has no finite eye or direction.";
+    LocalView local;
+    if (view.w == 0) {
+        local.eye = direction_to_local(view.eye, complaint);
+    } else {
+        const Eigen::Vector3d eye = (view.eye / view.w - data.centre) / data.diagonal;
+        const double distance = eye.stableNorm();
+        if (!std::isfinite(view.w) || !std::isfinite(distance))
+            throw Error(ErrorCode::InvalidOption, complaint);
+        const double scale = 1 / std::max(distance, kLeastEyeDistance);
+        local.eye = {(eye * scale).cast<float>(), float(scale)};
+    }
+    local.light = view.light ? direction_to_local(*view.light, "The light has no finite direction.")
+                             : local.eye;
+    return local;
 }
 
 }  // namespace
@@ -59,20 +72,22 @@ LocalEye to_local(const View& view, const ExtractorData& data) {
 void LineExtractor::extract(const View& view, const LineStyle& style, ExtractionScratch& scratch,
                             LineSet& lines) const {
     validate(style);
-    const LocalEye eye = to_local(view, *data_);
+    const LocalView local = to_local(view, *data_);
     lines.clear();
     ExtractionScratch::Memory& memory = *scratch.memory_;
-    evaluate_vertices(*data_, eye, style, memory.values);
+    evaluate_vertices(*data_, local, style, memory.values);
     find_mixed_triangles(*data_, memory.values, memory.mixed);
     const auto extract_kind = [&](const LineRules& rules, LineFunction function,
                                   const std::vector<MixedTriangle>& triangles) {
-        find_segments(*data_, eye, rules, memory.values, function, triangles, memory.graph);
+        find_segments(*data_, local, rules, memory.values, function, triangles, memory.graph);
         trace_polylines(*data_, rules, memory.graph, memory.tracing, lines);
     };
+    LineRules rules = laplacian_rules(style);
+    if (view.light) rules.contour_clearance = 0;  // lines of another light follow no contours
     if (style.laplacian_lines)
-        extract_kind(laplacian_rules(style), &VertexValue::laplacian, memory.mixed.laplacian);
+        extract_kind(rules, &VertexValue::laplacian, memory.mixed.laplacian);
     if (style.contours)
-        extract_kind(contour_rules(style), &VertexValue::illumination, memory.mixed.contour);
+        extract_kind(contour_rules(style), &VertexValue::facing, memory.mixed.contour);
 }
 
 }  // namespace laplacian_lines

@@ -99,7 +99,9 @@ TEST(InvalidOption, ViewsWithoutAFiniteEye) {
     for (const View& view :
          {View::orthographic(Eigen::Vector3d::Zero()), View::perspective({0, kNaN, 0}),
           View::perspective({kInfinity, 0, 0}), View::orthographic({0, 0, kInfinity}),
-          View{{1, 0, 0}, kNaN}, View{{1, 0, 0}, kInfinity}})
+          View{{1, 0, 0}, kNaN}, View{{1, 0, 0}, kInfinity},
+          View{{1, 0, 0}, 1, Eigen::Vector3d(0, 0, 0)},
+          View{{1, 0, 0}, 1, Eigen::Vector3d(0, kNaN, 1)}})
         expect_error(ErrorCode::InvalidOption,
                      [&] { helpers::extract(extractor, view, LineStyle()); });
 }

@@ -30,7 +30,8 @@ struct LineStyle {
     double fading = 0.4;
     double end_length = 0.01;  ///< length over which open ends of lines fade, in D
     /// Laplacian lines within this distance of a contour, in D on the picture, fade out, since they
-    /// only double it; from half the distance on nothing is left. Only if contours are drawn.
+    /// only double it; from half the distance on nothing is left. Only if contours are drawn and
+    /// the light is at the eye.
     double contour_clearance = 0.001;
     /// Use the Laplacian of n·(e − p), ΔI = Δn·l − w tr S, instead of the paper's Δn·l. The two
     /// are the same for orthographic views.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 namespace laplacian_lines {
 
@@ -11,6 +12,9 @@ namespace laplacian_lines {
 struct View {
     Eigen::Vector3d eye = Eigen::Vector3d::UnitZ();
     double w = 0;
+    /// Towards a directional light, in mesh coordinates, any length. Without one the light sits at
+    /// the eye. Only Laplacian lines change: they are then the zeros of Δn·d, which is exact.
+    std::optional<Eigen::Vector3d> light = std::nullopt;
 
     /// A camera at the given position.
     static View perspective(const Eigen::Vector3d& position) { return {position, 1}; }
