@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// line_stability MESH...: how much the lines flicker while the view turns. For each degree of an
-// orbit around the vertical axis, the length of line that appears or vanishes: that has no line of
-// the other view within 0.5 % of D, weighted with its opacity. In D per degree, mean of 90 degrees.
+// line_stability MESH...: how much the lines flicker while the view turns, with the default style
+// and with one that cuts hard instead of fading. For each degree of an orbit around the vertical
+// axis, the length of line that appears or vanishes: that has no line of the other view within 0.5
+// % of D, weighted with its opacity. In D per degree, mean of 90 degrees.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
 #include <unordered_set>
+#include <utility>
 
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
@@ -27,7 +29,8 @@ public:
             const Eigen::Vector3i c = cell_of(p.position);
             for (int x = -1; x <= 1; ++x)
                 for (int y = -1; y <= 1; ++y)
-                    for (int z = -1; z <= 1; ++z) cells_.insert(key(c + Eigen::Vector3i(x, y, z)));
+                    for (int z = -1; z <= 1; ++z)
+                        cells_.insert(key(c + Eigen::Vector3i(x, y, z)));
         }
     }
     bool has(const Eigen::Vector3f& p) const { return cells_.count(key(cell_of(p))) > 0; }
@@ -55,8 +58,7 @@ Length measure(const LineSet& lines, const Neighbourhood& others) {
         if (line.kind != LineKind::Laplacian) continue;
         for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i) {
             const LinePoint &a = lines.points[i - 1], &b = lines.points[i];
-            const double ink =
-                (b.position - a.position).norm() * (a.opacity + b.opacity) / 2.0;
+            const double ink = (b.position - a.position).norm() * (a.opacity + b.opacity) / 2.0;
             length.all += ink;
             if (!others.has(b.position)) length.alone += ink;
         }
@@ -64,35 +66,45 @@ Length measure(const LineSet& lines, const Neighbourhood& others) {
     return length;
 }
 
+/// Mean over the orbit of the length that is shown, and that changes with each degree; in D.
+Length measure_orbit(const LineExtractor& extractor, const Eigen::Vector3d& centre, double d,
+                     const LineStyle& style) {
+    ExtractionScratch scratch;
+    LineSet lines[2];
+    Length mean;
+    for (int degree = kFirstDegree; degree <= kLastDegree; ++degree) {
+        LineSet &before = lines[(degree + 1) & 1], &now = lines[degree & 1];
+        const Eigen::Vector3d offset(std::sin(degree * kDegree), 0.2, std::cos(degree * kDegree));
+        extractor.extract(View::perspective(centre + kDistance * d * offset), style, scratch, now);
+        if (degree == kFirstDegree) continue;
+        const Length appeared = measure(now, Neighbourhood(before, kReach * d));
+        const Length vanished = measure(before, Neighbourhood(now, kReach * d));
+        mean.all += appeared.all / d / (kLastDegree - kFirstDegree);
+        mean.alone += (appeared.alone + vanished.alone) / d / (kLastDegree - kFirstDegree);
+    }
+    return mean;
+}
+
 void measure_mesh(const char* file) {
     const TriangleMesh mesh = test_meshes::read_mesh(file);
     const Field field = precompute(mesh);
     const LineExtractor extractor(mesh, field);
-    const double d = field.scale.diagonal;
     Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : mesh.positions) box.extend(p);
-    ExtractionScratch scratch;
-    LineSet lines[2];
-    double shown = 0, changed = 0;
-    for (int degree = kFirstDegree; degree <= kLastDegree; ++degree) {
-        LineSet &before = lines[(degree + 1) & 1], &now = lines[degree & 1];
-        const Eigen::Vector3d offset(std::sin(degree * kDegree), 0.2, std::cos(degree * kDegree));
-        extractor.extract(View::perspective(box.center() + kDistance * d * offset), LineStyle(),
-                          scratch, now);
-        if (degree == kFirstDegree) continue;
-        const Length appeared = measure(now, Neighbourhood(before, kReach * d));
-        const Length vanished = measure(before, Neighbourhood(now, kReach * d));
-        shown += appeared.all / d;
-        changed += (appeared.alone + vanished.alone) / d;
+    for (const Eigen::Vector3d& p : mesh.positions)
+        box.extend(p);
+    LineStyle hard;
+    hard.fading = hard.end_length = hard.contour_clearance = 0;
+    for (const auto& [name, style] : {std::pair{"hard cut", hard}, {"default", LineStyle()}}) {
+        const Length mean = measure_orbit(extractor, box.center(), field.scale.diagonal, style);
+        std::printf("%s, %s: %.2f D of Laplacian lines, %.4f D appear or vanish per degree\n", file,
+                    name, mean.all, mean.alone);
     }
-    const int steps = kLastDegree - kFirstDegree;
-    std::printf("%s: %.2f D of Laplacian lines, %.4f D appear or vanish per degree (%.2f %%)\n",
-                file, shown / steps, changed / steps, 100 * changed / shown);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) measure_mesh(argv[i]);
+    for (int i = 1; i < argc; ++i)
+        measure_mesh(argv[i]);
     return argc > 1 ? 0 : 2;
 }
