@@ -11,6 +11,8 @@ QString key(const char* name) {
 }
 
 constexpr const char* color_name = "line_color";
+constexpr const char* contour_color_name = "contour_color";
+constexpr const char* hidden_name = "hidden_lines";
 constexpr const char* width_name = "line_width";
 constexpr const char* contour_name = "contour_width_factor";
 constexpr const char* surface_name = "surface";
@@ -50,12 +52,19 @@ SurfaceAppearance readSurfaceAppearance(const RichParameterList& list) {
 
 void listDecorationParameters(RichParameterList& list) {
     const LineAppearance look;
-    list.addParam(RichColor(key(color_name), look.color, "Line Color", "Color of all lines."));
+    list.addParam(
+        RichColor(key(color_name), look.color, "Line Color", "Color of Laplacian lines."));
+    list.addParam(RichColor(key(contour_color_name), look.contour_color, "Contour Color",
+                            "Color of occluding contours, which go around the form."));
     list.addParam(RichFloat(key(width_name), float(look.width), "Line Width",
                             "Width in pixels of a Laplacian line at its strongest; lines taper "
                             "where they fade out."));
     list.addParam(RichFloat(key(contour_name), float(look.contour_factor), "Contour Width Factor",
                             "Width of occluding contours, in widths of Laplacian lines."));
+    list.addParam(RichEnum(key(hidden_name), int(look.hidden), {"Left Out", "Faint", "Dashed"},
+                           "Hidden Lines",
+                           "What is drawn of lines that the surface hides: nothing, faint lines, "
+                           "or dashes."));
     listSurfaceParameters(list);
     meshlab_host::addParameters(laplacian_lines::line_style_table(), laplacian_lines::LineStyle(),
                                 0, key(""), list);
@@ -68,6 +77,10 @@ DecorationParameters readDecorationParameters(const RichParameterList& list) {
     DecorationParameters result;
     LineAppearance& look = result.appearance;
     look.color = meshlab_host::readColor(key(color_name), look.color, list);
+    look.contour_color = meshlab_host::readColor(key(contour_color_name), look.contour_color, list);
+    look.hidden = HiddenLines(meshlab_host::readClamped(key(hidden_name), int(look.hidden),
+                                                        int(HiddenLines::LeftOut),
+                                                        int(HiddenLines::Dashed), list));
     look.width = meshlab_host::readClamped(key(width_name), look.width, 0.1, 64, list);
     look.contour_factor =
         meshlab_host::readClamped(key(contour_name), look.contour_factor, 0, 16, list);
@@ -75,5 +88,7 @@ DecorationParameters readDecorationParameters(const RichParameterList& list) {
     result.show_statistics =
         meshlab_host::readSwitch(key(statistics_name), result.show_statistics, list);
     result.style = meshlab_host::readOptions(laplacian_lines::line_style_table(), key(""), list);
+    // contours without width must not push other lines aside
+    if (look.contour_factor == 0) result.style.contours = false;
     return result;
 }

@@ -6,13 +6,17 @@
 
 LineProgram buildLineProgram() {
     LineProgram program;
-    program.id = buildShaderProgram(line_vertex_shader, line_fragment_shader,
-                                    {"corner", "before", "start", "end", "after"}, program.failure);
+    program.id = buildShaderProgram(
+        line_vertex_shader, line_fragment_shader,
+        {"corner", "before", "start", "end", "after", "start_look", "end_look"}, program.failure);
     if (!program.id) return program;
     program.to_eye = glGetUniformLocation(program.id, "to_eye");
     program.projection = glGetUniformLocation(program.id, "projection");
     program.half_viewport = glGetUniformLocation(program.id, "half_viewport");
     program.depth_bias = glGetUniformLocation(program.id, "depth_bias");
+    program.contour_share = glGetUniformLocation(program.id, "contour_share");
     program.color = glGetUniformLocation(program.id, "color");
+    program.contour_color = glGetUniformLocation(program.id, "contour_color");
+    program.dash = glGetUniformLocation(program.id, "dash");
     return program;
 }

@@ -9,14 +9,25 @@
 struct LineProgram {
     /// Attribute locations. Corner comes first because some drivers want the attribute at location
     /// 0 to advance with every vertex; the others advance with every segment.
-    enum Attribute : GLuint { Corner = 0, Before = 1, Start = 2, End = 3, After = 4 };
+    enum Attribute : GLuint {
+        Corner = 0,
+        Before = 1,
+        Start = 2,
+        End = 3,
+        After = 4,
+        StartLook = 5,
+        EndLook = 6
+    };
 
     GLuint id = 0;             ///< 0: could not be built
     GLint to_eye = -1;         ///< mat4, mesh to eye coordinates
     GLint projection = -1;     ///< mat4
     GLint half_viewport = -1;  ///< vec2, pixels
     GLint depth_bias = -1;     ///< float, length in eye coordinates, see line_shaders.cpp
+    GLint contour_share = -1;  ///< float, of the width of contours
     GLint color = -1;          ///< vec4
+    GLint contour_color = -1;  ///< vec4
+    GLint dash = -1;           ///< vec2, pixels: length of a dash and of a dash with its gap; or 0
     std::string failure;       ///< the compiler's words if id is 0
 };
 

@@ -13,9 +13,14 @@
 #include "line_stream.h"
 #include "share_group.h"
 
+/// What is drawn of the parts of lines that the surface hides.
+enum class HiddenLines { LeftOut, Faint, Dashed };
+
 /// How lines look.
 struct LineAppearance {
-    QColor color = Qt::black;
+    QColor color = Qt::black;          ///< of Laplacian lines
+    QColor contour_color = Qt::black;  ///< of occluding contours
+    HiddenLines hidden = HiddenLines::LeftOut;
     double width = 1.6;           ///< pixels of the viewport, of a Laplacian line of full weight
     double contour_factor = 1.3;  ///< width of contours in Laplacian line widths
 };
@@ -46,7 +51,10 @@ private:
     };
 
     GroupObjects& objectsOfCurrentGroup();
-    void drawStream(const GroupObjects& objects);
+    void bindStream(const GroupObjects& objects);
+    void drawHidden(const LineProgram& program, const LineAppearance& appearance,
+                    const LinePlacement& placement);
+    void drawSegments();
 
     std::map<ShareGroup, GroupObjects> groups_;
     std::vector<StreamPoint> stream_;

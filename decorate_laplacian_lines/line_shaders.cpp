@@ -14,13 +14,19 @@ attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark
 attribute vec4 start;
 attribute vec4 end;
 attribute vec4 after;
+attribute vec3 start_look;  // opacity, 1 on contours, pixels from the start of the line
+attribute vec3 end_look;
 uniform mat4 to_eye;
 uniform mat4 projection;
 uniform vec2 half_viewport;
 uniform float depth_bias;
+uniform float contour_share;  // of the width of contours
 varying vec2 place;  // pixels along and across, from the start of the segment
 varying vec3 shape;  // length, radius at the start, radius at the end; pixels
 varying vec4 cuts;   // normals of the cuts at the start and at the end; zero: a round end
+varying vec2 starts;  // at the start of the segment: opacity, pixels from the start of the line
+varying vec2 ends;
+varying float contour;
 
 const float nothing_here = -1.5;  // marks below this one still have a position
 
@@ -71,6 +77,9 @@ void main()
     place = vec2(0.0);
     shape = vec3(0.0);
     cuts = vec4(0.0);
+    starts = start_look.xz;
+    ends = end_look.xz;
+    contour = start_look.y;
     if (start.w < 0.0 || end.w < 0.0)
         return;
     vec4 a = toEye(start);
@@ -99,9 +108,10 @@ void main()
     if (isPoint(after) && b_front > 0.0 && beforeNear(n) > 0.0)
         end_cut = cutBetween(direction, toScreen(n) - screen_b);
 
-    float reach = max(start.w, end.w) + 1.0;
+    vec2 radii = vec2(start.w, end.w) * mix(1.0, contour_share, start_look.y);
+    float reach = max(radii.x, radii.y) + 1.0;
     place = vec2(corner.x * pixels + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
-    shape = vec3(pixels, start.w, end.w);
+    shape = vec3(pixels, radii);
     cuts = vec4(dot(start_cut, direction), dot(start_cut, across),
                 dot(end_cut, direction), dot(end_cut, across));
     vec2 screen = screen_a + direction * place.x + across * place.y;
@@ -113,9 +123,24 @@ void main()
 
 const char* const line_fragment_shader = R"(#version 120
 uniform vec4 color;
+uniform vec4 contour_color;
+uniform vec2 dash;  // lengths of a dash and of a dash with its gap; zero: no gaps
 varying vec2 place;
 varying vec3 shape;
 varying vec4 cuts;
+varying vec2 starts;
+varying vec2 ends;
+varying float contour;
+
+// Share of a pixel at this distance from the start of the line that a dash covers.
+float dashCoverage(float pixels)
+{
+    if (dash.y <= 0.0)
+        return 1.0;
+    float from_middle = abs(mod(pixels, dash.y) - 0.5 * dash.x);
+    from_middle = min(from_middle, dash.y - from_middle);
+    return clamp(0.5 * dash.x - from_middle + 0.5, 0.0, 1.0);
+}
 
 void main()
 {
@@ -123,12 +148,16 @@ void main()
     if (dot(place, cuts.xy) < 0.0 || dot(from_end, cuts.zw) > 0.0)
         discard;
     float along = clamp(place.x, 0.0, shape.x);
-    float radius = mix(shape.y, shape.z, shape.x > 0.0 ? along / shape.x : 0.0);
+    float part = shape.x > 0.0 ? along / shape.x : 0.0;
+    float radius = mix(shape.y, shape.z, part);
+    vec2 look = mix(starts, ends, part);
     float distance_to_segment = length(place - vec2(along, 0.0));
     // lines thinner than a pixel fade instead of breaking up
     float coverage = clamp(radius + 0.5 - distance_to_segment, 0.0, 1.0) * min(1.0, 2.0 * radius);
+    coverage *= look.x * dashCoverage(look.y);
     if (coverage <= 0.0)
         discard;
-    gl_FragColor = vec4(color.rgb, color.a * coverage);
+    vec4 ink = contour > 0.5 ? contour_color : color;
+    gl_FragColor = vec4(ink.rgb, ink.a * coverage);
 }
 )";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "laplacian_lines/line_set.h"
@@ -12,11 +13,20 @@ struct LineRadii {
     float least_share = 0.35f;  ///< share of the radius that is left at weight 0
 };
 
+/// From mesh to screen, for lengths in pixels.
+struct ScreenTransform {
+    Eigen::Matrix4f to_clip = Eigen::Matrix4f::Identity();
+    Eigen::Vector2f half_viewport = Eigen::Vector2f::Zero();
+};
+
 /// A point as the vertex shader sees it. Every four consecutive points are one call of the shader:
 /// it draws the segment between the middle two, joined to the outer two.
 struct StreamPoint {
     float position[3];  ///< mesh coordinates
     float radius;       ///< pixels, or one of the marks
+    float opacity;
+    float contour;  ///< 1 on occluding contours, 0 on Laplacian lines
+    float along;    ///< pixels along the line from its start; 0 unless they were asked for
 };
 
 /// Marks instead of a radius. A segment with a marked end is not drawn.
@@ -26,3 +36,6 @@ constexpr float neighbour_only = -2;  ///< around a closed line: a point to join
 /// Replaces `stream` by the points of all lines, each line between two marks. Keeps the memory.
 void makeStream(const laplacian_lines::LineSet& lines, const LineRadii& radii,
                 std::vector<StreamPoint>& stream);
+
+/// Sets the points' `along`. What lies behind the eye counts as no length.
+void measureLines(const ScreenTransform& screen, std::vector<StreamPoint>& stream);

@@ -20,6 +20,7 @@ torus "$WORK/torus.ply"
 drive_lines torus.ply <<END
 # MeshLab shows selections in red
 setdeco Line Color = #0000ff
+setdeco Contour Color = #0000ff
 ink #0000ff
 $(edit "Laplacian Smooth" "Smoothing steps = 3")
 expect-log torus.ply has changed since its attributes were computed; computed with the default options
@@ -64,6 +65,7 @@ expect-lines normal_smoothing=0
 trigger Duplicate Current layer
 $(show_lines)
 setdeco Line Color = #0000ff
+setdeco Contour Color = #0000ff
 show-layer 0
 expect-lines
 expect-log torus.ply_copy has no precomputed attributes

@@ -74,11 +74,13 @@ setdeco Contour Width Factor = 0
 expect-lines contours=0
 setdeco Contour Width Factor = 1
 setdeco Line Color = #0000ff
+setdeco Contour Color = #0000ff
 expect-no-lines
 ink #0000ff
 expect-lines
 ink red
 setdeco Line Color = #ff0000
+setdeco Contour Color = #ff0000
 
 $(refuse "Gradient Threshold t" -1 2 '"Gradient Threshold t" is -1\. It has to be between 0 and')
 $(refuse "Strength Threshold tau" -0.5 0.03 '"Strength Threshold tau" is -0.5\. It has to be between 0 and')

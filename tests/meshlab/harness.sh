@@ -81,6 +81,7 @@ check Show Trackball off
 check Laplacian Lines on
 check Laplacian Lines Probe on
 setdeco Line Color = #ff0000
+setdeco Contour Color = #ff0000
 END
 }
 

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The contour of a sphere is a ring without gaps, from near and far, in every render mode.
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+
+distances=(2.2 2.5 3 3.7 4.6 6 8 11)
+
+# sphere: of radius 1, 180 by 90 facets
+sphere() {
+    awk 'BEGIN {
+        n = 180; m = 90; pi = atan2(0, -1)
+        printf "ply\nformat ascii 1.0\nelement vertex %d\n", n * (m - 1) + 2
+        print "property float x\nproperty float y\nproperty float z"
+        printf "element face %d\nproperty list uchar int vertex_indices\nend_header\n", 2 * n * (m - 1)
+        print "0 0 1"
+        for (j = 1; j < m; j++) for (i = 0; i < n; i++)
+            print sin(pi * j / m) * cos(2 * pi * i / n), sin(pi * j / m) * sin(2 * pi * i / n), cos(pi * j / m)
+        print "0 0 -1"
+        for (i = 0; i < n; i++) print 3, 0, 1 + i, 1 + (i + 1) % n
+        for (j = 0; j < m - 2; j++) for (i = 0; i < n; i++) {
+            a = 1 + j * n + i; b = 1 + j * n + (i + 1) % n
+            print 3, a, a + n, b
+            print 3, b, a + n, b + n
+        }
+        last = n * (m - 1) + 1
+        for (i = 0; i < n; i++) print 3, last, last - n + (i + 1) % n, last - n + i
+    }'
+}
+
+# rings NAME: pictures from all distances
+rings() {
+    local distance
+    for distance in "${distances[@]}"; do
+        awk "BEGIN { d = $distance; print \"look\", 0.6 * d, 0.64 * d, 0.48 * d, \" 0 0 0\" }"
+        echo "grab $1_$distance.png"
+    done
+}
+
+# expect_ring FILE: on every ray from the middle of the picture lies ink, or a pixel beside it
+expect_ring() {
+    local least
+    least=$(convert "$WORK/$1" -alpha off -fuzz 45% -fill black +opaque red -fill white -opaque red -colorspace gray \
+        -morphology Dilate Square:1 -distort DePolar 0 -scale 'x1!' -format '%[fx:minima > 0]' info:)
+    ((least == 1)) || fail "the ring in $1 has a gap"
+}
+
+sphere >"$WORK/sphere.ply"
+drive_lines sphere.ply <<END
+size 800x800
+setdeco Laplacian Lines = off
+$(rings fill)
+check Wireframe on
+check Fill off
+$(rings wireframe)
+check Points on
+check Wireframe off
+$(rings points)
+setdeco Surface = Paper
+$(rings points_on_paper)
+END
+for mode in fill wireframe; do
+    for distance in "${distances[@]}"; do
+        expect_ring "${mode}_$distance.png"
+    done
+done
