@@ -43,5 +43,9 @@ const TestMesh& mesh_named(const std::string& name);
 inline std::ostream& operator<<(std::ostream& out, const TestMesh& mesh) {
     return out << mesh.name;
 }
+/// How GoogleTest shows the mesh that a test runs on.
+inline void PrintTo(const TestMesh* mesh, std::ostream* out) {
+    *out << *mesh;
+}
 
 }  // namespace test_meshes
