@@ -16,7 +16,7 @@ struct GaussianKernel {
     std::vector<float> kernel_sizes;  ///< [N], √h(p), local units
     double cutoff = 6;                ///< in √h
     double normal_falloff = 0;        ///< > 0 makes the sum bilateral
-    bool same_side = true;            ///< leave out q with n_q·n_p <= 0
+    bool same_side = true;            ///< leave out q with n_q·n_p < 0
 };
 
 /// The sums that both the normal smoothing and Belkin's operator are made of, [N] each.

@@ -20,7 +20,7 @@ struct GaussianTargets {
     alignas(64) float squared_cutoff[kLanes];
     alignas(64) float exponent[kLanes];  ///< −log2(e)/(4h): exp2(exponent·|q−p|²)
     float normal_exponent;  ///< −2 log2(e) falloff: exp2(normal_exponent·(1−n_q·n_p))
-    float least_cosine;     ///< sources with n_q·n_p at or below are left out
+    float least_cosine;     ///< sources with n_q·n_p below are left out
 };
 
 /// Sums of one group; normals relative to the group's reference.
