@@ -109,7 +109,7 @@ public:
     // Lines are far apart in memory, so what add() reads is asked for in two steps. Inlined always:
     // GCC takes functions that only prefetch for ones without effect and drops calls of them.
     [[gnu::always_inline]] void prefetch_edges(const MixedTriangle& triangle) const {
-        __builtin_prefetch(&data_.edges_of_triangle[triangle.index]);
+        __builtin_prefetch(&data_.topology.edges_of_triangle[triangle.index]);
     }
     [[gnu::always_inline]] void prefetch_records(const MixedTriangle& triangle) const {
         for (std::uint32_t v : triangle.corners) {
@@ -117,7 +117,7 @@ public:
             __builtin_prefetch(&data_.vertices[v].slope_scale);  // often in the next cache line
             __builtin_prefetch(&values_[v]);
         }
-        for (std::uint32_t e : data_.edges_of_triangle[triangle.index])
+        for (std::uint32_t e : data_.topology.edges_of_triangle[triangle.index])
             __builtin_prefetch(&graph_.crossing_of_edge[e]);
     }
 
@@ -131,7 +131,7 @@ public:
             const Corner &from = corners[(k + 1) % 3], &to = corners[(k + 2) % 3];
             if ((from.value < 0) == (to.value < 0)) continue;
             (from.value < 0 ? end : begin) =
-                crossing(data_.edges_of_triangle[triangle.index][k], from, to);
+                crossing(data_.topology.edges_of_triangle[triangle.index][k], from, to);
         }
         if (graph_.crossings[begin].accepted && graph_.crossings[end].accepted)
             graph_.segments.push_back({begin, end, slope});
@@ -214,8 +214,8 @@ private:
 void find_segments(const ExtractorData& data, const LocalView& view, const LineRules& rules,
                    const VertexValues& values, LineFunction function,
                    const std::vector<MixedTriangle>& triangles, CrossingGraph& graph) {
-    if (graph.in_use || graph.crossing_of_edge.size() != data.edge_count)
-        graph.crossing_of_edge.assign(data.edge_count, CrossingGraph::kNoCrossing);
+    if (graph.in_use || graph.crossing_of_edge.size() != data.topology.edge_count)
+        graph.crossing_of_edge.assign(data.topology.edge_count, CrossingGraph::kNoCrossing);
     graph.crossings.clear();
     graph.segments.clear();
     graph.in_use = true;

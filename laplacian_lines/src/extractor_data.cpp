@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "edge_topology.h"
 #include "laplacian_lines/error.h"
 #include "prepared_mesh.h"
 
@@ -42,7 +41,7 @@ std::size_t bytes(const LinearForms& f) {
 
 std::size_t ExtractorData::memory() const {
     return sizeof(*this) + bytes(normals) + bytes(laplacians) + bytes(vertices) + bytes(triangles) +
-           bytes(edges_of_triangle);
+           bytes(topology.edges_of_triangle);
 }
 
 ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field) {
@@ -62,9 +61,7 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field)
     for (std::size_t i = 0; i < prepared.size(); ++i)
         set_vertex(data, i, prepared.positions[i], field, prepared.original_vertex[i]);
     data.triangles = std::move(prepared.triangles);
-    EdgeTopology topology = build_edge_topology(prepared.size(), data.triangles);
-    data.edges_of_triangle = std::move(topology.edges_of_triangle);
-    data.edge_count = topology.edge_count;
+    data.topology = build_edge_topology(prepared.size(), data.triangles);
     return data;
 }
 

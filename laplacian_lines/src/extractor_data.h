@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
+#include "edge_topology.h"
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/triangle_mesh.h"
 
@@ -42,8 +42,7 @@ struct ExtractorData {
     LinearForms laplacians;  ///< Δn·l·D², its Laplacian in the paper's form
     std::vector<VertexRecord> vertices;
     std::vector<Triangle> triangles;
-    std::vector<std::array<std::uint32_t, 3>> edges_of_triangle;  ///< k: opposite corner k
-    std::size_t edge_count = 0;
+    EdgeTopology topology;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     double diagonal = 1;                               ///< D, mesh units
 

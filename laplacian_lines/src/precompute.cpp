@@ -14,6 +14,20 @@ namespace {
 
 constexpr int kTensorSmoothingPasses = 2;
 
+/// Standard deviation of the normals' smoothing in local units, before adaptation.
+double global_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options) {
+    return options.normal_smoothing == NormalSmoothing::None
+               ? 0
+               : options.normal_sigma * mesh.mean_edge;
+}
+
+/// In the input's units.
+FieldScale scale_of(const PreparedMesh& mesh, const PrecomputeOptions& options) {
+    const double d = mesh.diagonal;
+    return {d, mesh.mean_edge * d, global_kernel_size(mesh, options) * d,
+            global_normal_sigma(mesh, options) * d};
+}
+
 /// The computation on the prepared mesh, step by step; everything in local units.
 class FieldComputation {
 public:
@@ -23,11 +37,9 @@ public:
           tree_(tree),
           options_(options),
           progress_(progress),
-          relative_sizes_(relative_kernel_sizes(mesh, options.kernel_mode)) {
-        kernel_size_ = global_kernel_size(mesh, options);
-        if (options.normal_smoothing != NormalSmoothing::None)
-            normal_sigma_ = options.normal_sigma * mesh.mean_edge;
-    }
+          relative_sizes_(relative_kernel_sizes(mesh, options.kernel_mode)),
+          kernel_size_(global_kernel_size(mesh, options)),
+          normal_sigma_(global_normal_sigma(mesh, options)) {}
 
     void run() {
         compute_normals();
@@ -51,14 +63,9 @@ public:
             field.shape_operators[v] = {s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)};
             field.kernel_sizes[v] = float(relative_sizes_[i] * kernel_size_ * d);
         }
-        field.scale = scale();
+        field.scale = scale_of(mesh_, options_);
         field.report = mesh_.report;
         return field;
-    }
-
-    FieldScale scale() const {
-        const double d = mesh_.diagonal;
-        return {d, mesh_.mean_edge * d, kernel_size_ * d, normal_sigma_ * d};
     }
 
 private:
@@ -101,7 +108,7 @@ private:
     const PrecomputeOptions& options_;
     const Progress& progress_;
     std::vector<float> relative_sizes_;
-    double kernel_size_ = 0, normal_sigma_ = 0;
+    double kernel_size_, normal_sigma_;
     std::vector<Eigen::Vector3d> normals_, laplacian_;
     std::vector<Eigen::Matrix3d> shape_operators_;
 };
@@ -124,12 +131,7 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
 
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     validate(options);
-    const PreparedMesh prepared = prepare_mesh(mesh);
-    const double sigma = options.normal_smoothing == NormalSmoothing::None
-                             ? 0
-                             : options.normal_sigma * prepared.mean_edge;
-    const double d = prepared.diagonal;
-    return {d, prepared.mean_edge * d, global_kernel_size(prepared, options) * d, sigma * d};
+    return scale_of(prepare_mesh(mesh), options);
 }
 
 }  // namespace laplacian_lines
