@@ -29,6 +29,17 @@ double milliseconds(const QElapsedTimer& clock) {
     return 1e-6 * double(clock.nsecsElapsed());
 }
 
+/// Eye and light in mesh coordinates.
+laplacian_lines::View viewOf(const meshlab_host::CameraMatrices& camera,
+                             const Eigen::Matrix4d& layer, const DecorationParameters& chosen) {
+    auto view = meshlab_host::viewFromMatrices(camera.modelview, camera.projection, layer);
+    if (!view) throw std::runtime_error("The layer's transformation cannot be inverted.");
+    if (chosen.light == Light::FixedToTheCamera)
+        view->light = meshlab_host::directionInMesh(meshlab_host::towardsLight(chosen.camera_light),
+                                                    camera.modelview, layer);
+    return *view;
+}
+
 QString statistics(const laplacian_lines::LineSet& lines, double extraction, double drawing) {
     return QString("%1 lines, %2 segments; extraction %3 ms, drawing %4 ms")
         .arg(lines.lines.size())
@@ -110,17 +121,16 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
 
     const meshlab_host::CameraMatrices camera = meshlab_host::cameraFromGl();
     const Eigen::Matrix4d layer = meshlab_host::layerTransform(mesh.cm);
-    const auto view = meshlab_host::viewFromMatrices(camera.modelview, camera.projection, layer);
-    if (!view) throw std::runtime_error("The layer's transformation cannot be inverted.");
+    const laplacian_lines::View view = viewOf(camera, layer, chosen);
 
     QElapsedTimer clock;
     clock.start();
-    lines.extractor->extract(*view, chosen.style, scratch_, lines_);
+    lines.extractor->extract(view, chosen.style, scratch_, lines_);
     const double extraction = milliseconds(clock);
 
     if (chosen.show_statistics) glFinish();  // the mesh's own drawing must not count
     clock.restart();
-    drawAll(lines, chosen, camera, layer);
+    drawAll(lines, chosen, camera, layer, painter);
     if (!chosen.show_statistics) return {};
     glFinish();
     return statistics(lines_, extraction, milliseconds(clock));
@@ -128,13 +138,15 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
 
 void DecorateLaplacianLines::drawAll(const PreparedLines& lines, const DecorationParameters& chosen,
                                      const meshlab_host::CameraMatrices& camera,
-                                     const Eigen::Matrix4d& layer) {
+                                     const Eigen::Matrix4d& layer, QPainter* painter) {
+    const bool has_background = chosen.background == Background::Paper;
     const bool has_paint = chosen.surface.style != SurfaceAppearance::AsMeshLabDrawsIt;
-    if (lines_.lines.empty() && !has_paint) return;
+    if (lines_.lines.empty() && !has_paint && !has_background) return;
     const Eigen::Matrix4d to_eye = camera.modelview * layer;
     surface_renderer_.drawDepth(lines.surface, layer);
     std::string failure;
-    if (has_paint)
+    if (has_background) failure = background_renderer_.paint(chosen.surface.paper, painter);
+    if (has_paint && failure.empty())
         failure = surface_renderer_.paint(lines.surface, layer, chosen.surface,
                                           lines.diagonal * meanScale(to_eye));
     if (failure.empty())

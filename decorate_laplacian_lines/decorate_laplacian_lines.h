@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "background_renderer.h"
 #include "laplacian_lines/line_extractor.h"
 #include "line_cache.h"
 #include "line_renderer.h"
@@ -39,13 +40,15 @@ private:
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
                       const RichParameterList& parameters, QPainter* painter);
-    /// The surface, as far as it is wanted, and the extracted lines.
+    /// Background and surface, as far as they are wanted, and the extracted lines.
     void drawAll(const PreparedLines& lines, const DecorationParameters& chosen,
-                 const meshlab_host::CameraMatrices& camera, const Eigen::Matrix4d& layer);
+                 const meshlab_host::CameraMatrices& camera, const Eigen::Matrix4d& layer,
+                 QPainter* painter);
     /// Adds a complaint to the log, but not at every redraw.
     void complain(const MeshModel& mesh, const QString& text);
 
     LineCache cache_;
+    BackgroundRenderer background_renderer_;
     LineRenderer renderer_;
     SurfaceRenderer surface_renderer_;
     laplacian_lines::ExtractionScratch scratch_;

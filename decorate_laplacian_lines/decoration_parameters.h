@@ -3,19 +3,34 @@
 
 #include "laplacian_lines/line_style.h"
 #include "line_renderer.h"
+#include "meshlab_host/camera.h"
 #include "meshlab_host/meshlab_api.h"
 #include "surface_renderer.h"
 
+/// A choice of looks by one parameter, which then counts more than the others it stands for.
+enum class DrawingStyle { AsSetBelow, Publication, Archaeology };
+
+/// What is seen where no surface is.
+enum class Background { AsMeshLabDrawsIt, Paper };
+
+enum class Light { AtTheEye, FixedToTheCamera };
+
 /// What the user chose in MeshLab's decoration parameters, which are the same for all views.
 struct DecorationParameters {
+    DrawingStyle drawing_style = DrawingStyle::AsSetBelow;
     laplacian_lines::LineStyle style;
     LineAppearance appearance;
     SurfaceAppearance surface;
+    Background background = Background::AsMeshLabDrawsIt;
+    Light light = Light::AtTheEye;
+    meshlab_host::CameraLight camera_light;
     bool show_statistics = false;
 };
 
-/// Adds all parameters with their defaults. The names are unique among MeshLab's plugins.
+/// Adds all parameters with their defaults, in the order in which MeshLab shows them: what
+/// everybody uses first. The names are unique among MeshLab's plugins.
 void listDecorationParameters(RichParameterList& list);
 
-/// @throws laplacian_lines::Error(InvalidOption) that names a threshold which is out of range.
+/// The drawing style is already put into effect in what it stands for.
+/// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
 DecorationParameters readDecorationParameters(const RichParameterList& list);

@@ -131,16 +131,25 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
     return table;
 }
 
-const std::vector<OptionDescription<LineStyle>>& line_style_table() {
+namespace {
+
+/// What everybody uses of the style.
+std::vector<OptionDescription<LineStyle>> everyday_style_rows() {
     using S = LineStyle;
-    static const std::vector<OptionDescription<S>> table = {
+    return {
         real<&S::detail>("detail", "Detail", 0, 100,
-                         "More or fewer lines, 0 to 100: moves all thresholds below together. 50 "
-                         "leaves them as they are."),
+                         "More or fewer lines, 0 to 100: moves all thresholds together. 50 leaves "
+                         "them as they are."),
         boolean<&S::laplacian_lines>("laplacian_lines", "Laplacian Lines",
                                      "Draw the Laplacian lines."),
         boolean<&S::contours>("contours", "Occluding Contours",
                               "Draw the outlines: where the surface turns away from the eye."),
+    };
+}
+
+std::vector<OptionDescription<LineStyle>> expert_style_rows() {
+    using S = LineStyle;
+    return {
         real<&S::gradient_threshold>(
             "gradient_threshold", "Gradient Threshold t", 0, 1e6,
             "Least change of the shading across a line (gradient times bounding-box diagonal, no "
@@ -186,6 +195,19 @@ const std::vector<OptionDescription<LineStyle>>& line_style_table() {
             "Use the exact Laplacian of a point light at the eye instead of the paper's form. The "
             "two differ for cameras close to the object."),
     };
+}
+
+}  // namespace
+
+const std::vector<OptionDescription<LineStyle>>& line_style_table() {
+    static const std::vector<OptionDescription<LineStyle>> table = [] {
+        auto rows = everyday_style_rows();
+        for (auto& row : expert_style_rows()) {
+            row.for_experts = true;
+            rows.push_back(row);
+        }
+        return rows;
+    }();
     return table;
 }
 

@@ -2,6 +2,7 @@
 #include "meshlab_host/camera.h"
 
 #include <Eigen/LU>
+#include <cmath>
 
 namespace meshlab_host {
 
@@ -31,6 +32,22 @@ std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& mod
     }
     if (to_mesh(3, 3) == 0) return std::nullopt;
     return laplacian_lines::View::perspective(to_mesh.col(3).head<3>() / to_mesh(3, 3));
+}
+
+Eigen::Vector3d towardsLight(const CameraLight& light) {
+    const double degree = std::acos(-1.0) / 180;
+    const double azimuth = light.azimuth * degree, elevation = light.elevation * degree;
+    return {std::cos(elevation) * std::sin(azimuth), std::cos(elevation) * std::cos(azimuth),
+            std::sin(elevation)};
+}
+
+std::optional<Eigen::Vector3d> directionInMesh(const Eigen::Vector3d& direction,
+                                               const Eigen::Matrix4d& modelview,
+                                               const Eigen::Matrix4d& layer) {
+    const Eigen::Matrix3d to_mesh = (modelview * layer).topLeftCorner<3, 3>().inverse();
+    const Eigen::Vector3d result = to_mesh * direction;
+    if (!result.allFinite() || !(result.norm() > 0)) return std::nullopt;
+    return result;
 }
 
 }  // namespace meshlab_host

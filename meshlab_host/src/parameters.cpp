@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/parameters.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -56,11 +55,18 @@ QString range(const ParameterDescription& d) {
 
 }  // namespace
 
+QString underHeading(const QString& heading, const QString& label) {
+    return QString("<b>%1</b><br>%2").arg(heading, label);
+}
+
 void addParameter(const ParameterDescription& d, double value, double diagonal,
                   RichParameterList& list) {
     switch (d.kind) {
         case OptionKind::Real:
             list.addParam(RichFloat(d.name, float(value), d.label, d.help));
+            break;
+        case OptionKind::Integer:
+            list.addParam(RichInt(d.name, int(value), d.label, d.help));
             break;
         case OptionKind::Length: {
             const double whole = diagonal > 0 ? diagonal : 1;  // the widget divides by it
@@ -84,17 +90,6 @@ double readParameter(const ParameterDescription& d, double fallback,
     // written so that NaN is refused as well
     if (!(*value >= d.minimum && *value <= d.maximum)) refuse(d, QString::number(*value));
     return *value;
-}
-
-double readClamped(const QString& name, double fallback, double minimum, double maximum,
-                   const RichParameterList& list) {
-    if (!list.hasParameter(name)) return fallback;
-    const double value = number(list.getParameterByName(name).value()).value_or(fallback);
-    return std::isfinite(value) ? std::clamp(value, minimum, maximum) : fallback;
-}
-
-bool readSwitch(const QString& name, bool fallback, const RichParameterList& list) {
-    return readClamped(name, fallback, 0, 1, list) != 0;
 }
 
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list) {

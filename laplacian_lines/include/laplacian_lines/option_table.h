@@ -10,6 +10,7 @@ namespace laplacian_lines {
 
 enum class OptionKind {
     Real,     ///< a dimensionless number, or in the unit that its help names
+    Integer,  ///< a whole number
     Length,   ///< a length in mesh units; user interfaces may offer percent of the diagonal
     Boolean,  ///< 0 or 1
     Choice,   ///< index into `choices`
@@ -28,6 +29,7 @@ struct OptionDescription {
     std::vector<const char*> choices;
     double (*get)(const Options&);
     void (*set)(Options&, double);
+    bool for_experts = false;  ///< dialogs may put it behind what everybody uses
 };
 
 const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table();

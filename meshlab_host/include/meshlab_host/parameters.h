@@ -23,6 +23,11 @@ struct ParameterDescription {
     QStringList choices;
 };
 
+/// A label with the heading of the group of parameters that it opens: MeshLab shows parameters as
+/// one flat list, and their labels as rich text. Not for switches, whose labels it shows as they
+/// are.
+QString underHeading(const QString& heading, const QString& label);
+
 /// Adds a parameter. `diagonal` of the mesh's bounding box is what percentages of lengths refer to;
 /// 0 if there is no mesh.
 void addParameter(const ParameterDescription& description, double value, double diagonal,
@@ -62,10 +67,7 @@ Options readOptions(const std::vector<laplacian_lines::OptionDescription<Options
     return options;
 }
 
-/// A number that belongs to no option table, brought into minimum..maximum. Never throws.
-double readClamped(const QString& name, double fallback, double minimum, double maximum,
-                   const RichParameterList& list);
-bool readSwitch(const QString& name, bool fallback, const RichParameterList& list);
+/// `fallback` if the list has no color of this name. Never throws.
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list);
 
 }  // namespace meshlab_host

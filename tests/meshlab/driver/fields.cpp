@@ -9,6 +9,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTextDocument>
+#include <QTextDocumentFragment>
 #include <QTimer>
 #include "command_table.h"
 #include "gui.h"
@@ -133,12 +135,22 @@ bool setEditors(const QList<QWidget*>& editors, const QString& value) {
     return true;
 }
 
+// A label may have a heading above it, in rich text.
+QString lastLine(const QString& label) {
+    if (!Qt::mightBeRichText(label)) return label;
+    return QTextDocumentFragment::fromHtml(label).toPlainText().section('\n', -1);
+}
+
+QString nameOf(QLabel* label) {
+    return withoutMnemonic(lastLine(label->text())).trimmed();
+}
+
 QStringList labelsOf(QWidget* container) {
     QStringList labels;
     for (QCheckBox* box : container->findChildren<QCheckBox*>())
         labels << "'" + box->text() + "'";
     for (QLabel* label : container->findChildren<QLabel*>())
-        if (!editorsBeside(container, label).isEmpty()) labels << "'" + label->text() + "'";
+        if (!editorsBeside(container, label).isEmpty()) labels << "'" + nameOf(label) + "'";
     return labels;
 }
 
@@ -148,8 +160,7 @@ void setField(QWidget* container, const QString& label, const QString& value) {
     for (QCheckBox* box : container->findChildren<QCheckBox*>())
         if (withoutMnemonic(box->text()) == label) return setCheckBox(box, value);
     for (QLabel* candidate : container->findChildren<QLabel*>())
-        if (withoutMnemonic(candidate->text()).trimmed() == label &&
-            setEditors(editorsBeside(container, candidate), value))
+        if (nameOf(candidate) == label && setEditors(editorsBeside(container, candidate), value))
             return;
     throw CommandError(
         QString("no field '%1' among %2").arg(label, labelsOf(container).join(", ")));

@@ -84,6 +84,11 @@ public:
         return View::orthographic(modelview_.row(2).head<3>().dot(d) > 0 ? d : Eigen::Vector3d(-d));
     }
 
+    // What the matrix moves to the direction in the picture.
+    Eigen::Vector3d fromPicture(const Eigen::Vector3d& direction) const {
+        return modelview_.topLeftCorner<3, 3>().fullPivLu().solve(direction);
+    }
+
     void add(const LinePoint& a, const LinePoint& b, ProjectedLines& lines) const {
         const Eigen::Vector4d eye_a = modelview_ * a.position.cast<double>().homogeneous(),
                               eye_b = modelview_ * b.position.cast<double>().homogeneous();
@@ -147,7 +152,9 @@ ProjectedLines probeLayer(const MeshModel& mesh, const ProbeOptions& options) {
     const Screen screen(mesh.cm);
     laplacian_lines::ExtractionScratch scratch;
     LineSet lines;
-    extractor.extract(screen.view(), options.style, scratch, lines);
+    View view = screen.view();
+    if (!options.light.isZero()) view.light = screen.fromPicture(options.light);
+    extractor.extract(view, options.style, scratch, lines);
     ProjectedLines projected;
     projected.lines = int(lines.lines.size());
     for (const laplacian_lines::Polyline& line : lines.lines)

@@ -19,6 +19,9 @@ namespace driver {
 struct ProbeOptions {
     laplacian_lines::PrecomputeOptions field;
     laplacian_lines::LineStyle style;
+    /// Towards a distant light, x to the right of the picture, y up, z to the viewer; zero: the
+    /// light is at the eye.
+    Eigen::Vector3d light = Eigen::Vector3d::Zero();
 };
 
 /// What is drawn in one layer at one redraw: called by the probe's decoration while MeshLab's

@@ -32,6 +32,12 @@ bool setOption(const std::vector<laplacian_lines::OptionDescription<Options>>& t
     return false;
 }
 
+bool setLight(const QString& key, double value, Eigen::Vector3d& light) {
+    const int axis = QStringList{"light_x", "light_y", "light_z"}.indexOf(key);
+    if (axis >= 0) light[axis] = value;
+    return axis >= 0;
+}
+
 ProbeOptions parseOptions(const Command& command) {
     ProbeOptions options;
     for (const QString& word : command.words) {
@@ -40,7 +46,8 @@ ProbeOptions parseOptions(const Command& command) {
         const double value = word.section('=', 1).toDouble(&is_number);
         if (!is_number) throw CommandError("KEY=NUMBER is needed, not " + word);
         if (!setOption(laplacian_lines::precompute_option_table(), key, value, options.field) &&
-            !setOption(laplacian_lines::line_style_table(), key, value, options.style))
+            !setOption(laplacian_lines::line_style_table(), key, value, options.style) &&
+            !setLight(key, value, options.light))
             throw CommandError("no option is called " + key);
     }
     return options;

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "decoration_table.h"
+
+#include <type_traits>
+
+namespace {
+
+using laplacian_lines::OptionKind;
+using Parameters = DecorationParameters;
+
+/// A row for the member at the end of a path of members.
+template <auto... Path>
+DecorationRow row(const char* key, const char* label, OptionKind kind, double minimum,
+                  double maximum, const char* help, std::vector<const char*> choices = {}) {
+    return {
+        key,
+        label,
+        help,
+        kind,
+        minimum,
+        maximum,
+        std::move(choices),
+        [](const Parameters& parameters) { return static_cast<double>((parameters.*....*Path)); },
+        [](Parameters& parameters, double value) {
+            auto& member = (parameters.*....*Path);
+            using Type = std::decay_t<decltype(member)>;
+            if constexpr (std::is_enum_v<Type>)
+                member = static_cast<Type>(int(value));
+            else
+                member = Type(value);
+        }};
+}
+
+template <auto... Path>
+DecorationRow choice(const char* key, const char* label, std::vector<const char*> choices,
+                     const char* help) {
+    const double last = double(choices.size()) - 1;
+    return row<Path...>(key, label, OptionKind::Choice, 0, last, help, std::move(choices));
+}
+
+template <auto... Path>
+ColorRow color(const char* key, const char* label, const char* help) {
+    return {key, label, help,
+            [](Parameters& parameters) -> QColor& { return (parameters.*....*Path); }};
+}
+
+ParameterGroup drawing() {
+    return {nullptr,
+            {choice<&Parameters::drawing_style>(
+                "drawing_style", "Drawing Style",
+                {"As Set Below", "Publication (Black on White)", "Archaeology (Side Light)"},
+                "As Set Below: the colors, surface, background and light of the parameters below. "
+                "Publication: black lines on white paper that fills the view, whatever those say. "
+                "Archaeology: the same, with the light fixed to the camera, by default on the "
+                "upper left. The other parameters count in all styles.")},
+            StyleRows::Everyday};
+}
+
+ParameterGroup lines() {
+    constexpr auto look = &Parameters::appearance;
+    return {"Lines",
+            {row<look, &LineAppearance::width>(
+                 "line_width", "Line Width", OptionKind::Real, 0.1, 64,
+                 "Width in pixels of a Laplacian line at its strongest; lines taper where they "
+                 "fade out."),
+             row<look, &LineAppearance::contour_factor>(
+                 "contour_width_factor", "Contour Width Factor", OptionKind::Real, 0, 16,
+                 "Width of occluding contours, in widths of Laplacian lines."),
+             choice<look, &LineAppearance::hidden>(
+                 "hidden_lines", "Hidden Lines", {"Left Out", "Faint", "Dashed"},
+                 "What is drawn of lines that the surface hides: nothing, faint lines, or "
+                 "dashes.")},
+            StyleRows::None,
+            {color<look, &LineAppearance::color>("line_color", "Line Color",
+                                                 "Color of Laplacian lines."),
+             color<look, &LineAppearance::contour_color>(
+                 "contour_color", "Contour Color",
+                 "Color of occluding contours, which go around the form.")}};
+}
+
+ParameterGroup surface() {
+    constexpr auto look = &Parameters::surface;
+    return {"Surface and Background",
+            {choice<look, &SurfaceAppearance::style>(
+                 "surface", "Surface", {"As MeshLab Draws It", "Paper", "Toon"},
+                 "What is seen of the surface. Paper: nothing but lines on one plain color. Toon: "
+                 "a few flat tones, darker where the surface turns away. Both cover MeshLab's own "
+                 "drawing of the layer."),
+             row<look, &SurfaceAppearance::tones>(
+                 "tones", "Tones", OptionKind::Integer, 2, SurfaceAppearance::most_tones,
+                 "Number of tones from shade to paper, 2 to 8 (Toon)."),
+             choice<&Parameters::background>("background", "Background",
+                                             {"As MeshLab Draws It", "Paper Color"},
+                                             "What is seen around the surface.")},
+            StyleRows::None,
+            {color<look, &SurfaceAppearance::paper>(
+                 "paper_color", "Paper Color", "Color of the paper, and of the lightest tone."),
+             color<look, &SurfaceAppearance::shade>("shade_color", "Shade Color",
+                                                    "Color of the darkest tone (Toon).")}};
+}
+
+ParameterGroup light() {
+    constexpr auto lamp = &Parameters::camera_light;
+    return {"Light",
+            {choice<&Parameters::light>(
+                 "light", "Light Position", {"At the Eye", "Fixed to the Camera"},
+                 "Whose shading the Laplacian lines draw: of a light at the eye, or of a distant "
+                 "one that turns with the camera. Contours are the eye's in any case."),
+             row<lamp, &meshlab_host::CameraLight::azimuth>(
+                 "light_azimuth", "Light Azimuth", OptionKind::Real, -360, 360,
+                 "For the light that is fixed to the camera: where in the picture it comes from, "
+                 "in degrees clockwise from the top. 0: above, 90: right, 180: below, 270: left, "
+                 "315: upper left."),
+             row<lamp, &meshlab_host::CameraLight::elevation>(
+                 "light_elevation", "Light Elevation", OptionKind::Real, 0, 90,
+                 "For the light that is fixed to the camera: its angle above the plane of the "
+                 "picture, in degrees. 0: grazing light from the side, 90: from straight behind "
+                 "the viewer.")}};
+}
+
+ParameterGroup statistics() {
+    return {nullptr,
+            {row<&Parameters::show_statistics>(
+                "show_statistics", "Show Statistics", OptionKind::Boolean, 0, 1,
+                "Show the number of lines and the time they take in the view.")}};
+}
+
+}  // namespace
+
+const std::vector<ParameterGroup>& decorationTable() {
+    static const std::vector<ParameterGroup> table = {
+        drawing(),   lines(), surface(), light(), {"For Experts", {}, StyleRows::ForExperts},
+        statistics()};
+    return table;
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A light that turns with the camera: its angles, and its direction in the coordinates of a mesh.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "meshlab_host/camera.h"
+
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector3d;
+using meshlab_host::CameraLight;
+using meshlab_host::directionInMesh;
+using meshlab_host::towardsLight;
+
+constexpr double kTiny = 1e-12;
+
+Matrix4d turned(double angle, const Vector3d& axis, const Vector3d& shift) {
+    Eigen::Isometry3d result(Eigen::AngleAxisd(angle, axis.normalized()));
+    result.pretranslate(shift);
+    return result.matrix();
+}
+
+const Matrix4d kModelview = turned(0.7, {1, -2, 0.5}, {3, 4, -5});
+const Matrix4d kRigid = turned(-1.9, {0.3, 1, 2}, {-7, 0, 1});
+
+/// Unequal scales, a mirror and a shear.
+Matrix4d distorting() {
+    Matrix4d result = kRigid;
+    result.topLeftCorner<3, 3>() *= Vector3d(-0.5, 2, 7).asDiagonal();
+    result(0, 1) += 0.8;
+    return result;
+}
+
+TEST(CameraLight, AnglesAreThoseOfThePicture) {
+    EXPECT_TRUE(towardsLight({0, 0}).isApprox(Vector3d::UnitY(), kTiny));
+    EXPECT_TRUE(towardsLight({90, 0}).isApprox(Vector3d::UnitX(), kTiny));
+    EXPECT_TRUE(towardsLight({180, 0}).isApprox(-Vector3d::UnitY(), kTiny));
+    EXPECT_TRUE(towardsLight({270, 0}).isApprox(-Vector3d::UnitX(), kTiny));
+    EXPECT_TRUE(towardsLight({123, 90}).isApprox(Vector3d::UnitZ(), kTiny));
+    EXPECT_TRUE(towardsLight({-90, 30}).isApprox(towardsLight({270, 30}), kTiny));
+}
+
+TEST(CameraLight, IsOnTheUpperLeftByDefault) {
+    EXPECT_TRUE(towardsLight(CameraLight()).isApprox(Vector3d(-0.5, 0.5, std::sqrt(0.5)), kTiny));
+}
+
+TEST(DirectionInMesh, TurnsBackWhatTheCameraHasTurned) {
+    const Vector3d direction(0.3, -0.8, 0.4);
+    const auto in_mesh = directionInMesh(direction, kModelview, kRigid);
+    ASSERT_TRUE(in_mesh);
+    const Eigen::Matrix3d turn = (kModelview * kRigid).topLeftCorner<3, 3>();
+    EXPECT_TRUE((turn * *in_mesh).isApprox(direction, kTiny));
+    EXPECT_NEAR(in_mesh->norm(), direction.norm(), kTiny);
+}
+
+/// Whatever the layer's transformation: a face that a ray of light grazes in the scene has n·d = 0.
+TEST(DirectionInMesh, GrazesTheFacesThatTheLightGrazesInTheScene) {
+    const Vector3d in_scene(0.2, 0.9, -0.4), other(-1, 0.5, 0.25);
+    const Eigen::Matrix3d to_eye = (kModelview * distorting()).topLeftCorner<3, 3>();
+    // a face along the light, given by its sides in the mesh
+    const Vector3d side = to_eye.inverse() * in_scene, other_side = to_eye.inverse() * other;
+    const auto light = directionInMesh(in_scene, kModelview, distorting());
+    ASSERT_TRUE(light);
+    EXPECT_NEAR(light->normalized().dot(side.cross(other_side).normalized()), 0, 1e-9);
+}
+
+/// Light from straight behind an orthographic viewer is light at the eye.
+TEST(DirectionInMesh, AgreesWithTheEye) {
+    Matrix4d projection = Matrix4d::Identity();
+    const auto view = meshlab_host::viewFromMatrices(kModelview, projection, distorting());
+    const auto light = directionInMesh(towardsLight({0, 90}), kModelview, distorting());
+    ASSERT_TRUE(view && light);
+    EXPECT_EQ(view->w, 0);
+    EXPECT_TRUE(light->normalized().isApprox(view->eye.normalized(), 1e-9));
+}
+
+TEST(DirectionInMesh, IsEmptyWithoutAnInverse) {
+    Matrix4d flat = kRigid;
+    flat.col(0).setZero();
+    EXPECT_FALSE(directionInMesh(Vector3d::UnitZ(), kModelview, flat));
+}
+
+}  // namespace
