@@ -18,18 +18,26 @@ ensure_toolchain() {
     ensure_headers
 }
 
-# configure ROOT CMAKE_OPTIONS...
+# build_folder CHECKOUT: a root's build is apart from this machine's
+build_folder() {
+    printf '%s\n' "${LAPLACIAN_LINES_BUILD:-$1/build}"
+}
+
+# configure CHECKOUT CMAKE_OPTIONS...
 configure() {
-    local root=$1
+    local checkout=$1 build
     shift
-    quietly "$root/build/configure.log" cmake -S "$root" -B "$root/build" \
+    build=$(build_folder "$checkout")
+    quietly "$build/configure.log" cmake -S "$checkout" -B "$build" \
         -DMESHLAB_SOURCE_DIR="$MESHLAB_SOURCE_DIR" "$@" || fail "cmake could not configure the build"
 }
 
-# compile ROOT TARGETS...: all targets when none is named
+# compile CHECKOUT TARGETS...: all targets when none is named
 compile() {
-    local root=$1 log=$1/build/build.log
+    local build log
+    build=$(build_folder "$1")
+    log=$build/build.log
     shift
-    quietly "$log" cmake --build "$root/build" --parallel "$(nproc)" ${1:+--target "$@"} ||
+    quietly "$log" cmake --build "$build" --parallel "$(nproc)" ${1:+--target "$@"} ||
         fail "the build failed; its whole output is in $log"
 }

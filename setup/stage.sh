@@ -1,20 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A relocatable MeshLab 2020.09 that loads the system's plugins and ours, with nothing written outside the build folder.
-#
-# MeshLab finds its library and plugins from the place of its executable: ../lib/ARCHITECTURE/meshlab, if the
-# executable's folder is called "bin". The executables have to be copies, because Qt follows links.
+# STAGE/bin/meshlab: the installed MeshLab with our plugins beside its own, and with nothing written outside STAGE.
 
 multiarch() {
     dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch
 }
 
-# stage_meshlab STAGE PLUGIN...: sets up STAGE/bin/meshlab and STAGE/bin/meshlabserver.
+installed_meshlab_folder() {
+    printf '/usr/lib/%s/meshlab\n' "$(multiarch)"
+}
+
+# stage_meshlab STAGE PLUGIN...
 stage_meshlab() {
+    if has_extra_plugins; then
+        stage_extra_plugins "$@"
+    else
+        stage_copy "$@"
+    fi
+}
+
+# MeshLab 2020.09 finds its library and plugins from the place of its executable: ../lib/ARCHITECTURE/meshlab, if the
+# executable's folder is called "bin". The executables have to be copies, because Qt follows links.
+stage_copy() {
     local stage=$1 installed plugins plugin name
     shift
-    [[ $(meshlab_version) == 2020.* ]] ||
-        fail "MeshLab $(meshlab_version) cannot be staged yet, only 2020.09; install the plugins with cmake --install instead"
-    installed=/usr/lib/$(multiarch)/meshlab
+    installed=$(installed_meshlab_folder)
     plugins=$stage/lib/$(multiarch)/meshlab/plugins
     mkdir -p "$stage/bin" "$plugins"
     for name in meshlab meshlabserver; do
@@ -29,4 +38,20 @@ stage_meshlab() {
     for plugin in "$@"; do
         ln -sfn "$plugin" "$plugins"
     done
+}
+
+# From 2022.02 on, MeshLab also loads the plugins in a folder of the user's data: here, a data folder of the stage.
+# Settings stay those of the user.
+stage_extra_plugins() {
+    local stage=$1 plugin folder
+    shift
+    refuse_installed_plugins "$@"
+    folder=$(extra_plugins_folder "$stage/data")
+    mkdir -p "$stage/bin" "$folder"
+    find "$folder" -type l -delete
+    for plugin in "$@"; do
+        ln -s "$plugin" "$folder"
+    done
+    printf '#!/bin/sh\nXDG_DATA_HOME=%q exec /usr/bin/meshlab "$@"\n' "$stage/data" >"$stage/bin/meshlab"
+    chmod +x "$stage/bin/meshlab"
 }

@@ -3,9 +3,8 @@
 # Sets up the MeshLab that the other tests run, with the plugins just built.
 set -euo pipefail
 
-setup=$(dirname "$(readlink -f "$0")")/../../setup
 # shellcheck source=/dev/null
-source "$setup/messages.sh" && source "$setup/packages.sh" && source "$setup/stage.sh"
+source "$(dirname "$(readlink -f "$0")")/../../setup/all.sh"
 
 shopt -s nullglob # a build without one of the plugins is still worth testing
 stage_meshlab "$LAPLACIAN_LINES_BUILD/stage" \

@@ -3,7 +3,7 @@
 
 #include "line_probe.h"
 
-#include <common/interfaces.h>
+#include <meshlab_host/meshlab_api.h>
 #include <laplacian_lines/line_extractor.h>
 #include <laplacian_lines/precompute.h>
 
