@@ -72,6 +72,7 @@ setdeco Laplacian Lines = on
 setdeco Occluding Contours = on
 grab by_style.png
 snapshot tiled.png 2
+snapshot transparent.png 1 transparent
 $(as_set_below)
 
 # the same by hand, with a background of one's own
@@ -134,5 +135,8 @@ expect_corner points_publication.png ffffff
 (($(colors points_publication.png) < 4500)) || fail "$(colors points_publication.png) pixels among points are not grey"
 expect_corner yellow.png ffee00
 expect_same_picture "$WORK/by_style.png" "$WORK/by_hand.png" 0
+# paper around the form does not fill a snapshot that is to have no background; paper on it stays
+alpha=$(convert "$WORK/transparent.png" -alpha extract -format '%[fx:u.p{9,9}] %[fx:maxima] %[fx:mean > 0.1 && mean < 0.4]' info:)
+[[ $alpha == '0 1 1' ]] || fail "transparent.png has alpha $alpha at the corner, at most, and in the middle"
 (($(convert "$WORK/bare.png" -alpha off -fill black -opaque white -fill white +opaque black -format '%[fx:round(mean*w*h)]' info:) == 0)) ||
     fail "bare.png is not white all over"

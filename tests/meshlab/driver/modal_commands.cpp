@@ -46,15 +46,20 @@ Widget* childNamed(QWidget* box, const char* name) {
     return child;
 }
 
-constexpr int whiteBackground = 2;  // entries of the box: current, transparent, white, black ...
+// An entry of the box: current, transparent, white, black ...
+int snapshotBackground(const QString& name) {
+    if (name == "transparent") return 1;
+    if (name == "white") return 2;
+    throw CommandError("a snapshot's background is white or transparent, not " + name);
+}
 
 // MeshLab adds two digits, the counter, to the base name.
-QString fillSnapshotBox(QWidget* box, const QFileInfo& target, int tiles) {
+QString fillSnapshotBox(QWidget* box, const QFileInfo& target, int tiles, int background) {
     childNamed<QLineEdit>(box, "outDirLineEdit")->setText(target.absolutePath());
     childNamed<QLineEdit>(box, "baseNameLineEdit")->setText(target.completeBaseName());
     childNamed<QSpinBox>(box, "counterSpinBox")->setValue(0);
     childNamed<QSpinBox>(box, "resolutionSpinBox")->setValue(tiles);
-    childNamed<QComboBox>(box, "backgroundComboBox")->setCurrentIndex(whiteBackground);
+    childNamed<QComboBox>(box, "backgroundComboBox")->setCurrentIndex(background);
     childNamed<QCheckBox>(box, "alllayersCheckBox")->setChecked(false);
     childNamed<QCheckBox>(box, "tiledSaveCheckBox")->setChecked(false);
     childNamed<QCheckBox>(box, "addToRastersCheckBox")->setChecked(false);
@@ -64,12 +69,13 @@ QString fillSnapshotBox(QWidget* box, const QFileInfo& target, int tiles) {
 void takeSnapshot(const Command& command) {
     const QFileInfo target(command.word(0));
     const int tiles = command.wordOr(1, "1").toInt();
+    const int background = snapshotBackground(command.wordOr(2, "white"));
     QString written, error;
     QTimer::singleShot(0, requireMainWindow(), [&] {  // runs inside the box's event loop
         auto* box = qobject_cast<QDialog*>(QApplication::activeModalWidget());
         if (!box) return void(error = "MeshLab showed no snapshot box");
         try {
-            written = fillSnapshotBox(box, target, tiles);
+            written = fillSnapshotBox(box, target, tiles, background);
             QFile::remove(written);
             box->accept();
         } catch (const CommandError& e) {
