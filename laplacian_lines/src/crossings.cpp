@@ -15,6 +15,15 @@ double threshold_factor(double detail) {
     return std::exp2(x < 0 ? 3.5 * std::pow(-x, 1.6) : -5 * std::pow(x, 1.3));
 }
 
+namespace {
+
+/// A pass has a variance of 1/2.
+int smoothing_passes(double deviation) {
+    return int(std::lround(2 * deviation * deviation));
+}
+
+}  // namespace
+
 LineRules laplacian_rules(const LineStyle& s) {
     const double factor = threshold_factor(s.detail);
     LineRules rules;
@@ -22,6 +31,7 @@ LineRules laplacian_rules(const LineStyle& s) {
     rules.least_gradient = float(factor * s.gradient_threshold);
     rules.least_facing = float(s.least_facing);
     rules.reject_phantoms = s.reject_phantoms;
+    rules.concave_only = s.single_strokes;
     rules.use_slope = true;
     rules.segment_slope = float(factor * s.segment_slope);
     rules.line_slope = float(factor * s.line_slope);
@@ -29,6 +39,7 @@ LineRules laplacian_rules(const LineStyle& s) {
     rules.least_strength = float(factor * s.strength_threshold);
     rules.least_length = float(std::sqrt(factor) * s.shortest_line);
     rules.fading = float(s.fading);
+    rules.smoothing_passes = smoothing_passes(s.line_smoothing);
     rules.end_length = float(s.end_length);
     rules.contour_clearance = s.contours ? float(s.contour_clearance) : 0;
     return rules;
@@ -38,6 +49,7 @@ LineRules contour_rules(const LineStyle& s) {
     LineRules rules;
     rules.kind = LineKind::Contour;
     rules.least_length = float(s.shortest_contour);
+    rules.smoothing_passes = smoothing_passes(s.line_smoothing);
     return rules;
 }
 
@@ -169,12 +181,41 @@ private:
         Crossing c;
         c.edge = edge;
         c.position = (1 - t) * a.record.position + t * b.record.position;
-        c.gradient = ((1 - t) * a.gradient + t * b.gradient).norm();
+        const Eigen::Vector3f gradient = (1 - t) * a.gradient + t * b.gradient;
+        c.gradient = gradient.norm();
         const float facing = (1 - t) * values_[a.vertex].facing + t * values_[b.vertex].facing;
         c.accepted = c.gradient >= rules_.least_gradient &&
                      facing >= rules_.least_facing * view_.eye.towards(c.position).norm();
         c.opacity = clearance_opacity(facing, c.gradient);
+        if (rules_.concave_only) {
+            const float lit =
+                view_.light_at_eye ? facing : (1 - t) * lit_from_light(a) + t * lit_from_light(b);
+            const float concavity = concavity_opacity(c, gradient, lit);
+            c.accepted = c.accepted && concavity > 0;
+            c.opacity *= concavity;
+        }
         return c;
+    }
+
+    /// n·l for a light elsewhere than at the eye.
+    float lit_from_light(const Corner& corner) const {
+        const LinearForms& n = data_.normals;
+        const std::uint32_t v = corner.vertex;
+        const Eigen::Vector3f& light = view_.light.eye;
+        return n.x[v] * light.x() + n.y[v] * light.y() + n.z[v] * light.z() -
+               view_.light.w * n.offset[v];
+    }
+
+    /// Fades in where the surface turns from convex to concave. The measure is the cosine between
+    /// −∇I and the tangential part w of the light vector: −w·Sw/(‖w‖‖Sw‖), with ∇I = Sw. `lit`
+    /// is n·l.
+    float concavity_opacity(const Crossing& c, const Eigen::Vector3f& gradient, float lit) const {
+        const Eigen::Vector3f light = view_.light.towards(c.position);
+        const float tangential = std::sqrt(std::max(light.squaredNorm() - lit * lit, 0.f));
+        const float concavity = -light.dot(gradient) / (tangential * c.gradient);
+        const float begin = -rules_.fading / 4, end = rules_.fading / 2;
+        if (!(concavity > begin)) return 0;  // false for NaN, too: nothing to see from above
+        return end > begin ? std::min((concavity - begin) / (end - begin), 1.f) : 1;
     }
 
     /// Fades crossings that would double a contour. To first order the contour is I/‖∇I‖ away on

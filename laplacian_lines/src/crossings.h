@@ -23,6 +23,7 @@ struct LocalEye {
 /// Where the eye and the light are; mostly the same.
 struct LocalView {
     LocalEye eye, light;
+    bool light_at_eye = true;
 };
 
 /// What decides which zero crossings of a per-vertex function become lines, one for each kind.
@@ -34,11 +35,13 @@ struct LineRules {
     float least_gradient = kAnything;  ///< ‖∇I‖·D
     float least_facing = kAnything;    ///< n·l/|l|
     bool reject_phantoms = false;
+    bool concave_only = false;
     bool use_slope = false;  ///< false: no slopes are computed or tested, lines have full width
     float segment_slope = 0, line_slope = 0, full_slope = 1;
     float least_strength = kAnything;
     float least_length = kAnything;  ///< D
     float fading = 0;                ///< full opacity at (1 + fading) times a threshold
+    int smoothing_passes = 0;        ///< of the positions, each with the weights 1-2-1
     float end_length = 0;            ///< over which open ends fade, D
     float contour_clearance = 0;     ///< lines nearer to a contour fade out, D in the picture
 };

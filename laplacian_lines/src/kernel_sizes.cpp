@@ -40,7 +40,7 @@ void average_over_one_rings(const PreparedMesh& mesh, std::vector<double>& value
 }  // namespace
 
 double automatic_kernel_size(double mean_edge, double diagonal) {
-    return std::max(2 * mean_edge, 0.006 * diagonal);
+    return std::max(2 * mean_edge, 0.0045 * diagonal);
 }
 
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options) {

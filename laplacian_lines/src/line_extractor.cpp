@@ -64,6 +64,7 @@ LocalView to_local(const View& view, const ExtractorData& data) {
     }
     local.light = view.light ? direction_to_local(*view.light, "The light has no finite direction.")
                              : local.eye;
+    local.light_at_eye = !view.light;
     return local;
 }
 

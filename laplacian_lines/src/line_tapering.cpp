@@ -3,28 +3,17 @@
 
 #include <algorithm>
 
+#include "line_smoothing.h"
+
 namespace laplacian_lines {
 namespace {
 
-constexpr int kSmoothingPasses = 2;
+constexpr int kTaperingPasses = 2;  // slopes of neighbouring triangles differ visibly
 
 /// 0 at the threshold, 1 at (1 + fading) times it; 1 where there is no threshold.
 float above(float value, float threshold, float fading) {
     const float range = threshold * fading;
     return range > 0 ? std::clamp((value - threshold) / range, 0.f, 1.f) : 1.f;
-}
-
-/// Binomial smoothing along the line, since slopes of neighbouring triangles differ visibly.
-void smooth(const Polyline& line, LinePoint* points, float LinePoint::*value) {
-    const std::uint32_t last = line.count - 1;
-    const float second = points[1].*value;
-    float before = points[line.closed ? last - 1 : 0].*value;
-    for (std::uint32_t i = 0; i <= last; ++i) {
-        const float here = points[i].*value;
-        const float after = i < last ? points[i + 1].*value : line.closed ? second : here;
-        points[i].*value = (before + 2 * here + after) / 4;
-        before = here;
-    }
 }
 
 /// From sums over a point's segments to their means.
@@ -75,9 +64,9 @@ void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points)
         p.opacity *= whole * above(p.weight, rules.segment_slope, rules.fading);
         p.weight = std::clamp((p.weight - rules.segment_slope) / rules.full_slope, 0.f, 1.f);
     }
-    for (int pass = 0; pass < kSmoothingPasses; ++pass) {
-        smooth(line, points, &LinePoint::weight);
-        smooth(line, points, &LinePoint::opacity);
+    for (int pass = 0; pass < kTaperingPasses; ++pass) {
+        smooth_line(line, points, &LinePoint::weight, LineEnd::Repeated);
+        smooth_line(line, points, &LinePoint::opacity, LineEnd::Repeated);
     }
     fade_ends(line, rules.end_length, points);
 }

@@ -83,7 +83,7 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
         row<&O::kernel_size>(
             "kernel_size", "Kernel Size", OptionKind::Length, 0, kUnlimited,
             "Size of the features that the lines show, &radic;h, as a length in mesh units: larger "
-            "gives fewer and smoother lines. 0 means automatic: 2 mean edges, but at least 0.6 % "
+            "gives fewer and smoother lines. 0 means automatic: 2 mean edges, but at least 0.45 % "
             "of the bounding-box diagonal."),
         choice<&O::kernel_mode>(
             "kernel_mode", "Kernel", {"Uniform", "Adaptive"},
@@ -161,6 +161,11 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
         boolean<&S::reject_phantoms>(
             "reject_phantoms", "Reject Phantom Lines",
             "Leave out crossings where the change of shading is smallest instead of largest."),
+        boolean<&S::single_strokes>(
+            "single_strokes", "Single Strokes",
+            "Draw one line along a groove and at the foot of a form: only where the surface is "
+            "concave. Off: also the lines on the convex forms beside them, as in the paper, which "
+            "outline each groove and ridge twice."),
         real<&S::segment_slope>(
             "segment_slope", "Least Slope of a Segment", 0, 1e6,
             "How sharply the Laplacian must change sign at each piece of a line (no unit). Larger "
@@ -180,6 +185,10 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
             "least_facing", "Least Facing", -1, 1,
             "Least cosine between normal and view direction: 1 faces the eye, 0 is a contour, -1 "
             "shows lines on the far side as well."),
+        real<&S::line_smoothing>(
+            "line_smoothing", "Line Smoothing", 0, 10,
+            "Smooths the course of lines, which follow the triangles' edges otherwise; standard "
+            "deviation in points of a line, a point for each edge that it crosses."),
         real<&S::fading>("fading", "Fading", 0, 1e6,
                          "How gently lines fade in above the thresholds: 0 is a hard cut, 1 means "
                          "full strength at twice the threshold."),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polyline_tracing.h"
 
+#include "line_smoothing.h"
 #include "line_tapering.h"
 
 namespace laplacian_lines {
@@ -97,6 +98,8 @@ private:
         }
         LinePoint* points = lines_.points.data() + line.first;
         taper_line(rules_, line, points);
+        for (int pass = 0; pass < rules_.smoothing_passes; ++pass)
+            smooth_line(line, points, &LinePoint::position, LineEnd::Reflected);
         for (std::uint32_t i = 0; i < line.count; ++i)
             points[i].position =
                 (data_.centre + data_.diagonal * points[i].position.cast<double>()).cast<float>();

@@ -196,7 +196,7 @@ TEST(Scale, HoldsDiagonalMeanEdgeAndAutomaticKernel) {
     const double edge = reference::mean_edge(mesh), diagonal = reference::diagonal(mesh);
     EXPECT_NEAR(scale.mean_edge, edge, 1e-12);
     EXPECT_NEAR(scale.diagonal, diagonal, 1e-12);
-    EXPECT_NEAR(scale.kernel_size, std::max(2 * edge, 0.006 * diagonal), 1e-9);
+    EXPECT_NEAR(scale.kernel_size, std::max(2 * edge, 0.0045 * diagonal), 1e-9);
     EXPECT_NEAR(scale.normal_sigma, 0.8 * edge, 1e-12);
     EXPECT_DOUBLE_EQ(measured.diagonal, scale.diagonal);
     EXPECT_DOUBLE_EQ(measured.kernel_size, scale.kernel_size);
@@ -206,7 +206,7 @@ TEST(Scale, HoldsDiagonalMeanEdgeAndAutomaticKernel) {
 
 TEST(Scale, AutomaticKernelHasTwoRegimes) {
     EXPECT_DOUBLE_EQ(automatic_kernel_size(0.1, 1), 0.2);
-    EXPECT_DOUBLE_EQ(automatic_kernel_size(0.001, 1), 0.006);
+    EXPECT_DOUBLE_EQ(automatic_kernel_size(0.001, 1), 0.0045);
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ PrecomputeOptions plain_options(double kernel_size) {
 LineStyle all_crossings() {
     LineStyle style;
     style.gradient_threshold = style.strength_threshold = 0;
-    style.reject_phantoms = false;
+    style.reject_phantoms = style.single_strokes = false;
+    style.line_smoothing = 0;
     style.segment_slope = style.line_slope = 0;
     style.shortest_line = style.shortest_contour = 0;
     style.least_facing = -1;

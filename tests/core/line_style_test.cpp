@@ -188,8 +188,8 @@ INSTANTIATE_TEST_SUITE_P(Thresholds, Monotone,
                                          &LineStyle::shortest_contour, &LineStyle::least_facing));
 
 TEST(Kinds, AreDrawnAsAsked) {
-    const auto& torus = test_meshes::mesh_named("torus").mesh;
-    const LineExtractor extractor(torus, precompute(torus));
+    const auto& bumpy = test_meshes::mesh_named("bumpy_sphere").mesh;
+    const LineExtractor extractor(bumpy, precompute(bumpy));
     const View view = View::perspective({3, 2, 4});
     const auto count = [&](bool laplacian, bool contours, LineKind kind) {
         LineStyle style;

@@ -7,17 +7,19 @@ source "$(dirname "$(readlink -f "$0")")/harness.sh"
 edit() {
     local filter=$1
     shift
-    printf 'trigger Compute Laplacian Lines\nset Normal Smoothing = None\napply\nclose\nexpect-lines normal_smoothing=0\n'
+    printf 'trigger Compute Laplacian Lines\nset Normal Smoothing Sigma = 6\napply\nclose\nexpect-lines single_strokes=0 normal_sigma=6\n'
     printf 'trigger %s\n' "$filter"
     if (($#)); then
         printf 'set %s\n' "$@"
         printf 'apply\nclose\n'
     fi
-    printf 'expect-lines\nexpect-other-lines normal_smoothing=0\n'
+    printf 'expect-lines single_strokes=0\nexpect-other-lines single_strokes=0 normal_sigma=6\n'
 }
 
 torus "$WORK/torus.ply"
 drive_lines torus.ply <<END
+# the paper's lines, since there are more of them
+setdeco Single Strokes = off
 # MeshLab shows selections in red
 setdeco Line Color = #0000ff
 setdeco Contour Color = #0000ff
@@ -31,26 +33,26 @@ trigger Conditional Face Selection
 set boolean function = x0 > 0.3
 apply
 close
-expect-lines
+expect-lines single_strokes=0
 $(edit "Delete Selected Faces")
 
 # two turns inside out and back: the attributes belong to the geometry again
 trigger Compute Laplacian Lines
-set Normal Smoothing = None
+set Normal Smoothing Sigma = 6
 apply
 close
 trigger Invert Faces Orientation
 set Force Flip = on
 apply
-expect-lines
+expect-lines single_strokes=0
 apply
 close
-expect-lines normal_smoothing=0
-expect-other-lines
+expect-lines single_strokes=0 normal_sigma=6
+expect-other-lines single_strokes=0
 
 # what lines do not depend on leaves the attributes valid
 trigger Compute Laplacian Lines
-set Normal Smoothing = None
+set Normal Smoothing Sigma = 6
 apply
 close
 trigger Per Vertex Color Function
@@ -59,7 +61,7 @@ close
 trigger Conditional Vertex Selection
 apply
 close
-expect-lines normal_smoothing=0
+expect-lines single_strokes=0 normal_sigma=6
 
 # a duplicate has no attributes
 trigger Duplicate Current layer
@@ -67,25 +69,25 @@ $(show_lines)
 setdeco Line Color = #0000ff
 setdeco Contour Color = #0000ff
 show-layer 0
-expect-lines
+expect-lines single_strokes=0
 expect-log torus.ply_copy has no precomputed attributes
 select-layer 1
 delete-layer 1
 show-layer 0
-expect-lines normal_smoothing=0
+expect-lines single_strokes=0 normal_sigma=6
 
 # a reload keeps attributes, which count when the file still has the mesh that they were computed from
 trigger Reload
-expect-lines
+expect-lines single_strokes=0
 trigger Compute Laplacian Lines
-set Normal Smoothing = None
+set Normal Smoothing Sigma = 6
 apply
 close
-expect-lines normal_smoothing=0
+expect-lines single_strokes=0 normal_sigma=6
 trigger Laplacian Smooth
 apply
 close
-expect-lines
+expect-lines single_strokes=0
 trigger Reload
-expect-lines normal_smoothing=0
+expect-lines single_strokes=0 normal_sigma=6
 END

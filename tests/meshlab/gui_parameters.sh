@@ -25,25 +25,32 @@ torus "$WORK/torus.ply"
 drive_lines torus.ply <<END
 look 1.5 0.5 1.5  0 0 0
 expect-lines
-$(change "Strength Threshold tau" strength_threshold 0.5 0.03)
-$(change "Gradient Threshold t" gradient_threshold 10 2)
-$(change "Least Slope of a Segment" segment_slope 0.2 0.02)
-$(change "Least Slope of a Line" line_slope 0.3 0.07)
-$(change "Shortest Line" shortest_line 0.3 0.02)
+$(change "Strength Threshold tau" strength_threshold 0.5 0.015)
+$(change "Gradient Threshold t" gradient_threshold 10 1)
+$(change "Least Slope of a Segment" segment_slope 0.2 0.012)
+$(change "Least Slope of a Line" line_slope 0.3 0.04)
+$(change "Shortest Line" shortest_line 0.3 0.012)
 $(change "Shortest Contour" shortest_contour 10 0.005)
 $(change "Least Facing" least_facing 0.5 -0.15)
+setdeco Single Strokes = off
+expect-lines single_strokes=0
+expect-other-lines
+setdeco Single Strokes = on
+$(change "Line Smoothing" line_smoothing 10 1.2)
 expect-lines
 setdeco Least Slope of a Segment = 0
 setdeco Least Slope of a Line = 0
 setdeco Gradient Threshold t = 0
 expect-lines segment_slope=0 line_slope=0 gradient_threshold=0
+setdeco Single Strokes = off
 setdeco Reject Phantom Lines = off
-expect-lines segment_slope=0 line_slope=0 gradient_threshold=0 reject_phantoms=0
-expect-other-lines segment_slope=0 line_slope=0 gradient_threshold=0
+expect-lines segment_slope=0 line_slope=0 gradient_threshold=0 single_strokes=0 reject_phantoms=0
+expect-other-lines segment_slope=0 line_slope=0 gradient_threshold=0 single_strokes=0
 setdeco Reject Phantom Lines = on
-setdeco Least Slope of a Segment = 0.02
-setdeco Least Slope of a Line = 0.07
-setdeco Gradient Threshold t = 2
+setdeco Single Strokes = on
+setdeco Least Slope of a Segment = 0.012
+setdeco Least Slope of a Line = 0.04
+setdeco Gradient Threshold t = 1
 
 setdeco Exact Point Light = on
 expect-lines exact_point_light=1
@@ -82,14 +89,14 @@ ink red
 setdeco Line Color = #ff0000
 setdeco Contour Color = #ff0000
 
-$(refuse "Gradient Threshold t" -1 2 '"Gradient Threshold t" is -1\. It has to be between 0 and')
-$(refuse "Strength Threshold tau" -0.5 0.03 '"Strength Threshold tau" is -0.5\. It has to be between 0 and')
-$(refuse "Shortest Line" 11 0.02 '"Shortest Line" is 11\. It has to be between 0 and 10')
+$(refuse "Gradient Threshold t" -1 1 '"Gradient Threshold t" is -1\. It has to be between 0 and')
+$(refuse "Strength Threshold tau" -0.5 0.015 '"Strength Threshold tau" is -0.5\. It has to be between 0 and')
+$(refuse "Shortest Line" 11 0.012 '"Shortest Line" is 11\. It has to be between 0 and 10')
 $(refuse "Slope for Full Width" 0 0.2 '"Slope for Full Width" is 0\. It has to be between 1e-06 and')
 $(refuse "Least Facing" 1.5 -0.15 '"Least Facing" is 1.5\. It has to be between -1 and 1')
 # and again, because it was all right in between
-$(refuse "Gradient Threshold t" -1 2 '("Gradient Threshold t" is -1\.(.*\n)*.*){2}')
-$(refuse "Gradient Threshold t" nan 2 '"Gradient Threshold t" is nan\. It has to be between 0 and')
+$(refuse "Gradient Threshold t" -1 1 '("Gradient Threshold t" is -1\.(.*\n)*.*){2}')
+$(refuse "Gradient Threshold t" nan 1 '"Gradient Threshold t" is nan\. It has to be between 0 and')
 END
 
 # a line takes its width in the picture; contours and faint lines their own

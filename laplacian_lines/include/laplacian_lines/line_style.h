@@ -13,18 +13,25 @@ struct LineStyle {
     /// evenly with it.
     double detail = 50;
     /// t, the least ‖∇I‖·D at a crossing (the paper's threshold on the gradient).
-    double gradient_threshold = 2.0;
+    double gradient_threshold = 1.0;
     /// τ, the least strength of a line, Σ (‖∇I‖_i + ‖∇I‖_i+1)/2 · length of the segment (Eq. 4).
-    double strength_threshold = 0.03;
+    double strength_threshold = 0.015;
     /// Drop crossings where the illumination's gradient has a minimum instead of a maximum, that
     /// is, where ∇(ΔI)·∇I > 0. The paper has no such test.
     bool reject_phantoms = true;
+    /// Keep only lines at which the surface is concave towards the light: l·∇I = l·S l < 0. That
+    /// leaves one line in a groove and one at the foot of each flank of a ridge; without it, as in
+    /// the paper, each of them is accompanied by lines on the convex forms beside it.
+    bool single_strokes = true;
     /// The slope of a crossing is ‖∇(ΔI)‖ · h_e^1.5, h_e = h + σ²/2 (kernel and normal smoothing).
-    double segment_slope = 0.02;  ///< least slope of a segment
-    double line_slope = 0.07;     ///< least mean slope of a line
+    double segment_slope = 0.012;  ///< least slope of a segment
+    double line_slope = 0.04;     ///< least mean slope of a line
     double full_slope = 0.2;      ///< slope above segment_slope at which a line has its full width
-    double shortest_line = 0.02;  ///< least length of a line, in D
+    double shortest_line = 0.012; ///< least length of a line, in D
     double least_facing = -0.15;  ///< least n·l/|l| at a crossing
+    /// Standard deviation, in points of a line, of the smoothing of its course: lines follow the
+    /// triangles' edges, which shows on coarse and noisy meshes.
+    double line_smoothing = 1.2;
     /// Lines fade in above the thresholds of slope, length and strength: from nothing at the
     /// threshold to full opacity at (1 + fading) times it. 0: lines are there or not.
     double fading = 0.4;

@@ -32,7 +32,7 @@ enum class GradientEstimator {
 /// interfaces are in option_table.h.
 struct PrecomputeOptions {
     /// √h, a length in mesh units (h itself is a squared length; the Gaussian of Eq. 2 has the
-    /// standard deviation √2·√h). 0 means automatic: max(2 ē, 0.6 % of D).
+    /// standard deviation √2·√h). 0 means automatic: max(2 ē, 0.45 % of D).
     double kernel_size = 0;
     /// Adaptive: √h(p) = √h · clamp(ē(p)/ē, 1/4, 4), with ē(p) the mean length of the edges at p,
     /// averaged over one-rings ten times. Normal smoothing scales by the same factor.
