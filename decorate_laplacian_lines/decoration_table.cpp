@@ -1,42 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "decoration_table.h"
 
-#include <type_traits>
+#include "laplacian_lines/option_rows.h"
 
 namespace {
 
+using namespace laplacian_lines::option_rows;
 using laplacian_lines::OptionKind;
 using Parameters = DecorationParameters;
-
-/// A row for the member at the end of a path of members.
-template <auto... Path>
-DecorationRow row(const char* key, const char* label, OptionKind kind, double minimum,
-                  double maximum, const char* help, std::vector<const char*> choices = {}) {
-    return {
-        key,
-        label,
-        help,
-        kind,
-        minimum,
-        maximum,
-        std::move(choices),
-        [](const Parameters& parameters) { return static_cast<double>((parameters.*....*Path)); },
-        [](Parameters& parameters, double value) {
-            auto& member = (parameters.*....*Path);
-            using Type = std::decay_t<decltype(member)>;
-            if constexpr (std::is_enum_v<Type>)
-                member = static_cast<Type>(int(value));
-            else
-                member = Type(value);
-        }};
-}
-
-template <auto... Path>
-DecorationRow choice(const char* key, const char* label, std::vector<const char*> choices,
-                     const char* help) {
-    const double last = double(choices.size()) - 1;
-    return row<Path...>(key, label, OptionKind::Choice, 0, last, help, std::move(choices));
-}
 
 template <auto... Path>
 ColorRow color(const char* key, const char* label, const char* help) {
@@ -59,12 +30,12 @@ ParameterGroup drawing() {
 ParameterGroup lines() {
     constexpr auto look = &Parameters::appearance;
     return {"Lines",
-            {row<look, &LineAppearance::width>(
-                 "line_width", "Line Width", OptionKind::Real, 0.1, 64,
+            {real<look, &LineAppearance::width>(
+                 "line_width", "Line Width", 0.1, 64,
                  "Width in pixels of a Laplacian line at its strongest; lines taper where they "
                  "fade out."),
-             row<look, &LineAppearance::contour_factor>(
-                 "contour_width_factor", "Contour Width Factor", OptionKind::Real, 0, 16,
+             real<look, &LineAppearance::contour_factor>(
+                 "contour_width_factor", "Contour Width Factor", 0, 16,
                  "Width of occluding contours, in widths of Laplacian lines."),
              choice<look, &LineAppearance::hidden>(
                  "hidden_lines", "Hidden Lines", {"Left Out", "Faint", "Dashed"},
@@ -106,13 +77,13 @@ ParameterGroup light() {
                  "light", "Light Position", {"At the Eye", "Fixed to the Camera"},
                  "Whose shading the Laplacian lines draw: of a light at the eye, or of a distant "
                  "one that turns with the camera. Contours are the eye's in any case."),
-             row<lamp, &meshlab_host::CameraLight::azimuth>(
-                 "light_azimuth", "Light Azimuth", OptionKind::Real, -360, 360,
+             real<lamp, &meshlab_host::CameraLight::azimuth>(
+                 "light_azimuth", "Light Azimuth", -360, 360,
                  "For the light that is fixed to the camera: where in the picture it comes from, "
                  "in degrees clockwise from the top. 0: above, 90: right, 180: below, 270: left, "
                  "315: upper left."),
-             row<lamp, &meshlab_host::CameraLight::elevation>(
-                 "light_elevation", "Light Elevation", OptionKind::Real, 0, 90,
+             real<lamp, &meshlab_host::CameraLight::elevation>(
+                 "light_elevation", "Light Elevation", 0, 90,
                  "For the light that is fixed to the camera: its angle above the plane of the "
                  "picture, in degrees. 0: grazing light from the side, 90: from straight behind "
                  "the viewer.")}};
@@ -120,8 +91,8 @@ ParameterGroup light() {
 
 ParameterGroup statistics() {
     return {nullptr,
-            {row<&Parameters::show_statistics>(
-                "show_statistics", "Show Statistics", OptionKind::Boolean, 0, 1,
+            {boolean<&Parameters::show_statistics>(
+                "show_statistics", "Show Statistics",
                 "Show the number of lines and the time they take in the view.")}};
 }
 

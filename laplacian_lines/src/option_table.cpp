@@ -6,59 +6,14 @@
 #include <sstream>
 
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/option_rows.h"
 
 namespace laplacian_lines {
 namespace {
 
+using namespace option_rows;
+
 constexpr double kUnlimited = std::numeric_limits<double>::max();
-
-template <class>
-struct MemberTraits;
-template <class Owner, class Value>
-struct MemberTraits<Value Owner::*> {
-    using Options = Owner;
-    using Type = Value;
-};
-
-/// A row for one member; the accessors convert between the member's type and double.
-template <auto Member>
-auto row(const char* key, const char* label, OptionKind kind, double minimum, double maximum,
-         const char* help, std::vector<const char*> choices = {}) {
-    using Options = typename MemberTraits<decltype(Member)>::Options;
-    using Type = typename MemberTraits<decltype(Member)>::Type;
-    return OptionDescription<Options>{
-        key,
-        label,
-        help,
-        kind,
-        minimum,
-        maximum,
-        std::move(choices),
-        [](const Options& options) { return static_cast<double>(options.*Member); },
-        [](Options& options, double value) {
-            if constexpr (std::is_floating_point_v<Type>)
-                options.*Member = value;
-            else
-                options.*Member = static_cast<Type>(static_cast<int>(value));
-        }};
-}
-
-template <auto Member>
-auto real(const char* key, const char* label, double minimum, double maximum, const char* help) {
-    return row<Member>(key, label, OptionKind::Real, minimum, maximum, help);
-}
-
-template <auto Member>
-auto boolean(const char* key, const char* label, const char* help) {
-    return row<Member>(key, label, OptionKind::Boolean, 0, 1, help);
-}
-
-template <auto Member>
-auto choice(const char* key, const char* label, std::vector<const char*> choices,
-            const char* help) {
-    const double last = double(choices.size()) - 1;
-    return row<Member>(key, label, OptionKind::Choice, 0, last, help, std::move(choices));
-}
 
 template <class Options>
 void check_ranges(const std::vector<OptionDescription<Options>>& table, const Options& options) {

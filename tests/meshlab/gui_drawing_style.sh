@@ -103,15 +103,7 @@ $(as_set_below)
 # a second layer erases nothing of the first
 open ring.ply
 select-layer ring
-trigger Matrix: Set from translation/rotation/scale
-set Freeze Matrix = off
-set X Translation = 1.1
-set X Rotation = 80
-set X Scale = 0.8
-set Y Scale = 0.8
-set Z Scale = 0.8
-apply
-close
+$(move_layer 'X Translation = 1.1' 'X Rotation = 80' 'X Scale = 0.8' 'Y Scale = 0.8' 'Z Scale = 0.8')
 check Laplacian Lines on
 check Laplacian Lines Probe on
 slot view resetTrackBall

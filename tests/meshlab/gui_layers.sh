@@ -5,20 +5,11 @@ source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
 torus "$WORK/torus.ply"
 write_bumpy_torus 120 60 >"$WORK/ring.ply"
-drive_lines torus.ply <<'END'
+drive_lines torus.ply <<END
 open ring.ply
 select-layer ring
 # a transformation that is not frozen: the ring links the torus like the next one of a chain, partly hidden by it
-trigger Matrix: Set from translation/rotation/scale
-set Freeze Matrix = off
-set X Translation = 1.1
-set X Rotation = 80
-set Y Rotation = 20
-set X Scale = 0.8
-set Y Scale = 0.8
-set Z Scale = 0.8
-apply
-close
+$(move_layer 'X Translation = 1.1' 'X Rotation = 80' 'Y Rotation = 20' 'X Scale = 0.8' 'Y Scale = 0.8' 'Z Scale = 0.8')
 # the torus alone has lines
 expect-lines
 expect-no-log ring.* computed
@@ -46,15 +37,7 @@ show-layer ring
 
 # scales that differ by direction, and a mirror
 select-layer ring
-trigger Matrix: Set from translation/rotation/scale
-set Freeze Matrix = off
-set X Translation = 0.8
-set Y Rotation = 60
-set X Scale = -0.5
-set Y Scale = 0.9
-set Z Scale = 1.3
-apply
-close
+$(move_layer 'X Translation = 0.8' 'Y Rotation = 60' 'X Scale = -0.5' 'Y Scale = 0.9' 'Z Scale = 1.3')
 expect-lines
 grab sheared.png
 # frozen, it is another geometry at the same place

@@ -51,14 +51,7 @@ expect-lines contour_clearance=0
 # a layer that is stretched and mirrored is lit in the scene, not in its own coordinates
 setdeco Light Azimuth = 315
 setdeco Light Elevation = 45
-trigger Matrix: Set from translation/rotation/scale
-set Freeze Matrix = off
-set X Rotation = 20
-set Y Rotation = 60
-set X Scale = -0.6
-set Y Scale = 1.2
-apply
-close
+$(move_layer 'X Rotation = 20' 'Y Rotation = 60' 'X Scale = -0.6' 'Y Scale = 1.2')
 expect-lines $upper_left
 setdeco Light Elevation = -1
 expect-no-lines

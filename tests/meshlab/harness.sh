@@ -5,6 +5,7 @@
 #   drive_to_failure the same, but expects MeshLab to end with an error whose text matches $1
 #   show_lines       prints the commands that draw a view's lines in red
 #   drive_lines MESH drive, with MESH open and its lines drawn in red before the script on stdin begins
+#   move_layer SETTING...  prints the commands that give the current layer a transformation
 #   serve ARGS...    runs meshlabserver ARGS..., its exit code in $SERVER_CODE, its output in $WORK/log
 #   write_script FILE [KEY=VALUE...]  a script for it, the example with other values
 #   expect_text FILE REGEX        expect_picture FILE WxH       expect_same_picture FILE FILE PIXELS
@@ -85,6 +86,13 @@ END
 
 drive_lines() {
     drive < <(printf 'wait\nopen %s\nsize 800x600\n' "$1" && show_lines && cat)
+}
+
+# move_layer SETTING...: fields of MeshLab's filter, as "X Scale = 2"; the coordinates stay as they are
+move_layer() {
+    printf 'trigger Matrix: Set from translation/rotation/scale\nset Freeze Matrix = off\n'
+    printf 'set %s\n' "$@"
+    printf 'apply\nclose\n'
 }
 
 serve() {

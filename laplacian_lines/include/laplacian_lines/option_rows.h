@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "laplacian_lines/option_table.h"
+
+/// Makes the rows of an option table. A row is about the member at the end of a path of member
+/// pointers, which starts at the options struct: a number, a switch or an enumeration.
+namespace laplacian_lines::option_rows {
+
+template <class>
+struct MemberTraits;
+template <class Owner, class Value>
+struct MemberTraits<Value Owner::*> {
+    using Options = Owner;
+};
+template <auto... Path>
+struct PathTraits;
+template <auto First, auto... Rest>
+struct PathTraits<First, Rest...> : MemberTraits<decltype(First)> {};
+template <auto... Path>
+using OptionsOf = typename PathTraits<Path...>::Options;
+
+template <auto... Path>
+OptionDescription<OptionsOf<Path...>> row(const char* key, const char* label, OptionKind kind,
+                                          double minimum, double maximum, const char* help,
+                                          std::vector<const char*> choices = {}) {
+    using Options = OptionsOf<Path...>;
+    return {key,
+            label,
+            help,
+            kind,
+            minimum,
+            maximum,
+            std::move(choices),
+            [](const Options& options) { return static_cast<double>((options.*....*Path)); },
+            [](Options& options, double value) {
+                auto& member = (options.*....*Path);
+                using Type = std::decay_t<decltype(member)>;
+                if constexpr (std::is_floating_point_v<Type>)
+                    member = static_cast<Type>(value);
+                else
+                    member = static_cast<Type>(static_cast<int>(value));
+            }};
+}
+
+template <auto... Path>
+auto real(const char* key, const char* label, double minimum, double maximum, const char* help) {
+    return row<Path...>(key, label, OptionKind::Real, minimum, maximum, help);
+}
+
+template <auto... Path>
+auto boolean(const char* key, const char* label, const char* help) {
+    return row<Path...>(key, label, OptionKind::Boolean, 0, 1, help);
+}
+
+template <auto... Path>
+auto choice(const char* key, const char* label, std::vector<const char*> choices,
+            const char* help) {
+    const double last = double(choices.size()) - 1;
+    return row<Path...>(key, label, OptionKind::Choice, 0, last, help, std::move(choices));
+}
+
+}  // namespace laplacian_lines::option_rows

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The decoration's parameters as MeshLab gets them, and what is made of the values that it hands
+// back.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "decoration_parameters.h"
+#include "laplacian_lines/error.h"
+
+namespace {
+
+const QString kPrefix = "MeshLab::Decoration::LaplacianLines_";
+
+RichEnum choice(const char* key, int value) {
+    return {kPrefix + key, value, {"0", "1", "2"}, "", ""};
+}
+
+RichFloat number(const char* key, double value) {
+    return {kPrefix + key, float(value), "", ""};
+}
+
+QStringList listedKeys() {
+    RichParameterList list;
+    listDecorationParameters(list);
+    QStringList keys;
+    for (const RichParameter& parameter : list) {
+        EXPECT_TRUE(parameter.name().startsWith(kPrefix));
+        keys << parameter.name().mid(kPrefix.size());
+    }
+    return keys;
+}
+
+TEST(DecorationParameters, HaveNamesOfTheirOwn) {
+    const QStringList keys = listedKeys();
+    EXPECT_EQ(std::set<QString>(keys.begin(), keys.end()).size(), std::size_t(keys.size()));
+}
+
+TEST(DecorationParameters, BeginWithWhatEverybodyUses) {
+    const QStringList keys = listedKeys();
+    ASSERT_GT(keys.size(), 20);
+    EXPECT_EQ(keys[0], "drawing_style");
+    EXPECT_EQ(keys[1], "detail");
+    EXPECT_LT(keys.indexOf("light_elevation"), keys.indexOf("gradient_threshold"));
+    EXPECT_LT(keys.indexOf("line_width"), keys.indexOf("gradient_threshold"));
+}
+
+/// A check box would show the markup of a heading.
+TEST(DecorationParameters, HaveNoHeadingOverSwitches) {
+    RichParameterList list;
+    listDecorationParameters(list);
+    int headings = 0;
+    for (const RichParameter& parameter : list) {
+        if (!parameter.fieldDescription().contains('<')) continue;
+        ++headings;
+        EXPECT_FALSE(parameter.value().isBool()) << parameter.name().toStdString();
+    }
+    EXPECT_GE(headings, 4);
+}
+
+TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
+    RichParameterList list;
+    listDecorationParameters(list);
+    const DecorationParameters defaults, read = readDecorationParameters(list);
+    EXPECT_EQ(read.drawing_style, DrawingStyle::AsSetBelow);
+    EXPECT_EQ(read.appearance.color, defaults.appearance.color);
+    EXPECT_EQ(read.appearance.width, defaults.appearance.width);
+    EXPECT_EQ(read.surface.style, defaults.surface.style);
+    EXPECT_EQ(read.surface.tones, defaults.surface.tones);
+    EXPECT_EQ(read.background, defaults.background);
+    EXPECT_EQ(read.light, defaults.light);
+    EXPECT_EQ(read.camera_light.azimuth, defaults.camera_light.azimuth);
+    EXPECT_EQ(read.camera_light.elevation, defaults.camera_light.elevation);
+    EXPECT_EQ(read.style.line_slope, defaults.style.line_slope);
+    EXPECT_EQ(read.show_statistics, defaults.show_statistics);
+}
+
+/// A style counts more than the parameters it stands for, and leaves all others.
+TEST(DecorationParameters, DrawingStylesOverrideColorsPaperAndLight) {
+    for (int style : {1, 2}) {
+        RichParameterList list;
+        list.addParam(choice("drawing_style", style));
+        list.addParam(choice("surface", SurfaceAppearance::Toon));
+        list.addParam(choice("light", style == 1 ? 1 : 0));
+        list.addParam(choice("hidden_lines", 2));
+        list.addParam(number("line_width", 3));
+        list.addParam(number("detail", 70));
+        list.addParam(number("light_azimuth", 20));
+        for (const char* key : {"line_color", "contour_color", "paper_color"})
+            list.addParam(RichColor(kPrefix + key, QColor(255, 0, 0, 90), "", ""));
+        const DecorationParameters read = readDecorationParameters(list);
+        EXPECT_EQ(read.appearance.color, QColor(Qt::black));
+        EXPECT_EQ(read.appearance.contour_color, QColor(Qt::black));
+        EXPECT_EQ(read.surface.style, SurfaceAppearance::Paper);
+        EXPECT_EQ(read.surface.paper, QColor(Qt::white));
+        EXPECT_EQ(read.background, Background::Paper);
+        EXPECT_EQ(read.light, style == 1 ? Light::AtTheEye : Light::FixedToTheCamera);
+        EXPECT_EQ(read.appearance.hidden, HiddenLines::Dashed);
+        EXPECT_EQ(read.appearance.width, 3);
+        EXPECT_EQ(read.style.detail, 70);
+        EXPECT_EQ(read.camera_light.azimuth, 20);
+    }
+}
+
+TEST(DecorationParameters, OutOfRangeAreRefusedByTheirLabel) {
+    RichParameterList list;
+    list.addParam(number("line_width", 0));
+    try {
+        readDecorationParameters(list);
+        FAIL() << "a width of 0 was accepted";
+    } catch (const laplacian_lines::Error& error) {
+        EXPECT_STREQ(error.what(), "\"Line Width\" is 0. It has to be between 0.1 and 64.");
+    }
+}
+
+}  // namespace
