@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "background_renderer.h"
 
-#include <QPainter>
-
 #include "gl_state.h"
 #include "shader_program.h"
 
@@ -24,16 +22,6 @@ void main()
 }
 )";
 
-/// Each redraw of a view has a painter of its own, and nothing draws with its background brush: so
-/// the brush tells what this redraw has painted. No widget gives its painter one of this pattern.
-bool isFirstInRedraw(const QColor& color, QPainter* painter) {
-    if (!painter) return true;
-    const QBrush mark(color, Qt::Dense4Pattern);
-    if (painter->background() == mark) return false;
-    painter->setBackground(mark);
-    return true;
-}
-
 }  // namespace
 
 BackgroundRenderer::Program& BackgroundRenderer::programOfCurrentGroup() {
@@ -52,11 +40,10 @@ void BackgroundRenderer::build(Program& program) {
     if (program.id) program.color = glGetUniformLocation(program.id, "color");
 }
 
-std::string BackgroundRenderer::paint(const QColor& color, QPainter* painter) {
+std::string BackgroundRenderer::paint(const QColor& color) {
     Program& program = programOfCurrentGroup();
     if (!program.id && program.failure.empty()) build(program);
     if (!program.id) return "The background cannot be painted: " + program.failure;
-    if (!isFirstInRedraw(color, painter)) return {};
 
     const LineGlState state;
     glDisable(GL_BLEND);

@@ -10,18 +10,15 @@
 
 #include "share_group.h"
 
-class QPainter;
-
 /// Colors the part of the view that no surface covers. Holds a program for each share group, which
 /// lives as long as the group. GUI thread only.
 class BackgroundRenderer {
 public:
-    /// Fills the pixels of the current viewport whose depth is that of an empty view, the first
-    /// time in a redraw; later ones would cover lines that reach over an outline. `painter` of the
-    /// redraw; it remembers what was done. Depths and alpha stay, so that snapshots without
-    /// background stay so, and OpenGL's state is left as it was. Returns why nothing could be
-    /// painted, empty on success.
-    std::string paint(const QColor& color, QPainter* painter);
+    /// Fills the pixels of the current viewport whose depth is that of an empty view. To be called
+    /// before any lines of a redraw, which reach over outlines. Depths and alpha stay, so that
+    /// snapshots without background stay so, and OpenGL's state is left as it was. Returns why
+    /// nothing could be painted, empty on success.
+    std::string paint(const QColor& color);
 
 private:
     struct Program {

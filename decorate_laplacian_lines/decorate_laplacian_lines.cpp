@@ -7,16 +7,14 @@
 
 #include "decoration_parameters.h"
 #include "mean_scale.h"
+#include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/live_meshes.h"
 #include "meshlab_host/log.h"
+#include "redraw_mark.h"
 
 namespace {
 
 const QString title = "Laplacian Lines";
-
-/// How far, in diagonals, a line may lie behind the surface and still be seen. Lines lie on the
-/// triangles, but contours of the smoothed normals run a little beyond the visible horizon.
-constexpr double depth_bias = 0.003;
 
 meshlab_host::DecorationDescription description() {
     return {"DecorateLaplacianLines", title,
@@ -48,6 +46,19 @@ QString statistics(const laplacian_lines::LineSet& lines, double extraction, dou
         .arg(drawing, 0, 'f', 2);
 }
 
+/// The widget that is being painted, null if it is none.
+QWidget* widgetOf(QPainter* painter) {
+    return painter ? dynamic_cast<QWidget*>(painter->device()) : nullptr;
+}
+
+void throwIf(const std::string& failure) {
+    if (!failure.empty()) throw std::runtime_error(failure);
+}
+
+double devicePixelRatio(QPainter* painter) {
+    return painter && painter->device() ? painter->device()->devicePixelRatioF() : 1;
+}
+
 }  // namespace
 
 DecorateLaplacianLines::DecorateLaplacianLines() : DecoratePluginBase(description()) {}
@@ -73,7 +84,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     try {
         PreparedLinesPointer lines = cache_.at(view, mesh.id());
         if (!lines || !areCurrent(*lines, mesh, view)) lines = demandLines(mesh, view);
-        text = lines->failure.isEmpty() ? drawLines(mesh, *lines, parameters, painter)
+        text = lines->failure.isEmpty() ? drawLines(mesh, *lines, parameters, view, painter)
                                         : lines->failure;
         complaints_.erase(mesh.id());
     } catch (const std::exception& error) {
@@ -89,6 +100,7 @@ void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
 
 void DecorateLaplacianLines::endAll(GLArea* view) {
     cache_.releaseView(view);
+    view_layers_.forget(view);
 }
 
 void DecorateLaplacianLines::meshGone(GLArea* view) {
@@ -114,45 +126,52 @@ bool DecorateLaplacianLines::areCurrent(const PreparedLines& lines, const MeshMo
 }
 
 QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLines& lines,
-                                          const RichParameterList& parameters, QPainter* painter) {
-    DecorationParameters chosen = readDecorationParameters(parameters);
-    if (painter && painter->device())
-        chosen.appearance.width *= painter->device()->devicePixelRatioF();
-
+                                          const RichParameterList& parameters, GLArea* view,
+                                          QPainter* painter) {
+    const DecorationParameters chosen = readDecorationParameters(parameters);
     const meshlab_host::CameraMatrices camera = meshlab_host::cameraFromGl();
     const Eigen::Matrix4d layer = meshlab_host::layerTransform(mesh.cm);
-    const laplacian_lines::View view = viewOf(camera, layer, chosen);
+    const laplacian_lines::View eye = viewOf(camera, layer, chosen);
 
     QElapsedTimer clock;
     clock.start();
-    lines.extractor->extract(view, chosen.style, scratch_, lines_);
+    lines.extractor->extract(eye, chosen.style, scratch_, lines_);
     const double extraction = milliseconds(clock);
 
     if (chosen.show_statistics) glFinish();  // the mesh's own drawing must not count
     clock.restart();
-    drawAll(lines, chosen, camera, layer, painter);
+    const auto shown = meshlab_host::layerDrawing(mesh).value_or(meshlab_host::LayerDrawing());
+    const SurfaceLayer surface = {lines.surface, layer, shown.culls_back_faces,
+                                  shown.has_faces && shown.mark_pixels == 0};
+    const bool is_first = beginsRedraw(painter);
+    view_layers_.note(view, widgetOf(painter), mesh.id(), surface, is_first);
+    if (is_first && chosen.background == Background::Paper)
+        throwIf(background_renderer_.paint(chosen.surface.paper));
+    LinePlacement placement;
+    placement.to_eye = camera.modelview * layer;
+    placement.projection = camera.projection;
+    placement.diagonal = lines.diagonal;
+    placement.pixel_scale = devicePixelRatio(painter) * tiles_.scale(camera);
+    placement.mark_pixels = shown.mark_pixels;
+    drawAll(chosen, surface, camera, view, placement);
     if (!chosen.show_statistics) return {};
     glFinish();
     return statistics(lines_, extraction, milliseconds(clock));
 }
 
-void DecorateLaplacianLines::drawAll(const PreparedLines& lines, const DecorationParameters& chosen,
-                                     const meshlab_host::CameraMatrices& camera,
-                                     const Eigen::Matrix4d& layer, QPainter* painter) {
-    const bool has_background = chosen.background == Background::Paper;
+void DecorateLaplacianLines::drawAll(const DecorationParameters& chosen,
+                                     const SurfaceLayer& surface,
+                                     const meshlab_host::CameraMatrices& camera, GLArea* view,
+                                     LinePlacement& placement) {
     const bool has_paint = chosen.surface.style != SurfaceAppearance::AsMeshLabDrawsIt;
-    if (lines_.lines.empty() && !has_paint && !has_background) return;
-    const Eigen::Matrix4d to_eye = camera.modelview * layer;
-    surface_renderer_.drawDepth(lines.surface, layer);
-    std::string failure;
-    if (has_background) failure = background_renderer_.paint(chosen.surface.paper, painter);
-    if (has_paint && failure.empty())
-        failure = surface_renderer_.paint(lines.surface, layer, chosen.surface,
-                                          lines.diagonal * meanScale(to_eye));
-    if (failure.empty())
-        failure = renderer_.draw(lines_, chosen.appearance,
-                                 {to_eye, camera.projection, depth_bias * lines.diagonal});
-    if (!failure.empty()) throw std::runtime_error(failure);
+    if (lines_.lines.empty() && !has_paint) return;
+    const std::vector<SurfaceLayer>& layers = view_layers_.besideDepthBuffer(view);
+    if (!layers.empty()) placement.surfaces = surface_depth_.update(layers, camera, buffers_);
+    if (has_paint)
+        throwIf(surface_renderer_.paint(surface, chosen.surface,
+                                        placement.diagonal * meanScale(placement.to_eye),
+                                        placement.surfaces, buffers_));
+    throwIf(renderer_.draw(lines_, chosen.appearance, placement));
 }
 
 void DecorateLaplacianLines::complain(const MeshModel& mesh, const QString& text) {

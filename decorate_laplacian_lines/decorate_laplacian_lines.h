@@ -9,7 +9,9 @@
 #include "line_renderer.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/decorate_plugin_base.h"
+#include "meshlab_host/snapshot_tiles.h"
 #include "surface_renderer.h"
+#include "view_layers.h"
 
 struct DecorationParameters;
 
@@ -39,15 +41,19 @@ private:
     bool areCurrent(const PreparedLines& lines, const MeshModel& mesh, GLArea* view);
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
-                      const RichParameterList& parameters, QPainter* painter);
-    /// Background and surface, as far as they are wanted, and the extracted lines.
-    void drawAll(const PreparedLines& lines, const DecorationParameters& chosen,
-                 const meshlab_host::CameraMatrices& camera, const Eigen::Matrix4d& layer,
-                 QPainter* painter);
+                      const RichParameterList& parameters, GLArea* view, QPainter* painter);
+    /// The surface, as far as it is wanted, and the extracted lines. Completes `placement`.
+    void drawAll(const DecorationParameters& chosen, const SurfaceLayer& surface,
+                 const meshlab_host::CameraMatrices& camera, GLArea* view,
+                 LinePlacement& placement);
     /// Adds a complaint to the log, but not at every redraw.
     void complain(const MeshModel& mesh, const QString& text);
 
     LineCache cache_;
+    ViewLayers view_layers_;
+    meshlab_host::SnapshotTiles tiles_;
+    SurfaceBuffers buffers_;
+    SurfaceDepth surface_depth_;
     BackgroundRenderer background_renderer_;
     LineRenderer renderer_;
     SurfaceRenderer surface_renderer_;

@@ -11,6 +11,9 @@ LineGlState::LineGlState() : has_vertex_arrays_(GLEW_VERSION_3_0 || GLEW_ARB_ver
         glBindVertexArray(0);
     }
     glGetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &element_buffer_);  // of the array object bound
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &texture_unit_);
+    glActiveTexture(GL_TEXTURE0);
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &texture_);
     glPushAttrib(GL_ENABLE_BIT | GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_POLYGON_BIT |
                  GL_TRANSFORM_BIT);
     glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
@@ -31,6 +34,8 @@ LineGlState::LineGlState() : has_vertex_arrays_(GLEW_VERSION_3_0 || GLEW_ARB_ver
 LineGlState::~LineGlState() {
     glPopClientAttrib();
     glPopAttrib();
+    glBindTexture(GL_TEXTURE_2D, GLuint(texture_));
+    glActiveTexture(GLenum(texture_unit_));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(element_buffer_));
     if (has_vertex_arrays_) glBindVertexArray(GLuint(vertex_array_));
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(array_buffer_));

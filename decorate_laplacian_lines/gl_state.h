@@ -4,7 +4,7 @@
 #include <GL/glew.h>
 
 /// Saves the OpenGL state that drawing lines and surfaces touches, sets what lines need (depth test
-/// without depth writes, blending, no culling, no program of the fixed pipeline) and restores all
+/// without depth writes, blending, no culling, texture unit 0) and restores all
 /// of it when it goes out of scope. The context must be the same and current at both ends.
 class LineGlState {
 public:
@@ -18,5 +18,7 @@ private:
     GLint array_buffer_ = 0;
     GLint element_buffer_ = 0;
     GLint vertex_array_ = 0;
+    GLint texture_unit_ = 0;
+    GLint texture_ = 0;  ///< of unit 0
     bool has_vertex_arrays_;
 };

@@ -14,6 +14,10 @@ LineProgram buildLineProgram() {
     program.projection = glGetUniformLocation(program.id, "projection");
     program.half_viewport = glGetUniformLocation(program.id, "half_viewport");
     program.depth_bias = glGetUniformLocation(program.id, "depth_bias");
+    program.mark_reach = glGetUniformLocation(program.id, "mark_reach");
+    program.surface_depth = glGetUniformLocation(program.id, "surface_depth");
+    program.texel = glGetUniformLocation(program.id, "texel");
+    program.surface_side = glGetUniformLocation(program.id, "surface_side");
     program.contour_share = glGetUniformLocation(program.id, "contour_share");
     program.color = glGetUniformLocation(program.id, "color");
     program.contour_color = glGetUniformLocation(program.id, "contour_color");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_renderer.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "gl_state.h"
@@ -9,19 +10,23 @@
 
 namespace {
 
+/// How far, in diagonals, a line may lie behind the surface and still be seen. Lines lie on the
+/// triangles, but contours of the smoothed normals run a little beyond the visible horizon.
+constexpr double depth_bias = 0.003;
+
 /// Hidden lines: alpha of faint ones; of dashed ones pixels of a dash, and with the gap after it.
 constexpr double faint_alpha = 0.25;
-constexpr float dash_pixels = 5;
-constexpr float dash_period = 9;
+constexpr double dash_pixels = 5;
+constexpr double dash_period = 9;
 /// How much deeper than a line that is left out one has to lie to be drawn as hidden: otherwise the
 /// covered halves of seen contours would be.
 constexpr double hidden_depth = 12;
 
-LineRadii radii(const LineAppearance& appearance) {
+LineRadii radii(const LineAppearance& appearance, double pixel_scale) {
     LineRadii result;
-    result.laplacian = float(appearance.width / 2);
+    result.laplacian = float(appearance.width * pixel_scale / 2);
     // twice as much: a contour lies where the surface falls away, which hides its inner half
-    result.contour = float(appearance.contour_factor * appearance.width);
+    result.contour = float(appearance.contour_factor * appearance.width * pixel_scale);
     return result;
 }
 
@@ -41,17 +46,20 @@ void setColors(const LineProgram& program, const LineAppearance& appearance, dou
     setColor(program.contour_color, appearance.contour_color, alpha);
 }
 
-void setUniforms(const LineProgram& program, const LineAppearance& appearance,
-                 const LinePlacement& placement) {
+/// What is the same for seen and hidden lines.
+void setPlacement(const LineProgram& program, const LinePlacement& placement, double radius) {
     const Eigen::Matrix4f to_eye = placement.to_eye.cast<float>();
     const Eigen::Matrix4f projection = placement.projection.cast<float>();
     glUniformMatrix4fv(program.to_eye, 1, GL_FALSE, to_eye.data());
     glUniformMatrix4fv(program.projection, 1, GL_FALSE, projection.data());
     glUniform2fv(program.half_viewport, 1, halfViewport().data());
-    glUniform1f(program.depth_bias, float(placement.depth_bias * meanScale(placement.to_eye)));
-    glUniform1f(program.contour_share, 1);
-    setColors(program, appearance, 1);
-    glUniform2f(program.dash, 0, 0);
+    // a mark's corner at the far side of a line
+    const double to_horizon = placement.mark_pixels > 0 ? 0.71 * placement.mark_pixels + radius : 0;
+    glUniform1f(program.mark_reach,
+                float(placement.diagonal * meanScale(placement.to_eye) * to_horizon));
+    glBindTexture(GL_TEXTURE_2D, placement.surfaces.id);
+    glUniform1i(program.surface_depth, 0);
+    glUniform2fv(program.texel, 1, placement.surfaces.texel.data());
 }
 
 GLuint makeCornerBuffer() {
@@ -118,29 +126,50 @@ void LineRenderer::bindStream(const GroupObjects& objects) {
     pointAttribute(LineProgram::EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
 }
 
-void LineRenderer::drawSegments() {
+/// Some of the lines, in some way.
+struct LineRenderer::Pass {
+    GLenum depth_function = GL_LEQUAL;
+    float surface_side = 1;  ///< of the surfaces in the texture, if there is one
+    double bias = depth_bias;
+    float contour_share = 1;
+    bool is_dashed = false;
+};
+
+void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& placement,
+                            const Pass& pass) {
+    glDepthFunc(pass.depth_function);
+    glUniform1f(program.surface_side, placement.surfaces.id ? pass.surface_side : 0);
+    glUniform1f(program.depth_bias,
+                float(pass.bias * placement.diagonal * meanScale(placement.to_eye)));
+    glUniform1f(program.contour_share, pass.contour_share);
+    const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
+    glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
     drawInstanced(GL_TRIANGLE_STRIP, 4, GLsizei(stream_.size()) - 3);
 }
 
 void LineRenderer::drawHidden(const LineProgram& program, const LineAppearance& appearance,
                               const LinePlacement& placement) {
-    const bool is_dashed = appearance.hidden == HiddenLines::Dashed;
-    LinePlacement deeper = placement;
-    deeper.depth_bias *= hidden_depth;
-    setUniforms(program, appearance, deeper);
-    setColors(program, appearance, is_dashed ? 1 : faint_alpha);
-    glUniform1f(program.contour_share, 0.5f);  // the inner half is not covered here
-    if (is_dashed) glUniform2f(program.dash, dash_pixels, dash_period);
-    glDepthFunc(GL_GREATER);
-    drawSegments();
-    glDepthFunc(GL_LEQUAL);
+    Pass hidden;
+    hidden.bias *= hidden_depth;
+    hidden.contour_share = 0.5f;  // the inner half is not covered here
+    hidden.is_dashed = appearance.hidden == HiddenLines::Dashed;
+    setColors(program, appearance, hidden.is_dashed ? 1 : faint_alpha);
+    if (placement.surfaces.id) {
+        hidden.depth_function = GL_ALWAYS;
+        hidden.surface_side = -1;
+        drawPass(program, placement, hidden);
+        hidden.surface_side = 1;  // what nothing but the depth buffer hides
+    }
+    hidden.depth_function = GL_GREATER;
+    drawPass(program, placement, hidden);
 }
 
 std::string LineRenderer::draw(const laplacian_lines::LineSet& lines,
                                const LineAppearance& appearance, const LinePlacement& placement) {
     const GroupObjects& objects = objectsOfCurrentGroup();
     if (!objects.program.id) return "Lines cannot be drawn: " + objects.program.failure;
-    makeStream(lines, radii(appearance), stream_);
+    const LineRadii in_pixels = radii(appearance, placement.pixel_scale);
+    makeStream(lines, in_pixels, stream_);
     if (stream_.empty()) return {};
     if (appearance.hidden == HiddenLines::Dashed) {
         const Eigen::Matrix4d to_clip = placement.projection * placement.to_eye;
@@ -150,10 +179,11 @@ std::string LineRenderer::draw(const laplacian_lines::LineSet& lines,
     const LineGlState state;
     glUseProgram(objects.program.id);
     bindStream(objects);
+    setPlacement(objects.program, placement, std::max(in_pixels.laplacian, in_pixels.contour));
     if (appearance.hidden != HiddenLines::LeftOut)
         drawHidden(objects.program, appearance, placement);
-    setUniforms(objects.program, appearance, placement);
-    drawSegments();
+    setColors(objects.program, appearance, 1);
+    drawPass(objects.program, placement, Pass());
     for (LineProgram::Attribute attribute : per_segment)
         setDivisor(attribute, 0);  // not saved by all drivers
     return {};

@@ -12,6 +12,7 @@
 #include "line_program.h"
 #include "line_stream.h"
 #include "share_group.h"
+#include "surface_depth.h"
 
 /// What is drawn of the parts of lines that the surface hides.
 enum class HiddenLines { LeftOut, Faint, Dashed };
@@ -21,7 +22,7 @@ struct LineAppearance {
     QColor color = Qt::black;          ///< of Laplacian lines
     QColor contour_color = Qt::black;  ///< of occluding contours
     HiddenLines hidden = HiddenLines::LeftOut;
-    double width = 1.6;           ///< pixels of the viewport, of a Laplacian line of full weight
+    double width = 1.6;           ///< pixels, of a Laplacian line of full weight
     double contour_factor = 1.3;  ///< width of contours in Laplacian line widths
 };
 
@@ -29,7 +30,10 @@ struct LineAppearance {
 struct LinePlacement {
     Eigen::Matrix4d to_eye;      ///< mesh coordinates to eye coordinates
     Eigen::Matrix4d projection;  ///< eye coordinates to clip coordinates
-    double depth_bias = 0;  ///< mesh units by which a line may lie behind the surface and be seen
+    double diagonal = 1;         ///< of the mesh, mesh units
+    double pixel_scale = 1;      ///< pixels of the viewport for one of the appearance
+    double mark_pixels = 0;      ///< diameter of MeshLab's points or wires on the surface
+    DepthTexture surfaces{};     ///< what hides lines beside the depth buffer
 };
 
 /// Draws line sets with OpenGL over what is in the depth buffer. Holds a program and buffers for
@@ -50,11 +54,13 @@ private:
         GLuint stream = 0;   ///< buffer for this frame's points
     };
 
+    struct Pass;
+
     GroupObjects& objectsOfCurrentGroup();
     void bindStream(const GroupObjects& objects);
     void drawHidden(const LineProgram& program, const LineAppearance& appearance,
                     const LinePlacement& placement);
-    void drawSegments();
+    void drawPass(const LineProgram& program, const LinePlacement& placement, const Pass& pass);
 
     std::map<ShareGroup, GroupObjects> groups_;
     std::vector<StreamPoint> stream_;

@@ -8,6 +8,11 @@
 // Depth: the point is moved towards the eye before its depth is taken, while its place on the
 // screen stays. In eye coordinates that is a fixed length, so lines come out in front of the very
 // surface they lie on at any zoom, but stay behind what is clearly in front of them.
+//
+// Where MeshLab draws points or wires, these marks are flat on the screen and stand out of a
+// surface that falls away: at d pixels from the horizon of a ball of radius R by sqrt(2 R d). Lines
+// are then compared with the depth of the surfaces alone, and with the depth buffer only after a
+// move as long as that, which leaves the things that hide lines from well before the surface.
 const char* const line_vertex_shader = R"(#version 120
 attribute vec2 corner;  // x: 0 at the start, 1 at the end; y: -1 or 1, side
 attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark
@@ -20,6 +25,7 @@ uniform mat4 to_eye;
 uniform mat4 projection;
 uniform vec2 half_viewport;
 uniform float depth_bias;
+uniform float mark_reach;  // diameter of the largest ball times pixels to its horizon
 uniform float contour_share;  // of the width of contours
 varying vec2 place;  // pixels along and across, from the start of the segment
 varying vec3 shape;  // length, radius at the start, radius at the end; pixels
@@ -27,6 +33,7 @@ varying vec4 cuts;   // normals of the cuts at the start and at the end; zero: a
 varying vec2 starts;  // at the start of the segment: opacity, pixels from the start of the line
 varying vec2 ends;
 varying float contour;
+varying float surface_z;  // depth in 0..1 to compare with surface_depth
 
 const float nothing_here = -1.5;  // marks below this one still have a position
 
@@ -49,12 +56,19 @@ vec2 toScreen(vec4 eye)
     return clip.xy / clip.w * half_viewport;
 }
 
-// Depth in -1..1 of an eye-space point moved towards the viewer by depth_bias.
-float biasedDepth(vec4 eye)
+// How far marks stand out of the surface at most, length in eye coordinates.
+float markHeight(vec4 eye)
+{
+    float pixel = (projection * eye).w / (projection[1][1] * half_viewport.y);
+    return sqrt(max(mark_reach * pixel, 0.0));
+}
+
+// Depth in -1..1 of an eye-space point moved towards the viewer.
+float depthMoved(vec4 eye, float bias)
 {
     bool orthographic = projection[2][3] == 0.0;
     vec3 towards_viewer = orthographic ? vec3(0.0, 0.0, 1.0) : normalize(-eye.xyz);
-    vec4 clip = projection * vec4(eye.xyz + depth_bias * towards_viewer, 1.0);
+    vec4 clip = projection * vec4(eye.xyz + bias * towards_viewer, 1.0);
     return clip.w > 0.0 ? max(clip.z / clip.w, -1.0) : -1.0;
 }
 
@@ -80,6 +94,7 @@ void main()
     starts = start_look.xz;
     ends = end_look.xz;
     contour = start_look.y;
+    surface_z = 0.0;
     if (start.w < 0.0 || end.w < 0.0)
         return;
     vec4 a = toEye(start);
@@ -115,9 +130,11 @@ void main()
     cuts = vec4(dot(start_cut, direction), dot(start_cut, across),
                 dot(end_cut, direction), dot(end_cut, across));
     vec2 screen = screen_a + direction * place.x + across * place.y;
+    vec4 visible = corner.x < 0.5 ? visible_a : visible_b;
+    surface_z = 0.5 * depthMoved(visible, depth_bias) + 0.5;
     // w = 1 keeps the interpolation linear on the screen
     gl_Position = vec4(screen / half_viewport,
-                       biasedDepth(corner.x < 0.5 ? visible_a : visible_b), 1.0);
+                       depthMoved(visible, max(depth_bias, markHeight(visible))), 1.0);
 }
 )";
 
@@ -131,6 +148,16 @@ varying vec4 cuts;
 varying vec2 starts;
 varying vec2 ends;
 varying float contour;
+varying float surface_z;
+uniform sampler2D surface_depth;
+uniform vec2 texel;          // of surface_depth for a pixel
+uniform float surface_side;  // 1: lines before the surface, -1: those behind it, 0: all
+
+bool isOnOtherSide()
+{
+    return surface_side != 0.0 &&
+           surface_side * (texture2D(surface_depth, gl_FragCoord.xy * texel).r - surface_z) < 0.0;
+}
 
 // Share of a pixel at this distance from the start of the line that a dash covers.
 float dashCoverage(float pixels)
@@ -155,7 +182,7 @@ void main()
     // lines thinner than a pixel fade instead of breaking up
     float coverage = clamp(radius + 0.5 - distance_to_segment, 0.0, 1.0) * min(1.0, 2.0 * radius);
     coverage *= look.x * dashCoverage(look.y);
-    if (coverage <= 0.0)
+    if (coverage <= 0.0 || isOnOtherSide())
         discard;
     vec4 ink = contour > 0.5 ? contour_color : color;
     gl_FragColor = vec4(ink.rgb, ink.a * coverage);

@@ -22,6 +22,8 @@ uniform vec4 paper;
 uniform vec4 shade;
 uniform float tones;  // 1: paper only
 uniform vec2 nearer;  // least and greatest move towards the eye, length in eye coordinates
+uniform sampler2D surface_depth;  // of the nearest faces
+uniform vec2 texel;  // of it, for a pixel; zero: the depth buffer alone decides
 varying vec3 eye_position;
 varying vec3 eye_normal;
 
@@ -55,9 +57,17 @@ float tone()
     return clamp(level / (tones - 1.0), 0.0, 1.0);
 }
 
+bool isHidden(float slope)
+{
+    float nearest = texture2D(surface_depth, gl_FragCoord.xy * texel).r;
+    return texel.x > 0.0 && gl_FragCoord.z > nearest + 0.5 * slope + 1e-6;
+}
+
 void main()
 {
     float slope = fwidth(gl_FragCoord.z);
+    if (isHidden(slope))
+        discard;
     gl_FragDepth = clamp(gl_FragCoord.z - pixels_of_slope * slope,
                          depthMoved(nearer.y), depthMoved(nearer.x));
     gl_FragColor = mix(shade, paper, tone());

@@ -58,7 +58,7 @@ $(rings points)
 setdeco Surface = Paper
 $(rings points_on_paper)
 END
-for mode in fill wireframe; do
+for mode in fill wireframe points points_on_paper; do
     for distance in "${distances[@]}"; do
         expect_ring "${mode}_$distance.png"
     done

@@ -50,6 +50,27 @@ TriangleMesh convert(const CMeshO& mesh) {
     return result;
 }
 
+/// Puts the faces into the depth buffer, whatever MeshLab shows of them: they hide lines in any
+/// render mode.
+void drawDepth(const CMeshO& mesh, const Eigen::Matrix4d& modelview) {
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glMatrixMode(GL_MODELVIEW);
+    glPushMatrix();
+    glLoadMatrixd(modelview.data());
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_CULL_FACE);
+    glBegin(GL_TRIANGLES);
+    for (const CFaceO& face : mesh.face)
+        for (int corner = 0; corner < 3 && !face.IsD(); ++corner)
+            glVertex3f(face.cP(corner)[0], face.cP(corner)[1], face.cP(corner)[2]);
+    glEnd();
+    glPopMatrix();
+    glPopAttrib();
+}
+
 /// The camera and the depths of the redraw that is going on.
 class Screen {
 public:
@@ -64,6 +85,7 @@ public:
         modelview_ = (modelview_ * layer).eval();
         diagonal_ =
             mesh.bbox.Diag() * std::cbrt(std::abs(modelview_.topLeftCorner<3, 3>().determinant()));
+        drawDepth(mesh, modelview_);
         depths_.resize(std::size_t(width()) * height());
         glPixelStorei(GL_PACK_ALIGNMENT, 4);
         glReadPixels(viewport_[0], viewport_[1], width(), height(), GL_DEPTH_COMPONENT, GL_FLOAT,

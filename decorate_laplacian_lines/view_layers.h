@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <QWidget>
+#include <map>
+#include <vector>
+
+#include "surface_layer.h"
+
+/// The layers whose lines a view shows. Within a redraw MeshLab tells one after the other, while
+/// each can hide lines of any: those that are still to come are taken from the last redraw, and if
+/// they turn out to be different, the view is drawn once more. GUI thread only.
+class ViewLayers {
+public:
+    using View = const void*;  ///< a name, never followed
+
+    /// Notes that the redraw of a view has come to a mesh, its first one if `is_first`. `widget`
+    /// shows the view, or null.
+    void note(View view, QWidget* widget, int mesh, const SurfaceLayer& layer, bool is_first);
+    /// All layers of the view, as far as they are known, if the depth buffer lacks any of them or
+    /// holds more; otherwise none. Valid until the next call.
+    const std::vector<SurfaceLayer>& besideDepthBuffer(View view);
+    void forget(View view);
+
+private:
+    struct Entry {
+        SurfaceLayer layer;
+        bool is_drawn = false;  ///< this redraw has come to it
+    };
+    struct Redraw {
+        std::map<int, Entry> layers;  ///< by mesh
+        QPointer<QWidget> widget;
+        bool is_over = true;
+        bool has_surprised = false;  ///< a layer was other than expected, after lines were drawn
+    };
+
+    static bool needsTexture(const Redraw& redraw);
+    static bool dropMissing(Redraw& redraw);
+    static void begin(Redraw& redraw);
+
+    void endRedraws();
+
+    std::map<View, Redraw> views_;
+    std::vector<SurfaceLayer> listed_;
+    bool end_is_due_ = false;
+    QObject receiver_;  ///< of the end of redraws; destroyed first
+};
