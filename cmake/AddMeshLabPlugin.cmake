@@ -17,6 +17,7 @@ function(add_loadable_plugin name)
   target_link_options(${name} PRIVATE -Wl,--no-undefined -Wl,--as-needed)
   set_target_properties(${name} PROPERTIES
     AUTOMOC ON
+    SKIP_BUILD_RPATH ON # MeshLab has loaded its library before any plugin; another of that name must not come in
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
   add_dependencies(meshlab_plugins ${name})

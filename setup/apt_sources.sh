@@ -26,3 +26,12 @@ write_source_list() {
     classic_source_entries >"$1/classic.list"
     deb822_source_entries >"$1/deb822.sources"
 }
+
+# write_debian_source_list FOLDER SUITE: the same for another release of Debian, from the mirror of this machine's own.
+write_debian_source_list() {
+    local mirror keyring=/usr/share/keyrings/debian-archive-keyring.gpg options=
+    mirror=$(debian_mirror) && [[ -n $mirror ]] || return 1
+    [[ ! -r $keyring ]] || options="[signed-by=$keyring] "
+    mkdir -p "$1"
+    printf 'deb-src %s%s %s main\n' "$options" "$mirror" "$2" >"$1/debian.list"
+}
