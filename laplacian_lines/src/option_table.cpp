@@ -97,6 +97,11 @@ std::vector<OptionDescription<LineStyle>> everyday_style_rows() {
                          "them as they are."),
         boolean<&S::laplacian_lines>("laplacian_lines", "Laplacian Lines",
                                      "Draw the Laplacian lines."),
+        boolean<&S::single_strokes>(
+            "single_strokes", "Single Strokes",
+            "Draw one line along a groove and at the foot of a form: only where the surface is "
+            "concave. Off: also the lines on the convex forms beside them, as in the paper, which "
+            "outline each groove and ridge twice."),
         boolean<&S::contours>("contours", "Occluding Contours",
                               "Draw the outlines: where the surface turns away from the eye."),
     };
@@ -116,11 +121,6 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
         boolean<&S::reject_phantoms>(
             "reject_phantoms", "Reject Phantom Lines",
             "Leave out crossings where the change of shading is smallest instead of largest."),
-        boolean<&S::single_strokes>(
-            "single_strokes", "Single Strokes",
-            "Draw one line along a groove and at the foot of a form: only where the surface is "
-            "concave. Off: also the lines on the convex forms beside them, as in the paper, which "
-            "outline each groove and ridge twice."),
         real<&S::segment_slope>(
             "segment_slope", "Least Slope of a Segment", 0, 1e6,
             "How sharply the Laplacian must change sign at each piece of a line (no unit). Larger "

@@ -2,6 +2,8 @@
 // Lines of a directional light that is not at the eye.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
 
@@ -46,6 +48,35 @@ TEST(Light, AlongTheViewDirectionChangesNothingInOrthographicViews) {
     EXPECT_TRUE(helpers::same_lines(at_the_eye, extract(extractor, view, style)));
     view.light = Eigen::Vector3d(-kDirection.y(), kDirection.x(), 0);
     EXPECT_FALSE(helpers::same_lines(at_the_eye, extract(extractor, view, style)));
+}
+
+double total_length(const LineSet& lines) {
+    double length = 0;
+    for (const Polyline& line : lines.lines)
+        length += line.length;
+    return length;
+}
+
+/// Run through the other way, and so a light from behind needs no elevation of its own.
+TEST(Light, OppositeDirectionsDrawTheSameLines) {
+    const auto torus = test_meshes::mesh_named("torus");
+    const LineExtractor extractor(torus.mesh, precompute(torus.mesh));
+    View view = View::perspective(4 * kDirection);
+    for (bool single_strokes : {true, false}) {
+        LineStyle style;
+        style.single_strokes = single_strokes;
+        view.light = Eigen::Vector3d(0.3, -0.5, 1);
+        const LineSet lines = extract(extractor, view, style);
+        EXPECT_FALSE(lines.lines.empty());
+        view.light = -*view.light;
+        const LineSet opposite = extract(extractor, view, style);
+        EXPECT_EQ(opposite.lines.size(), lines.lines.size());
+        EXPECT_EQ(opposite.points.size(), lines.points.size());
+        EXPECT_NEAR(total_length(opposite), total_length(lines), 1e-4 * total_length(lines));
+        view.light->z() += 0.3;  // the measure does tell other lights apart
+        const double other = total_length(extract(extractor, view, style));
+        EXPECT_GT(std::abs(other - total_length(lines)), 1e-2 * total_length(lines));
+    }
 }
 
 }  // namespace
