@@ -63,7 +63,7 @@ TEST(Light, OppositeDirectionsDrawTheSameLines) {
     const LineExtractor extractor(torus.mesh, precompute(torus.mesh));
     View view = View::perspective(4 * kDirection);
     for (bool single_strokes : {true, false}) {
-        LineStyle style;
+        LineStyle style = helpers::all_laplacian_lines();
         style.single_strokes = single_strokes;
         view.light = Eigen::Vector3d(0.3, -0.5, 1);
         const LineSet lines = extract(extractor, view, style);
