@@ -59,8 +59,8 @@ double total_length(const LineSet& lines) {
 
 /// Run through the other way, and so a light from behind needs no elevation of its own.
 TEST(Light, OppositeDirectionsDrawTheSameLines) {
-    const auto torus = test_meshes::mesh_named("torus");
-    const LineExtractor extractor(torus.mesh, precompute(torus.mesh));
+    const auto bumps = test_meshes::mesh_named("bumpy_sphere");
+    const LineExtractor extractor(bumps.mesh, precompute(bumps.mesh));
     View view = View::perspective(4 * kDirection);
     for (bool single_strokes : {true, false}) {
         LineStyle style = helpers::all_laplacian_lines();
