@@ -42,13 +42,14 @@ test_meshlab() {
 }
 
 test_in_root() {
-    local host=$1 checkout=$2 build binds
+    local host=$1 checkout=$2 build binds models
     shift 2
     ensure_root "${HOST_SUITE[$host]}" "$checkout" || return 1
     build=$checkout/build/host-$host
     mkdir -p "$build"
     binds=("ro:$checkout" "rw:$build" "ro:$(cache_folder)/headers")
-    [[ ! -d $checkout/../shared/models ]] || binds+=("ro:$(readlink -f "$checkout/../shared/models")")
+    models=$(dirname "$checkout")/shared/models # scanned models that may lie beside the repository
+    [[ ! -d $models ]] || binds+=("ro:$(readlink -f "$models")=$models")
     say "MeshLab $host in $ROOT"
     LAPLACIAN_LINES_BUILD=$build in_root "$ROOT" ro "${binds[@]}" -- "$checkout/test" --host "$host" "$@"
 }

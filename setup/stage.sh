@@ -52,6 +52,14 @@ stage_extra_plugins() {
     for plugin in "$@"; do
         ln -s "$plugin" "$folder"
     done
-    printf '#!/bin/sh\nXDG_DATA_HOME=%q exec /usr/bin/meshlab "$@"\n' "$stage/data" >"$stage/bin/meshlab"
-    chmod +x "$stage/bin/meshlab"
+    # MeshLab's OpenGL needs an X display, also on Wayland.
+    write_program "$stage/bin/meshlab" <<-END
+		#!/bin/sh
+		XDG_DATA_HOME=$(printf %q "$stage/data") QT_QPA_PLATFORM=xcb exec /usr/bin/meshlab "\$@"
+	END
+}
+
+write_program() {
+    cat >"$1"
+    chmod +x "$1"
 }

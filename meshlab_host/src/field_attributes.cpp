@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/field_attributes.h"
 
+#include <algorithm>
+
 #include "attribute_names.h"
 #include "attributes.h"
 #include "laplacian_lines/error.h"
@@ -31,6 +33,13 @@ Columns findColumns(const CMeshO& mesh) {
             findVertexColumn<Point3m>(mesh, shape_diagonal_attribute),
             findVertexColumn<Point3m>(mesh, shape_off_diagonal_attribute),
             findVertexColumn<Scalarm>(mesh, kernel_size_attribute)};
+}
+
+/// Whether MeshLab has emptied the columns: 2025.07 does so when it reloads a file, and keeps the
+/// record. A field has a kernel size wherever it has values.
+bool emptied(const Columns& columns) {
+    const std::vector<Scalarm>& sizes = *columns.kernel_sizes;
+    return std::all_of(sizes.begin(), sizes.end(), [](Scalarm size) { return size == 0; });
 }
 
 bool allNamesPresent(const CMeshO& mesh) {
@@ -120,7 +129,9 @@ std::optional<FieldRecord> readFieldRecord(const CMeshO& mesh) {
 FieldStatus fieldStatus(const CMeshO& mesh, const GeometryStamp& now) {
     if (!allNamesPresent(mesh)) return FieldStatus::Missing;
     const std::optional<FieldRecord> record = readFieldRecord(mesh);
-    if (!record || !findColumns(mesh).complete()) return FieldStatus::WrongType;
+    const Columns columns = findColumns(mesh);
+    if (!record || !columns.complete()) return FieldStatus::WrongType;
+    if (emptied(columns)) return FieldStatus::Missing;
     return record->stamp == now ? FieldStatus::Current : FieldStatus::Stale;
 }
 

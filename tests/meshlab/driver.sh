@@ -15,7 +15,7 @@ wait
 open nothing.ply
 sleep 500
 END
-drive_to_failure "line 2: open broken.ply: MeshLab says: Opening Failure" <<'END'
+drive_to_failure "line 2: open broken.ply: MeshLab says: (Opening Failure|Meshlab Opening Error)" <<'END'
 wait
 open broken.ply
 END

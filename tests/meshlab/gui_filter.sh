@@ -45,7 +45,7 @@ button OK
 close
 expect-lines $CHOSEN
 expect-no-log computed with the default options
-expect-log Filter failed: "Accuracy" is 5
+expect-log (Filter|Compute Laplacian Lines) failed: "Accuracy" is 5
 
 # a percentage of the diagonal, and the defaults
 trigger Compute Laplacian Lines

@@ -90,6 +90,8 @@ void lookFrom(const Command& command) {
         "RotationMatrix",
         row(right, 0) + row(QVector3D::crossProduct(back, right), 0) + row(back, 0) + "0 0 0 1 ");
     camera.setAttribute("TranslationVector", row(-eye, 1).trimmed());
+    // from 2022.02 on, MeshLab keeps the far plane of the text, which was right for the old distance
+    document.elementsByTagName("ViewSettings").at(0).toElement().setAttribute("FarPlane", 10000);
     setCameraText(document.toString());
 }
 
