@@ -141,37 +141,51 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     if (chosen.show_statistics) glFinish();  // the mesh's own drawing must not count
     clock.restart();
     const auto shown = meshlab_host::layerDrawing(mesh).value_or(meshlab_host::LayerDrawing());
-    const SurfaceLayer surface = {lines.surface, layer, shown.culls_back_faces,
+    const SurfaceLayer surface = {lines.surface, layer, lines.diagonal, shown.culls_back_faces,
                                   shown.has_faces && shown.mark_pixels == 0};
-    const bool is_first = beginsRedraw(painter);
-    view_layers_.note(view, widgetOf(painter), mesh.id(), surface, is_first);
-    if (is_first && chosen.background == Background::Paper)
-        throwIf(background_renderer_.paint(chosen.surface.paper));
     LinePlacement placement;
     placement.to_eye = camera.modelview * layer;
     placement.projection = camera.projection;
     placement.diagonal = lines.diagonal;
+    placement.mean_edge = lines.mean_edge;
     placement.pixel_scale = devicePixelRatio(painter) * tiles_.scale(camera);
     placement.mark_pixels = shown.mark_pixels;
-    drawAll(chosen, surface, camera, view, placement);
+    const bool is_first = beginsRedraw(painter);
+    if (is_first) beginRedraw(chosen);
+    const bool is_expected =
+        view_layers_.note(view, widgetOf(painter), mesh.id(), surface, is_first);
+    if (is_first || !is_expected || !lines_.lines.empty()) placement.depths = depths(view, camera);
+    if (is_first)
+        paint(view_layers_.of(view), chosen.surface, camera, placement.depths);
+    else if (!is_expected)
+        paint({surface}, chosen.surface, camera, placement.depths);
+    throwIf(renderer_.draw(lines_, chosen.appearance, placement));
     if (!chosen.show_statistics) return {};
     glFinish();
     return statistics(lines_, extraction, milliseconds(clock));
 }
 
-void DecorateLaplacianLines::drawAll(const DecorationParameters& chosen,
-                                     const SurfaceLayer& surface,
-                                     const meshlab_host::CameraMatrices& camera, GLArea* view,
-                                     LinePlacement& placement) {
-    const bool has_paint = chosen.surface.style != SurfaceAppearance::AsMeshLabDrawsIt;
-    if (lines_.lines.empty() && !has_paint) return;
-    const std::vector<SurfaceLayer>& layers = view_layers_.besideDepthBuffer(view);
-    if (!layers.empty()) placement.surfaces = surface_depth_.update(layers, camera, buffers_);
-    if (has_paint)
-        throwIf(surface_renderer_.paint(surface, chosen.surface,
-                                        placement.diagonal * meanScale(placement.to_eye),
-                                        placement.surfaces, buffers_));
-    throwIf(renderer_.draw(lines_, chosen.appearance, placement));
+void DecorateLaplacianLines::beginRedraw(const DecorationParameters& chosen) {
+    surface_depth_.forgetDepthBuffer();
+    if (chosen.background == Background::Paper)
+        throwIf(background_renderer_.paint(chosen.surface.paper));
+}
+
+DepthTexture DecorateLaplacianLines::depths(GLArea* view,
+                                            const meshlab_host::CameraMatrices& camera) {
+    if (view_layers_.areInDepthBuffer(view) && SurfaceDepth::canCopy())
+        return surface_depth_.copy();
+    return surface_depth_.update(view_layers_.of(view), camera, buffers_);
+}
+
+void DecorateLaplacianLines::paint(const std::vector<SurfaceLayer>& layers,
+                                   const SurfaceAppearance& appearance,
+                                   const meshlab_host::CameraMatrices& camera,
+                                   const DepthTexture& depths) {
+    if (appearance.style == SurfaceAppearance::AsMeshLabDrawsIt) return;
+    for (const SurfaceLayer& layer : layers)
+        throwIf(surface_renderer_.paint(layer, appearance, camera.modelview * layer.transform,
+                                        depths, buffers_));
 }
 
 void DecorateLaplacianLines::complain(const MeshModel& mesh, const QString& text) {

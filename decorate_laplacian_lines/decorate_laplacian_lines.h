@@ -42,10 +42,14 @@ private:
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
                       const RichParameterList& parameters, GLArea* view, QPainter* painter);
-    /// The surface, as far as it is wanted, and the extracted lines. Completes `placement`.
-    void drawAll(const DecorationParameters& chosen, const SurfaceLayer& surface,
-                 const meshlab_host::CameraMatrices& camera, GLArea* view,
-                 LinePlacement& placement);
+    /// What comes before all layers of a view.
+    void beginRedraw(const DecorationParameters& chosen);
+    /// Of all that hides lines in the view.
+    DepthTexture depths(GLArea* view, const meshlab_host::CameraMatrices& camera);
+    /// Paints the surfaces, if that is wanted. Those of all layers come before any line, which
+    /// reaches over the outline of its own.
+    void paint(const std::vector<SurfaceLayer>& layers, const SurfaceAppearance& appearance,
+               const meshlab_host::CameraMatrices& camera, const DepthTexture& depths);
     /// Adds a complaint to the log, but not at every redraw.
     void complain(const MeshModel& mesh, const QString& text);
 

@@ -18,7 +18,8 @@ LineProgram buildLineProgram() {
     program.surface_depth = glGetUniformLocation(program.id, "surface_depth");
     program.texel = glGetUniformLocation(program.id, "texel");
     program.surface_side = glGetUniformLocation(program.id, "surface_side");
-    program.contour_share = glGetUniformLocation(program.id, "contour_share");
+    program.pixels = glGetUniformLocation(program.id, "pixels");
+    program.to_side = glGetUniformLocation(program.id, "to_side");
     program.color = glGetUniformLocation(program.id, "color");
     program.contour_color = glGetUniformLocation(program.id, "contour_color");
     program.dash = glGetUniformLocation(program.id, "dash");

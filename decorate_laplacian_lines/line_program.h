@@ -23,12 +23,13 @@ struct LineProgram {
     GLint to_eye = -1;         ///< mat4, mesh to eye coordinates
     GLint projection = -1;     ///< mat4
     GLint half_viewport = -1;  ///< vec2, pixels
-    GLint depth_bias = -1;     ///< float, length in eye coordinates, see line_shaders.cpp
+    GLint depth_bias = -1;     ///< vec2, lengths in eye coordinates, see line_shaders.cpp
     GLint mark_reach = -1;     ///< float, length in eye coordinates times pixels, or 0; see there
     GLint surface_depth = -1;  ///< sampler2D
     GLint texel = -1;          ///< vec2, of surface_depth for a pixel
-    GLint surface_side = -1;   ///< float: 1 before the surface, -1 behind it, 0 anywhere
-    GLint contour_share = -1;  ///< float, of the width of contours
+    GLint pixels = -1;         ///< vec4, middles of the viewport's first and last pixel
+    GLint to_side = -1;        ///< float, pixels
+    GLint surface_side = -1;   ///< float: 1 before the surface, -1 behind it
     GLint color = -1;          ///< vec4
     GLint contour_color = -1;  ///< vec4
     GLint dash = -1;           ///< vec2, pixels: length of a dash and of a dash with its gap; or 0

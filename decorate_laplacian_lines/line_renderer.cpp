@@ -11,29 +11,38 @@
 namespace {
 
 /// How far, in diagonals, a line may lie behind the surface and still be seen. Lines lie on the
-/// triangles, but contours of the smoothed normals run a little beyond the visible horizon.
+/// triangles, but contours of the smoothed normals run beyond the visible horizon, by an edge or
+/// so.
 constexpr double depth_bias = 0.003;
+constexpr double contour_bias_in_edges = 1.5;
+
+/// How far beside a line, in pixels, the surface may give way to let it be seen. Less than half the
+/// width of an outline, which hides what reaches below it.
+constexpr double to_side = 1.5;
 
 /// Hidden lines: alpha of faint ones; of dashed ones pixels of a dash, and with the gap after it.
 constexpr double faint_alpha = 0.25;
 constexpr double dash_pixels = 5;
 constexpr double dash_period = 9;
-/// How much deeper than a line that is left out one has to lie to be drawn as hidden: otherwise the
-/// covered halves of seen contours would be.
-constexpr double hidden_depth = 12;
+/// How much deeper than a line that is left out one has to lie to be drawn as hidden: otherwise
+/// pieces of lines along an outline would be.
+constexpr double hidden_depth = 4;
 
 LineRadii radii(const LineAppearance& appearance, double pixel_scale) {
     LineRadii result;
     result.laplacian = float(appearance.width * pixel_scale / 2);
-    // twice as much: a contour lies where the surface falls away, which hides its inner half
-    result.contour = float(appearance.contour_factor * appearance.width * pixel_scale);
+    result.contour = float(appearance.contour_factor) * result.laplacian;
     return result;
 }
 
+Eigen::Vector4f viewport() {
+    GLint corner_and_size[4];
+    glGetIntegerv(GL_VIEWPORT, corner_and_size);
+    return Eigen::Map<const Eigen::Vector4i>(corner_and_size).cast<float>();
+}
+
 Eigen::Vector2f halfViewport() {
-    GLint viewport[4];
-    glGetIntegerv(GL_VIEWPORT, viewport);
-    return {float(viewport[2]) / 2, float(viewport[3]) / 2};
+    return viewport().tail<2>() / 2;
 }
 
 void setColor(GLint location, const QColor& color, double alpha) {
@@ -57,9 +66,13 @@ void setPlacement(const LineProgram& program, const LinePlacement& placement, do
     const double to_horizon = placement.mark_pixels > 0 ? 0.71 * placement.mark_pixels + radius : 0;
     glUniform1f(program.mark_reach,
                 float(placement.diagonal * meanScale(placement.to_eye) * to_horizon));
-    glBindTexture(GL_TEXTURE_2D, placement.surfaces.id);
+    glBindTexture(GL_TEXTURE_2D, placement.depths.id);
     glUniform1i(program.surface_depth, 0);
-    glUniform2fv(program.texel, 1, placement.surfaces.texel.data());
+    const Eigen::Vector4f view = viewport();
+    glUniform4f(program.pixels, view[0] + 0.5f, view[1] + 0.5f, view[0] + view[2] - 0.5f,
+                view[1] + view[3] - 0.5f);
+    glUniform1f(program.to_side, float(to_side * placement.pixel_scale));
+    glUniform2fv(program.texel, 1, placement.depths.texel.data());
 }
 
 GLuint makeCornerBuffer() {
@@ -129,19 +142,19 @@ void LineRenderer::bindStream(const GroupObjects& objects) {
 /// Some of the lines, in some way.
 struct LineRenderer::Pass {
     GLenum depth_function = GL_LEQUAL;
-    float surface_side = 1;  ///< of the surfaces in the texture, if there is one
-    double bias = depth_bias;
-    float contour_share = 1;
+    float surface_side = 1;
+    double bias_factor = 1;
     bool is_dashed = false;
 };
 
 void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& placement,
                             const Pass& pass) {
-    glDepthFunc(pass.depth_function);
-    glUniform1f(program.surface_side, placement.surfaces.id ? pass.surface_side : 0);
-    glUniform1f(program.depth_bias,
-                float(pass.bias * placement.diagonal * meanScale(placement.to_eye)));
-    glUniform1f(program.contour_share, pass.contour_share);
+    glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
+    glUniform1f(program.surface_side, pass.surface_side);
+    const double unit = pass.bias_factor * meanScale(placement.to_eye);
+    const double bias = depth_bias * placement.diagonal;
+    const double contour_bias = std::max(bias, contour_bias_in_edges * placement.mean_edge);
+    glUniform2f(program.depth_bias, float(unit * bias), float(unit * contour_bias));
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
     drawInstanced(GL_TRIANGLE_STRIP, 4, GLsizei(stream_.size()) - 3);
@@ -150,17 +163,15 @@ void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& pla
 void LineRenderer::drawHidden(const LineProgram& program, const LineAppearance& appearance,
                               const LinePlacement& placement) {
     Pass hidden;
-    hidden.bias *= hidden_depth;
-    hidden.contour_share = 0.5f;  // the inner half is not covered here
+    hidden.bias_factor = hidden_depth;
     hidden.is_dashed = appearance.hidden == HiddenLines::Dashed;
     setColors(program, appearance, hidden.is_dashed ? 1 : faint_alpha);
-    if (placement.surfaces.id) {
-        hidden.depth_function = GL_ALWAYS;
-        hidden.surface_side = -1;
-        drawPass(program, placement, hidden);
-        hidden.surface_side = 1;  // what nothing but the depth buffer hides
-    }
-    hidden.depth_function = GL_GREATER;
+    hidden.depth_function = GL_ALWAYS;
+    hidden.surface_side = -1;
+    drawPass(program, placement, hidden);
+    if (placement.depths.is_complete) return;
+    hidden.depth_function = GL_GREATER;  // what the depth buffer hides and the texture does not
+    hidden.surface_side = 1;
     drawPass(program, placement, hidden);
 }
 

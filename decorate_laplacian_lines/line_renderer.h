@@ -31,9 +31,10 @@ struct LinePlacement {
     Eigen::Matrix4d to_eye;      ///< mesh coordinates to eye coordinates
     Eigen::Matrix4d projection;  ///< eye coordinates to clip coordinates
     double diagonal = 1;         ///< of the mesh, mesh units
+    double mean_edge = 0;        ///< of the mesh, mesh units
     double pixel_scale = 1;      ///< pixels of the viewport for one of the appearance
     double mark_pixels = 0;      ///< diameter of MeshLab's points or wires on the surface
-    DepthTexture surfaces{};     ///< what hides lines beside the depth buffer
+    DepthTexture depths{};       ///< of what hides lines
 };
 
 /// Draws line sets with OpenGL over what is in the depth buffer. Holds a program and buffers for

@@ -5,14 +5,16 @@
 // cut off there. Every pixel of a line is so painted once; overlapping soft edges would add up to
 // hard ones.
 //
-// Depth: the point is moved towards the eye before its depth is taken, while its place on the
-// screen stays. In eye coordinates that is a fixed length, so lines come out in front of the very
-// surface they lie on at any zoom, but stay behind what is clearly in front of them.
+// Depth: a pixel is seen if the middle of its line beside it is, moved towards the eye by a fixed
+// length in eye coordinates, and compared with the depths there and a little to either side. So a
+// line is drawn in its full width or not at all, at any zoom, also along an outline, where the
+// surface would hide its inner half; it comes out in front of the very surface it lies on, but
+// stays behind what is clearly in front of it.
 //
-// Where MeshLab draws points or wires, these marks are flat on the screen and stand out of a
-// surface that falls away: at d pixels from the horizon of a ball of radius R by sqrt(2 R d). Lines
-// are then compared with the depth of the surfaces alone, and with the depth buffer only after a
-// move as long as that, which leaves the things that hide lines from well before the surface.
+// Where MeshLab draws points or wires, the depths are those of surfaces alone, since such marks are
+// flat on the screen and stand out of a surface that falls away: at d pixels from the horizon of a
+// ball of radius R by sqrt(2 R d). The depth buffer is then asked as well, but only after a move as
+// long as that, which leaves the things that hide lines from well before the surface.
 const char* const line_vertex_shader = R"(#version 120
 attribute vec2 corner;  // x: 0 at the start, 1 at the end; y: -1 or 1, side
 attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark
@@ -24,16 +26,15 @@ attribute vec3 end_look;
 uniform mat4 to_eye;
 uniform mat4 projection;
 uniform vec2 half_viewport;
-uniform float depth_bias;
+uniform vec2 depth_bias;  // of Laplacian lines, of contours
 uniform float mark_reach;  // diameter of the largest ball times pixels to its horizon
-uniform float contour_share;  // of the width of contours
 varying vec2 place;  // pixels along and across, from the start of the segment
 varying vec3 shape;  // length, radius at the start, radius at the end; pixels
 varying vec4 cuts;   // normals of the cuts at the start and at the end; zero: a round end
 varying vec2 starts;  // at the start of the segment: opacity, pixels from the start of the line
 varying vec2 ends;
 varying float contour;
-varying float surface_z;  // depth in 0..1 to compare with surface_depth
+varying vec4 middle;  // direction on the screen, depths in 0..1 at the start and at the end
 
 const float nothing_here = -1.5;  // marks below this one still have a position
 
@@ -94,7 +95,7 @@ void main()
     starts = start_look.xz;
     ends = end_look.xz;
     contour = start_look.y;
-    surface_z = 0.0;
+    middle = vec4(0.0);
     if (start.w < 0.0 || end.w < 0.0)
         return;
     vec4 a = toEye(start);
@@ -123,7 +124,7 @@ void main()
     if (isPoint(after) && b_front > 0.0 && beforeNear(n) > 0.0)
         end_cut = cutBetween(direction, toScreen(n) - screen_b);
 
-    vec2 radii = vec2(start.w, end.w) * mix(1.0, contour_share, start_look.y);
+    vec2 radii = vec2(start.w, end.w);
     float reach = max(radii.x, radii.y) + 1.0;
     place = vec2(corner.x * pixels + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
     shape = vec3(pixels, radii);
@@ -131,10 +132,12 @@ void main()
                 dot(end_cut, direction), dot(end_cut, across));
     vec2 screen = screen_a + direction * place.x + across * place.y;
     vec4 visible = corner.x < 0.5 ? visible_a : visible_b;
-    surface_z = 0.5 * depthMoved(visible, depth_bias) + 0.5;
+    float bias = mix(depth_bias.x, depth_bias.y, contour);
+    middle = vec4(direction, 0.5 * depthMoved(visible_a, bias) + 0.5,
+                  0.5 * depthMoved(visible_b, bias) + 0.5);
     // w = 1 keeps the interpolation linear on the screen
     gl_Position = vec4(screen / half_viewport,
-                       depthMoved(visible, max(depth_bias, markHeight(visible))), 1.0);
+                       depthMoved(visible, max(bias, markHeight(visible))), 1.0);
 }
 )";
 
@@ -148,15 +151,26 @@ varying vec4 cuts;
 varying vec2 starts;
 varying vec2 ends;
 varying float contour;
-varying float surface_z;
+varying vec4 middle;
 uniform sampler2D surface_depth;
 uniform vec2 texel;          // of surface_depth for a pixel
-uniform float surface_side;  // 1: lines before the surface, -1: those behind it, 0: all
+uniform vec4 pixels;         // middles of the viewport's first and last pixel
+uniform float to_side;       // pixels
+uniform float surface_side;  // 1: lines before the surface, -1: those behind it
 
-bool isOnOtherSide()
+float depthAt(vec2 pixel)
 {
-    return surface_side != 0.0 &&
-           surface_side * (texture2D(surface_depth, gl_FragCoord.xy * texel).r - surface_z) < 0.0;
+    return texture2D(surface_depth, clamp(pixel, pixels.xy, pixels.zw) * texel).r;
+}
+
+// Whether the line is not on the side that is wanted, `along` pixels from the segment's start.
+bool isOnOtherSide(float along, float part)
+{
+    vec2 across = vec2(-middle.y, middle.x);
+    vec2 here = gl_FragCoord.xy - (place.x - along) * middle.xy - place.y * across;
+    float farthest = max(depthAt(here), max(depthAt(here + to_side * across),
+                                            depthAt(here - to_side * across)));
+    return surface_side * (farthest - mix(middle.z, middle.w, part)) < 0.0;
 }
 
 // Share of a pixel at this distance from the start of the line that a dash covers.
@@ -182,7 +196,7 @@ void main()
     // lines thinner than a pixel fade instead of breaking up
     float coverage = clamp(radius + 0.5 - distance_to_segment, 0.0, 1.0) * min(1.0, 2.0 * radius);
     coverage *= look.x * dashCoverage(look.y);
-    if (coverage <= 0.0 || isOnOtherSide())
+    if (coverage <= 0.0 || isOnOtherSide(along, part))
         discard;
     vec4 ink = contour > 0.5 ? contour_color : color;
     gl_FragColor = vec4(ink.rgb, ink.a * coverage);

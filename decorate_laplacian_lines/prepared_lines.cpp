@@ -82,6 +82,7 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
         const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
         const Field field = fieldOf(mesh, triangles, mesh_name, source, say);
         result->diagonal = field.scale.diagonal;
+        result->mean_edge = field.scale.mean_edge;
         result->surface = makeSurface(triangles, field);
         result->extractor.emplace(triangles, field);
     } catch (const std::bad_alloc&) {

@@ -23,7 +23,8 @@ struct LineKey {
 /// A mesh made ready for line extraction, or the reason why it cannot be.
 struct PreparedLines {
     LineKey key;
-    double diagonal = 0;  ///< of the usable mesh's bounding box, mesh units
+    double diagonal = 0;   ///< of the usable mesh's bounding box, mesh units
+    double mean_edge = 0;  ///< mesh units
     std::optional<laplacian_lines::LineExtractor> extractor;
     SurfacePointer surface;  ///< set if there is an extractor
     QString failure;         ///< one sentence, empty if there is an extractor

@@ -39,7 +39,41 @@ private:
     GLint read_before_ = 0;
 };
 
+std::array<GLint, 4> currentViewport() {
+    std::array<GLint, 4> viewport;
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    return viewport;
+}
+
 }  // namespace
+
+void SurfaceDepth::forgetDepthBuffer() {
+    for (auto& group : groups_)
+        group.second.is_copy = false;
+}
+
+bool SurfaceDepth::canCopy() {
+    GLint framebuffer = 0, samples = 0;
+    glGetIntegerv(GL_SAMPLES, &samples);
+    if (GLEW_VERSION_3_0 || GLEW_ARB_framebuffer_object)
+        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
+    return framebuffer == 0 || samples == 0;
+}
+
+DepthTexture SurfaceDepth::copy() {
+    const Viewport viewport = currentViewport();
+    Texture& texture = currentTexture(viewport);
+    if (!texture.is_copy || texture.viewport != viewport) {
+        const LineGlState state;
+        glBindTexture(GL_TEXTURE_2D, texture.id);
+        glCopyTexSubImage2D(GL_TEXTURE_2D, 0, viewport[0], viewport[1], viewport[0], viewport[1],
+                            viewport[2], viewport[3]);
+        texture.layers.clear();
+        texture.viewport = viewport;
+        texture.is_copy = true;
+    }
+    return {texture.id, {1 / float(texture.width), 1 / float(texture.height)}, true};
+}
 
 DepthTexture SurfaceDepth::update(const std::vector<SurfaceLayer>& layers,
                                   const meshlab_host::CameraMatrices& camera,
@@ -48,37 +82,38 @@ DepthTexture SurfaceDepth::update(const std::vector<SurfaceLayer>& layers,
         throw std::runtime_error(
             "Lines over points and wires need framebuffer objects (OpenGL 3.0): show the layer "
             "filled.");
-    const ShareGroup group = currentShareGroup();
-    const auto [place, is_new] = groups_.try_emplace(group);
-    if (is_new) whenGone(group, &receiver_, [this, group] { groups_.erase(group); });
-    Texture& texture = place->second;
-
-    Viewport viewport;
-    glGetIntegerv(GL_VIEWPORT, viewport.data());
-    const bool is_current = texture.layers == layers && texture.viewport == viewport &&
+    const Viewport viewport = currentViewport();
+    Texture& texture = currentTexture(viewport);
+    const bool is_current = !texture.is_copy && texture.layers == layers &&
+                            texture.viewport == viewport &&
                             texture.camera.modelview == camera.modelview &&
                             texture.camera.projection == camera.projection;
     if (!is_current) {
-        enlarge(texture, viewport[0] + viewport[2], viewport[1] + viewport[3]);
+        texture.layers.clear();
+        texture.is_copy = false;
+        render(texture.id, layers, buffers);
         texture.layers = layers;
         texture.camera = camera;
         texture.viewport = viewport;
-        try {
-            render(texture, buffers);
-        } catch (...) {
-            texture.layers.clear();
-            throw;
-        }
     }
-    return {texture.id, {1 / float(texture.width), 1 / float(texture.height)}};
+    return {texture.id, {1 / float(texture.width), 1 / float(texture.height)}, false};
+}
+
+SurfaceDepth::Texture& SurfaceDepth::currentTexture(const Viewport& viewport) {
+    const ShareGroup group = currentShareGroup();
+    const auto [place, is_new] = groups_.try_emplace(group);
+    if (is_new) whenGone(group, &receiver_, [this, group] { groups_.erase(group); });
+    enlarge(place->second, viewport[0] + viewport[2], viewport[1] + viewport[3]);
+    return place->second;
 }
 
 void SurfaceDepth::enlarge(Texture& texture, GLint width, GLint height) {
     if (texture.id && width <= texture.width && height <= texture.height) return;
     texture.width = std::max(width, texture.width);
     texture.height = std::max(height, texture.height);
-    GLint before = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &before);
+    texture.layers.clear();
+    texture.is_copy = false;
+    const LineGlState state;
     if (!texture.id) glGenTextures(1, &texture.id);
     glBindTexture(GL_TEXTURE_2D, texture.id);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, texture.width, texture.height, 0,
@@ -87,12 +122,12 @@ void SurfaceDepth::enlarge(Texture& texture, GLint width, GLint height) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(GL_TEXTURE_2D, GLuint(before));
 }
 
-void SurfaceDepth::render(const Texture& texture, SurfaceBuffers& buffers) {
+void SurfaceDepth::render(GLuint texture, const std::vector<SurfaceLayer>& layers,
+                          SurfaceBuffers& buffers) {
     const LineGlState state;
-    const DepthFramebuffer framebuffer(texture.id);
+    const DepthFramebuffer framebuffer(texture);
     if (!framebuffer.isComplete())
         throw std::runtime_error("The depth of the surface cannot be drawn into a texture.");
     // the fixed pipeline, as in MeshLab's own drawing and in ours, so that depths are the same
@@ -103,6 +138,6 @@ void SurfaceDepth::render(const Texture& texture, SurfaceBuffers& buffers) {
     glDepthFunc(GL_LESS);
     glClearDepth(1);
     glClear(GL_DEPTH_BUFFER_BIT);
-    for (const SurfaceLayer& layer : texture.layers)
+    for (const SurfaceLayer& layer : layers)
         buffers.draw(layer);
 }

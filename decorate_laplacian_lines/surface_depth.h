@@ -18,15 +18,24 @@
 struct DepthTexture {
     GLuint id = 0;  ///< 0: there is none
     Eigen::Vector2f texel = Eigen::Vector2f::Zero();
+    bool is_complete = false;  ///< holds all that is in the depth buffer too
 };
 
-/// The depths of surfaces alone, apart from the depth buffer, where MeshLab's points and wires
-/// stick out of them, or stand without faces. One texture for each share group. GUI thread only.
+/// The depths that lines are compared with, for shaders to read. One texture for each share group.
+/// GUI thread only.
 class SurfaceDepth {
 public:
-    /// The nearest faces of all layers in the current viewport. The current matrices must be those
-    /// of `camera`. Draws only if something has changed since the last time. Leaves OpenGL's state
-    /// as it was. Throws std::runtime_error if it cannot be done.
+    /// To be called when a redraw begins.
+    void forgetDepthBuffer();
+    /// Whether the depth buffer can be read at all.
+    static bool canCopy();
+    /// A copy of the current viewport of the depth buffer, made once a redraw.
+    DepthTexture copy();
+
+    /// The nearest faces of all layers in the current viewport, apart from the depth buffer, where
+    /// MeshLab's points and wires stick out of them, or stand without faces. The current matrices
+    /// must be those of `camera`. Draws only if something has changed since the last time. Leaves
+    /// OpenGL's state as it was. Throws std::runtime_error if it cannot be done.
     DepthTexture update(const std::vector<SurfaceLayer>& layers,
                         const meshlab_host::CameraMatrices& camera, SurfaceBuffers& buffers);
 
@@ -39,10 +48,13 @@ private:
         std::vector<SurfaceLayer> layers;
         meshlab_host::CameraMatrices camera;
         Viewport viewport{};
+        bool is_copy = false;
     };
 
+    Texture& currentTexture(const Viewport& viewport);
     static void enlarge(Texture& texture, GLint width, GLint height);
-    static void render(const Texture& texture, SurfaceBuffers& buffers);
+    static void render(GLuint texture, const std::vector<SurfaceLayer>& layers,
+                       SurfaceBuffers& buffers);
 
     std::map<ShareGroup, Texture> groups_;
     QObject receiver_;  ///< of the groups' last words; destroyed first

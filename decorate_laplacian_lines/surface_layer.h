@@ -10,6 +10,7 @@
 struct SurfaceLayer {
     std::weak_ptr<const Surface> surface;
     Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();  ///< mesh to world coordinates
+    double diagonal = 0;                                      ///< of the mesh, mesh units
     bool culls_back_faces = false;
     /// MeshLab's depth buffer holds the faces and nothing before them.
     bool is_in_depth_buffer = false;

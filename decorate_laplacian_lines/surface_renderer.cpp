@@ -2,6 +2,7 @@
 #include "surface_renderer.h"
 
 #include "gl_state.h"
+#include "mean_scale.h"
 #include "shader_program.h"
 #include "surface_shaders.h"
 
@@ -40,7 +41,7 @@ SurfaceRenderer::Program& SurfaceRenderer::programOfCurrentGroup() {
 }
 
 std::string SurfaceRenderer::paint(const SurfaceLayer& layer, const SurfaceAppearance& appearance,
-                                   double diagonal, const DepthTexture& depth,
+                                   const Eigen::Matrix4d& to_eye, const DepthTexture& depth,
                                    SurfaceBuffers& buffers) {
     const Program& program = programOfCurrentGroup();
     if (!program.id) return "The surface cannot be painted: " + program.failure;
@@ -52,10 +53,13 @@ std::string SurfaceRenderer::paint(const SurfaceLayer& layer, const SurfaceAppea
     setColor(program.shade, appearance.shade);
     const bool is_toon = appearance.style == SurfaceAppearance::Toon;
     glUniform1f(program.tones, is_toon ? float(appearance.tones) : 1);
+    const double diagonal = layer.diagonal * meanScale(to_eye);
     glUniform2f(program.nearer, float(least_move * diagonal), float(greatest_move * diagonal));
-    glBindTexture(GL_TEXTURE_2D, depth.id);
+    const bool is_needed = !depth.is_complete;
+    glBindTexture(GL_TEXTURE_2D, is_needed ? depth.id : 0);
     glUniform1i(program.surface_depth, 0);
-    glUniform2fv(program.texel, 1, depth.texel.data());
+    const Eigen::Vector2f texel = is_needed ? depth.texel : Eigen::Vector2f(0, 0);
+    glUniform2fv(program.texel, 1, texel.data());
     buffers.draw(layer);
     return {};
 }

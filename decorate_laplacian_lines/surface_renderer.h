@@ -28,11 +28,12 @@ struct SurfaceAppearance {
 class SurfaceRenderer {
 public:
     /// Paints the nearest faces into the current viewport; the current matrices must be the
-    /// camera's. Nearest by MeshLab's depth buffer and by `depth`, if there is one. `diagonal` of
-    /// the mesh in eye coordinates. Leaves OpenGL's state as it was. Returns why nothing could be
-    /// painted, empty on success.
+    /// camera's. Nearest by MeshLab's depth buffer and by `depth`, unless that is complete, which
+    /// adds nothing. `to_eye` from the mesh. Leaves OpenGL's state as it was. Returns why nothing
+    /// could be painted, empty on success.
     std::string paint(const SurfaceLayer& layer, const SurfaceAppearance& appearance,
-                      double diagonal, const DepthTexture& depth, SurfaceBuffers& buffers);
+                      const Eigen::Matrix4d& to_eye, const DepthTexture& depth,
+                      SurfaceBuffers& buffers);
 
 private:
     struct Program {

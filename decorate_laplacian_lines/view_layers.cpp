@@ -4,10 +4,14 @@
 #include <QTimer>
 #include <algorithm>
 
-/// Whether the depth buffer alone cannot say what hides lines.
-bool ViewLayers::needsTexture(const Redraw& redraw) {
-    return std::any_of(redraw.layers.begin(), redraw.layers.end(),
-                       [](const auto& layer) { return !layer.second.layer.is_in_depth_buffer; });
+bool ViewLayers::areInDepthBuffer(const Redraw& redraw) {
+    return std::all_of(redraw.layers.begin(), redraw.layers.end(),
+                       [](const auto& layer) { return layer.second.layer.is_in_depth_buffer; });
+}
+
+bool ViewLayers::areInDepthBuffer(View view) const {
+    const auto redraw = views_.find(view);
+    return redraw != views_.end() && areInDepthBuffer(redraw->second);
 }
 
 /// Removes the layers to which the redraw has not come. Returns whether there were any.
@@ -18,18 +22,19 @@ bool ViewLayers::dropMissing(Redraw& redraw) {
     return redraw.layers.size() < before;
 }
 
-void ViewLayers::note(View view, QWidget* widget, int mesh, const SurfaceLayer& layer,
+bool ViewLayers::note(View view, QWidget* widget, int mesh, const SurfaceLayer& layer,
                       bool is_first) {
     Redraw& redraw = views_[view];
     redraw.widget = widget;
     if (is_first) begin(redraw);
     const auto [place, is_new] = redraw.layers.try_emplace(mesh);
     Entry& entry = place->second;
-    if (!is_first && (is_new || entry.layer != layer)) redraw.has_surprised = true;
+    const bool is_expected = !is_new && entry.layer == layer;
+    if (!is_first && !is_expected) redraw.has_surprised = true;
     entry = {layer, true};
-    if (end_is_due_) return;
+    if (!end_is_due_) QTimer::singleShot(0, &receiver_, [this] { endRedraws(); });
     end_is_due_ = true;
-    QTimer::singleShot(0, &receiver_, [this] { endRedraws(); });
+    return is_expected;
 }
 
 void ViewLayers::begin(Redraw& redraw) {
@@ -39,11 +44,9 @@ void ViewLayers::begin(Redraw& redraw) {
     redraw.is_over = redraw.has_surprised = false;
 }
 
-const std::vector<SurfaceLayer>& ViewLayers::besideDepthBuffer(View view) {
+const std::vector<SurfaceLayer>& ViewLayers::of(View view) {
     listed_.clear();
-    const Redraw& redraw = views_[view];
-    if (!needsTexture(redraw)) return listed_;
-    for (const auto& layer : redraw.layers)
+    for (const auto& layer : views_[view].layers)
         listed_.push_back(layer.second.layer);
     return listed_;
 }
@@ -58,7 +61,7 @@ void ViewLayers::endRedraws() {
         Redraw& redraw = view.second;
         if (redraw.is_over) continue;
         redraw.is_over = true;
-        const bool matters = needsTexture(redraw);
+        const bool matters = !areInDepthBuffer(redraw);
         const bool was_wrong = dropMissing(redraw) || redraw.has_surprised;
         if (was_wrong && matters && redraw.widget) redraw.widget->update();
     }

@@ -17,11 +17,12 @@ public:
     using View = const void*;  ///< a name, never followed
 
     /// Notes that the redraw of a view has come to a mesh, its first one if `is_first`. `widget`
-    /// shows the view, or null.
-    void note(View view, QWidget* widget, int mesh, const SurfaceLayer& layer, bool is_first);
-    /// All layers of the view, as far as they are known, if the depth buffer lacks any of them or
-    /// holds more; otherwise none. Valid until the next call.
-    const std::vector<SurfaceLayer>& besideDepthBuffer(View view);
+    /// shows the view, or null. Returns whether this is what was expected of the mesh.
+    bool note(View view, QWidget* widget, int mesh, const SurfaceLayer& layer, bool is_first);
+    /// All layers of the view, as far as they are known. Valid until the next call.
+    const std::vector<SurfaceLayer>& of(View view);
+    /// Whether the depth buffer has the faces of all of them, and nothing else of them.
+    bool areInDepthBuffer(View view) const;
     void forget(View view);
 
 private:
@@ -36,7 +37,7 @@ private:
         bool has_surprised = false;  ///< a layer was other than expected, after lines were drawn
     };
 
-    static bool needsTexture(const Redraw& redraw);
+    static bool areInDepthBuffer(const Redraw& redraw);
     static bool dropMissing(Redraw& redraw);
     static void begin(Redraw& redraw);
 

@@ -6,28 +6,6 @@ source "$(dirname "$(readlink -f "$0")")/harness.sh"
 # twenty zooms, from a view that is filled to one a tenth as wide
 mapfile -t distances < <(awk 'BEGIN { for (i = 0; i < 20; i++) printf "%.3f\n", 2.2 * 10 ^ (i / 19) }')
 
-# sphere: of radius 1, 180 by 90 facets
-sphere() {
-    awk 'BEGIN {
-        n = 180; m = 90; pi = atan2(0, -1)
-        printf "ply\nformat ascii 1.0\nelement vertex %d\n", n * (m - 1) + 2
-        print "property float x\nproperty float y\nproperty float z"
-        printf "element face %d\nproperty list uchar int vertex_indices\nend_header\n", 2 * n * (m - 1)
-        print "0 0 1"
-        for (j = 1; j < m; j++) for (i = 0; i < n; i++)
-            print sin(pi * j / m) * cos(2 * pi * i / n), sin(pi * j / m) * sin(2 * pi * i / n), cos(pi * j / m)
-        print "0 0 -1"
-        for (i = 0; i < n; i++) print 3, 0, 1 + i, 1 + (i + 1) % n
-        for (j = 0; j < m - 2; j++) for (i = 0; i < n; i++) {
-            a = 1 + j * n + i; b = 1 + j * n + (i + 1) % n
-            print 3, a, a + n, b
-            print 3, b, a + n, b + n
-        }
-        last = n * (m - 1) + 1
-        for (i = 0; i < n; i++) print 3, last, last - n + (i + 1) % n, last - n + i
-    }'
-}
-
 # rings NAME: pictures from all distances
 rings() {
     local distance
@@ -45,7 +23,7 @@ expect_ring() {
     ((least == 1)) || fail "the ring in $1 has a gap"
 }
 
-sphere >"$WORK/sphere.ply"
+sphere "$WORK/sphere.ply"
 drive_lines sphere.ply <<END
 size 600x600
 setdeco Laplacian Lines = off

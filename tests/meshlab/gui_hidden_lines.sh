@@ -53,7 +53,7 @@ END
 seen=$(ink fill_left_out.png)
 for mode in fill paper wireframe_on_fill wireframe points; do
     # edges blend with what is below; there are more lines behind than that
-    expect_between $((seen * 80 / 100)) "$(ink ${mode}_left_out.png)" $((seen * 106 / 100)) "ink in mode $mode"
+    expect_between $((seen * 80 / 100)) "$(ink ${mode}_left_out.png)" $((seen * 110 / 100)) "ink in mode $mode"
     expect_between $((seen * 95 / 100)) "$(ink ${mode}_dashed.png)" $((seen * 200 / 100)) "dashes in mode $mode"
 done
 expect_between $(($(ink paper_left_out.png) + 500)) "$(ink paper_dashed.png)" 100000 "ink with dashes"

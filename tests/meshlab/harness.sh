@@ -12,6 +12,7 @@
 #   red_pixels FILE               how much of the lines' red a picture has
 #   small_torus FILE              a mesh
 #   torus FILE                    one with lines all over it
+#   sphere FILE                   one with nothing but a contour
 # shellcheck disable=SC2034 # some of it is for the tests only
 # With set -e, the first thing that is not as expected ends the test and shows the logs.
 set -euo pipefail
@@ -147,6 +148,28 @@ small_torus() {
 # 25,600 triangles
 torus() {
     write_bumpy_torus 160 80 >"$1"
+}
+
+# of radius 1, 180 by 90 facets
+sphere() {
+    awk 'BEGIN {
+        n = 180; m = 90; pi = atan2(0, -1)
+        printf "ply\nformat ascii 1.0\nelement vertex %d\n", n * (m - 1) + 2
+        print "property float x\nproperty float y\nproperty float z"
+        printf "element face %d\nproperty list uchar int vertex_indices\nend_header\n", 2 * n * (m - 1)
+        print "0 0 1"
+        for (j = 1; j < m; j++) for (i = 0; i < n; i++)
+            print sin(pi * j / m) * cos(2 * pi * i / n), sin(pi * j / m) * sin(2 * pi * i / n), cos(pi * j / m)
+        print "0 0 -1"
+        for (i = 0; i < n; i++) print 3, 0, 1 + i, 1 + (i + 1) % n
+        for (j = 0; j < m - 2; j++) for (i = 0; i < n; i++) {
+            a = 1 + j * n + i; b = 1 + j * n + (i + 1) % n
+            print 3, a, a + n, b
+            print 3, b, a + n, b + n
+        }
+        last = n * (m - 1) + 1
+        for (i = 0; i < n; i++) print 3, last, last - n + (i + 1) % n, last - n + i
+    }' >"$1"
 }
 
 begin_test
