@@ -140,7 +140,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
 
     if (chosen.show_statistics) glFinish();  // the mesh's own drawing must not count
     clock.restart();
-    const auto shown = meshlab_host::layerDrawing(mesh).value_or(meshlab_host::LayerDrawing());
+    const meshlab_host::LayerDrawing shown = meshlab_host::layerDrawing(mesh);
     const SurfaceLayer surface = {lines.surface, layer, lines.diagonal, shown.culls_back_faces,
                                   shown.has_faces && shown.mark_pixels == 0};
     LinePlacement placement;

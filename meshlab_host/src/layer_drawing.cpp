@@ -13,6 +13,12 @@
 
 namespace meshlab_host {
 
+namespace {
+
+constexpr LayerDrawing unknown = {false, false, 6};
+
+}  // namespace
+
 #if MESHLAB_API < 2022
 
 namespace {
@@ -51,14 +57,14 @@ double largestMark(const MLRenderingData& data, const MLPerViewGLOptions& option
 
 }  // namespace
 
-std::optional<LayerDrawing> layerDrawing(const MeshModel& mesh) {
+LayerDrawing layerDrawing(const MeshModel& mesh) {
     MLSceneGLSharedDataContext* scene = sceneOf(mesh.parent);
     auto* context = const_cast<QGLContext*>(QGLContext::currentContext());  // as it is kept there
-    if (!scene || !context) return std::nullopt;
+    if (!scene || !context) return unknown;
     MLRenderingData data;
     MLPerViewGLOptions options;
     scene->getRenderInfoPerMeshView(mesh.id(), context, data);
-    if (!data.get(options)) return std::nullopt;
+    if (!data.get(options)) return unknown;
     LayerDrawing drawing;
     drawing.has_faces = data.isPrimitiveActive(MLRenderingData::PR_SOLID) && facesLeaveDepth();
     drawing.culls_back_faces = options._back_face_cull;
@@ -68,8 +74,8 @@ std::optional<LayerDrawing> layerDrawing(const MeshModel& mesh) {
 
 #else
 
-std::optional<LayerDrawing> layerDrawing(const MeshModel&) {
-    return std::nullopt;
+LayerDrawing layerDrawing(const MeshModel&) {
+    return unknown;
 }
 
 #endif

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 class MeshModel;
 
 namespace meshlab_host {
@@ -15,7 +13,8 @@ struct LayerDrawing {
 };
 
 /// The drawing in the view that is being redrawn: its OpenGL context is current and in the state in
-/// which MeshLab calls decorations. Empty if it cannot be known, as in MeshLab 2022 and later.
-std::optional<LayerDrawing> layerDrawing(const MeshModel& mesh);
+/// which MeshLab calls decorations. Where it cannot be known, as in MeshLab 2022 and later, points
+/// of the usual size without faces, so that nothing relies on more than may be there.
+LayerDrawing layerDrawing(const MeshModel& mesh);
 
 }  // namespace meshlab_host
