@@ -15,7 +15,7 @@ namespace meshlab_host {
 
 namespace {
 
-constexpr LayerDrawing unknown = {false, false, 6};
+const LayerDrawing unknown = {false, false, 6};
 
 }  // namespace
 

@@ -3,9 +3,9 @@
 
 #include "line_probe.h"
 
-#include <meshlab_host/meshlab_api.h>
 #include <laplacian_lines/line_extractor.h>
 #include <laplacian_lines/precompute.h>
+#include <meshlab_host/meshlab_api.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
