@@ -14,7 +14,7 @@ namespace {
 StreamPoint at(const LinePoint& point, float radius, LineKind kind) {
     const Eigen::Vector3f& p = point.position;
     return {
-        {p.x(), p.y(), p.z()}, radius, point.opacity, kind == LineKind::Contour ? 1.0f : 0.0f, 0};
+        {p.x(), p.y(), p.z()}, radius, point.opacity, is_outline(kind) ? 1.0f : 0.0f, 0};
 }
 
 float taperedRadius(float full, float least_share, float weight) {
@@ -42,7 +42,7 @@ void makeStream(const LineSet& lines, const LineRadii& radii, std::vector<Stream
         if (line.count < 2) continue;
         const LinePoint* first = lines.points.data() + line.first;
         const LinePoint* last = first + line.count - 1;
-        const float full = line.kind == LineKind::Contour ? radii.contour : radii.laplacian;
+        const float full = is_outline(line.kind) ? radii.contour : radii.laplacian;
         const float mark = line.closed ? neighbour_only : nothing_here;
         // a closed line ends with a copy of its first point, so its neighbours are one further in
         stream.push_back(at(*(last - 1), mark, line.kind));

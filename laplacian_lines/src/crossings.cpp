@@ -15,14 +15,9 @@ double threshold_factor(double detail) {
     return std::exp2(x < 0 ? 3.5 * std::pow(-x, 1.6) : -5 * std::pow(x, 1.3));
 }
 
-namespace {
-
-/// A pass has a variance of 1/2.
 int smoothing_passes(double deviation) {
-    return int(std::lround(2 * deviation * deviation));
+    return int(std::lround(2 * deviation * deviation));  // a pass has a variance of 1/2
 }
-
-}  // namespace
 
 LineRules laplacian_rules(const LineStyle& s) {
     const double factor = threshold_factor(s.detail);

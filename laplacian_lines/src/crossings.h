@@ -49,6 +49,9 @@ struct LineRules {
 LineRules laplacian_rules(const LineStyle& style);
 LineRules contour_rules(const LineStyle& style);
 
+/// How many passes of smooth_line() have this standard deviation.
+int smoothing_passes(double deviation);
+
 /// The functions whose zeros are lines, at a vertex; together, since both are read near lines.
 struct VertexValue {
     float laplacian;  ///< ΔI

@@ -6,13 +6,16 @@
 
 #include "crossings.h"
 #include "extractor_data.h"
+#include "fixed_lines.h"
 #include "laplacian_lines/error.h"
+#include "mesh_edge_lines.h"
 #include "polyline_tracing.h"
 
 namespace laplacian_lines {
 
 struct LineExtractor::Data : ExtractorData {
     explicit Data(ExtractorData&& data) : ExtractorData(std::move(data)) {}
+    mutable FixedLines fixed_lines;  // thread-safe
 };
 
 struct ExtractionScratch::Memory {
@@ -20,6 +23,7 @@ struct ExtractionScratch::Memory {
     MixedTriangles mixed;
     CrossingGraph graph;
     TracingMemory tracing;
+    SilhouetteMemory silhouettes;
 };
 
 ExtractionScratch::ExtractionScratch() : memory_(std::make_unique<Memory>()) {}
@@ -85,9 +89,14 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
     };
     LineRules rules = laplacian_rules(style);
     if (view.light) rules.contour_clearance = 0;  // lines of another light follow no contours
-    if (style.laplacian_lines)
-        extract_kind(rules, &VertexValue::laplacian, memory.mixed.laplacian);
-    if (style.contours)
+    if (style.laplacian_lines) extract_kind(rules, &VertexValue::laplacian, memory.mixed.laplacian);
+    data_->fixed_lines.append(*data_, style, lines);
+    if (style.contours && style.mesh_silhouettes) {
+        LineRules silhouette_rules = contour_rules(style);
+        silhouette_rules.smoothing_passes = 0;  // exact is what they are for
+        append_silhouettes(*data_, data_->fixed_lines.mesh_edges(*data_), local.eye,
+                           silhouette_rules, memory.silhouettes, memory.tracing, lines);
+    } else if (style.contours)
         extract_kind(contour_rules(style), &VertexValue::facing, memory.mixed.contour);
 }
 

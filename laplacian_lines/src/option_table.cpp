@@ -97,6 +97,12 @@ std::vector<OptionDescription<LineStyle>> everyday_style_rows() {
                          "them as they are."),
         boolean<&S::laplacian_lines>("laplacian_lines", "Laplacian Lines",
                                      "Draw the Laplacian lines."),
+        boolean<&S::ridges>("ridges", "Ridges",
+                            "Draw convex edges of the form, sharp or rounded."),
+        boolean<&S::borders>("borders", "Borders", "Draw the borders of holes and open surfaces."),
+        boolean<&S::creases>("creases", "Creases",
+                             "Draw edges of the mesh at which triangles meet at an angle: for "
+                             "meshes of few triangles, such as those of CAD programs."),
         boolean<&S::single_strokes>(
             "single_strokes", "Single Strokes",
             "Draw one line along a groove and at the foot of a form: only where the surface is "
@@ -154,6 +160,16 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
             "contour_clearance", "Contour Clearance", 0, 10,
             "Laplacian lines nearer to an outline than this fade out, since they only double it; "
             "in bounding-box diagonals."),
+        boolean<&S::mesh_silhouettes>(
+            "mesh_silhouettes", "Mesh Silhouettes",
+            "Draw outlines along the edges of the mesh, exactly where triangles turn away from the "
+            "eye, instead of as smooth curves."),
+        real<&S::ridge_angle>(
+            "ridge_angle", "Ridge Angle", 10, 180,
+            "Least angle in degrees by which the surface turns across a ridge, within the size of "
+            "the features that the lines show. Larger leaves out softer ridges."),
+        real<&S::crease_angle>("crease_angle", "Crease Angle", 20, 180,
+                               "Least angle between two triangles of a crease, in degrees."),
         boolean<&S::exact_point_light>(
             "exact_point_light", "Exact Point Light",
             "Use the exact Laplacian of a point light at the eye instead of the paper's form. The "

@@ -66,6 +66,7 @@ LineStyle all_crossings() {
     style.gradient_threshold = style.strength_threshold = 0;
     style.reject_phantoms = style.single_strokes = false;
     style.line_smoothing = 0;
+    style.ridges = style.borders = false;
     style.segment_slope = style.line_slope = 0;
     style.shortest_line = style.shortest_contour = 0;
     style.least_facing = -1;

@@ -43,6 +43,8 @@ AnalyticMesh hills(int cells, double jitter = 0);  ///< over [−1, 1]²
 AnalyticMesh cylinder(int columns, int rows, double radius = 1, double length = 2);  ///< open, z
 TriangleMesh plane(int cells, double jitter = 0);  ///< [−1, 1]², z = 0, facing +z
 TriangleMesh cube(int cells);                      ///< [−1, 1]³, welded edges
+/// The same with edges and corners of the given radius, as finely divided as the faces.
+TriangleMesh rounded_cube(int cells, double radius);
 
 /// An anchor ring of unit radius and a width of 0.6, one half turn: not orientable.
 TriangleMesh moebius_strip(int columns, int rows);

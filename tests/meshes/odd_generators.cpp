@@ -47,6 +47,15 @@ TriangleMesh cube(int cells) {
     return welded(faces);
 }
 
+TriangleMesh rounded_cube(int cells, double radius) {
+    TriangleMesh mesh = cube(cells);
+    for (Eigen::Vector3d& p : mesh.positions) {
+        const Eigen::Vector3d inner = p.cwiseMax(radius - 1).cwiseMin(1 - radius);
+        p = inner + radius * (p - inner).normalized();
+    }
+    return mesh;
+}
+
 TriangleMesh moebius_strip(int columns, int rows) {
     TriangleMesh mesh = grid_mesh({columns, rows}, [](double u, double v) {
         const double turn = kPi * u, across = 0.6 * (v - 0.5);

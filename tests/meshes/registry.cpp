@@ -84,6 +84,7 @@ std::vector<TestMesh> generate() {
     meshes.push_back(analytic("cylinder", kBorder, cylinder(48, 24)));
     meshes.push_back(plain("plane", kBorder | kJittered, plane(24, 0.2)));
     meshes.push_back(plain("cube", kClosed | kSymmetric | kSharp, cube(10)));
+    meshes.push_back(plain("rounded_cube", kClosed | kSymmetric, rounded_cube(40, 0.1)));
     meshes.push_back(plain("parallel_sheets", kBorder | kComponents, parallel_sheets(24, 0.1)));
     meshes.push_back(plain("three_sheets", kNonManifold | kSharp, fan_of_sheets(3, 16)));
     meshes.push_back(plain("five_sheets", kNonManifold | kSharp, fan_of_sheets(5, 12)));

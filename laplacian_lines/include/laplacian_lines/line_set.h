@@ -7,13 +7,24 @@
 
 namespace laplacian_lines {
 
-enum class LineKind : std::uint32_t { Laplacian, Contour };
+enum class LineKind : std::uint32_t {
+    Laplacian,
+    Contour,  ///< where the surface turns away from the eye
+    Ridge,    ///< convex crest lines
+    Border,   ///< where the surface ends
+    Crease,   ///< edges of the mesh between triangles at an angle
+};
+
+/// Whether lines of the kind bound the form; the others describe what is inside.
+constexpr bool is_outline(LineKind kind) {
+    return kind == LineKind::Contour || kind == LineKind::Border;
+}
 
 /// A point of a line; plain floats in this order, so that an array of them can be uploaded as is.
 struct LinePoint {
     Eigen::Vector3f position;  ///< mesh coordinates
     float weight;              ///< 0..1, share of the full line width
-    float gradient;            ///< ‖∇I‖·D, dimensionless
+    float gradient;            ///< ‖∇I‖·D, dimensionless; of ridges and creases an angle, degrees
     float opacity;             ///< 0..1; lines that are about to vanish are nearly transparent
 };
 
@@ -24,9 +35,9 @@ struct Polyline {
     std::uint32_t count = 0;
     LineKind kind = LineKind::Laplacian;
     bool closed = false;
-    float strength = 0;  ///< Eq. 4, dimensionless
+    float strength = 0;  ///< Eq. 4, dimensionless; of Laplacian lines and contours
     float length = 0;    ///< in D
-    float slope = 0;     ///< mean slope along the line, dimensionless (0 for contours)
+    float slope = 0;     ///< mean slope along the line, dimensionless; of Laplacian lines
 };
 
 struct LineSet {

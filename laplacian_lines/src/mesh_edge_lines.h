@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "crossings.h"
+#include "laplacian_lines/line_set.h"
+#include "mesh_edges.h"
+#include "polyline_tracing.h"
+
+namespace laplacian_lines {
+
+/// Chains of edges where the surface ends.
+LineSet find_borders(const ExtractorData& data, const MeshEdges& mesh);
+
+/// Less is not called a crease, whatever the style asks for.
+constexpr float kLeastCreaseAngle = 20;  // degrees
+
+/// Chains of edges whose triangles meet at kLeastCreaseAngle or more between their normals. A
+/// point's `gradient` is the largest such angle at its vertex, in degrees.
+LineSet find_creases(const ExtractorData& data, const MeshEdges& mesh);
+
+/// Memory of append_silhouettes(); keeps its capacity.
+struct SilhouetteMemory {
+    std::vector<std::uint8_t> faces_away;        ///< by triangle
+    std::vector<std::uint32_t> point_of_vertex;  ///< kNone everywhere between uses
+    CrossingGraph graph;
+};
+
+/// Chains of edges between a triangle that faces the eye and one that does not: the outline of the
+/// mesh itself, where contours of interpolated normals are smooth curves across triangles.
+void append_silhouettes(const ExtractorData& data, const MeshEdges& mesh, const LocalEye& eye,
+                        const LineRules& rules, SilhouetteMemory& memory, TracingMemory& tracing,
+                        LineSet& lines);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_edges.h"
+
+#include <Eigen/Geometry>
+
+namespace laplacian_lines {
+namespace {
+
+constexpr std::uint32_t kMany = MeshEdges::kNone - 1;  // stands for three triangles or more
+
+void add_triangle(MeshEdges::Edge& edge, std::uint32_t triangle) {
+    auto& [first, second] = edge.triangles;
+    if (first == MeshEdges::kNone)
+        first = triangle;
+    else
+        second = second == MeshEdges::kNone ? triangle : kMany;
+}
+
+}  // namespace
+
+MeshEdges find_mesh_edges(const ExtractorData& data) {
+    MeshEdges mesh;
+    mesh.edges.assign(data.topology.edge_count, {{}, {MeshEdges::kNone, MeshEdges::kNone}});
+    mesh.planes.resize(data.triangles.size());
+    for (std::uint32_t i = 0; i < data.triangles.size(); ++i) {
+        const Triangle& t = data.triangles[i];
+        const auto corner = [&](std::size_t k) -> Eigen::Vector3d {
+            return data.vertices[t[k]].position.cast<double>();
+        };
+        const Eigen::Vector3d area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        mesh.planes.set(i, area.stableNormalized(), corner(0));
+        for (std::size_t k = 0; k < 3; ++k) {
+            MeshEdges::Edge& edge = mesh.edges[data.topology.edges_of_triangle[i][k]];
+            edge.vertices = {t[(k + 1) % 3], t[(k + 2) % 3]};
+            add_triangle(edge, i);
+        }
+    }
+    for (MeshEdges::Edge& edge : mesh.edges)
+        if (edge.triangles[1] == kMany) edge.triangles[1] = MeshEdges::kNone;
+    return mesh;
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ridges.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "crossings.h"
+#include "polyline_tracing.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr float kDegrees = 57.29577951308232f;
+constexpr float kDominance = 2;
+
+/// The sharpest bend at a vertex.
+struct Bend {
+    Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< e₁, unit, of either sign
+    float angle = 0;       ///< 2 k₁ √h in degrees; 0: no candidate
+    float derivative = 0;  ///< ∇(tr S)·e₁
+};
+
+Eigen::Matrix3f matrix(const ShapeOperator& s) {
+    Eigen::Matrix3f m;
+    m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
+    return m;
+}
+
+Bend bend(const ExtractorData& data, std::size_t v) {
+    const VertexRecord& record = data.vertices[v];
+    const float size = std::cbrt(record.slope_scale);  // √h_e
+    const ShapeOperator& s = record.shape_operator;
+    const float frobenius = std::sqrt(s.xx * s.xx + s.yy * s.yy + s.zz * s.zz +
+                                      2 * (s.yz * s.yz + s.xz * s.xz + s.xy * s.xy));
+    if (!(2 * frobenius * size * kDegrees >= kLeastRidgeAngle)) return {};
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+    solver.computeDirect(matrix(s));
+    const Eigen::Vector3f k = solver.eigenvalues();  // ascending; one of them is the normal's 0
+    Bend bend;
+    bend.angle = 2 * k[2] * size * kDegrees;
+    if (!(bend.angle >= kLeastRidgeAngle) || !(k[2] > kDominance * -k[0]) ||
+        !(k[2] > kDominance * k[1]))
+        return {};
+    bend.direction = solver.eigenvectors().col(2);
+    const LinearForms& f = data.laplacians;
+    bend.derivative = bend.direction.dot(Eigen::Vector3f(f.x[v], f.y[v], f.z[v]));
+    return bend;
+}
+
+/// Collects the pieces of ridges in triangles.
+class RidgeFinder {
+public:
+    explicit RidgeFinder(const ExtractorData& data) : data_(data), bends_(data.vertices.size()) {
+        for (std::size_t v = 0; v < bends_.size(); ++v)
+            bends_[v] = bend(data, v);
+        graph_.crossing_of_edge.assign(data.topology.edge_count, CrossingGraph::kNoCrossing);
+        for (std::uint32_t t = 0; t < data.triangles.size(); ++t)
+            add(t);
+    }
+    const CrossingGraph& graph() const { return graph_; }
+
+private:
+    void add(std::uint32_t index) {
+        const Triangle& t = data_.triangles[index];
+        const Bend* b[3] = {&bends_[t[0]], &bends_[t[1]], &bends_[t[2]]};
+        if (b[0]->angle == 0 || b[1]->angle == 0 || b[2]->angle == 0) return;
+        const float sign[3] = {1, sign_to(*b[0], *b[1]), sign_to(*b[0], *b[2])};
+        // The directions turn around a point inside: no field of directions, so no ridge.
+        if (sign[1] * sign[2] * sign_to(*b[1], *b[2]) < 0) return;
+        float f[3];
+        Eigen::Vector3f e = Eigen::Vector3f::Zero();
+        for (int k = 0; k < 3; ++k) {
+            f[k] = sign[k] * b[k]->derivative;
+            e += sign[k] * b[k]->direction;
+        }
+        if ((f[0] < 0) == (f[1] < 0) && (f[0] < 0) == (f[2] < 0)) return;
+        if (!falls_along(t, f, e)) return;
+        std::uint32_t ends[2];
+        int found = 0;
+        for (int k = 0; k < 3; ++k) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            if ((f[i] < 0) == (f[j] < 0)) continue;
+            ends[found++] = crossing(data_.topology.edges_of_triangle[index][std::size_t(k)],
+                                     t[std::size_t(i)], t[std::size_t(j)]);
+        }
+        graph_.segments.push_back({ends[0], ends[1], 0});
+    }
+
+    static float sign_to(const Bend& a, const Bend& b) {
+        return a.direction.dot(b.direction) < 0 ? -1.f : 1.f;
+    }
+
+    /// Whether the linear interpolant of f falls along e: a maximum of the curvature.
+    bool falls_along(const Triangle& t, const float f[3], const Eigen::Vector3f& e) const {
+        const Eigen::Vector3f a = data_.vertices[t[0]].position;
+        const Eigen::Vector3f u = data_.vertices[t[1]].position - a;
+        const Eigen::Vector3f v = data_.vertices[t[2]].position - a;
+        const Eigen::Vector3f area = u.cross(v);
+        const Eigen::Vector3f df = (f[1] - f[0]) * v.cross(area) + (f[2] - f[0]) * area.cross(u);
+        return df.dot(e) < 0;
+    }
+
+    std::uint32_t crossing(std::uint32_t edge, std::uint32_t a, std::uint32_t b) {
+        std::uint32_t& index = graph_.crossing_of_edge[edge];
+        if (index == CrossingGraph::kNoCrossing) {
+            index = std::uint32_t(graph_.crossings.size());
+            if (b < a) std::swap(a, b);
+            const float fa = std::abs(bends_[a].derivative),
+                        sum = fa + std::abs(bends_[b].derivative);
+            const float t = sum > 0 ? fa / sum : 0.5f;
+            Crossing c;
+            c.edge = edge;
+            c.position = (1 - t) * data_.vertices[a].position + t * data_.vertices[b].position;
+            c.gradient = (1 - t) * bends_[a].angle + t * bends_[b].angle;
+            c.opacity = 1;
+            c.accepted = true;
+            graph_.crossings.push_back(c);
+        }
+        return index;
+    }
+
+    const ExtractorData& data_;
+    std::vector<Bend> bends_;
+    CrossingGraph graph_;
+};
+
+}  // namespace
+
+LineSet find_ridges(const ExtractorData& data) {
+    const RidgeFinder finder(data);
+    LineRules rules;
+    rules.kind = LineKind::Ridge;
+    TracingMemory memory;
+    LineSet lines;
+    trace_polylines(data, rules, finder.graph(), memory, lines);
+    return lines;
+}
+
+}  // namespace laplacian_lines

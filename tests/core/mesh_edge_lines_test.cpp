@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines along edges of the mesh: borders, creases and silhouettes, against plain counts of edges.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <map>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "helpers.h"
+#include "laplacian_lines/precompute.h"
+#include "reference_lines.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+LineStyle nothing() {
+    LineStyle style = helpers::all_crossings();
+    style.laplacian_lines = style.contours = false;
+    return style;
+}
+
+LineStyle borders() {
+    LineStyle style = nothing();
+    style.borders = true;
+    return style;
+}
+
+LineStyle creases(double angle) {
+    LineStyle style = nothing();
+    style.creases = true;
+    style.crease_angle = angle;
+    return style;
+}
+
+LineStyle silhouettes() {
+    LineStyle style = nothing();
+    style.contours = style.mesh_silhouettes = true;
+    return style;
+}
+
+LineSet lines_of(const TriangleMesh& mesh, const LineStyle& style,
+                 const View& view = View::perspective({3, 2, 4})) {
+    return helpers::extract(LineExtractor(mesh, precompute(mesh)), view, style);
+}
+
+/// The edges that a line set goes along. Every pair of its points must be an edge.
+std::multiset<Edge> edges_of(const TriangleMesh& mesh, const LineSet& lines) {
+    std::map<std::array<float, 3>, std::uint32_t> vertex;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+        const Eigen::Vector3f p = mesh.positions[v].cast<float>();
+        vertex[{p.x(), p.y(), p.z()}] = v;
+    }
+    const auto find = [&](const Eigen::Vector3f& p) -> std::uint32_t {
+        for (const auto& [q, v] : vertex)
+            if ((p - Eigen::Vector3f(q[0], q[1], q[2])).norm() < 1e-5) return v;
+        ADD_FAILURE() << "a point that is no vertex";
+        return 0;
+    };
+    std::multiset<Edge> edges;
+    for (const Polyline& line : lines.lines)
+        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
+            edges.insert(
+                std::minmax(find(lines.points[i - 1].position), find(lines.points[i].position)));
+    return edges;
+}
+
+std::map<Edge, std::vector<Eigen::Vector4d>> planes_of_edges(const TriangleMesh& mesh) {
+    std::map<Edge, std::vector<Eigen::Vector4d>> planes;
+    for (const Triangle& t : mesh.triangles) {
+        if (!reference::has_area(mesh, t)) continue;
+        const auto& p = mesh.positions;
+        const Eigen::Vector3d n = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).normalized();
+        for (std::size_t k = 0; k < 3; ++k)
+            planes[std::minmax(t[k], t[(k + 1) % 3])].push_back(
+                {n.x(), n.y(), n.z(), -n.dot(p[t[0]])});
+    }
+    return planes;
+}
+
+/// Edges whose planes ask for a line.
+template <class Wanted>
+std::multiset<Edge> wanted_edges(const TriangleMesh& mesh, Wanted wanted) {
+    std::multiset<Edge> edges;
+    for (const auto& [edge, planes] : planes_of_edges(mesh))
+        if (wanted(planes)) edges.insert(edge);
+    return edges;
+}
+
+TEST(MeshEdgeLines, BordersAreEdgesWithoutTwoTriangles) {
+    for (const char* name : {"plane", "half_torus", "three_sheets", "pillow", "torus", "cube",
+                             "single_triangle", "moebius_strip"}) {
+        const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
+        EXPECT_EQ(edges_of(mesh, lines_of(mesh, borders())),
+                  wanted_edges(mesh, [](const auto& planes) { return planes.size() != 2; }))
+            << name;
+    }
+}
+
+TEST(MeshEdgeLines, BordersAreWholeLinesOfTheOutline) {
+    const LineSet lines = lines_of(test_meshes::mesh_named("plane").mesh, borders());
+    ASSERT_EQ(lines.lines.size(), 1u);
+    EXPECT_TRUE(lines.lines[0].closed);
+    EXPECT_TRUE(is_outline(lines.lines[0].kind));
+    EXPECT_EQ(lines.lines[0].kind, LineKind::Border);
+    for (const LinePoint& p : lines.points)
+        EXPECT_EQ(p.opacity * p.weight, 1);
+}
+
+TEST(MeshEdgeLines, CreasesAreTheEdgesOfACube) {
+    const TriangleMesh& cube = test_meshes::mesh_named("cube").mesh;
+    const LineSet lines = lines_of(cube, creases(60));
+    EXPECT_EQ(lines.lines.size(), 12u);
+    for (const LinePoint& p : lines.points)
+        EXPECT_NEAR(p.gradient, 90, 1e-3);
+    EXPECT_EQ(edges_of(cube, lines).size(), 12u * 10);
+    EXPECT_TRUE(lines_of(cube, creases(91)).lines.empty());
+}
+
+TEST(MeshEdgeLines, CreasesNeedTheirAngle) {
+    const TriangleMesh mesh = test_meshes::rounded_cube(4, 0.4);
+    for (const double angle : {20., 30., 45.}) {
+        const auto wanted = wanted_edges(mesh, [&](const auto& planes) {
+            return planes.size() == 2 &&
+                   planes[0].template head<3>().dot(planes[1].template head<3>()) <=
+                       std::cos(angle * 3.14159265358979 / 180);
+        });
+        const auto found = edges_of(mesh, lines_of(mesh, creases(angle)));
+        // a line goes on to a vertex where it is sharp enough, so none may be missing
+        for (const Edge& edge : wanted)
+            EXPECT_EQ(found.count(edge), 1u) << angle;
+    }
+}
+
+TEST(MeshEdgeLines, SilhouettesAreBetweenFrontAndBack) {
+    for (const char* name : {"sphere_jittered", "torus", "cube", "hills", "rounded_cube"}) {
+        const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
+        const LineExtractor extractor(mesh, precompute(mesh));
+        for (const View& view : helpers::random_views(mesh, 4)) {
+            const Eigen::Vector4d eye(view.eye.x(), view.eye.y(), view.eye.z(), view.w);
+            const auto expected = wanted_edges(mesh, [&](const auto& planes) {
+                return planes.size() == 2 && (planes[0].dot(eye) < 0) != (planes[1].dot(eye) < 0);
+            });
+            const LineSet lines = helpers::extract(extractor, view, silhouettes());
+            EXPECT_EQ(edges_of(mesh, lines), expected) << name;
+            for (const Polyline& line : lines.lines)
+                EXPECT_EQ(line.kind, LineKind::Contour);
+        }
+    }
+}
+
+/// They are found when they are first asked for, even by several threads at once.
+TEST(MeshEdgeLines, CanBeAskedForByManyThreads) {
+    const TriangleMesh& mesh = test_meshes::mesh_named("half_torus").mesh;
+    LineStyle style = creases(20);
+    style.ridges = style.borders = style.contours = style.mesh_silhouettes = true;
+    const Field field = precompute(mesh);
+    const View view = View::perspective({3, 2, 4});
+    const LineSet expected = helpers::extract(LineExtractor(mesh, field), view, style);
+    ASSERT_FALSE(expected.lines.empty());
+    const LineExtractor shared(mesh, field);
+    std::vector<LineSet> found(4);
+    std::vector<std::thread> threads;
+    for (LineSet& lines : found)
+        threads.emplace_back([&] { lines = helpers::extract(shared, view, style); });
+    for (std::thread& thread : threads)
+        thread.join();
+    for (const LineSet& lines : found)
+        EXPECT_TRUE(helpers::same_lines(lines, expected));
+}
+
+}  // namespace
