@@ -25,11 +25,3 @@ white_background() {
     set_colour "$1" backgroundBotColor 255 255 255
     set_colour "$1" backgroundTopColor 255 255 255
 }
-
-# So much light that a surface without colours of its own is as white as the background: paper.
-paper() {
-    white_background "$1"
-    set_colour "$1" baseLightAmbientColor 255 255 255
-    set_colour "$1" baseLightDiffuseColor 255 255 255
-    set_colour "$1" baseLightSpecularColor 0 0 0
-}

@@ -27,6 +27,7 @@ sphere "$WORK/sphere.ply"
 drive_lines sphere.ply <<END
 size 600x600
 setdeco Laplacian Lines = off
+setdeco Ridges = off
 $(rings fill)
 check Wireframe on
 check Fill off

@@ -65,10 +65,12 @@ trigger Toggle Orthographic Camera
 
 # nothing of the drawing is left out when there are no lines
 setdeco Laplacian Lines = off
+setdeco Ridges = off
 setdeco Occluding Contours = off
 $(publication)
 grab bare.png
 setdeco Laplacian Lines = on
+setdeco Ridges = on
 setdeco Occluding Contours = on
 grab by_style.png
 snapshot tiled.png 2

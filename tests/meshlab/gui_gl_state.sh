@@ -19,11 +19,13 @@ $(others on)
 gl-state $1_lines_others.txt
 setdeco Occluding Contours = off
 setdeco Laplacian Lines = off
+setdeco Ridges = off
 grab $1_nothing_others.png
 $(others off)
 grab $1_nothing.png
 setdeco Occluding Contours = on
 setdeco Laplacian Lines = on
+setdeco Ridges = on
 check Laplacian Lines off
 grab $1_after.png
 END

@@ -11,10 +11,12 @@ drive_lines torus.ply <<END
 look 1.5 0.5 1.5  0 0 0
 grab at_the_eye.png
 setdeco Laplacian Lines = off
+setdeco Ridges = off
 grab contours_at_the_eye.png
 setdeco Light Position = Fixed to the Camera
 grab contours_fixed.png
 setdeco Laplacian Lines = on
+setdeco Ridges = on
 setdeco Light Position = At the Eye
 grab at_the_eye_again.png
 setdeco Light Position = Fixed to the Camera

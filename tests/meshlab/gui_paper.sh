@@ -10,11 +10,13 @@ grab $1.png
 setdeco Surface = Paper
 grab $1_paper.png
 setdeco Laplacian Lines = off
+setdeco Ridges = off
 setdeco Occluding Contours = off
 grab $1_bare.png
 setdeco Surface = Toon
 grab $1_toon.png
 setdeco Laplacian Lines = on
+setdeco Ridges = on
 setdeco Occluding Contours = on
 setdeco Surface = As MeshLab Draws It
 grab $1_again.png

@@ -36,6 +36,15 @@ setdeco Single Strokes = off
 expect-lines single_strokes=0
 expect-other-lines
 setdeco Single Strokes = on
+$(change "Ridge Angle" ridge_angle 12 45)
+setdeco Mesh Silhouettes = on
+expect-lines mesh_silhouettes=1
+setdeco Mesh Silhouettes = off
+setdeco Creases = on
+setdeco Crease Angle = 20
+expect-lines creases=1 crease_angle=20
+setdeco Creases = off
+setdeco Crease Angle = 60
 $(change "Line Smoothing" line_smoothing 10 1.2)
 expect-lines
 setdeco Least Slope of a Segment = 0
@@ -60,11 +69,13 @@ setdeco Occluding Contours = off
 expect-lines contours=0
 expect-other-lines
 setdeco Laplacian Lines = off
+setdeco Ridges = off
 expect-no-lines
 setdeco Occluding Contours = on
-expect-lines laplacian_lines=0
+expect-lines laplacian_lines=0 ridges=0
 expect-other-lines
 setdeco Laplacian Lines = on
+setdeco Ridges = on
 
 setdeco Line Width = 2
 grab narrow.png

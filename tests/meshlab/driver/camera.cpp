@@ -45,16 +45,41 @@ QString row(const QVector3D& v, int last) {
         .arg(last);
 }
 
-// MeshLab's orthographic camera stands where a perspective one with an angle of 5 degrees would
-// show a ball of radius 1.75 (in units of the view's scale), and clips what is nearer than that
-// suggests.
-double orthographicDistance(const QDomDocument& document) {
+// MeshLab's camera stands where one with this angle shows a ball of radius 1.75, in units of the
+// view's scale, around what it turns about.
+double viewingDistance(const QDomDocument& document, double angle) {
     const double scale = document.elementsByTagName("ViewSettings")
                              .at(0)
                              .toElement()
                              .attribute("TrackScale")
                              .toDouble();
-    return 1.75 / std::sin(qDegreesToRadians(2.5)) / scale;
+    return 1.75 / std::sin(qDegreesToRadians(angle / 2)) / scale;
+}
+
+constexpr double perspectiveAngle = 60, orthographicAngle = 5;
+
+QVector3D translation(const QDomElement& camera) {
+    const QStringList numbers = camera.attribute("TranslationVector").split(' ');
+    if (numbers.size() < 3) throw CommandError("MeshLab's view has no translation");
+    return QVector3D(numbers[0].toFloat(), numbers[1].toFloat(), numbers[2].toFloat());
+}
+
+// orthographic cameras clip what is nearer than their own distance
+void look(QDomDocument& document, QVector3D eye, const QVector3D& target, const QVector3D& up) {
+    const QVector3D back = (eye - target).normalized();
+    const QVector3D right = QVector3D::crossProduct(up, back).normalized();
+    if (right.isNull()) throw CommandError("eye, target and upward direction lie on one line");
+    QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
+    if (camera.attribute("CameraType") == "1")
+        eye = target + back * float(viewingDistance(document, orthographicAngle));
+    // rows: the camera's axes; the translation is minus the eye
+    camera.setAttribute(
+        "RotationMatrix",
+        row(right, 0) + row(QVector3D::crossProduct(back, right), 0) + row(back, 0) + "0 0 0 1 ");
+    camera.setAttribute("TranslationVector", row(-eye, 1).trimmed());
+    // from 2022.02 on, MeshLab keeps the far plane of the text, which was right for the old distance
+    document.elementsByTagName("ViewSettings").at(0).toElement().setAttribute("FarPlane", 10000);
+    setCameraText(document.toString());
 }
 
 }  // namespace
@@ -74,25 +99,22 @@ void saveCamera(const QString& fileName) {
 }
 
 void lookFrom(const Command& command) {
-    const QVector3D target = vectorAt(command, 3);
-    QVector3D eye = vectorAt(command, 0);
-    const QVector3D up = command.words.size() > 6 ? vectorAt(command, 6) : QVector3D(0, 1, 0);
-    const QVector3D back = (eye - target).normalized();
-    const QVector3D right = QVector3D::crossProduct(up, back).normalized();
-    if (right.isNull()) throw CommandError("eye, target and upward direction lie on one line");
-
     QDomDocument document = parseCamera(cameraText());
-    QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
-    if (camera.attribute("CameraType") == "1")
-        eye = target + back * float(orthographicDistance(document));
-    // rows: the camera's axes; the translation is minus the eye
-    camera.setAttribute(
-        "RotationMatrix",
-        row(right, 0) + row(QVector3D::crossProduct(back, right), 0) + row(back, 0) + "0 0 0 1 ");
-    camera.setAttribute("TranslationVector", row(-eye, 1).trimmed());
-    // from 2022.02 on, MeshLab keeps the far plane of the text, which was right for the old distance
-    document.elementsByTagName("ViewSettings").at(0).toElement().setAttribute("FarPlane", 10000);
-    setCameraText(document.toString());
+    look(document, vectorAt(command, 0), vectorAt(command, 3),
+         command.words.size() > 6 ? vectorAt(command, 6) : QVector3D(0, 1, 0));
+}
+
+void orbit(const Command& command) {
+    const double azimuth = qDegreesToRadians(command.number(0));
+    const double elevation = qDegreesToRadians(command.number(1));
+    QDomDocument document = parseCamera(cameraText());
+    const float distance = float(viewingDistance(document, perspectiveAngle));
+    const QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
+    const QVector3D target = -translation(camera) - QVector3D(0, 0, distance);
+    const QVector3D towards(float(std::sin(azimuth) * std::cos(elevation)),
+                            float(std::sin(elevation)),
+                            float(std::cos(azimuth) * std::cos(elevation)));
+    look(document, target + distance * towards, target, QVector3D(0, 1, 0));
 }
 
 }  // namespace driver

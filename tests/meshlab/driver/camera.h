@@ -13,4 +13,8 @@ void saveCamera(const QString& fileName);
 // orthographic camera only the direction counts.
 void lookFrom(const Command& command);
 
+// orbit AZIMUTH ELEVATION: degrees around what the camera turns about, from where MeshLab's
+// camera stands at first, which must not have been moved.
+void orbit(const Command& command);
+
 }  // namespace driver
