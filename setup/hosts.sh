@@ -21,7 +21,7 @@ run_tests() {
     local checkout=$1 label=$2 options=(--output-on-failure --parallel "$(nproc)") target=()
     shift 2
     ensure_toolchain "${DISPLAY_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
-    [[ -z $label ]] || { options+=(--label-regex "$label") target=(meshlab_plugins); }
+    [[ -z $label ]] || { options+=(--label-regex "$label") target=(meshlab_tests); }
     ((!$#)) || options+=(--tests-regex "$(IFS='|' && printf '%s' "$*")")
     say "building the plugins and the tests for MeshLab $(meshlab_version)"
     configure "$checkout" -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON

@@ -13,6 +13,7 @@ installed_meshlab_folder() {
 stage_meshlab() {
     if has_extra_plugins; then
         stage_extra_plugins "$@"
+        stage_server "$@"
     else
         stage_copy "$@"
     fi

@@ -81,7 +81,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        const TestMesh& mesh = test_meshes::mesh_named(argv[1]);
+        const std::string name = argv[1];
+        const TestMesh& mesh = test_meshes::mesh_named(name);
         const std::string path = std::string(argv[2]) + "/" + mesh.name;
         const TriangleMesh stored = as_read_from_file(mesh.mesh);
         write_ply(stored, path + ".ply");

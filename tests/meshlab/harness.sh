@@ -13,6 +13,8 @@
 #   small_torus FILE              a mesh
 #   torus FILE                    one with lines all over it
 #   sphere FILE                   one with nothing but a contour
+#   reference_mesh NAME           $WORK/NAME.ply, a mesh of the core's tests, and what the core computes on it
+#   expect_reference_attributes FILE      a binary PLY file has these attributes
 # shellcheck disable=SC2034 # some of it is for the tests only
 # With set -e, the first thing that is not as expected ends the test and shows the logs.
 set -euo pipefail
@@ -170,6 +172,16 @@ sphere() {
         last = n * (m - 1) + 1
         for (i = 0; i < n; i++) print 3, last, last - n + (i + 1) % n, last - n + i
     }' >"$1"
+}
+
+reference_mesh() {
+    "$WRITE_REFERENCE" "$1" "$WORK" || fail "there is no mesh $1"
+    REFERENCE=$WORK/$1.txt
+}
+
+# Not a bit differs: the plugin and the reference are made of the same core, and files hold floats.
+expect_reference_attributes() {
+    "$COMPARE_ATTRIBUTES" "$1" "$REFERENCE" 0 || fail "$1 has other attributes than the core computes"
 }
 
 begin_test

@@ -1,7 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Meshes with faults in scripts: what is left out is counted in the log, and a mesh without a surface is refused.
+# From 2022.02 on, MeshLab itself takes out some of the faults when it opens a mesh.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
+
+# left_out TEXT: what of it is left for the filter to leave out
+left_out() {
+    if has_extra_plugins; then
+        sed -E 's/[0-9]+ vertices with non-finite coordinates(, )?//; s/[0-9]+ triangles without area(, )?//' <<<"$1"
+    else
+        printf '%s\n' "$1"
+    fi
+}
 
 # try VERTICES FACES [LEFT_OUT]: the torus with the vertices and faces, separated by commas, added; all is used, or the
 # log says that LEFT_OUT was not
@@ -15,8 +25,10 @@ try() {
         END { for (i = 1; i <= f; ++i) print face[i] }' "$WORK/torus.ply" >"$WORK/dirty.ply"
     serve -i dirty.ply -s script.mlx -o out.ply
     ((SERVER_CODE == 0)) || fail "the mesh with vertices '$1' and faces '$2' was refused"
-    if (($# > 2)); then
-        expect_text "$WORK/log" "^Left out: $3\$"
+    local expected
+    expected=$(left_out "${3:-}")
+    if [[ -n $expected ]]; then
+        expect_text "$WORK/log" "^Left out: $expected\$"
     else
         ! grep -q 'Left out' "$WORK/log" || fail "something of the whole mesh was left out"
     fi
@@ -34,7 +46,7 @@ refuse() {
     } >"$WORK/dirty.ply"
     serve -i dirty.ply -s script.mlx -o none.ply
     ((SERVER_CODE != 0)) || fail "the mesh of vertices '$1' and faces '$2' was accepted"
-    expect_text "$WORK/log" 'The mesh has no triangle with an area'
+    expect_text "$WORK/log" 'The mesh has no triangle with an area|The mesh lacks: Any Faces'
     [[ ! -e $WORK/none.ply ]] || fail "a mesh was written"
 }
 

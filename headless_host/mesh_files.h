@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "command_line.h"
+
+class MeshDocument;
+
+namespace server {
+
+/// Adds the meshes of a file or a project as layers; the last one becomes current.
+/// @throws MLException
+void open(const Input& input, MeshDocument& document);
+
+/// @throws MLException if the layer does not exist or the file cannot be written
+void save(const OutputMesh& output, MeshDocument& document);
+void save(const OutputProject& output, MeshDocument& document);
+
+}  // namespace server
