@@ -1,38 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/layer_drawing.h"
 
-#include "meshlab_host/meshlab_api.h"
-
-#if MESHLAB_API < 2022
-#include <common/ml_shared_data_context.h>
-
-#include <QApplication>
-#include <QPointer>
 #include <algorithm>
-#endif
+
+#include "scene.h"
 
 namespace meshlab_host {
-
 namespace {
 
 const LayerDrawing unknown = {false, false, 6};
-
-}  // namespace
-
-#if MESHLAB_API < 2022
-
-namespace {
-
-/// Who knows the render settings of a document. It has no parent to be found by.
-MLSceneGLSharedDataContext* sceneOf(const MeshDocument* document) {
-    static QPointer<MLSceneGLSharedDataContext> last;
-    if (last && &last->meshDoc() == document) return last;
-    for (QWidget* widget : QApplication::allWidgets()) {
-        auto* scene = qobject_cast<MLSceneGLSharedDataContext*>(widget);
-        if (scene && &scene->meshDoc() == document) return last = scene;
-    }
-    return nullptr;
-}
 
 /// Some of MeshLab's shaders draw faces that leave no depth; their settings stay on until all
 /// decorations are drawn.
@@ -58,12 +34,12 @@ double largestMark(const MLRenderingData& data, const MLPerViewGLOptions& option
 }  // namespace
 
 LayerDrawing layerDrawing(const MeshModel& mesh) {
-    MLSceneGLSharedDataContext* scene = sceneOf(mesh.parent);
+    MLSceneGLSharedDataContext* scene = sceneOf(mesh);
     auto* context = const_cast<QGLContext*>(QGLContext::currentContext());  // as it is kept there
     if (!scene || !context) return unknown;
     MLRenderingData data;
     MLPerViewGLOptions options;
-    scene->getRenderInfoPerMeshView(mesh.id(), context, data);
+    scene->getRenderInfoPerMeshView(int(mesh.id()), context, data);
     if (!data.get(options)) return unknown;
     LayerDrawing drawing;
     drawing.has_faces = data.isPrimitiveActive(MLRenderingData::PR_SOLID) && facesLeaveDepth();
@@ -71,13 +47,5 @@ LayerDrawing layerDrawing(const MeshModel& mesh) {
     drawing.mark_pixels = largestMark(data, options);
     return drawing;
 }
-
-#else
-
-LayerDrawing layerDrawing(const MeshModel&) {
-    return unknown;
-}
-
-#endif
 
 }  // namespace meshlab_host

@@ -3,18 +3,16 @@
 
 #include <algorithm>
 
-#include "meshlab_host/meshlab_api.h"
+#include "scene.h"
 
 namespace meshlab_host {
 
-std::vector<int> liveMeshIds([[maybe_unused]] const MeshModel& mesh) {
+std::vector<int> liveMeshIds(const MeshModel& mesh) {
     std::vector<int> ids;
-#if MESHLAB_API < 2022
-    if (mesh.parent)
-        for (const MeshModel* other : mesh.parent->meshList)
-            if (other) ids.push_back(other->id());
+    if (MLSceneGLSharedDataContext* scene = sceneOf(mesh))
+        for (const MeshModel* layer : layersOf(scene->meshDoc()))
+            ids.push_back(int(layer->id()));
     std::sort(ids.begin(), ids.end());
-#endif
     return ids;
 }
 

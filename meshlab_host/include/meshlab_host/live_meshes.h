@@ -7,8 +7,8 @@ class MeshModel;
 
 namespace meshlab_host {
 
-/// The ids of all meshes in the document of `mesh`, ascending. MeshLab 2022 and later do not let a
-/// decoration reach the document: there the result is empty, which means "unknown".
+/// The ids of all meshes in the document of `mesh`, ascending. Empty if the document cannot be
+/// found, as in programs without MeshLab's GUI.
 std::vector<int> liveMeshIds(const MeshModel& mesh);
 
 }  // namespace meshlab_host

@@ -124,7 +124,7 @@ bool setEditors(const QList<QWidget*>& editors, const QString& value) {
     if (const auto boxes = only<QCheckBox>(editors); !boxes.isEmpty())  // from 2022.02 on
         setCheckBox(boxes.first(), value);
     else if (const auto boxes = only<QComboBox>(editors);
-        !boxes.isEmpty() && only<QLineEdit>(editors).isEmpty())
+             !boxes.isEmpty() && only<QLineEdit>(editors).isEmpty())
         setComboBox(boxes.first(), value);
     else if (const auto spins = only<QDoubleSpinBox>(editors); !spins.isEmpty())
         setSpinBoxes(spins, value);
