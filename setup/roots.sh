@@ -112,7 +112,7 @@ root_is_made_from() {
 }
 
 make_root() {
-    say "making a root of Debian $1 in $ROOT: 1.4 GB, a few minutes"
+    say "making a root of Debian $1 in $ROOT: 1.3 GB, a few minutes"
     rm -rf "$ROOT".?????? # of a run that was killed
     quietly "$ROOT.log" publish_into "$ROOT" build_root "$@" ||
         obstacle "the root of Debian $1 could not be made; its log is $ROOT.log"
