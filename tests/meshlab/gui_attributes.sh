@@ -17,21 +17,16 @@ write_bumpy_torus 240 120 | awk -v sides=120 '
     }
     { print }' >"$WORK/torus.ply"
 cp "$WORK/torus.ply" "$WORK/before.ply"
-drive <<'END'
+drive < <(
+    cat <<'END'
 wait
 open torus.ply
 trigger Compute Laplacian Lines
 apply
 close
-trigger Export Mesh...
-set-modal Binary encoding = off
-set-modal V(f): ll_kernel_size = on
-set-modal V(3f): ll_normal = on
-set-modal V(3f): ll_laplacian_normal = on
-set-modal V(3f): ll_shape_diagonal = on
-set-modal V(3f): ll_shape_off_diagonal = on
-button OK
 END
+    save_attributes off
+)
 
 # From 2022.02 on, MeshLab writes a point attribute as a list, its length 3 glued to the number before it.
 awk '/^property list uchar float ll_/ { lists = 1 }

@@ -4,7 +4,8 @@
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
 reference_mesh torus
-drive <<END
+drive < <(
+    cat <<END
 wait
 open torus.ply
 trigger Show current filter script
@@ -12,13 +13,7 @@ expect-modal .*
 button Open Script
 set-modal File name: = $EXAMPLE
 button Apply Script
-trigger Export Mesh...
-set-modal Binary encoding = on
-set-modal V(f): ll_kernel_size = on
-set-modal V(3f): ll_normal = on
-set-modal V(3f): ll_laplacian_normal = on
-set-modal V(3f): ll_shape_diagonal = on
-set-modal V(3f): ll_shape_off_diagonal = on
-button OK
 END
+    save_attributes on
+)
 expect_reference_attributes "$WORK/torus.ply"

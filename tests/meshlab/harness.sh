@@ -4,6 +4,7 @@
 #   drive            runs MeshLab with the driver script on stdin and expects success
 #   drive_to_failure the same, but expects MeshLab to end with an error whose text matches $1
 #   show_lines       prints the commands that draw a view's lines in red
+#   save_attributes BINARY  prints the commands that save the current layer with the filter's attributes
 #   drive_lines MESH drive, with MESH open and its lines drawn in red before the script on stdin begins
 #   move_layer SETTING...  prints the commands that give the current layer a transformation
 #   serve ARGS...    runs meshlabserver ARGS..., its exit code in $SERVER_CODE, its output in $WORK/log
@@ -84,6 +85,20 @@ check Laplacian Lines on
 check Laplacian Lines Probe on
 setdeco Line Color = #ff0000
 setdeco Contour Color = #ff0000
+END
+}
+
+# BINARY is on or off
+save_attributes() {
+    cat <<END
+trigger Export Mesh...
+set-modal Binary encoding = $1
+set-modal V(f): ll_kernel_size = on
+set-modal V(3f): ll_normal = on
+set-modal V(3f): ll_laplacian_normal = on
+set-modal V(3f): ll_shape_diagonal = on
+set-modal V(3f): ll_shape_off_diagonal = on
+button OK
 END
 }
 
