@@ -6,15 +6,10 @@
 
 #include "gl_state.h"
 #include "instancing.h"
+#include "laplacian_lines/line_visibility.h"
 #include "mean_scale.h"
 
 namespace {
-
-/// How far, in diagonals, a line may lie behind the surface and still be seen. Lines lie on the
-/// triangles, but contours of the smoothed normals run beyond the visible horizon, by an edge or
-/// so.
-constexpr double depth_bias = 0.003;
-constexpr double contour_bias_in_edges = 1.5;
 
 /// How far beside a line, in pixels, the surface may give way to let it be seen. Less than half the
 /// width of an outline, which hides what reaches below it.
@@ -152,8 +147,8 @@ void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& pla
     glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
     glUniform1f(program.surface_side, pass.surface_side);
     const double unit = pass.bias_factor * meanScale(placement.to_eye);
-    const double bias = depth_bias * placement.diagonal;
-    const double contour_bias = std::max(bias, contour_bias_in_edges * placement.mean_edge);
+    const double bias = laplacian_lines::kSightClearance * placement.diagonal;
+    const double contour_bias = std::max(bias, laplacian_lines::kContourSightClearance * placement.mean_edge);
     glUniform2f(program.depth_bias, float(unit * bias), float(unit * contour_bias));
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));

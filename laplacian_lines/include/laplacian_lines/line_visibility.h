@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "laplacian_lines/field.h"
+#include "laplacian_lines/line_set.h"
+#include "laplacian_lines/progress.h"
+#include "laplacian_lines/triangle_mesh.h"
+#include "laplacian_lines/view.h"
+
+namespace laplacian_lines {
+
+/// How far towards the eye a point of a line is moved before the surface can hide it, in D, and the
+/// least such move on contours, in mean edges: contours follow the smoothed normals, beyond the
+/// horizon of a coarse mesh.
+constexpr double kSightClearance = 0.003;
+constexpr double kContourSightClearance = 1.5;
+
+/// Which parts of lines can be seen, by rays from points of the lines to the eye: exact, whatever
+/// the size of a picture. Built once for a mesh, which may be gone afterwards.
+class LineVisibility {
+public:
+    /// `scale` is that of the mesh's field.
+    /// @throws Error(InvalidMesh) if a triangle names a vertex that does not exist.
+    LineVisibility(const TriangleMesh& mesh, const FieldScale& scale);
+    ~LineVisibility();
+    LineVisibility(LineVisibility&&) noexcept;
+    LineVisibility& operator=(LineVisibility&&) noexcept;
+
+    /// Whether a point is inside a closed surface, or where a surface with holes would close: the
+    /// winding number (A. Jacobson et al., "Robust Inside-Outside Segmentation Using Generalized
+    /// Winding Numbers", 2013) is above 1/2. Inside a surface that faces inwards is outside.
+    bool encloses(const Eigen::Vector3d& point) const;
+
+    /// The parts of `lines` that no triangle hides, from either side. A part is a line of its own
+    /// that begins and ends where it comes into sight, to a thousandth of D, with kind, strength
+    /// and slope of the whole line and its own length. Gaps and parts that are shorter than the
+    /// clearance do not count.
+    /// @throws Error(Cancelled). Thread-safe; runs on OpenMP's threads, which do not change the
+    /// result.
+    LineSet visible_parts(const View& view, const LineSet& lines,
+                          const Progress& progress = {}) const;
+
+private:
+    struct Data;
+    std::unique_ptr<const Data> data_;
+};
+
+}  // namespace laplacian_lines

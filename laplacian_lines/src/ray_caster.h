@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
+#include <vector>
+
+#include "laplacian_lines/triangle_mesh.h"
+
+namespace laplacian_lines {
+
+/// A part of a ray: origin + t direction, 0 <= t <= length.
+struct Ray {
+    Eigen::Vector3d origin;
+    Eigen::Vector3d direction;  ///< unit
+    double length;              ///< may be infinite
+};
+
+/// Finds out whether rays meet the triangles of a mesh, by Eigen's tree of boxes. Triangles with
+/// corners that are not finite are left out. Thread-safe.
+class RayCaster {
+public:
+    explicit RayCaster(const TriangleMesh& mesh);
+
+    /// Whether any triangle meets the ray, edges and corners included. A triangle that contains the
+    /// ray does not count.
+    bool is_hit(const Ray& ray) const;
+
+    /// The sum of the solid angles of all triangles at a point, over 4π; +1 inside a closed surface
+    /// that faces outwards.
+    double winding_number(const Eigen::Vector3d& point) const;
+
+private:
+    struct Corners {
+        Eigen::Vector3d a, b, c;
+    };
+    using Tree = Eigen::KdBVH<double, 3, int>;
+    class Query;
+
+    std::vector<Corners> triangles_;
+    Tree tree_;
+};
+
+}  // namespace laplacian_lines
