@@ -17,6 +17,7 @@
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
+#include "naive_belkin.h"
 #include "naive_lines.h"
 
 namespace {
@@ -84,6 +85,15 @@ void run_precompute(benchmark::State& state, BenchmarkMesh& mesh, int threads, d
     state.counters["per_vertex"] = per_item(double(mesh.mesh().positions.size()));
 }
 
+/// The same without corrections and normals, by a plain sum; once, since it takes long.
+void run_naive_belkin(benchmark::State& state, BenchmarkMesh& mesh, double size) {
+    const double kernel_size = size * mesh.field().scale.mean_edge;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            benchmarks::naive_belkin(mesh.mesh(), mesh.field().normals, kernel_size).data());
+    state.counters["per_vertex"] = per_item(double(mesh.mesh().positions.size()));
+}
+
 void run_extractor_build(benchmark::State& state, BenchmarkMesh& mesh) {
     mesh.field();
     std::size_t bytes = 0;
@@ -148,7 +158,7 @@ void add_benchmarks(BenchmarkMesh& mesh) {
     const int all = omp_get_num_procs();
     for (int threads : {1, all}) {
         const std::string suffix = "/" + mesh.name() + "/threads:" + std::to_string(threads);
-        for (int size : {2, 5})
+        for (int size : {2, 5, 10, 20})
             add("precompute/kernel:" + std::to_string(size) + suffix,
                 [&mesh, threads, size](benchmark::State& state) {
                     run_precompute(state, mesh, threads, size);
@@ -162,6 +172,9 @@ void add_benchmarks(BenchmarkMesh& mesh) {
     }
     add("build_extractor/" + mesh.name(),
         [&mesh](benchmark::State& state) { run_extractor_build(state, mesh); });
+    for (int size : {2, 5})
+        add("naive_belkin/kernel:" + std::to_string(size) + "/" + mesh.name(),
+            [&mesh, size](benchmark::State& state) { run_naive_belkin(state, mesh, size); });
     add("naive_laplacian/" + mesh.name(),
         [&mesh](benchmark::State& state) { run_naive(state, mesh, false); });
     add("naive_contours/" + mesh.name(),

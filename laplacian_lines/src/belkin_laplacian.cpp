@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "gaussian_grid.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -12,6 +14,15 @@ constexpr double kLeastKernelMass = 0.2;
 
 double tail(double u) {
     return (1 + u) * std::exp(-u);
+}
+
+/// Root mean square of √h|S|.
+double roughness(const std::vector<float>& kernel_sizes,
+                 const std::vector<Eigen::Matrix3d>& shape_operators) {
+    double sum = 0;
+    for (std::size_t i = 0; i < kernel_sizes.size(); ++i)
+        sum += double(kernel_sizes[i]) * kernel_sizes[i] * shape_operators[i].squaredNorm();
+    return std::sqrt(sum / double(kernel_sizes.size()));
 }
 
 }  // namespace
@@ -34,11 +45,17 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
     GaussianKernel kernel;
     kernel.kernel_sizes = kernel_sizes;
     kernel.cutoff = belkin_cutoff(options.accuracy);
-    kernel.same_side = options.skip_opposite_sheet;
-    const GaussianSums sums = gaussian_sums(mesh, tree, normals, kernel, stage);
-
+    kernel.facing = options.skip_opposite_sheet;
+    const GridResolution resolution =
+        grid_resolution(options.accuracy, roughness(kernel_sizes, shape_operators));
+    Summation summation = options.summation;
+    if (summation == Summation::Fastest)
+        summation = summation_costs(mesh, tree, kernel, resolution).fastest();
+    const bool on_grid = summation == Summation::Grid;
+    const GaussianSums sums = on_grid ? grid_sums(mesh, normals, kernel, resolution, stage)
+                                      : gaussian_sums(mesh, tree, normals, kernel, stage);
     // The cut-off tail of a second moment is known, so its mean effect can be taken out.
-    const double kept = 1 - tail(kernel.cutoff * kernel.cutoff / 4);
+    const double kept = on_grid ? 1 : 1 - tail(kernel.cutoff * kernel.cutoff / 4);
     std::vector<Eigen::Vector3d> laplacian(mesh.size());
     for (std::size_t i = 0; i < laplacian.size(); ++i) {
         const double h = double(kernel_sizes[i]) * kernel_sizes[i];
@@ -48,8 +65,10 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
         const Eigen::Vector3d& n = normals[i];
         const Eigen::Vector3d moment = factor * sums.first_moment[i].cast<double>();
         // A kernel that is not symmetric around p, as at a border, has a first moment along the
-        // surface, which S turns into a spurious term.
-        laplacian[i] -= shape_operators[i] * (moment - n * n.dot(moment));
+        // surface, which S turns into a spurious term. Where the normal turns by more than a radian
+        // within √h, n_q − n_p = S (q − p) holds no longer, and the term fades.
+        const double trust = 1 / (1 + h * shape_operators[i].squaredNorm());
+        laplacian[i] -= trust * (shape_operators[i] * (moment - n * n.dot(moment)));
         // Part of the kernel is missing there, too. The same step halves the bias on curved
         // surfaces; tangential parts get worse by it.
         const double kernel_mass = std::max(sums.mass[i] / (4 * kPi * h), kLeastKernelMass);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gaussian_sums.h"
+#include "summation_cost.h"
 
 namespace laplacian_lines {
 
@@ -16,12 +17,14 @@ struct BelkinOptions {
     double accuracy = 1e-3;
     bool correct_borders = true;
     bool skip_opposite_sheet = true;
+    Summation summation = Summation::Fastest;
 };
 
 /// Δn of all vertices, [N], local units, by
 ///   L f(p) = 1/(4πh²) Σ_q m_q exp(−|q−p|²/4h) (f(q) − f(p)):
 /// M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces", SoCG 2008; Eq. 2 of
 /// Laplacian Lines. The sum over triangles and their corners there is this sum over vertices.
+/// "Skip Opposite Sheet" multiplies the terms by facing_weight(n_q·n_p).
 std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
                                               const std::vector<Eigen::Vector3d>& normals,
                                               const std::vector<float>& kernel_sizes,

@@ -16,11 +16,14 @@ struct GaussianKernel {
     std::vector<float> kernel_sizes;  ///< [N], √h(p), local units
     double cutoff = 6;                ///< in √h
     double normal_falloff = 0;        ///< > 0 makes the sum bilateral
-    bool same_side = true;            ///< leave out q with n_q·n_p < 0
+    bool facing = true;               ///< times facing_weight(n_q·n_p)
 };
 
 /// The sums that both the normal smoothing and Belkin's operator are made of, [N] each.
 struct GaussianSums {
+    explicit GaussianSums(std::size_t count)
+        : mass(count), first_moment(count), normal_difference(count) {}
+
     std::vector<float> mass;                         ///< Σ w
     std::vector<Eigen::Vector3f> first_moment;       ///< Σ w (q − p)
     std::vector<Eigen::Vector3f> normal_difference;  ///< Σ w (n_q − n_p)
@@ -28,8 +31,7 @@ struct GaussianSums {
 
 /// The mesh is sorted in space, and `tree` is its tree. Direct summation in float, relative error
 /// about 1e-6 before the truncation at the cutoff: positions are taken relative to the centre of a
-/// group of targets, and normals relative to the group's mean, since Σ w n_q − n_p Σ w would
-/// cancel.
+/// group of targets.
 GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const std::vector<Eigen::Vector3d>& normals,
                            const GaussianKernel& kernel, const StageProgress& stage);

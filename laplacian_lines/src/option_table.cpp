@@ -52,7 +52,8 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "comparison."),
         real<&O::accuracy>(
             "accuracy", "Accuracy", 1e-6, 0.1,
-            "Part of the heat kernel that may be cut off, 0.000001 to 0.1. Smaller is slower."),
+            "Relative error that summing the heat kernel may add, 0.000001 to 0.1. Smaller is "
+            "slower."),
         choice<&O::normal_weighting>(
             "normal_weighting", "Normal Weighting", {"Area", "Angle", "Max"},
             "How triangle normals are averaged to vertex normals: by triangle area, by corner "
@@ -80,8 +81,8 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "spurious lines along them."),
         boolean<&O::skip_opposite_sheet>(
             "skip_opposite_sheet", "Skip Opposite Sheet",
-            "Leave out of the kernel vertices that face the other way, so that the two sides of a "
-            "thin wall do not disturb each other."),
+            "Vertices count less the more they face another way, and not at all if they face the "
+            "opposite way, so that the two sides of a thin wall do not disturb each other."),
     };
     return table;
 }

@@ -25,27 +25,33 @@ public:
             throw Error(ErrorCode::Cancelled, "Cancelled; the mesh was not changed.");
     }
 
+    /// From `begin` to `end` of this step, 0..1.
+    StageProgress part(double begin, double end) const {
+        const double size = end_ - begin_;
+        return {progress_, begin_ + begin * size, begin_ + end * size, name_};
+    }
+
 private:
     const Progress& progress_;
     double begin_, end_;
     const char* name_;
 };
 
-/// Runs body(i, scratch) for i in [0, count) on OpenMP's threads, each with a Scratch of its own.
-/// The body must write only to places that belong to i, so that the number of threads cannot
-/// change the result. Reports progress from the calling thread; the first exception stops all
-/// threads and is thrown again here.
-template <class Scratch, class Body>
-void parallel_for(std::size_t count, const StageProgress& stage, Body body) {
+/// Runs body(i, scratch) for i in [0, count) on OpenMP's threads, each with a Scratch of its own,
+/// `grain` of them at a time. The body must write only to places that belong to i, so that the
+/// number of threads cannot change the result. Calls finished(n) from the calling thread now and
+/// then, n growing up to count; the first exception stops all threads and is thrown again here.
+template <class Scratch, class Body, class Finished>
+void parallel_for(std::size_t count, int grain, Body body, Finished report) {
     std::atomic<bool> stop{false};
     std::atomic<std::size_t> finished{0};
     std::exception_ptr failure;
     const std::size_t report_every = std::max<std::size_t>(1, count / 100);
-#pragma omp parallel
+#pragma omp parallel if (count > std::size_t(grain))
     {
         Scratch scratch;
         std::size_t next_report = 0;
-#pragma omp for schedule(dynamic, 16)
+#pragma omp for schedule(dynamic, grain)
         for (std::size_t i = 0; i < count; ++i) {
             if (stop.load(std::memory_order_relaxed)) continue;
             try {
@@ -53,7 +59,7 @@ void parallel_for(std::size_t count, const StageProgress& stage, Body body) {
                 const std::size_t done = finished.fetch_add(1, std::memory_order_relaxed);
                 if (omp_get_thread_num() == 0 && done >= next_report) {
                     next_report = done + report_every;
-                    stage.report(double(done) / double(count));
+                    report(done);
                 }
             } catch (...) {
 #pragma omp critical(laplacian_lines_failure)
@@ -63,6 +69,19 @@ void parallel_for(std::size_t count, const StageProgress& stage, Body body) {
         }
     }
     if (failure) std::rethrow_exception(failure);
+}
+
+/// The same as a step of a longer computation.
+template <class Scratch, class Body>
+void parallel_for(std::size_t count, const StageProgress& stage, Body body) {
+    parallel_for<Scratch>(count, 16, body,
+                          [&](std::size_t done) { stage.report(double(done) / double(count)); });
+}
+
+/// Without reports, one at a time.
+template <class Scratch, class Body>
+void in_parallel(std::size_t count, Body body) {
+    parallel_for<Scratch>(count, 1, body, [](std::size_t) {});
 }
 
 struct NoScratch {};

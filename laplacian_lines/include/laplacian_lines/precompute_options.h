@@ -38,7 +38,8 @@ struct PrecomputeOptions {
     /// averaged over one-rings ten times. Normal smoothing scales by the same factor.
     KernelMode kernel_mode = KernelMode::Uniform;
     LaplaceOperator laplace_operator = LaplaceOperator::Belkin;
-    /// Part of the kernel's second moment that may be cut off, 1e-6..0.1. Smaller is slower.
+    /// Relative error of Δn, root mean square over the mesh, that summing the heat kernel may add,
+    /// 1e-6..0.1 (rounding ends at 4e-6). Smaller is slower.
     double accuracy = 1e-3;
     NormalWeighting normal_weighting = NormalWeighting::Area;
     NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
@@ -47,7 +48,8 @@ struct PrecomputeOptions {
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
     double gradient_radius = 3.0;     ///< ball of the least squares fit, in mean edges
     bool correct_borders = true;      ///< make up for the half of the kernel a border lacks
-    bool skip_opposite_sheet = true;  ///< leave out sources q with n(p)·n(q) < 0
+    /// Weight sources q by (1 + c)²(2 − c)/4, c = n(p)·n(q): 1 for equal normals, 0 for opposite.
+    bool skip_opposite_sheet = true;
 };
 
 /// The automatic √h. Lengths in any unit; the result has the same one.

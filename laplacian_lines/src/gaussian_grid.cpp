@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gaussian_grid.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "grid_bands.h"
+#include "grid_convolution.h"
+#include "grid_layers.h"
+#include "grid_points.h"
+#include "normal_moments.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr std::uint32_t kChunk = 512;  // points that are worked on at once
+
+/// Up to kChunk points of one block.
+struct Chunk {
+    std::uint32_t column;
+    const std::uint32_t *begin, *end;
+    LineMask lines[8];  // by part of the box, see for_each_line(): those it spreads to
+};
+
+template <class Real>
+void set_weights(const Eigen::Vector3d& in_cells, SpreadWeights<Real>& weights) {
+    for (int axis = 0; axis < 3; ++axis) {
+        double cubic[4];
+        cubic_spline(in_cells[axis] - int(in_cells[axis]), cubic);
+        std::copy(cubic, cubic + 4, weights.values[axis]);
+    }
+}
+
+template <class Real>
+void set_weights(const Eigen::Vector3d& in_cells, InterpolationWeights<Real>& weights) {
+    for (int axis = 0; axis < 3; ++axis) {
+        double cubic[4], quartic[5], derivatives[5];
+        const double t = in_cells[axis] - int(in_cells[axis]);
+        cubic_spline(t, cubic);
+        quartic_spline(t, cubic, quartic, derivatives);
+        std::copy(quartic, quartic + 5, weights.values[axis]);
+        std::copy(derivatives, derivatives + 5, weights.derivatives[axis]);
+    }
+}
+
+/// Blocks that the convolution of the band's largest kernel reaches to either side.
+int reach(const SizeBand& band, const GridGeometry& grid, const GridResolution& resolution) {
+    const int taps = tap_count(band.nodes().back() / grid.cell, resolution);
+    return (taps + kBlock - 1) / kBlock;
+}
+
+/// Sums of the targets of one band of kernel sizes; see docs/performance.md.
+template <class Real, int Groups>
+class GridSum {
+    using Node = GridNode<Real, Groups>;
+    using Layer = BlockLayer<Node>;
+
+public:
+    GridSum(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
+            const GridGeometry& grid, const GridPoints& points, const SizeBand& band,
+            const GridResolution& resolution, const GaussianKernel& kernel, GaussianSums& sums)
+        : mesh_(mesh),
+          normals_(normals),
+          grid_(grid),
+          points_(points),
+          band_(band),
+          kernel_(kernel),
+          sums_(sums),
+          reach_(reach(band, grid, resolution)) {
+        for (double size : band.nodes())
+            levels_.emplace_back(grid, points.target_nodes(), reach_,
+                                 kernel_taps<Real>(size / grid.cell, resolution, reach_));
+    }
+
+    void run(const StageProgress& stage) {
+        const int layers = grid_.blocks[2];
+        for (int layer = 0; layer <= layers + reach_; ++layer) {
+            stage.report(double(layer) / (layers + reach_ + 1));
+            if (layer < layers) {
+                spread_points(layer);
+                merge_boxes(layer);
+            }
+            for (GridConvolution<Real, Groups>& level : levels_) {
+                level.add_layer(layer, masses_);
+                if (layer >= reach_ && layer - reach_ < layers) level.finish_layer(layer - reach_);
+            }
+            if (layer > reach_) interpolate_points(layer - reach_ - 1);
+        }
+    }
+
+private:
+    /// What the points of one layer's blocks spread, chunk by chunk.
+    struct SpreadLayer {
+        std::vector<Chunk> chunks;
+        std::vector<std::uint32_t> first_chunk;  // [columns + 1]
+        NodeBuffer<Node> boxes;                  // kBoxNodes a chunk
+    };
+
+    std::size_t block(int layer, std::size_t column) const {
+        return std::size_t(layer) * grid_.columns() + column;
+    }
+
+    void list_chunks(int layer, std::vector<Chunk>& chunks) const {
+        chunks.clear();
+        for (std::size_t c = 0; c < grid_.columns(); ++c) {
+            const std::uint32_t* end = points_.end(block(layer, c));
+            for (const std::uint32_t* p = points_.begin(block(layer, c)); p < end; p += kChunk)
+                chunks.push_back({std::uint32_t(c), p, std::min(p + kChunk, end), {}});
+        }
+    }
+
+    /// The point in cells, and the first node it reaches inside the box of its block.
+    std::size_t locate(std::uint32_t point, Eigen::Vector3d& p) const {
+        p = grid_.in_cells(mesh_.positions[point]);
+        const auto in_block = [&](int axis) { return std::size_t(int(p[axis]) - 2) % kBlock; };
+        return (in_block(2) * kBox + in_block(1)) * kBox + in_block(0);
+    }
+
+    std::size_t locate(std::uint32_t point, SpreadWeights<Real>& weights) const {
+        Eigen::Vector3d p;
+        const std::size_t corner = locate(point, p);
+        set_weights(p, weights);
+        return corner + (kBox + 1) * kBox + 1;  // the cubic splines' first node is the second one
+    }
+
+    std::size_t locate(std::uint32_t point, InterpolationWeights<Real>& weights) const {
+        Eigen::Vector3d p;
+        const std::size_t corner = locate(point, p);
+        set_weights(p, weights);
+        return corner;
+    }
+
+    void spread_points(int layer) {
+        SpreadLayer& s = spread_[layer % 2];
+        list_chunks(layer, s.chunks);
+        s.first_chunk.assign(grid_.columns() + 1, 0);
+        for (const Chunk& chunk : s.chunks)
+            ++s.first_chunk[chunk.column + 1];
+        for (std::size_t c = 1; c < s.first_chunk.size(); ++c)
+            s.first_chunk[c] += s.first_chunk[c - 1];
+        s.boxes.grow(s.chunks.size() * kBoxNodes);
+        in_parallel<NoScratch>(s.chunks.size(), [&](std::size_t i, NoScratch&) {
+            spread_chunk(s.chunks[i], s.boxes.get() + i * kBoxNodes);
+        });
+    }
+
+    void spread_chunk(Chunk& chunk, Node* box) const {
+        BlockMask nodes[8] = {};
+        for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p)
+            kSpreadNodes.visit_parts(grid_.first_node(mesh_.positions[*p]),
+                                     [&](int part, BlockMask mask) { nodes[part] |= mask; });
+        for (int part = 0; part < 8; ++part) {
+            chunk.lines[part] = lines_of(nodes[part], 0);
+            for_each_line(part, chunk.lines[part], [&](int in_box, int) {
+                std::memset(static_cast<void*>(box + in_box), 0, sizeof(Node) * kBlock);
+            });
+        }
+        for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p) {
+            SpreadWeights<Real> weights;
+            Node value;
+            set_moments(mesh_.masses[*p], normals_[*p], value);
+            const std::size_t corner = locate(*p, weights);
+            spread(value, weights, box + corner);
+        }
+    }
+
+    /// Adds up the boxes that overlap each block of a layer, always in the same order.
+    void merge_boxes(int layer) {
+        const auto& masks = points_.source_nodes();
+        masses_.masks().assign(masks.begin() + std::ptrdiff_t(block(layer, 0)),
+                               masks.begin() + std::ptrdiff_t(block(layer + 1, 0)));
+        masses_.allocate();
+        const std::size_t row = std::size_t(grid_.blocks[0]);
+        in_parallel<NoScratch>(masses_.columns().size(), [&](std::size_t i, NoScratch&) {
+            const std::size_t column = masses_.columns()[i];
+            Node* nodes = masses_.block(column);
+            std::memset(static_cast<void*>(nodes), 0, sizeof(Node) * kBlockNodes);
+            for (int part = 0; part < 8; ++part) {
+                const std::size_t step = std::size_t(part & 1) + row * std::size_t(part >> 1 & 1);
+                if (step > column || layer < part >> 2) continue;
+                const SpreadLayer& s = spread_[(layer - (part >> 2)) % 2];
+                for (std::uint32_t c = s.first_chunk[column - step];
+                     c < s.first_chunk[column - step + 1]; ++c)
+                    for_each_line(part, s.chunks[c].lines[part], [&](int in_box, int in_block) {
+                        add_line(s.boxes.get() + c * kBoxNodes + in_box, nodes + in_block);
+                    });
+            }
+        });
+    }
+
+    void fill_box(const GridConvolution<Real, Groups>& level, int layer, std::size_t column,
+                  Node* box) const {
+        for (int part = 0; part < 8; ++part) {
+            const std::size_t other = column + std::size_t(part & 1) +
+                                      std::size_t(grid_.blocks[0]) * std::size_t(part >> 1 & 1);
+            if (other >= grid_.columns()) continue;
+            const Layer& z = level.result(layer + (part >> 2));
+            const Node* nodes = z.block(other);
+            for_each_line(part, lines_of(z.mask(other), 0), [&](int in_box, int in_block) {
+                std::memcpy(static_cast<void*>(box + in_box), nodes + in_block,
+                            sizeof(Node) * kBlock);
+            });
+        }
+    }
+
+    void interpolate_points(int layer) {
+        list_chunks(layer, chunks_);
+        in_parallel<NodeBuffer<Node>>(chunks_.size(), [&](std::size_t i, NodeBuffer<Node>& buffer) {
+            const Chunk& chunk = chunks_[i];
+            Node* boxes = buffer.grow(kBoxNodes * levels_.size());
+            for (std::size_t j = 0; j < levels_.size(); ++j)
+                fill_box(levels_[j], layer, chunk.column, boxes + j * kBoxNodes);
+            for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p)
+                if (band_.contains(kernel_.kernel_sizes[*p])) write(*p, boxes);
+        });
+    }
+
+    void write(std::uint32_t p, const Node* boxes) const {
+        InterpolationWeights<Real> splines;
+        const std::size_t corner = locate(p, splines);
+        ContractedMoments total{0, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+        double weights[SizeBand::kMaxNodes];
+        band_.weights(kernel_.kernel_sizes[p], weights);
+        for (std::size_t j = 0; j < levels_.size(); ++j) {
+            PointSums<Real, Groups> sums;
+            interpolate(boxes + j * kBoxNodes + corner, splines, sums);
+            const ContractedMoments at = contract(sums, normals_[p]);
+            // The Gaussian's derivative is (q − p)/(2h) times it.
+            const double size = band_.nodes()[j], to_moment = 2 * size * size / grid_.cell;
+            total.mass += weights[j] * at.mass;
+            total.normal += weights[j] * at.normal;
+            total.gradient += weights[j] * to_moment * at.gradient;
+        }
+        sums_.mass[p] = float(total.mass);
+        sums_.first_moment[p] = total.gradient.cast<float>();
+        sums_.normal_difference[p] = (total.normal - total.mass * normals_[p]).cast<float>();
+    }
+
+    const PreparedMesh& mesh_;
+    const std::vector<Eigen::Vector3d>& normals_;
+    const GridGeometry& grid_;
+    const GridPoints& points_;
+    const SizeBand& band_;
+    const GaussianKernel& kernel_;
+    GaussianSums& sums_;
+    const int reach_;
+    std::vector<GridConvolution<Real, Groups>> levels_;
+    SpreadLayer spread_[2];
+    Layer masses_;
+    std::vector<Chunk> chunks_;
+};
+
+template <class Real, int Groups>
+void sum_bands(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
+               const GaussianKernel& kernel, const GridResolution& resolution,
+               const StageProgress& stage, GaussianSums& sums) {
+    const std::vector<SizeBand> bands = size_bands(kernel.kernel_sizes, resolution.band_nodes);
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        const GridGeometry grid(mesh.positions, resolution.cell * bands[b].nodes().front());
+        GridPoints points(grid, mesh.positions);
+        if (bands.size() > 1) {
+            std::vector<bool> is_target(mesh.size());
+            for (std::size_t v = 0; v < mesh.size(); ++v)
+                is_target[v] = bands[b].contains(kernel.kernel_sizes[v]);
+            points.restrict_to_targets(grid, mesh.positions, is_target,
+                                       1 + reach(bands[b], grid, resolution));
+        }
+        GridSum<Real, Groups>(mesh, normals, grid, points, bands[b], resolution, kernel, sums)
+            .run(
+                stage.part(double(b) / double(bands.size()), double(b + 1) / double(bands.size())));
+    }
+}
+
+}  // namespace
+
+GaussianSums grid_sums(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
+                       const GaussianKernel& kernel, const GridResolution& resolution,
+                       const StageProgress& stage) {
+    GaussianSums sums(mesh.size());
+    const bool doubles = resolution.doubles;
+    const auto facing = doubles ? sum_bands<double, 2> : sum_bands<float, 2>;
+    const auto plain = doubles ? sum_bands<double, 1> : sum_bands<float, 1>;
+    (kernel.facing ? facing : plain)(mesh, normals, kernel, resolution, stage, sums);
+    return sums;
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace laplacian_lines {
+
+constexpr int kBlock = 4;         ///< nodes along a block's side
+constexpr int kBlockNodes = 64;   ///< x runs fastest, then y
+constexpr int kBox = 2 * kBlock;  ///< nodes along the box that a block's points reach
+constexpr int kBoxNodes = kBox * kBox * kBox;
+constexpr int kMoments = 16;  ///< numbers in a group of a node's moments
+
+/// What a node of the grid holds: `Groups` groups of 16 numbers, see normal_moments.h.
+template <class Real, int Groups>
+struct alignas(64) GridNode {
+    Real moments[Groups * kMoments];
+};
+
+/// A point's cubic B-splines along x, y and z.
+template <class Real>
+struct SpreadWeights {
+    Real values[3][4];
+};
+
+/// A point's quartic B-splines and their derivatives along x, y and z.
+template <class Real>
+struct InterpolationWeights {
+    Real values[3][5];
+    Real derivatives[3][5];
+};
+
+/// Sums interpolated at a point, and the derivatives (in cells) of the first group.
+template <class Real, int Groups>
+struct alignas(64) PointSums {
+    Real moments[Groups * kMoments];
+    Real derivatives[3][kMoments];
+};
+
+/// Adds `value` times the point's weights to the 4 x 4 x 4 nodes from `corner` on, inside a box of
+/// kBox nodes along each side. Like the others here: runs with the widest vectors the processor
+/// has; for Real = float and double, Groups = 1 and 2.
+template <class Real, int Groups>
+void spread(const GridNode<Real, Groups>& value, const SpreadWeights<Real>& weights,
+            GridNode<Real, Groups>* corner);
+
+/// What the 5 x 5 x 5 nodes from `corner` on, inside such a box, give at the point.
+template <class Real, int Groups>
+void interpolate(const GridNode<Real, Groups>* corner, const InterpolationWeights<Real>& weights,
+                 PointSums<Real, Groups>& sums);
+
+/// Adds four nodes to four others.
+template <class Real, int Groups>
+void add_line(const GridNode<Real, Groups>* from, GridNode<Real, Groups>* to);
+
+/// Blocks that a convolution along one axis reads: `count` in a row, the output in their middle.
+template <class Real, int Groups>
+struct ConvolutionInput {
+    const GridNode<Real, Groups>* const* blocks;  ///< null: all zero
+    const std::uint16_t* lines;  ///< by block: bits of the lines along the axis that are not zero
+    int count;
+    const Real* taps;  ///< taps[d]: from node i to i − d; valid for |d| <= 4 (count / 2) + 3
+    int axis;
+};
+
+/// Computes the lines of a block whose bits are set, and zeroes the others. Line l along x holds
+/// the nodes from 4l; along y from 16 (l / 4) + l % 4; along z from l.
+template <class Real, int Groups>
+void convolve(const ConvolutionInput<Real, Groups>& input, std::uint16_t lines,
+              GridNode<Real, Groups>* output);
+
+}  // namespace laplacian_lines

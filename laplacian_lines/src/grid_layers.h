@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "block_lines.h"
+#include "grid_kernels.h"
+
+namespace laplacian_lines {
+
+/// Memory for nodes that is not initialized. Growing it loses what it held.
+template <class Node>
+class NodeBuffer {
+public:
+    Node* grow(std::size_t count) {
+        if (count > size_) {
+            nodes_.reset();
+            size_ = count + count / 4;
+            nodes_.reset(static_cast<Node*>(
+                ::operator new(size_ * sizeof(Node), std::align_val_t(alignof(Node)))));
+        }
+        return nodes_.get();
+    }
+    Node* get() const { return nodes_.get(); }
+
+private:
+    struct Free {
+        void operator()(Node* nodes) const {
+            ::operator delete(nodes, std::align_val_t(alignof(Node)));
+        }
+    };
+    std::unique_ptr<Node, Free> nodes_;
+    std::size_t size_ = 0;
+};
+
+/// Those blocks of one layer of the grid that hold anything.
+template <class Node>
+class BlockLayer {
+public:
+    std::vector<BlockMask>& masks() { return masks_; }  ///< by column; set them, then allocate()
+    BlockMask mask(std::size_t column) const { return masks_.empty() ? 0 : masks_[column]; }
+
+    void allocate() {
+        columns_.clear();
+        slots_.resize(masks_.size());
+        for (std::size_t c = 0; c < masks_.size(); ++c)
+            if (masks_[c]) {
+                slots_[c] = std::uint32_t(columns_.size());
+                columns_.push_back(std::uint32_t(c));
+            }
+        nodes_.grow(columns_.size() * kBlockNodes);
+    }
+
+    const std::vector<std::uint32_t>& columns() const { return columns_; }
+    /// Null where the layer holds nothing.
+    Node* block(std::size_t column) const {
+        return mask(column) ? nodes_.get() + std::size_t(slots_[column]) * kBlockNodes : nullptr;
+    }
+
+private:
+    std::vector<BlockMask> masks_;
+    std::vector<std::uint32_t> columns_, slots_;
+    NodeBuffer<Node> nodes_;
+};
+
+/// The box that the points of one block reach overlaps eight blocks; bits 0, 1 and 2 of `part`: the
+/// next block along x, y and z. Calls visit(node of the box, node of the block), each the first of
+/// the four of a line along x, for the lines given.
+template <class Visit>
+void for_each_line(int part, LineMask lines, Visit visit) {
+    const int first = (((part >> 2) * kBox + (part >> 1 & 1)) * kBox + (part & 1)) * kBlock;
+    for (int line = 0; line < 16; ++line)
+        if (lines >> line & 1)
+            visit(first + (line / kBlock * kBox + line % kBlock) * kBox, line * kBlock);
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+namespace laplacian_lines {
+
+/// How fine a grid has to be for a sum of Gaussians.
+struct GridResolution {
+    double cell = 0;       ///< in √h
+    double cutoff = 0;     ///< of the convolution along each axis, in √h
+    int band_nodes = 4;    ///< kernel sizes between which the sums of others are interpolated
+    bool doubles = false;  ///< floats are too coarse
+};
+
+/// The coarsest grid whose sums give Δn to a relative accuracy, 1e-6..0.1. `roughness`: root mean
+/// square of √h|S|, the turn of the normals within a kernel. On a smooth surface the terms of Δn
+/// cancel but for about this part of them, so the grid has to be finer.
+GridResolution grid_resolution(double accuracy, double roughness);
+
+/// Cubic B-splines of a point at 0 <= t < 1 from the second of four nodes.
+inline void cubic_spline(double t, double weights[4]) {
+    const double s = 1 - t;
+    weights[0] = s * s * s / 6;
+    weights[1] = (t * t * (3 * t - 6) + 4) / 6;
+    weights[2] = (s * s * (3 * s - 6) + 4) / 6;
+    weights[3] = t * t * t / 6;
+}
+
+/// Quartic B-splines, and their derivatives, of the same point at five nodes that lie half way
+/// between those of the cubic ones, the first half a cell before the first of those. From the
+/// cubic ones by the recursions of C. de Boor, "A Practical Guide to Splines", chapters IX and X.
+inline void quartic_spline(double t, const double cubic[4], double weights[5],
+                           double derivatives[5]) {
+    for (int k = 0; k < 5; ++k) {
+        const double x = t - 0.5 - (k - 2);  // from node k
+        const double left = k > 0 ? cubic[k - 1] : 0, right = k < 4 ? cubic[k] : 0;
+        weights[k] = ((2.5 + x) * left + (2.5 - x) * right) / 4;
+        derivatives[k] = left - right;
+    }
+}
+
+/// The filter that turns masses spread over nodes by cubic B-splines into values half a cell
+/// further on from which quartic B-splines interpolate Σ m exp(−x²/2σ²); σ in cells. Tap j, 0 <= j
+/// < count, is for nodes at the distance j + 1/2; the filter is symmetric. The optimal influence
+/// function of R. W. Hockney and J. W. Eastwood, "Computer Simulation Using Particles", 1981,
+/// section 8-3, along one axis.
+std::vector<double> spline_kernel(double sigma, int count);
+
+}  // namespace laplacian_lines
