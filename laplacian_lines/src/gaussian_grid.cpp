@@ -231,7 +231,8 @@ private:
             const double size = band_.nodes()[j], to_moment = 2 * size * size / grid_.cell;
             total.mass += weights[j] * at.mass;
             total.normal += weights[j] * at.normal;
-            total.gradient += weights[j] * to_moment * at.gradient;
+            for (int axis = 0; axis < 3; ++axis)
+                total.gradient[grid_.axes[axis]] += weights[j] * to_moment * at.gradient[axis];
         }
         sums_.mass[p] = float(total.mass);
         sums_.first_moment[p] = total.gradient.cast<float>();

@@ -59,8 +59,12 @@ GridGeometry::GridGeometry(const std::vector<Eigen::Vector3d>& points, double ce
         box.extend(p);
     // Half a cell more than the points reach, for rounding.
     origin = box.min() - Eigen::Vector3d::Constant(2.5 * cell);
-    for (int axis = 0; axis < 3; ++axis)
-        blocks[axis] = int((box.sizes()[axis] / cell + 5) / kBlock) + 1;
+    // Layers across the longest axis are small, and few of them are in memory.
+    box.sizes().maxCoeff(&axes[2]);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis < 2) axes[axis] = (axes[2] + 1 + axis) % 3;
+        blocks[axis] = int((box.sizes()[axes[axis]] / cell + 5) / kBlock) + 1;
+    }
 }
 
 GridPoints::GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector3d>& positions)

@@ -20,7 +20,10 @@ struct GridGeometry {
     /// Position in cells. A point's mass is spread over the nodes from floor − 1 to floor + 2
     /// along each axis; its value comes from the nodes from floor − 2 to floor + 2 of another grid,
     /// half a cell further on.
-    Eigen::Vector3d in_cells(const Eigen::Vector3d& p) const { return (p - origin) * per_cell; }
+    Eigen::Vector3d in_cells(const Eigen::Vector3d& p) const {
+        const Eigen::Vector3d cells = (p - origin) * per_cell;
+        return {cells[axes[0]], cells[axes[1]], cells[axes[2]]};
+    }
     /// The first of these nodes.
     Eigen::Array3i first_node(const Eigen::Vector3d& p) const {
         return in_cells(p).array().floor().cast<int>() - 2;
@@ -30,6 +33,7 @@ struct GridGeometry {
 
     Eigen::Vector3d origin;
     double cell, per_cell;
+    int axes[3];  ///< the space's axes along x, y and z of the grid: z is the longest
     int blocks[3];
 };
 
