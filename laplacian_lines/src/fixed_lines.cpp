@@ -12,6 +12,8 @@
 namespace laplacian_lines {
 namespace {
 
+constexpr float kPinhole = 3;  // shortest lines around a hole that is worth a border
+
 struct FixedRules {
     float least_angle = 0;   ///< degrees
     float fading = 0;        ///< full at (1 + fading) times the angle
@@ -60,15 +62,16 @@ void FixedLines::append(const ExtractorData& data, const LineStyle& style, LineS
     const double factor = threshold_factor(style.detail);
     const float shortest = float(std::sqrt(factor) * style.shortest_line);
     if (style.ridges) {
-        // Angles are seen on a scale of their own: the fourth root keeps them in a sensible range.
-        const float angle = float(std::pow(factor, 0.25) * style.ridge_angle);
-        append_lines(ridges_.get([&] { return find_ridges(data); }),
-                     {angle, float(style.fading), shortest, smoothing_passes(style.line_smoothing)},
-                     lines);
+        // Angles differ less than slopes do: the eighth root, and part of the fading.
+        const float angle = float(std::pow(factor, 0.125) * style.ridge_angle);
+        append_lines(
+            ridges_.get([&] { return find_ridges(data); }),
+            {angle, 0.4f * float(style.fading), shortest, smoothing_passes(style.line_smoothing)},
+            lines);
     }
     if (style.borders)
         append_lines(borders_.get([&] { return find_borders(data, mesh_edges(data)); }),
-                     {0, 0, float(style.shortest_contour), 0}, lines);
+                     {0, 0, kPinhole * shortest, 0}, lines);
     if (style.creases)
         append_lines(creases_.get([&] { return find_creases(data, mesh_edges(data)); }),
                      {float(style.crease_angle), 0, shortest, 0}, lines);

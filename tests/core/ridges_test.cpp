@@ -88,7 +88,7 @@ TEST(Ridges, NeedTheirAngle) {
     style.ridge_angle = 1.5 * angle;
     EXPECT_TRUE(ridges(rounded_cube(), style).lines.empty());
     style.ridge_angle = angle / 1.2;
-    style.fading = 0.4;
+    style.fading = 1;  // of which ridges take 0.4
     for (const LinePoint& p : ridges(rounded_cube(), style).points)
         EXPECT_NEAR(p.opacity, std::clamp(1.2 * p.gradient / angle / 0.4 - 2.5, 0., 1.), 1e-3);
     style.ridges = false;

@@ -13,9 +13,9 @@ struct LineStyle {
     /// evenly with it.
     double detail = 50;
     /// t, the least ‖∇I‖·D at a crossing (the paper's threshold on the gradient).
-    double gradient_threshold = 1.0;
+    double gradient_threshold = 0.8;
     /// τ, the least strength of a line, Σ (‖∇I‖_i + ‖∇I‖_i+1)/2 · length of the segment (Eq. 4).
-    double strength_threshold = 0.015;
+    double strength_threshold = 0.01;
     /// Drop crossings where the illumination's gradient has a minimum instead of a maximum, that
     /// is, where ∇(ΔI)·∇I > 0. The paper has no such test.
     bool reject_phantoms = true;
@@ -24,17 +24,17 @@ struct LineStyle {
     /// the paper, each of them is accompanied by lines on the convex forms beside it.
     bool single_strokes = true;
     /// The slope of a crossing is ‖∇(ΔI)‖ · h_e^1.5, h_e = h + σ²/2 (kernel and normal smoothing).
-    double segment_slope = 0.012;  ///< least slope of a segment
-    double line_slope = 0.04;     ///< least mean slope of a line
-    double full_slope = 0.2;      ///< slope above segment_slope at which a line has its full width
-    double shortest_line = 0.012; ///< least length of a line, in D
-    double least_facing = -0.15;  ///< least n·l/|l| at a crossing
+    double segment_slope = 0.009;  ///< least slope of a segment
+    double line_slope = 0.03;      ///< least mean slope of a line
+    double full_slope = 0.3;       ///< slope above segment_slope at which a line has its full width
+    double shortest_line = 0.01;   ///< least length of a line, in D
+    double least_facing = -0.15;   ///< least n·l/|l| at a crossing
     /// Standard deviation, in points of a line, of the smoothing of its course: lines follow the
     /// triangles' edges, which shows on coarse and noisy meshes.
     double line_smoothing = 1.2;
     /// Lines fade in above the thresholds of slope, length and strength: from nothing at the
     /// threshold to full opacity at (1 + fading) times it. 0: lines are there or not.
-    double fading = 0.4;
+    double fading = 1;
     double end_length = 0.01;  ///< length over which open ends of lines fade, in D
     /// Laplacian lines within this distance of a contour, in D on the picture, fade out, since they
     /// only double it; from half the distance on nothing is left. Only if contours are drawn and
@@ -43,8 +43,8 @@ struct LineStyle {
     /// Use the Laplacian of n·(e − p), ΔI = Δn·l − w tr S, instead of the paper's Δn·l. The two
     /// are the same for orthographic views.
     bool exact_point_light = false;
-    bool laplacian_lines = true;      ///< draw the zero crossings of ΔI
-    bool contours = true;             ///< draw the zero crossings of n·l
+    bool laplacian_lines = true;  ///< draw the zero crossings of ΔI
+    bool contours = true;         ///< draw the zero crossings of n·l
     /// Contours along edges of the mesh, between a triangle that faces the eye and one that does
     /// not, instead of the smooth zero crossings of n·l.
     bool mesh_silhouettes = false;
