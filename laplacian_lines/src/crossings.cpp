@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contour_clearance.h"
+
 namespace laplacian_lines {
 
 double threshold_factor(double detail) {
@@ -181,7 +183,7 @@ private:
         const float facing = (1 - t) * values_[a.vertex].facing + t * values_[b.vertex].facing;
         c.accepted = c.gradient >= rules_.least_gradient &&
                      facing >= rules_.least_facing * view_.eye.towards(c.position).norm();
-        c.opacity = clearance_opacity(facing, c.gradient);
+        c.opacity = clearance_opacity(facing, c.gradient, rules_.contour_clearance);
         if (rules_.concave_only) {
             const float lit =
                 view_.light_at_eye ? facing : (1 - t) * lit_from_light(a) + t * lit_from_light(b);
@@ -211,14 +213,6 @@ private:
         const float begin = -rules_.fading / 4, end = rules_.fading / 2;
         if (!(concavity > begin)) return 0;  // false for NaN, too: nothing to see from above
         return end > begin ? std::min((concavity - begin) / (end - begin), 1.f) : 1;
-    }
-
-    /// Fades crossings that would double a contour. To first order the contour is I/‖∇I‖ away on
-    /// the surface, which is seen at half the crossing's cosine on the way there.
-    float clearance_opacity(float facing, float gradient) const {
-        if (!(rules_.contour_clearance > 0)) return 1;
-        const float distance = facing * std::abs(facing) / (2 * gradient);
-        return std::clamp(2 * distance / rules_.contour_clearance - 1, 0.f, 1.f);
     }
 
     /// Slope of the function across the line, and whether the illumination's gradient is largest

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contour_clearance.h"
 #include "crossings.h"
 #include "line_smoothing.h"
 #include "mesh_edge_lines.h"
-#include "ridges.h"
 
 namespace laplacian_lines {
 namespace {
@@ -15,41 +15,42 @@ namespace {
 constexpr float kPinhole = 3;  // shortest lines around a hole that is worth a border
 
 struct FixedRules {
-    float least_angle = 0;   ///< degrees
-    float fading = 0;        ///< full at (1 + fading) times the angle
     float least_length = 0;  ///< D
     int smoothing_passes = 0;
 };
 
-float opacity(const FixedRules& rules, float angle) {
-    if (angle < rules.least_angle) return 0;
-    const float range = rules.least_angle * rules.fading;
-    return range > 0 ? std::min((angle - rules.least_angle) / range, 1.f) : 1.f;
+/// Appends the lines of the set that are long enough and have a point to be seen.
+/// `opacity_of(i)` is the opacity of point i of the set.
+template <class OpacityOf>
+void append_lines(const LineSet& set, const FixedRules& rules, const OpacityOf& opacity_of,
+                  LineSet& lines) {
+    for (Polyline line : set.lines) {
+        if (line.length < rules.least_length) continue;
+        const std::size_t begin = line.first, end = begin + line.count;
+        line.first = std::uint32_t(lines.points.size());
+        float most = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            LinePoint point = set.points[i];
+            point.opacity = point.weight = opacity_of(i);
+            most = std::max(most, point.opacity);
+            lines.points.push_back(point);
+        }
+        if (most == 0) {
+            lines.points.resize(line.first);
+            continue;
+        }
+        LinePoint* points = lines.points.data() + line.first;
+        for (int pass = 0; pass < rules.smoothing_passes; ++pass)
+            smooth_line(line, points, &LinePoint::position, LineEnd::Reflected);
+        lines.lines.push_back(line);
+    }
 }
 
-/// Appends one line of the set with the opacity that its angles deserve, unless it has none.
-void append_line(const LineSet& set, Polyline line, const FixedRules& rules, LineSet& lines) {
-    const LinePoint* begin = set.points.data() + line.first;
-    line.first = std::uint32_t(lines.points.size());
-    lines.points.insert(lines.points.end(), begin, begin + line.count);
-    LinePoint* points = lines.points.data() + line.first;
-    float most = 0;
-    for (LinePoint* p = points; p < points + line.count; ++p) {
-        p->opacity = p->weight = opacity(rules, p->gradient);
-        most = std::max(most, p->opacity);
-    }
-    if (most == 0) {
-        lines.points.resize(line.first);
-        return;
-    }
-    for (int pass = 0; pass < rules.smoothing_passes; ++pass)
-        smooth_line(line, points, &LinePoint::position, LineEnd::Reflected);
-    lines.lines.push_back(line);
-}
-
-void append_lines(const LineSet& set, const FixedRules& rules, LineSet& lines) {
-    for (const Polyline& line : set.lines)
-        if (line.length >= rules.least_length) append_line(set, line, rules, lines);
+/// From nothing at the angle to full at (1 + fading) times it.
+float angle_opacity(float angle, float least_angle, float fading) {
+    if (angle < least_angle) return 0;
+    const float range = least_angle * fading;
+    return range > 0 ? std::min((angle - least_angle) / range, 1.f) : 1.f;
 }
 
 }  // namespace
@@ -58,23 +59,45 @@ const MeshEdges& FixedLines::mesh_edges(const ExtractorData& data) {
     return mesh_edges_.get([&] { return find_mesh_edges(data); });
 }
 
-void FixedLines::append(const ExtractorData& data, const LineStyle& style, LineSet& lines) {
-    const double factor = threshold_factor(style.detail);
-    const float shortest = float(std::sqrt(factor) * style.shortest_line);
-    if (style.ridges) {
-        // Angles differ less than slopes do: the eighth root, and part of the fading.
-        const float angle = float(std::pow(factor, 0.125) * style.ridge_angle);
+void FixedLines::append_ridges(const ExtractorData& data, const LocalEye& eye,
+                               const LineStyle& style, float shortest, LineSet& lines) {
+    const Ridges& ridges = ridges_.get([&] { return find_ridges(data); });
+    // Angles differ less than slopes do: the eighth root, and part of the fading.
+    const float angle = float(std::pow(threshold_factor(style.detail), 0.125) * style.ridge_angle);
+    const float fading = 0.4f * float(style.fading);
+    // The contour of a rounded edge stays near its crest for long.
+    const float clearance = style.contours ? 4 * float(style.contour_clearance) : 0;
+    const auto opacity_of = [&](std::size_t i) {
+        const LinePoint& point = ridges.lines.points[i];
+        const float opacity = angle_opacity(point.gradient, angle, fading);
+        if (opacity == 0) return opacity;
+        const Eigen::Vector3f l = eye.towards(
+            ((point.position.cast<double>() - data.centre) / data.diagonal).cast<float>());
+        const Ridges::Form& form = ridges.forms[i];
+        const float facing = std::abs(form.normal.dot(l));
+        const float gradient = std::abs(form.bend.dot(l));
+        return opacity * clearance_opacity(facing, std::max(gradient, 1e-6f), clearance);
+    };
+    append_lines(ridges.lines, {shortest, smoothing_passes(style.line_smoothing)}, opacity_of,
+                 lines);
+}
+
+void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
+                        LineSet& lines) {
+    const float shortest = float(std::sqrt(threshold_factor(style.detail)) * style.shortest_line);
+    if (style.ridges) append_ridges(data, eye, style, shortest, lines);
+    if (style.borders)
         append_lines(
-            ridges_.get([&] { return find_ridges(data); }),
-            {angle, 0.4f * float(style.fading), shortest, smoothing_passes(style.line_smoothing)},
+            borders_.get([&] { return find_borders(data, mesh_edges(data)); }),
+            {kPinhole * shortest, 0}, [](std::size_t) { return 1.f; }, lines);
+    if (style.creases) {
+        const LineSet& creases = creases_.get([&] { return find_creases(data, mesh_edges(data)); });
+        const float angle = float(style.crease_angle);
+        append_lines(
+            creases, {shortest, 0},
+            [&](std::size_t i) { return angle_opacity(creases.points[i].gradient, angle, 0); },
             lines);
     }
-    if (style.borders)
-        append_lines(borders_.get([&] { return find_borders(data, mesh_edges(data)); }),
-                     {0, 0, kPinhole * shortest, 0}, lines);
-    if (style.creases)
-        append_lines(creases_.get([&] { return find_creases(data, mesh_edges(data)); }),
-                     {float(style.crease_angle), 0, shortest, 0}, lines);
 }
 
 }  // namespace laplacian_lines

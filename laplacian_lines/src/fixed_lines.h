@@ -3,10 +3,12 @@
 
 #include <mutex>
 
+#include "crossings.h"
 #include "extractor_data.h"
 #include "laplacian_lines/line_set.h"
 #include "laplacian_lines/line_style.h"
 #include "mesh_edges.h"
+#include "ridges.h"
 
 namespace laplacian_lines {
 
@@ -28,13 +30,19 @@ private:
 /// Lines that do not depend on the view, found when a style first shows them.
 class FixedLines {
 public:
-    /// Appends what the style shows of ridges, borders and creases.
-    void append(const ExtractorData& data, const LineStyle& style, LineSet& lines);
+    /// Appends what the style shows of ridges, borders and creases. The eye matters only
+    /// for the nearness of contours, beside which ridges fade.
+    void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
+                LineSet& lines);
     const MeshEdges& mesh_edges(const ExtractorData& data);
 
 private:
+    void append_ridges(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
+                       float shortest, LineSet& lines);
+
     OnDemand<MeshEdges> mesh_edges_;
-    OnDemand<LineSet> ridges_, borders_, creases_;
+    OnDemand<Ridges> ridges_;
+    OnDemand<LineSet> borders_, creases_;
 };
 
 }  // namespace laplacian_lines

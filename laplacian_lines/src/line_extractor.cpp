@@ -90,7 +90,7 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
     LineRules rules = laplacian_rules(style);
     if (view.light) rules.contour_clearance = 0;  // lines of another light follow no contours
     if (style.laplacian_lines) extract_kind(rules, &VertexValue::laplacian, memory.mixed.laplacian);
-    data_->fixed_lines.append(*data_, style, lines);
+    data_->fixed_lines.append(*data_, local.eye, style, lines);
     if (style.contours && style.mesh_silhouettes) {
         LineRules silhouette_rules = contour_rules(style);
         silhouette_rules.smoothing_passes = 0;  // exact is what they are for

@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "crossings.h"
@@ -19,6 +20,7 @@ struct Bend {
     Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< e₁, unit, of either sign
     float angle = 0;       ///< 2 k₁ √h in degrees; 0: no candidate
     float derivative = 0;  ///< ∇(tr S)·e₁
+    float curvature = 0;   ///< k₁
 };
 
 Eigen::Matrix3f matrix(const ShapeOperator& s) {
@@ -38,6 +40,7 @@ Bend bend(const ExtractorData& data, std::size_t v) {
     solver.computeDirect(matrix(s));
     const Eigen::Vector3f k = solver.eigenvalues();  // ascending; one of them is the normal's 0
     Bend bend;
+    bend.curvature = k[2];
     bend.angle = 2 * k[2] * size * kDegrees;
     if (!(bend.angle >= kLeastRidgeAngle) || !(k[2] > kDominance * -k[0]) ||
         !(k[2] > kDominance * k[1]))
@@ -59,6 +62,9 @@ public:
             add(t);
     }
     const CrossingGraph& graph() const { return graph_; }
+    /// Of the crossing that a traced point comes from. Above 2^24 crossings, of one beside it.
+    float angle(const LinePoint& point) const { return angles_[number(point)]; }
+    const Ridges::Form& form(const LinePoint& point) const { return forms_[number(point)]; }
 
 private:
     void add(std::uint32_t index) {
@@ -112,7 +118,10 @@ private:
             Crossing c;
             c.edge = edge;
             c.position = (1 - t) * data_.vertices[a].position + t * data_.vertices[b].position;
-            c.gradient = (1 - t) * bends_[a].angle + t * bends_[b].angle;
+            // Its number travels through the tracing in place of a gradient.
+            c.gradient = float(index);
+            angles_.push_back((1 - t) * bends_[a].angle + t * bends_[b].angle);
+            forms_.push_back(form(a, b, t));
             c.opacity = 1;
             c.accepted = true;
             graph_.crossings.push_back(c);
@@ -120,21 +129,44 @@ private:
         return index;
     }
 
+    Ridges::Form form(std::uint32_t a, std::uint32_t b, float t) const {
+        const LinearForms& n = data_.normals;
+        const auto normal = [&](std::uint32_t v) {
+            return Eigen::Vector3f(n.x[v], n.y[v], n.z[v]);
+        };
+        const Eigen::Vector3f bend_a = bends_[a].curvature * bends_[a].direction;
+        const Eigen::Vector3f bend_b = bends_[b].curvature * bends_[b].direction;
+        return {(1 - t) * normal(a) + t * normal(b),
+                (1 - t) * bend_a + t * sign_to(bends_[a], bends_[b]) * bend_b};
+    }
+
+    std::size_t number(const LinePoint& point) const {
+        return std::min(std::size_t(point.gradient), forms_.size() - 1);
+    }
+
     const ExtractorData& data_;
     std::vector<Bend> bends_;
     CrossingGraph graph_;
+    std::vector<float> angles_;  // by crossing
+    std::vector<Ridges::Form> forms_;
 };
 
 }  // namespace
 
-LineSet find_ridges(const ExtractorData& data) {
+Ridges find_ridges(const ExtractorData& data) {
     const RidgeFinder finder(data);
     LineRules rules;
     rules.kind = LineKind::Ridge;
     TracingMemory memory;
-    LineSet lines;
-    trace_polylines(data, rules, finder.graph(), memory, lines);
-    return lines;
+    Ridges ridges;
+    trace_polylines(data, rules, finder.graph(), memory, ridges.lines);
+    for (LinePoint& point : ridges.lines.points) {
+        ridges.forms.push_back(finder.form(point));
+        point.gradient = finder.angle(point);
+    }
+    for (Polyline& line : ridges.lines.lines)
+        line.strength = 0;
+    return ridges;
 }
 
 }  // namespace laplacian_lines

@@ -108,6 +108,26 @@ TEST(Ridges, AreOnlyWhereOneConvexCurvatureRules) {
         EXPECT_EQ(edge_of(p.position), -1);
 }
 
+/// Seen from above, the four upright edges are on the outline.
+TEST(Ridges, FadeBesideContours) {
+    const LineExtractor extractor(rounded_cube(), precompute(rounded_cube()));
+    const View above = View::orthographic(Eigen::Vector3d::UnitZ());
+    for (const bool contours : {true, false}) {
+        LineStyle style = only_ridges();
+        style.contours = contours;
+        std::size_t upright = 0, others = 0;
+        const LineSet set = helpers::extract(extractor, above, style);
+        for (const Polyline& line : set.lines)
+            for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
+                const int edge = edge_of(set.points[i].position);
+                if (line.kind != LineKind::Ridge || edge < 0) continue;
+                (edge / 4 == 2 ? upright : others) += set.points[i].opacity > 0.5f;
+            }
+        EXPECT_EQ(upright > 0, !contours);
+        EXPECT_GT(others, 0u);
+    }
+}
+
 TEST(Ridges, AreTheSameFromEverywhere) {
     const LineExtractor extractor(rounded_cube(), precompute(rounded_cube()));
     const LineSet lines = helpers::extract(extractor, kView, only_ridges());

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace laplacian_lines {
+
+/// Opacity of a point that would double a contour nearby: 1 from `clearance` on (in D, in the
+/// picture), 0 from half of it. To first order the contour is I/‖∇I‖ away on the surface, which is
+/// seen at half the point's cosine on the way there. facing: I = n·l; gradient: ‖∇I‖·D.
+inline float clearance_opacity(float facing, float gradient, float clearance) {
+    if (!(clearance > 0)) return 1;
+    const float distance = facing * std::abs(facing) / (2 * gradient);
+    return std::clamp(2 * distance / clearance - 1, 0.f, 1.f);
+}
+
+}  // namespace laplacian_lines
