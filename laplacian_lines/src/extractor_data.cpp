@@ -1,47 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "extractor_data.h"
 
-#include <cmath>
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
+#include "cluster_building.h"
 #include "laplacian_lines/error.h"
 #include "prepared_mesh.h"
 
 namespace laplacian_lines {
 namespace {
 
-/// Copies vertex v of the field, whose local position is p, to place i.
-void set_vertex(ExtractorData& data, std::size_t i, const Eigen::Vector3d& p, const Field& field,
-                std::uint32_t v) {
-    const double d = data.diagonal;
-    const Eigen::Vector3d n = field.normals[v].cast<double>();
-    const Eigen::Vector3d laplacian = field.laplacian_normals[v].cast<double>() * d * d;
-    data.normals.set(i, n, p);
-    data.laplacians.set(i, laplacian, p);
-    const ShapeOperator& s = field.shape_operators[v];
-    const float f = float(d);
-    const double size = field.kernel_sizes[v] / d;
-    // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
-    const double sigma =
-        field.scale.normal_sigma / d * (size / (field.scale.kernel_size / field.scale.diagonal));
-    data.vertices[i] = {p.cast<float>(),
-                        {s.xx * f, s.yy * f, s.zz * f, s.yz * f, s.xz * f, s.xy * f},
-                        float(std::pow(size * size + sigma * sigma / 2, 1.5))};
-}
+constexpr std::size_t kBounds = 12;          // arrays about whole clusters
+constexpr std::size_t kHugePage = 2u << 20;  // bytes; clusters are read in no order of addresses
 
 template <class T>
 std::size_t bytes(const std::vector<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
-std::size_t bytes(const LinearForms& f) {
-    return bytes(f.x) + bytes(f.y) + bytes(f.z) + bytes(f.offset);
-}
-
 }  // namespace
 
+void ExtractorData::Free::operator()(unsigned char* memory) const {
+    std::free(memory);
+}
+
+void ExtractorData::allocate(std::size_t size) {
+    const std::size_t alignment = size < kHugePage ? kCacheLine : kHugePage;
+    size = (size + alignment - 1) / alignment * alignment;
+    memory_of_clusters.reset(static_cast<unsigned char*>(std::aligned_alloc(alignment, size)));
+    if (!memory_of_clusters) throw std::bad_alloc();
+#ifdef __linux__
+    madvise(memory_of_clusters.get(), size, MADV_HUGEPAGE);  // no harm if it fails
+#endif
+    std::memset(memory_of_clusters.get(), 0, size);
+    bytes_of_clusters = size;
+    bounds.assign(kBounds * padded_cluster_count(), 0);
+}
+
+std::size_t ExtractorData::padded_cluster_count() const {
+    return (clusters.size() + kFormGroup - 1) / kFormGroup * kFormGroup;
+}
+
+ClusterStore ExtractorData::store() const {
+    const auto array = [&](std::size_t i) { return bounds.data() + i * padded_cluster_count(); };
+    return {memory_of_clusters.get(),
+            clusters.data(),
+            border_edges.data(),
+            {array(0), array(1), array(2)},
+            array(3),
+            {array(4), array(5), array(6)},
+            array(7),
+            {array(8), array(9), array(10)},
+            array(11)};
+}
+
 std::size_t ExtractorData::memory() const {
-    return sizeof(*this) + bytes(normals) + bytes(laplacians) + bytes(vertices) + bytes(triangles) +
-           bytes(topology.edges_of_triangle);
+    return sizeof(*this) + bytes_of_clusters + bytes(clusters) + bytes(vertices_of_clusters) +
+           bytes(border_edges) + bytes(bounds);
 }
 
 ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field) {
@@ -50,18 +71,12 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field)
         field.shape_operators.size() != n || field.kernel_sizes.size() != n)
         throw Error(ErrorCode::FieldMismatch,
                     "The Laplacian lines field belongs to another mesh; compute it again.");
-    PreparedMesh prepared = prepare_mesh(mesh);
-    sort_in_space(prepared);
+    const PreparedMesh prepared = prepare_mesh(mesh);
     ExtractorData data;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
-    data.normals.resize(prepared.size());
-    data.laplacians.resize(prepared.size());
-    data.vertices.resize(prepared.size());
-    for (std::size_t i = 0; i < prepared.size(); ++i)
-        set_vertex(data, i, prepared.positions[i], field, prepared.original_vertex[i]);
-    data.triangles = std::move(prepared.triangles);
-    data.topology = build_edge_topology(prepared.size(), data.triangles);
+    ClusterBuilder(prepared, field, data).build();
+    data.border_edges.shrink_to_fit();
     return data;
 }
 

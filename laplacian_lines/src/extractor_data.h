@@ -2,50 +2,39 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "edge_topology.h"
+#include "cluster_data.h"
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/triangle_mesh.h"
 
 namespace laplacian_lines {
 
-/// A linear form in the homogeneous eye (e, w) at each vertex: v·(e − w p), stored as v and v·p.
-/// One array for each number, so that a pass over all vertices is vectorized.
-struct LinearForms {
-    std::vector<float> x, y, z, offset;
-
-    void resize(std::size_t n) {
-        for (auto* values : {&x, &y, &z, &offset})
-            values->resize(n);
-    }
-    void set(std::size_t i, const Eigen::Vector3d& v, const Eigen::Vector3d& p) {
-        x[i] = float(v.x());
-        y[i] = float(v.y());
-        z[i] = float(v.z());
-        offset[i] = float(v.dot(p));
-    }
-};
-
-/// What only the vertices near a line are asked for; together, since they are far apart.
-struct VertexRecord {
-    Eigen::Vector3f position;      ///< p, local
-    ShapeOperator shape_operator;  ///< S·D
-    float slope_scale;             ///< h_e(p)^1.5, local
-};
-
-/// What a redraw reads, in the order that it reads it: vertices in an order that keeps neighbours
-/// together, triangles by their first vertex. Local coordinates x' = (x − centre)/D, so that all
-/// thresholds are dimensionless as they stand.
+/// The mesh as a redraw reads it, see cluster_data.h. Local coordinates x' = (x − centre)/D, so
+/// that all thresholds are dimensionless as they stand.
 struct ExtractorData {
-    LinearForms normals;     ///< n·l, the illumination
-    LinearForms laplacians;  ///< Δn·l·D², its Laplacian in the paper's form
-    std::vector<VertexRecord> vertices;
-    std::vector<Triangle> triangles;
-    EdgeTopology topology;
+    struct Free {
+        void operator()(unsigned char* memory) const;
+    };
+    std::unique_ptr<unsigned char[], Free> memory_of_clusters;
+    std::size_t bytes_of_clusters = 0;
+    std::vector<Cluster> clusters;
+    std::vector<std::uint32_t> vertices_of_clusters;  ///< numbers in the mesh, cluster by cluster
+    std::uint32_t vertex_count = 0;                   ///< of the mesh
+    std::vector<std::uint32_t> border_edges;
+    std::uint32_t border_edge_count = 0;  ///< the numbers in border_edges are below
+    /// The arrays of ClusterStore about whole clusters, one after the other.
+    std::vector<float> bounds;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     double diagonal = 1;                               ///< D, mesh units
 
+    /// Memory for the clusters, aligned to cache lines, zero; and for their bounds.
+    /// @throws std::bad_alloc
+    void allocate(std::size_t bytes);
+    std::size_t padded_cluster_count() const;  ///< to whole groups of kFormGroup
+    ClusterStore store() const;
     std::size_t memory() const;  ///< bytes
 };
 

@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "contour_clearance.h"
-#include "crossings.h"
+#include "line_rules.h"
 #include "line_smoothing.h"
 #include "mesh_edge_lines.h"
+#include "whole_mesh.h"
 
 namespace laplacian_lines {
 namespace {
@@ -56,12 +57,12 @@ float angle_opacity(float angle, float least_angle, float fading) {
 }  // namespace
 
 const MeshEdges& FixedLines::mesh_edges(const ExtractorData& data) {
-    return mesh_edges_.get([&] { return find_mesh_edges(data); });
+    return mesh_edges_.get([&] { return find_mesh_edges(rebuild_mesh(data)); });
 }
 
 void FixedLines::append_ridges(const ExtractorData& data, const LocalEye& eye,
                                const LineStyle& style, float shortest, LineSet& lines) {
-    const Ridges& ridges = ridges_.get([&] { return find_ridges(data); });
+    const Ridges& ridges = ridges_.get([&] { return find_ridges(data, rebuild_mesh(data)); });
     // Angles differ less than slopes do: the eighth root, and part of the fading.
     const float angle = float(std::pow(threshold_factor(style.detail), 0.125) * style.ridge_angle);
     const float fading = 0.4f * float(style.fading);
@@ -88,10 +89,11 @@ void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const Li
     if (style.ridges) append_ridges(data, eye, style, shortest, lines);
     if (style.borders)
         append_lines(
-            borders_.get([&] { return find_borders(data, mesh_edges(data)); }),
+            borders_.get([&] { return find_borders(data, find_mesh_edges(rebuild_mesh(data))); }),
             {kPinhole * shortest, 0}, [](std::size_t) { return 1.f; }, lines);
     if (style.creases) {
-        const LineSet& creases = creases_.get([&] { return find_creases(data, mesh_edges(data)); });
+        const LineSet& creases =
+            creases_.get([&] { return find_creases(data, find_mesh_edges(rebuild_mesh(data))); });
         const float angle = float(style.crease_angle);
         append_lines(
             creases, {shortest, 0},

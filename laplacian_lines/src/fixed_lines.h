@@ -3,10 +3,10 @@
 
 #include <mutex>
 
-#include "crossings.h"
 #include "extractor_data.h"
 #include "laplacian_lines/line_set.h"
 #include "laplacian_lines/line_style.h"
+#include "local_eye.h"
 #include "mesh_edges.h"
 #include "ridges.h"
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "crossings.h"
 #include "extractor_data.h"
 #include "fixed_lines.h"
 #include "laplacian_lines/error.h"
+#include "line_finishing.h"
+#include "local_eye.h"
 #include "mesh_edge_lines.h"
-#include "polyline_tracing.h"
 
 namespace laplacian_lines {
 
@@ -19,11 +19,12 @@ struct LineExtractor::Data : ExtractorData {
 };
 
 struct ExtractionScratch::Memory {
-    VertexValues values;
-    MixedTriangles mixed;
-    CrossingGraph graph;
-    TracingMemory tracing;
+    FoundStrips found;
+    JoiningMemory joining;
+    TracedLines traced;
+    FinishingMemory finishing;
     SilhouetteMemory silhouettes;
+    TracingMemory silhouette_tracing;
 };
 
 ExtractionScratch::ExtractionScratch() : memory_(std::make_unique<Memory>()) {}
@@ -53,23 +54,44 @@ LocalEye direction_to_local(const Eigen::Vector3d& direction, const char* compla
 }
 
 /// To local coordinates, times s = 1/|e − c| (perspective) or to unit length (directions).
-LocalView to_local(const View& view, const ExtractorData& data) {
+LocalEye eye_to_local(const View& view, const ExtractorData& data) {
     constexpr const char* complaint = "The view has no finite eye or direction.";
-    LocalView local;
-    if (view.w == 0) {
-        local.eye = direction_to_local(view.eye, complaint);
-    } else {
-        const Eigen::Vector3d eye = (view.eye / view.w - data.centre) / data.diagonal;
-        const double distance = eye.stableNorm();
-        if (!std::isfinite(view.w) || !std::isfinite(distance))
-            throw Error(ErrorCode::InvalidOption, complaint);
-        const double scale = 1 / std::max(distance, kLeastEyeDistance);
-        local.eye = {(eye * scale).cast<float>(), float(scale)};
-    }
-    local.light = view.light ? direction_to_local(*view.light, "The light has no finite direction.")
-                             : local.eye;
-    local.light_at_eye = !view.light;
-    return local;
+    if (view.w == 0) return direction_to_local(view.eye, complaint);
+    const Eigen::Vector3d eye = (view.eye / view.w - data.centre) / data.diagonal;
+    const double distance = eye.stableNorm();
+    if (!std::isfinite(view.w) || !std::isfinite(distance))
+        throw Error(ErrorCode::InvalidOption, complaint);
+    const double scale = 1 / std::max(distance, kLeastEyeDistance);
+    return {(eye * scale).cast<float>(), float(scale)};
+}
+
+/// Local points are within 1/2 of the centre, so |l| is within w/2 of |e|; a bound of the scaled
+/// facing that needs no |l| and never refuses too much.
+float least_scaled_facing(float least_facing, const LocalEye& eye) {
+    const float length = eye.eye.norm() + (least_facing < 0 ? eye.w : -eye.w) / 2;
+    return least_facing * std::max(length, 0.f);
+}
+
+void set_eye(const LocalEye& eye, float out[4]) {
+    Eigen::Map<Eigen::Vector4f>(out) << eye.eye, eye.w;
+}
+
+ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEye& eye) {
+    ExtractionTask task;
+    const LocalEye light =
+        view.light ? direction_to_local(*view.light, "The light has no finite direction.") : eye;
+    set_eye(eye, task.eye);
+    set_eye(light, task.light);
+    task.light_at_eye = !view.light;
+    task.exact_point_light = style.exact_point_light && light.w != 0;
+    task.wanted[kLaplacianStrips] = style.laplacian_lines;
+    task.wanted[kContourStrips] = style.contours && !style.mesh_silhouettes;
+    task.rules[kLaplacianStrips] = laplacian_rules(style);
+    // Lines of another light follow no contours.
+    if (view.light) task.rules[kLaplacianStrips].contour_clearance = 0;
+    task.rules[kContourStrips] = contour_rules(style);
+    task.least_scaled_facing = least_scaled_facing(task.rules[kLaplacianStrips].least_facing, eye);
+    return task;
 }
 
 }  // namespace
@@ -77,27 +99,23 @@ LocalView to_local(const View& view, const ExtractorData& data) {
 void LineExtractor::extract(const View& view, const LineStyle& style, ExtractionScratch& scratch,
                             LineSet& lines) const {
     validate(style);
-    const LocalView local = to_local(view, *data_);
-    lines.clear();
+    const LocalEye eye = eye_to_local(view, *data_);
+    const ExtractionTask task = make_task(view, style, eye);
     ExtractionScratch::Memory& memory = *scratch.memory_;
-    evaluate_vertices(*data_, local, style, memory.values);
-    find_mixed_triangles(*data_, memory.values, memory.mixed);
-    const auto extract_kind = [&](const LineRules& rules, LineFunction function,
-                                  const std::vector<MixedTriangle>& triangles) {
-        find_segments(*data_, local, rules, memory.values, function, triangles, memory.graph);
-        trace_polylines(*data_, rules, memory.graph, memory.tracing, lines);
-    };
-    LineRules rules = laplacian_rules(style);
-    if (view.light) rules.contour_clearance = 0;  // lines of another light follow no contours
-    if (style.laplacian_lines) extract_kind(rules, &VertexValue::laplacian, memory.mixed.laplacian);
-    data_->fixed_lines.append(*data_, local.eye, style, lines);
+    find_strips(*data_, task, memory.found);
+    memory.traced.clear();
+    for (StripKind kind : {kLaplacianStrips, kContourStrips}) {
+        join_strips(memory.found, kind, data_->border_edge_count, memory.joining);
+        trace_lines(task.rules[kind], memory.joining.strips[kind], memory.traced);
+    }
+    finish_lines(*data_, memory.traced, memory.finishing, lines);
+    data_->fixed_lines.append(*data_, eye, style, lines);
     if (style.contours && style.mesh_silhouettes) {
-        LineRules silhouette_rules = contour_rules(style);
-        silhouette_rules.smoothing_passes = 0;  // exact is what they are for
-        append_silhouettes(*data_, data_->fixed_lines.mesh_edges(*data_), local.eye,
-                           silhouette_rules, memory.silhouettes, memory.tracing, lines);
-    } else if (style.contours)
-        extract_kind(contour_rules(style), &VertexValue::facing, memory.mixed.contour);
+        LineRules rules = contour_rules(style);
+        rules.smoothing_passes = 0;  // exact is what they are for
+        append_silhouettes(*data_, data_->fixed_lines.mesh_edges(*data_), eye, rules,
+                           memory.silhouettes, memory.silhouette_tracing, lines);
+    }
 }
 
 }  // namespace laplacian_lines

@@ -12,10 +12,10 @@ constexpr float kDegrees = 57.29577951308232f;
 /// Collects edges of the mesh as segments between their vertices, each vertex once.
 class EdgeCollector {
 public:
-    EdgeCollector(const ExtractorData& data, std::vector<std::uint32_t>& point_of_vertex,
+    EdgeCollector(const MeshEdges& mesh, std::vector<std::uint32_t>& point_of_vertex,
                   CrossingGraph& graph)
-        : data_(data), point_of_vertex_(point_of_vertex), graph_(graph) {
-        point_of_vertex_.assign(data.vertices.size(), MeshEdges::kNone);
+        : mesh_(mesh), point_of_vertex_(point_of_vertex), graph_(graph) {
+        point_of_vertex_.assign(mesh.positions.size(), MeshEdges::kNone);
         graph_.crossings.clear();
         graph_.segments.clear();
     }
@@ -30,14 +30,14 @@ private:
         std::uint32_t& index = point_of_vertex_[vertex];
         if (index == MeshEdges::kNone) {
             index = std::uint32_t(graph_.crossings.size());
-            graph_.crossings.push_back({data_.vertices[vertex].position, 0, 1, 0, true});
+            graph_.crossings.push_back({mesh_.positions[vertex], 0, 1});
         }
         float& gradient = graph_.crossings[index].gradient;
         gradient = std::max(gradient, value);
         return index;
     }
 
-    const ExtractorData& data_;
+    const MeshEdges& mesh_;
     std::vector<std::uint32_t>& point_of_vertex_;
     CrossingGraph& graph_;
 };
@@ -47,7 +47,7 @@ template <class AngleOf>
 LineSet collect(const ExtractorData& data, const MeshEdges& mesh, LineKind kind, AngleOf angle_of) {
     std::vector<std::uint32_t> point_of_vertex;
     CrossingGraph graph;
-    EdgeCollector collector(data, point_of_vertex, graph);
+    EdgeCollector collector(mesh, point_of_vertex, graph);
     for (const MeshEdges::Edge& edge : mesh.edges)
         if (const float angle = angle_of(edge); angle >= 0) collector.add(edge, angle);
     LineRules rules;
@@ -59,11 +59,11 @@ LineSet collect(const ExtractorData& data, const MeshEdges& mesh, LineKind kind,
 }
 
 Eigen::Vector3f normal(const MeshEdges& mesh, std::uint32_t triangle) {
-    const LinearForms& planes = mesh.planes;
+    const Planes& planes = mesh.planes;
     return {planes.x[triangle], planes.y[triangle], planes.z[triangle]};
 }
 
-void find_faces_away(const LinearForms& planes, const LocalEye& eye,
+void find_faces_away(const Planes& planes, const LocalEye& eye,
                      std::vector<std::uint8_t>& faces_away) {
     const float ex = eye.eye.x(), ey = eye.eye.y(), ez = eye.eye.z(), w = eye.w;
     faces_away.resize(planes.x.size());
@@ -92,7 +92,7 @@ void append_silhouettes(const ExtractorData& data, const MeshEdges& mesh, const 
                         const LineRules& rules, SilhouetteMemory& memory, TracingMemory& tracing,
                         LineSet& lines) {
     find_faces_away(mesh.planes, eye, memory.faces_away);
-    EdgeCollector collector(data, memory.point_of_vertex, memory.graph);
+    EdgeCollector collector(mesh, memory.point_of_vertex, memory.graph);
     const std::uint8_t* faces_away = memory.faces_away.data();
     for (const MeshEdges::Edge& edge : mesh.edges)
         if (!edge.is_border() && faces_away[edge.triangles[0]] != faces_away[edge.triangles[1]])

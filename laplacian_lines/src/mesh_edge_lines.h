@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "crossings.h"
 #include "laplacian_lines/line_set.h"
+#include "local_eye.h"
 #include "mesh_edges.h"
 #include "polyline_tracing.h"
 

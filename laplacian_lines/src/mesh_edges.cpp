@@ -18,19 +18,21 @@ void add_triangle(MeshEdges::Edge& edge, std::uint32_t triangle) {
 
 }  // namespace
 
-MeshEdges find_mesh_edges(const ExtractorData& data) {
+MeshEdges find_mesh_edges(const WholeMesh& whole) {
     MeshEdges mesh;
-    mesh.edges.assign(data.topology.edge_count, {{}, {MeshEdges::kNone, MeshEdges::kNone}});
-    mesh.planes.resize(data.triangles.size());
-    for (std::uint32_t i = 0; i < data.triangles.size(); ++i) {
-        const Triangle& t = data.triangles[i];
+    for (const WholeMesh::Vertex& v : whole.vertices)
+        mesh.positions.push_back(v.position);
+    mesh.edges.assign(whole.topology.edge_count, {{}, {MeshEdges::kNone, MeshEdges::kNone}});
+    mesh.planes.resize(whole.triangles.size());
+    for (std::uint32_t i = 0; i < whole.triangles.size(); ++i) {
+        const Triangle& t = whole.triangles[i];
         const auto corner = [&](std::size_t k) -> Eigen::Vector3d {
-            return data.vertices[t[k]].position.cast<double>();
+            return whole.vertices[t[k]].position.cast<double>();
         };
         const Eigen::Vector3d area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
         mesh.planes.set(i, area.stableNormalized(), corner(0));
         for (std::size_t k = 0; k < 3; ++k) {
-            MeshEdges::Edge& edge = mesh.edges[data.topology.edges_of_triangle[i][k]];
+            MeshEdges::Edge& edge = mesh.edges[whole.topology.edges_of_triangle[i][k]];
             edge.vertices = {t[(k + 1) % 3], t[(k + 2) % 3]};
             add_triangle(edge, i);
         }

@@ -2,7 +2,6 @@
 #include "polyline_tracing.h"
 
 #include "line_smoothing.h"
-#include "line_tapering.h"
 
 namespace laplacian_lines {
 namespace {
@@ -74,7 +73,6 @@ private:
         finish(line);
     }
 
-    /// Weight and opacity hold what taper_line() starts from.
     void add_point(std::uint32_t crossing, float slope) {
         const Crossing& c = graph_.crossings[crossing];
         lines_.points.push_back({c.position, slope, c.gradient, c.opacity});
@@ -97,7 +95,8 @@ private:
             return;
         }
         LinePoint* points = lines_.points.data() + line.first;
-        taper_line(rules_, line, points);
+        for (std::uint32_t i = 0; i < line.count; ++i)
+            points[i].weight = points[i].opacity = 1;
         for (int pass = 0; pass < rules_.smoothing_passes; ++pass)
             smooth_line(line, points, &LinePoint::position, LineEnd::Reflected);
         for (std::uint32_t i = 0; i < line.count; ++i)

@@ -3,8 +3,10 @@
 
 #include <vector>
 
-#include "crossings.h"
+#include "crossing_graph.h"
+#include "extractor_data.h"
 #include "laplacian_lines/line_set.h"
+#include "line_rules.h"
 
 namespace laplacian_lines {
 

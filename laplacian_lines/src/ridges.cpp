@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "crossings.h"
 #include "polyline_tracing.h"
 
 namespace laplacian_lines {
@@ -29,8 +28,8 @@ Eigen::Matrix3f matrix(const ShapeOperator& s) {
     return m;
 }
 
-Bend bend(const ExtractorData& data, std::size_t v) {
-    const VertexRecord& record = data.vertices[v];
+Bend bend(const WholeMesh& mesh, std::size_t v) {
+    const WholeMesh::Vertex& record = mesh.vertices[v];
     const float size = std::cbrt(record.slope_scale);  // √h_e
     const ShapeOperator& s = record.shape_operator;
     const float frobenius = std::sqrt(s.xx * s.xx + s.yy * s.yy + s.zz * s.zz +
@@ -46,19 +45,18 @@ Bend bend(const ExtractorData& data, std::size_t v) {
         !(k[2] > kDominance * k[1]))
         return {};
     bend.direction = solver.eigenvectors().col(2);
-    const LinearForms& f = data.laplacians;
-    bend.derivative = bend.direction.dot(Eigen::Vector3f(f.x[v], f.y[v], f.z[v]));
+    bend.derivative = bend.direction.dot(record.laplacian);
     return bend;
 }
 
 /// Collects the pieces of ridges in triangles.
 class RidgeFinder {
 public:
-    explicit RidgeFinder(const ExtractorData& data) : data_(data), bends_(data.vertices.size()) {
+    explicit RidgeFinder(const WholeMesh& mesh) : mesh_(mesh), bends_(mesh.vertices.size()) {
         for (std::size_t v = 0; v < bends_.size(); ++v)
-            bends_[v] = bend(data, v);
-        graph_.crossing_of_edge.assign(data.topology.edge_count, CrossingGraph::kNoCrossing);
-        for (std::uint32_t t = 0; t < data.triangles.size(); ++t)
+            bends_[v] = bend(mesh, v);
+        crossing_of_edge_.assign(mesh.topology.edge_count, CrossingGraph::kNoCrossing);
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
             add(t);
     }
     const CrossingGraph& graph() const { return graph_; }
@@ -68,7 +66,7 @@ public:
 
 private:
     void add(std::uint32_t index) {
-        const Triangle& t = data_.triangles[index];
+        const Triangle& t = mesh_.triangles[index];
         const Bend* b[3] = {&bends_[t[0]], &bends_[t[1]], &bends_[t[2]]};
         if (b[0]->angle == 0 || b[1]->angle == 0 || b[2]->angle == 0) return;
         const float sign[3] = {1, sign_to(*b[0], *b[1]), sign_to(*b[0], *b[2])};
@@ -87,7 +85,7 @@ private:
         for (int k = 0; k < 3; ++k) {
             const int i = (k + 1) % 3, j = (k + 2) % 3;
             if ((f[i] < 0) == (f[j] < 0)) continue;
-            ends[found++] = crossing(data_.topology.edges_of_triangle[index][std::size_t(k)],
+            ends[found++] = crossing(mesh_.topology.edges_of_triangle[index][std::size_t(k)],
                                      t[std::size_t(i)], t[std::size_t(j)]);
         }
         graph_.segments.push_back({ends[0], ends[1], 0});
@@ -99,16 +97,16 @@ private:
 
     /// Whether the linear interpolant of f falls along e: a maximum of the curvature.
     bool falls_along(const Triangle& t, const float f[3], const Eigen::Vector3f& e) const {
-        const Eigen::Vector3f a = data_.vertices[t[0]].position;
-        const Eigen::Vector3f u = data_.vertices[t[1]].position - a;
-        const Eigen::Vector3f v = data_.vertices[t[2]].position - a;
+        const Eigen::Vector3f a = mesh_.vertices[t[0]].position;
+        const Eigen::Vector3f u = mesh_.vertices[t[1]].position - a;
+        const Eigen::Vector3f v = mesh_.vertices[t[2]].position - a;
         const Eigen::Vector3f area = u.cross(v);
         const Eigen::Vector3f df = (f[1] - f[0]) * v.cross(area) + (f[2] - f[0]) * area.cross(u);
         return df.dot(e) < 0;
     }
 
     std::uint32_t crossing(std::uint32_t edge, std::uint32_t a, std::uint32_t b) {
-        std::uint32_t& index = graph_.crossing_of_edge[edge];
+        std::uint32_t& index = crossing_of_edge_[edge];
         if (index == CrossingGraph::kNoCrossing) {
             index = std::uint32_t(graph_.crossings.size());
             if (b < a) std::swap(a, b);
@@ -116,27 +114,21 @@ private:
                         sum = fa + std::abs(bends_[b].derivative);
             const float t = sum > 0 ? fa / sum : 0.5f;
             Crossing c;
-            c.edge = edge;
-            c.position = (1 - t) * data_.vertices[a].position + t * data_.vertices[b].position;
+            c.position = (1 - t) * mesh_.vertices[a].position + t * mesh_.vertices[b].position;
             // Its number travels through the tracing in place of a gradient.
             c.gradient = float(index);
             angles_.push_back((1 - t) * bends_[a].angle + t * bends_[b].angle);
             forms_.push_back(form(a, b, t));
             c.opacity = 1;
-            c.accepted = true;
             graph_.crossings.push_back(c);
         }
         return index;
     }
 
     Ridges::Form form(std::uint32_t a, std::uint32_t b, float t) const {
-        const LinearForms& n = data_.normals;
-        const auto normal = [&](std::uint32_t v) {
-            return Eigen::Vector3f(n.x[v], n.y[v], n.z[v]);
-        };
         const Eigen::Vector3f bend_a = bends_[a].curvature * bends_[a].direction;
         const Eigen::Vector3f bend_b = bends_[b].curvature * bends_[b].direction;
-        return {(1 - t) * normal(a) + t * normal(b),
+        return {(1 - t) * mesh_.vertices[a].normal + t * mesh_.vertices[b].normal,
                 (1 - t) * bend_a + t * sign_to(bends_[a], bends_[b]) * bend_b};
     }
 
@@ -144,8 +136,9 @@ private:
         return std::min(std::size_t(point.gradient), forms_.size() - 1);
     }
 
-    const ExtractorData& data_;
+    const WholeMesh& mesh_;
     std::vector<Bend> bends_;
+    std::vector<std::uint32_t> crossing_of_edge_;
     CrossingGraph graph_;
     std::vector<float> angles_;  // by crossing
     std::vector<Ridges::Form> forms_;
@@ -153,8 +146,8 @@ private:
 
 }  // namespace
 
-Ridges find_ridges(const ExtractorData& data) {
-    const RidgeFinder finder(data);
+Ridges find_ridges(const ExtractorData& data, const WholeMesh& mesh) {
+    const RidgeFinder finder(mesh);
     LineRules rules;
     rules.kind = LineKind::Ridge;
     TracingMemory memory;

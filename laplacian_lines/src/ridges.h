@@ -3,6 +3,7 @@
 
 #include "extractor_data.h"
 #include "laplacian_lines/line_set.h"
+#include "whole_mesh.h"
 
 namespace laplacian_lines {
 
@@ -22,7 +23,7 @@ struct Ridges {
     };
     std::vector<Form> forms;
 };
-Ridges find_ridges(const ExtractorData& data);
+Ridges find_ridges(const ExtractorData& data, const WholeMesh& mesh);
 
 constexpr float kLeastRidgeAngle = 5;  // degrees; less is no edge to any eye
 

@@ -1,12 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_tapering.h"
+#include "plain_finishing.h"
 
 #include <algorithm>
 
-#include "line_smoothing.h"
+namespace reference {
 
-namespace laplacian_lines {
+using namespace laplacian_lines;
+
 namespace {
+
+/// What stands in for the point beyond an open end.
+enum class LineEnd {
+    Repeated,   ///< the last value again: values change evenly up to the end
+    Reflected,  ///< the point before it, mirrored in the end: ends stay where they are
+};
+
+/// One pass of binomial smoothing (1-2-1) of a member of the line's points. `points` are the
+/// line's; a closed line's first point and its copy stay equal.
+template <class Value>
+void smooth_line(const Polyline& line, LinePoint* points, Value LinePoint::*value, LineEnd end) {
+    const std::uint32_t last = line.count - 1;
+    const auto beyond = [&](const Value& here, const Value& inner) -> Value {
+        return end == LineEnd::Repeated ? here : Value(2 * here - inner);
+    };
+    const Value second = points[1].*value;
+    Value before = line.closed ? points[last - 1].*value : beyond(points[0].*value, second);
+    for (std::uint32_t i = 0; i <= last; ++i) {
+        const Value here = points[i].*value;
+        const Value after = i < last      ? points[i + 1].*value
+                            : line.closed ? second
+                                          : beyond(here, before);
+        points[i].*value = (before + 2 * here + after) / 4;
+        before = here;
+    }
+}
 
 constexpr int kTaperingPasses = 2;  // slopes of neighbouring triangles differ visibly
 
@@ -45,8 +72,6 @@ void fade_ends(const Polyline& line, float length, LinePoint* points) {
     fade(last, points, -1);
 }
 
-}  // namespace
-
 void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points) {
     if (!rules.use_slope) {
         for (std::uint32_t i = 0; i < line.count; ++i)
@@ -71,4 +96,15 @@ void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points)
     fade_ends(line, rules.end_length, points);
 }
 
-}  // namespace laplacian_lines
+}  // namespace
+
+void finish_plainly(const LineRules& rules, const Polyline& line, const Eigen::Vector3d& centre,
+                    double diagonal, LinePoint* points) {
+    taper_line(rules, line, points);
+    for (int pass = 0; pass < rules.smoothing_passes; ++pass)
+        smooth_line(line, points, &LinePoint::position, LineEnd::Reflected);
+    for (std::uint32_t i = 0; i < line.count; ++i)
+        points[i].position = (centre + diagonal * points[i].position.cast<double>()).cast<float>();
+}
+
+}  // namespace reference

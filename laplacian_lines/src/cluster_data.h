@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// What a redraw reads: the mesh cut into clusters of neighbouring triangles, each in one piece of
+/// memory. Plain data and functions without linkage only, since files that are compiled for
+/// several instruction sets include this.
+namespace laplacian_lines {
+
+constexpr unsigned kClusterVertices = 128;   ///< at most; a set of signs is 128 bits
+constexpr unsigned kClusterTriangles = 192;  ///< at most
+/// Triangles of a cluster and its edges shared with other clusters have a common numbering: edge e
+/// has the number triangle_count + e. At most this many numbers.
+constexpr unsigned kClusterNumbers = 255;
+constexpr std::uint8_t kNoNeighbour = 255;
+
+constexpr unsigned kFormGroup = 16;  ///< vertices whose linear forms lie together
+constexpr unsigned kMaskGroup = 64;  ///< triangles whose corners lie together
+constexpr unsigned kCacheLine = 64;  ///< bytes
+
+/// Position and shape operator of a vertex in local coordinates x' = (x − centre)/D: one cache
+/// line, as rows of four.
+struct VertexRecord {
+    float position[3];
+    float slope_scale;           ///< h_e(p)^1.5
+    float shape_operator[3][4];  ///< columns of S·D, and a zero
+};
+static_assert(sizeof(VertexRecord) == kCacheLine, "a vertex record is one cache line");
+
+/// Corners in cyclic order; neighbour k is across the edge from corner k to the next: the number of
+/// a triangle of the cluster with the same orientation, or of an edge to elsewhere, or
+/// kNoNeighbour where lines end (borders, edges of more than two triangles).
+struct ClusterTriangle {
+    std::uint8_t corners[3];
+    std::uint8_t neighbours[3];
+    std::uint8_t unused;
+    std::uint8_t number;  ///< its own
+};
+static_assert(sizeof(ClusterTriangle) == 8, "shuffled as 8 bytes");
+
+/// The memory of a cluster, from `first_line` on, each part beginning a cache line:
+///  - linear forms n·l of all vertices, then Δn·l·D²: for each kFormGroup vertices v.x of all,
+///    then v.y, v.z, and v·p,
+///  - corners as bytes for the sign tests: for each kMaskGroup triangles all first corners, then
+///    all second, all third ones,
+///  - ClusterTriangle of each triangle,
+///  - VertexRecord of each vertex.
+struct Cluster {
+    std::uint32_t first_line;         ///< in units of kCacheLine
+    std::uint32_t first_border_edge;  ///< in ClusterStore::border_edges
+    std::uint8_t vertex_count, triangle_count;
+};
+
+/// Offsets of the parts, in bytes.
+struct ClusterLayout {
+    std::size_t laplacians, corners, triangles, records, end;
+};
+
+static inline unsigned form_groups(const Cluster& c) {
+    return (c.vertex_count + kFormGroup - 1) / kFormGroup;
+}
+static inline unsigned mask_groups(const Cluster& c) {
+    return (c.triangle_count + kMaskGroup - 1) / kMaskGroup;
+}
+static inline ClusterLayout cluster_layout(const Cluster& c) {
+    const std::size_t forms = form_groups(c) * 4 * kFormGroup * sizeof(float);
+    const std::size_t corners = 2 * forms;
+    const std::size_t triangles = corners + mask_groups(c) * 3 * kMaskGroup;
+    const std::size_t records =
+        triangles +
+        (c.triangle_count * sizeof(ClusterTriangle) + kCacheLine - 1) / kCacheLine * kCacheLine;
+    return {forms, corners, triangles, records, records + c.vertex_count * sizeof(VertexRecord)};
+}
+
+/// All clusters, without their ownership.
+struct ClusterStore {
+    const unsigned char* memory;
+    const Cluster* clusters;
+    const std::uint32_t* border_edges;  ///< numbers of edges over the whole mesh
+
+    // What is known of whole clusters, one array for each number.
+    const float* centre[3];  ///< a ball around the positions
+    const float* radius;
+    const float* normal[3];  ///< a ball around the normals
+    const float* normal_radius;
+    const float* laplacian[3];  ///< a ball around Δn·D²
+    const float* laplacian_radius;
+};
+
+static inline const unsigned char* memory_of(const ClusterStore& store, const Cluster& cluster) {
+    return store.memory + cluster.first_line * std::size_t(kCacheLine);
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "cluster_data.h"
+#include "line_rules.h"
+
+/// The inner loops of a redraw, compiled for several instruction sets. All compute the same bits:
+/// they do the same operations in the same order, and none contracts a·b + c.
+/// Plain data only, see cluster_data.h.
+namespace laplacian_lines {
+
+/// Where the eye and the light are in homogeneous local coordinates (x, y, z, w), scaled so that
+/// n·(eye − w p) is about in [−1, 1]; and which zeros become lines.
+struct ExtractionTask {
+    float eye[4], light[4];
+    bool light_at_eye;
+    bool exact_point_light;     ///< ΔI − w tr S
+    float least_scaled_facing;  ///< vertices with n·l below surely face away
+    bool wanted[2];             ///< by StripKind
+    LineRules rules[2];         ///< by StripKind
+};
+enum StripKind : unsigned { kLaplacianStrips, kContourStrips };
+
+/// A point of a strip; local position.
+struct StripPoint {
+    float position[3];
+    float gradient;  ///< ‖∇I‖
+    float slope;     ///< of the segment that ends here; 0 at the first point
+    float opacity;   ///< less than 1 where the crossing alone asks for fading
+};
+
+/// A piece of a line within a cluster, from negative to positive on the left.
+struct Strip {
+    static constexpr std::uint32_t kNoEdge = 0xffffffffu, kClosed = 0xfffffffeu;
+    std::uint32_t first_point, point_count;
+    /// Edges where first and last point lie and other clusters' strips may go on, or kNoEdge; both
+    /// kClosed where the strip is a closed line by itself.
+    std::uint32_t edges[2];
+    float length, strength, slope;  ///< sums over segments; slope times length
+};
+
+/// Where a kernel appends. There must be place for kStripsOfBatch and kPointsOfBatch more.
+struct StripOutput {
+    Strip* strips;
+    StripPoint* points;
+    std::uint32_t strip_count, point_count;
+};
+
+constexpr unsigned kBatch = 16;  ///< clusters that are worked on together
+constexpr unsigned kStripsOfBatch = kBatch * kClusterTriangles;
+constexpr unsigned kPointsOfBatch = 2 * kStripsOfBatch;
+constexpr unsigned kClusterCrossings = 2 * kClusterTriangles;  ///< of one function, at most
+
+/// A triangle in which a function changes its sign. The crossing where the line leaves lies
+/// between vertices exit[0], where the function is negative, and exit[1]; likewise where it enters.
+struct ActiveTriangle {
+    std::uint8_t exit[2], entry[2];
+    std::uint8_t third;                ///< the vertex not in exit
+    std::uint8_t successor, previous;  ///< across exit and entry, as ClusterTriangle::neighbours
+    std::uint8_t number;
+};
+
+/// A cluster of a batch after its signs are known.
+struct SignedCluster {
+    const Cluster* cluster;
+    alignas(64) float values[2][kClusterVertices];  ///< ΔI and n·l, by StripKind
+    alignas(64) float lit[kClusterVertices];        ///< n·light, if the light is not at the eye
+    unsigned count[2];
+    alignas(64) ActiveTriangle active[2][kClusterTriangles];
+};
+
+/// Crossings of one function in one cluster. Arrays are longer than kClusterCrossings, so that
+/// whole vectors may be read and written, and so that their beginnings differ in cache sets.
+struct CrossingMemory {
+    static constexpr unsigned kPlaces = kClusterCrossings + 48;
+    alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends, negative first
+    alignas(64) float share[kPlaces];                  ///< of the positive end, 0..1
+    alignas(64) float facing[kPlaces], lit[kPlaces];
+    alignas(64) float x[kPlaces], y[kPlaces], z[kPlaces];
+    alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];
+    alignas(64) float gradient[kPlaces], opacity[kPlaces];  ///< opacity < 0: refused
+    alignas(64) float points[kPlaces][4], gradients[kPlaces][4];
+    alignas(64) std::uint8_t ends[kPlaces][2];
+    alignas(64) std::uint8_t accepted[256];  ///< of the first crossings, by number; 1 at the last
+};
+
+/// Segments of one function in one cluster.
+struct SegmentMemory {
+    static constexpr unsigned kPlaces = kClusterTriangles + 80;
+    std::uint8_t triangle[kPlaces];  ///< place in SignedCluster::active, where the end is
+    std::uint16_t begin[kPlaces];    ///< crossing
+    alignas(64) float dx[kPlaces], dy[kPlaces], dz[kPlaces];  ///< end − begin
+    alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];  ///< sum of the ends' gradients
+    alignas(64) float ux[kPlaces], uy[kPlaces], uz[kPlaces];  ///< first to second corner
+    alignas(64) float vx[kPlaces], vy[kPlaces], vz[kPlaces];  ///< first to third corner
+    alignas(64) float fu[kPlaces], fv[kPlaces];               ///< differences of the function
+    alignas(64) float scale[kPlaces];                         ///< sum of slope_scale
+    alignas(64) float gradient[kPlaces];                      ///< sum of the ends' ‖∇I‖
+    alignas(64) float length[kPlaces], strength[kPlaces], slope[kPlaces];  ///< slope < 0: refused
+    std::uint8_t segment_of_triangle[256], next[kPlaces];
+};
+
+/// What the kernels work in; one for each thread.
+struct KernelMemory {
+    SignedCluster clusters[kBatch];
+    CrossingMemory crossings;
+    SegmentMemory segments;
+};
+
+/// The points of a line, a column for each number; with a place before the first and
+/// kColumnMargin places after the last. finish_line() may swap columns.
+struct LineColumns {
+    float *x, *y, *z;  ///< local
+    float* gradient;
+    float* weight;   ///< of the segment that ends here, the slope
+    float* opacity;  ///< of the crossing alone
+    float* spare;
+};
+constexpr unsigned kColumnMargin = 31;
+
+/// What rules on whole lines look at.
+struct LineSums {
+    std::uint32_t count;  ///< points
+    bool closed;
+    float length, strength, slope;
+};
+
+enum class InstructionSet { Baseline, Avx2, Avx512 };
+
+struct ClusterKernels {
+    InstructionSet instruction_set;
+    /// Of the clusters [begin, end), a multiple of kFormGroup apart from the end of all, writes to
+    /// `kept` those that can hold a line and returns their number.
+    std::size_t (*cull)(const ClusterStore&, const ExtractionTask&, std::size_t begin,
+                        std::size_t end, std::uint32_t* kept);
+    /// Finds the strips of up to kBatch clusters; outputs by StripKind.
+    void (*extract_strips)(const ClusterStore&, const ExtractionTask&,
+                           const std::uint32_t* clusters, std::size_t count, KernelMemory&,
+                           StripOutput outputs[2]);
+    /// Weights, opacities and smoothed positions of a line, written as LinePoint's six floats in
+    /// mesh coordinates. Overwrites the columns.
+    void (*finish_line)(const LineRules& rules, const LineSums& line, LineColumns& columns,
+                        const double centre[3], double diagonal, float* points);
+};
+
+/// The fastest that this processor runs, or what use_instruction_set() asked for.
+const ClusterKernels& cluster_kernels();
+/// For tests and benchmarks; false if the processor or the build does not have it. Not to be
+/// called while lines are extracted.
+bool use_instruction_set(InstructionSet set);
+
+}  // namespace laplacian_lines

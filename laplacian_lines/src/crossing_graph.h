@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace laplacian_lines {
+
+/// A point of a line: a zero on an edge of the mesh, or a vertex.
+struct Crossing {
+    Eigen::Vector3f position;  ///< local
+    float gradient;            ///< as LinePoint::gradient
+    float opacity;
+};
+
+/// A piece of a line from one crossing to another. On consistently oriented triangles the end of
+/// one is the begin of the next.
+struct Segment {
+    std::uint32_t begin, end;  ///< crossings
+    float slope;
+};
+
+/// Lines of which only the pieces are known, in no order; those that are found once for all views
+/// and those along edges of the mesh.
+struct CrossingGraph {
+    static constexpr std::uint32_t kNoCrossing = 0xffffffffu;
+    std::vector<Crossing> crossings;
+    std::vector<Segment> segments;
+};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Included once by each of the files cluster_kernels_*.cpp, which name the namespace.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include "cluster_data.h"
+
+namespace laplacian_lines {
+namespace KERNEL_NAMESPACE {
+
+#if defined(__AVX512F__)
+constexpr unsigned kLanes = 16;
+#else
+constexpr unsigned kLanes = 8;
+#endif
+
+/// `count` rounded up to whole vectors: loops over so many places need no code for a rest, which
+/// would run more often than that for whole vectors, since clusters hold short lists.
+static inline std::size_t whole_vectors(std::size_t count) {
+    return (count + kLanes - 1) & ~std::size_t(kLanes - 1);
+}
+
+// ---- rows of four numbers ----
+
+typedef float Float4 __attribute__((vector_size(16)));
+typedef std::int32_t Int4 __attribute__((vector_size(16)));
+
+static inline Float4 load4(const float* p) {
+    return *reinterpret_cast<const Float4*>(p);
+}
+static inline void store4(float* p, Float4 v) {
+    *reinterpret_cast<Float4*>(p) = v;
+}
+static inline Float4 splat(float v) {
+    return Float4{v, v, v, v};
+}
+template <int K>
+static inline Float4 splat(Float4 v) {
+    return __builtin_shuffle(v, Int4{K, K, K, K});
+}
+
+/// Four rows to columns.
+static inline void transpose(Float4 rows[4]) {
+    const Float4 a = __builtin_shuffle(rows[0], rows[1], Int4{0, 4, 1, 5});
+    const Float4 b = __builtin_shuffle(rows[2], rows[3], Int4{0, 4, 1, 5});
+    const Float4 c = __builtin_shuffle(rows[0], rows[1], Int4{2, 6, 3, 7});
+    const Float4 d = __builtin_shuffle(rows[2], rows[3], Int4{2, 6, 3, 7});
+    rows[0] = __builtin_shuffle(a, b, Int4{0, 1, 4, 5});
+    rows[1] = __builtin_shuffle(a, b, Int4{2, 3, 6, 7});
+    rows[2] = __builtin_shuffle(c, d, Int4{0, 1, 4, 5});
+    rows[3] = __builtin_shuffle(c, d, Int4{2, 3, 6, 7});
+}
+
+static inline void store_row(Float4 row, float* p) {
+    __builtin_memcpy(p, &row, sizeof(Float4));
+}
+static inline void store_columns(const Float4 columns[3], float* x, float* y, float* z) {
+    __builtin_memcpy(x, &columns[0], sizeof(Float4));
+    __builtin_memcpy(y, &columns[1], sizeof(Float4));
+    __builtin_memcpy(z, &columns[2], sizeof(Float4));
+}
+
+// ---- signs ----
+
+/// Bit i: values[i] < bound, for kFormGroup values.
+static inline unsigned mask_below(const float* values, float bound) {
+    unsigned mask = 0;
+#if defined(__AVX512F__)
+    mask = _mm512_cmp_ps_mask(_mm512_load_ps(values), _mm512_set1_ps(bound), _CMP_LT_OQ);
+#elif defined(__AVX__)
+    for (unsigned i = 0; i < 16; i += 8)
+        mask |= unsigned(_mm256_movemask_ps(
+                    _mm256_cmp_ps(_mm256_load_ps(values + i), _mm256_set1_ps(bound), _CMP_LT_OQ)))
+                << i;
+#elif defined(__SSE2__)
+    for (unsigned i = 0; i < 16; i += 4)
+        mask |= unsigned(_mm_movemask_ps(_mm_cmplt_ps(_mm_load_ps(values + i), _mm_set1_ps(bound))))
+                << i;
+#else
+    for (unsigned i = 0; i < 16; ++i)
+        mask |= unsigned(values[i] < bound) << i;
+#endif
+    return mask;
+}
+
+/// A bit for each vertex of a cluster.
+struct alignas(16) VertexBits {
+    std::uint64_t words[2];
+};
+
+/// Looks up bits of vertices for one corner of kMaskGroup triangles.
+class CornerLookup {
+public:
+    explicit CornerLookup(const unsigned char* corners);
+    /// Bit i: the bit of triangle i's vertex.
+    std::uint64_t operator()(const VertexBits& bits) const;
+
+private:
+#if defined(__AVX512BW__)
+    __m512i byte_, bit_;
+#elif defined(__AVX2__)
+    __m256i byte_[2], bit_[2];
+#else
+    const unsigned char* corners_;
+#endif
+};
+
+// The 128 bits are a table of 16 bytes: byte v / 8 is looked up by a shuffle, and bit v % 8 by
+// another one in a table of single bits.
+#if defined(__AVX512BW__)
+inline CornerLookup::CornerLookup(const unsigned char* corners) {
+    const __m512i v = _mm512_load_si512(corners);
+    byte_ = _mm512_and_si512(_mm512_srli_epi16(v, 3), _mm512_set1_epi8(15));
+    bit_ = _mm512_shuffle_epi8(_mm512_set1_epi64(std::int64_t(0x8040201008040201)), v);
+}
+inline std::uint64_t CornerLookup::operator()(const VertexBits& bits) const {
+    const __m512i table =
+        _mm512_broadcast_i32x4(_mm_load_si128(reinterpret_cast<const __m128i*>(&bits)));
+    return _mm512_test_epi8_mask(_mm512_shuffle_epi8(table, byte_), bit_);
+}
+#elif defined(__AVX2__)
+inline CornerLookup::CornerLookup(const unsigned char* corners) {
+    for (int half = 0; half < 2; ++half) {
+        const __m256i v = _mm256_load_si256(reinterpret_cast<const __m256i*>(corners + 32 * half));
+        byte_[half] = _mm256_and_si256(_mm256_srli_epi16(v, 3), _mm256_set1_epi8(15));
+        bit_[half] = _mm256_shuffle_epi8(_mm256_set1_epi64x(std::int64_t(0x8040201008040201)), v);
+    }
+}
+inline std::uint64_t CornerLookup::operator()(const VertexBits& bits) const {
+    const __m256i table =
+        _mm256_broadcastsi128_si256(_mm_load_si128(reinterpret_cast<const __m128i*>(&bits)));
+    std::uint32_t halves[2];
+    for (int half = 0; half < 2; ++half) {
+        const __m256i found = _mm256_and_si256(_mm256_shuffle_epi8(table, byte_[half]), bit_[half]);
+        halves[half] = std::uint32_t(_mm256_movemask_epi8(_mm256_cmpeq_epi8(found, bit_[half])));
+    }
+    return halves[0] | std::uint64_t(halves[1]) << 32;
+}
+#else
+inline CornerLookup::CornerLookup(const unsigned char* corners) : corners_(corners) {}
+inline std::uint64_t CornerLookup::operator()(const VertexBits& bits) const {
+    std::uint64_t mask = 0;
+    for (unsigned i = 0; i < kMaskGroup; ++i) {
+        const unsigned v = corners_[i];
+        mask |= (bits.words[v / 64] >> v % 64 & 1) << i;
+    }
+    return mask;
+}
+#endif
+
+}  // namespace KERNEL_NAMESPACE
+}  // namespace laplacian_lines

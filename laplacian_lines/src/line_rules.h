@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace laplacian_lines {
+
+enum class LineKind : std::uint32_t;
+struct LineStyle;
+
+/// What decides which zero crossings of a per-vertex function become lines, one for each kind.
+/// Without more ado, everything is kept and nothing fades.
+struct LineRules {
+    static constexpr float kAnything = std::numeric_limits<float>::lowest();
+
+    LineKind kind{};
+    float least_gradient = kAnything;  ///< ‖∇I‖·D
+    float least_facing = kAnything;    ///< n·l/|l|
+    bool reject_phantoms = false;
+    bool concave_only = false;
+    bool use_slope = false;  ///< false: no slopes are computed or tested, lines have full width
+    float segment_slope = 0, line_slope = 0, full_slope = 1;
+    float least_strength = kAnything;
+    float least_length = kAnything;  ///< D
+    float fading = 0;                ///< full opacity at (1 + fading) times a threshold
+    int smoothing_passes = 0;        ///< of the positions, each with the weights 1-2-1
+    float end_length = 0;            ///< over which open ends fade, D
+    float contour_clearance = 0;     ///< lines nearer to a contour fade out, D in the picture
+};
+
+LineRules laplacian_rules(const LineStyle& style);
+LineRules contour_rules(const LineStyle& style);
+
+/// How many passes of smooth_line() have this standard deviation.
+int smoothing_passes(double deviation);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "strip_joining.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr std::uint32_t kNone = JoinedStrip::kNone;
+
+/// Appends a strip and joins it to those that are there.
+void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStrip>& strips,
+            std::vector<std::uint32_t>& end_at_edge) {
+    const std::uint32_t first_end = 2 * std::uint32_t(strips.size());
+    strips.push_back({points + strip.first_point,
+                      strip.point_count,
+                      {kNone, kNone},
+                      strip.length,
+                      strip.strength,
+                      strip.slope,
+                      false});
+    for (std::uint32_t side : {0u, 1u}) {
+        const std::uint32_t edge = strip.edges[side], end = first_end + side;
+        if (edge == Strip::kNoEdge) continue;
+        if (edge == Strip::kClosed) {
+            strips.back().links[side] = end ^ 1;
+            continue;
+        }
+        std::uint32_t& waiting = end_at_edge[edge];
+        if (waiting == kNone) {
+            waiting = end;
+            continue;
+        }
+        strips.back().links[side] = waiting;
+        strips[waiting / 2].links[waiting % 2] = end;
+        waiting = kNone;
+    }
+}
+
+template <class Visit>
+void for_each_strip(const FoundStrips& found, StripKind kind, Visit visit) {
+    for (const ChunkOfStrips& chunk : found.chunks) {
+        const ThreadStrips& thread = found.threads[chunk.thread].strips[kind];
+        for (std::uint32_t i = chunk.begin[kind]; i < chunk.end[kind]; ++i)
+            visit(thread.strips[i], thread.points.data());
+    }
+}
+
+}  // namespace
+
+void join_strips(const FoundStrips& found, StripKind kind, std::uint32_t border_edge_count,
+                 JoiningMemory& memory) {
+    if (memory.in_use || memory.end_at_edge.size() < border_edge_count)
+        memory.end_at_edge.assign(border_edge_count, kNone);
+    memory.in_use = true;
+    memory.strips[kind].clear();
+    for_each_strip(found, kind, [&](const Strip& strip, const StripPoint* points) {
+        append(strip, points, memory.strips[kind], memory.end_at_edge);
+    });
+    for_each_strip(found, kind, [&](const Strip& strip, const StripPoint*) {
+        for (std::uint32_t edge : strip.edges)
+            if (edge < Strip::kClosed) memory.end_at_edge[edge] = kNone;
+    });
+    memory.in_use = false;
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The extractor against the plain extraction of plain_extraction.h: the same lines, up to their
+// order, their direction and where closed ones start; and the same bits with all instruction sets
+// and numbers of threads.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "cluster_kernels.h"
+#include "helpers.h"
+#include "laplacian_lines/precompute.h"
+#include "plain_extraction.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using reference::PlainLine;
+using test_meshes::TestMesh;
+
+class PlainComparison : public testing::TestWithParam<const TestMesh*> {
+protected:
+    const TriangleMesh& mesh() const { return GetParam()->mesh; }
+    const Field field_ = precompute(mesh());
+};
+
+INSTANTIATE_TEST_SUITE_P(Meshes, PlainComparison, testing::ValuesIn(test_meshes::meshes_with(0)),
+                         [](const auto& info) { return info.param->name; });
+
+/// Points of lines whose order is that of the other line, backwards, or from another start on.
+bool same_points(const LinePoint* a, const LinePoint* b, std::uint32_t count, bool closed,
+                 double diagonal) {
+    const auto same = [&](const LinePoint& p, const LinePoint& q) {
+        return (p.position - q.position).norm() <= 2e-6 * diagonal &&
+               std::abs(p.gradient - q.gradient) <= 1e-4f * (1 + q.gradient) &&
+               std::abs(p.weight - q.weight) <= 1e-3f && std::abs(p.opacity - q.opacity) <= 1e-3f;
+    };
+    const std::uint32_t period = closed ? count - 1 : count;
+    for (std::uint32_t shift = 0; shift < (closed ? period : 1); ++shift)
+        for (bool backwards : {false, true}) {
+            std::uint32_t i = 0;
+            for (; i < count; ++i) {
+                const std::uint32_t j = backwards ? count - 1 - i : i;
+                if (!same(a[i], b[closed ? (j + shift) % period : j])) break;
+            }
+            if (i == count) return true;
+        }
+    return false;
+}
+
+bool same_sums(const Polyline& a, const Polyline& b) {
+    const auto same = [](float x, float y) { return std::abs(x - y) <= 1e-4f * (1 + y); };
+    return a.kind == b.kind && a.count == b.count && a.closed == b.closed &&
+           same(a.length, b.length) && same(a.strength, b.strength) && same(a.slope, b.slope);
+}
+
+/// Takes the line that is the same as this from `plain`, if there is one.
+bool take(std::vector<PlainLine>& plain, const Polyline& line, const LinePoint* points,
+          double diagonal) {
+    for (PlainLine& other : plain) {
+        if (!same_sums(line, other.polyline) ||
+            !same_points(points, other.points.data(), line.count, line.closed, diagonal))
+            continue;
+        other = std::move(plain.back());
+        plain.pop_back();
+        return true;
+    }
+    return false;
+}
+
+void expect_plain_lines(const LineSet& lines, std::vector<PlainLine> plain, double diagonal) {
+    for (const Polyline& line : lines.lines)
+        EXPECT_TRUE(take(plain, line, lines.points.data() + line.first, diagonal))
+            << "no such line of " << line.count << " points";
+    for (const PlainLine& line : plain)
+        EXPECT_TRUE(line.uncertain) << "missing: a line of " << line.polyline.count << " points";
+}
+
+/// Around the mesh, near its surface and inside it; some with a light elsewhere.
+std::vector<View> many_views(const TriangleMesh& mesh, const Field& field) {
+    std::vector<View> views = helpers::random_views(mesh, 34);
+    std::mt19937 random(3);
+    while (views.size() < 50) {
+        const std::size_t v = random() % mesh.positions.size();
+        if (field.normals[v].isZero()) continue;
+        const double distance = field.scale.diagonal * (double(random() % 200) - 50) / 1000;
+        views.push_back(
+            View::perspective(mesh.positions[v] + distance * field.normals[v].cast<double>()));
+    }
+    for (std::size_t i = 0; i < views.size(); i += 7)
+        views[i].light = Eigen::Vector3d(double(i) - 20, 10, 30);
+    return views;
+}
+
+struct NamedStyle {
+    const char* name;
+    LineStyle style;
+};
+
+/// The kinds of lines that are zeros of functions.
+std::vector<NamedStyle> styles() {
+    LineStyle standard;
+    standard.ridges = standard.borders = false;
+    LineStyle all_strokes = standard;
+    all_strokes.single_strokes = false;
+    LineStyle exact = standard;
+    exact.exact_point_light = true;
+    LineStyle detailed = standard;
+    detailed.detail = 100;
+    detailed.fading = 0;
+    return {{"default", standard},
+            {"all strokes", all_strokes},
+            {"exact point light", exact},
+            {"detail 100 without fading", detailed},
+            {"all crossings", helpers::all_crossings()}};
+}
+
+TEST_P(PlainComparison, GivesTheSameLines) {
+    const LineExtractor extractor(mesh(), field_);
+    const std::vector<View> views = many_views(mesh(), field_);
+    for (std::size_t i = 0; i < views.size(); ++i)
+        for (const auto& [name, style] : styles()) {
+            expect_plain_lines(helpers::extract(extractor, views[i], style),
+                               reference::extract_plainly(mesh(), field_, views[i], style),
+                               field_.scale.diagonal);
+            if (HasFailure()) FAIL() << "view " << i << ", " << name;
+        }
+}
+
+/// ΔI and n·l from {−2..2} for the view along z: zero at every fifth vertex.
+TEST_P(PlainComparison, GivesTheSameLinesWhereFunctionsVanishAtVertices) {
+    std::mt19937 random(7);
+    for (int round = 0; round < 10; ++round) {
+        Field field = field_;
+        for (std::size_t v = 0; v < field.normals.size(); ++v) {
+            if (field.normals[v].isZero()) continue;
+            field.laplacian_normals[v] = {0, 0, float(random() % 5) - 2};
+            field.normals[v] = {0, 0, float(random() % 3) - 1};
+        }
+        const LineExtractor extractor(mesh(), field);
+        const View view = View::orthographic(Eigen::Vector3d::UnitZ());
+        for (const auto& [name, style] : styles())
+            expect_plain_lines(helpers::extract(extractor, view, style),
+                               reference::extract_plainly(mesh(), field, view, style),
+                               field.scale.diagonal);
+        if (HasFailure()) FAIL() << "round " << round;
+    }
+}
+
+/// Runs with an instruction set and puts the best one back.
+class WithInstructionSet {
+public:
+    explicit WithInstructionSet(InstructionSet set)
+        : before_(cluster_kernels().instruction_set), available_(use_instruction_set(set)) {}
+    ~WithInstructionSet() { use_instruction_set(before_); }
+    bool available() const { return available_; }
+
+private:
+    const InstructionSet before_;
+    const bool available_;
+};
+
+TEST_P(PlainComparison, GivesTheSameBitsWithAllInstructionSets) {
+    const LineExtractor extractor(mesh(), field_);
+    int others = 0;
+    for (InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2}) {
+        if (set == cluster_kernels().instruction_set) continue;
+        for (const View& view : many_views(mesh(), field_))
+            for (const auto& [name, style] : styles()) {
+                const LineSet best = helpers::extract(extractor, view, style);
+                const WithInstructionSet scope(set);
+                if (!scope.available()) break;
+                ++others;
+                ASSERT_TRUE(helpers::same_lines(best, helpers::extract(extractor, view, style)))
+                    << name << ", instruction set " << int(set);
+            }
+    }
+    if (others == 0) GTEST_SKIP() << "this processor runs only one of the instruction sets";
+}
+
+TEST(ParallelExtraction, GivesTheSameBitsWithAnyNumberOfThreads) {
+    const auto surface = test_meshes::bumpy_sphere(6, 0.15);  // many chunks of clusters
+    const LineExtractor extractor(surface.mesh, precompute(surface.mesh));
+    const int before = omp_get_max_threads();
+    for (const View& view : helpers::random_views(surface.mesh, 10))
+        for (const auto& [name, style] : styles()) {
+            omp_set_num_threads(1);
+            const LineSet one = helpers::extract(extractor, view, style);
+            for (int threads : {2, 3, 7}) {
+                omp_set_num_threads(threads);
+                EXPECT_TRUE(helpers::same_lines(one, helpers::extract(extractor, view, style)))
+                    << name << ", " << threads << " threads";
+            }
+        }
+    omp_set_num_threads(before);
+}
+
+}  // namespace

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plain_extraction.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "line_rules.h"
+#include "plain_finishing.h"
+#include "prepared_mesh.h"
+
+namespace reference {
+
+using namespace laplacian_lines;
+
+namespace {
+
+float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+/// A homogeneous point in local coordinates.
+struct Eye {
+    Eigen::Vector3f e;
+    float w;
+    Eigen::Vector3f towards(const Eigen::Vector3f& p) const { return e - w * p; }
+};
+
+Eye local_eye(const View& view, const PreparedMesh& mesh) {
+    if (view.w == 0) return {view.eye.normalized().cast<float>(), 0};
+    const Eigen::Vector3d eye = (view.eye / view.w - mesh.centre) / mesh.diagonal;
+    const double scale = 1 / std::max(eye.norm(), 0.01);
+    return {(eye * scale).cast<float>(), float(scale)};
+}
+
+struct Vertex {
+    Eigen::Vector3f position;
+    ShapeOperator shape_operator;
+    float slope_scale;
+    Eigen::Vector3f gradient;            // ∇I
+    float laplacian, illumination, lit;  // ΔI, n·l of the eye and of the light
+};
+
+/// v·(e − w p), from v and v·p.
+float linear_form(const Eigen::Vector3d& v, const Eigen::Vector3d& p, const Eye& eye) {
+    return dot(v.cast<float>(), eye.e) - eye.w * float(v.dot(p));
+}
+
+struct Crossing {
+    Eigen::Vector3f position, gradient;
+    float gradient_norm, opacity;
+    bool accepted;
+};
+
+struct Segment {
+    std::pair<std::uint32_t, std::uint32_t> edges[2];  // sorted vertices; begin and end
+    float slope;
+};
+
+class PlainExtraction {
+public:
+    PlainExtraction(const TriangleMesh& mesh, const Field& field, const View& view,
+                    const LineStyle& style)
+        : mesh_(prepare_mesh(mesh)),
+          eye_(local_eye(view, mesh_)),
+          light_(view.light ? Eye{view.light->normalized().cast<float>(), 0} : eye_) {
+        for (std::uint32_t v = 0; v < mesh_.size(); ++v)
+            vertices_.push_back(make_vertex(field, v, style.exact_point_light));
+        for (const Triangle& t : mesh_.triangles)
+            for (int k = 0; k < 3; ++k)
+                ++triangles_of_edge_[std::minmax(t[k], t[(k + 1) % 3])];
+    }
+
+    void extract(const LineRules& rules, float Vertex::*function, std::vector<PlainLine>& lines) {
+        function_ = function;
+        crossings_.clear();
+        segments_.clear();
+        for (const Triangle& t : mesh_.triangles)
+            for (int k = 0; k < 3; ++k)  // from the corner where the line leaves to the left
+                if (value(t[k]) < 0 && !(value(t[(k + 1) % 3]) < 0))
+                    add_segment(rules, t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
+        trace_all(rules, lines);
+    }
+
+private:
+    Vertex make_vertex(const Field& field, std::uint32_t prepared, bool exact_point_light) const {
+        const std::uint32_t v = mesh_.original_vertex[prepared];
+        const double d = mesh_.diagonal;
+        const float f = float(d);
+        const ShapeOperator& s = field.shape_operators[v];
+        const Eigen::Vector3d& p = mesh_.positions[prepared];
+        const double size = field.kernel_sizes[v] / d;
+        const double sigma = field.scale.normal_sigma / d *
+                             (size / (field.scale.kernel_size / field.scale.diagonal));
+        Vertex vertex;
+        vertex.position = p.cast<float>();
+        vertex.shape_operator = {s.xx * f, s.yy * f, s.zz * f, s.yz * f, s.xz * f, s.xy * f};
+        vertex.slope_scale = float(std::pow(size * size + sigma * sigma / 2, 1.5));
+        vertex.gradient = vertex.shape_operator * light_.towards(vertex.position);
+        const Eigen::Vector3d n = field.normals[v].cast<double>();
+        vertex.illumination = linear_form(n, p, eye_);
+        vertex.lit = linear_form(n, p, light_);
+        vertex.laplacian =
+            linear_form(field.laplacian_normals[v].cast<double>() * d * d, p, light_);
+        if (exact_point_light) vertex.laplacian -= light_.w * vertex.shape_operator.trace();
+        return vertex;
+    }
+
+    float value(std::uint32_t v) const { return vertices_[v].*function_; }
+
+    /// The crossing between a vertex where the function is negative and one where it is not.
+    Crossing compute_crossing(const LineRules& rules, std::uint32_t below,
+                              std::uint32_t above) const {
+        const Vertex &a = vertices_[below], &b = vertices_[above];
+        const float fa = std::abs(value(below)), sum = fa + std::abs(value(above));
+        const float t = std::isfinite(sum) ? fa / sum : 0.5f;
+        Crossing c;
+        c.position = (1 - t) * a.position + t * b.position;
+        c.gradient = (1 - t) * a.gradient + t * b.gradient;
+        c.gradient_norm = std::sqrt(dot(c.gradient, c.gradient));
+        c.opacity = 1;
+        c.accepted = true;
+        if (rules.kind == LineKind::Contour) return c;
+        const float facing = (1 - t) * a.illumination + t * b.illumination;
+        const Eigen::Vector3f towards_eye = eye_.towards(c.position);
+        c.accepted = c.gradient_norm >= rules.least_gradient &&
+                     facing >= rules.least_facing * std::sqrt(dot(towards_eye, towards_eye));
+        if (rules.contour_clearance > 0) {
+            const float distance = facing * std::abs(facing) / (2 * c.gradient_norm);
+            c.opacity = facing > 0  // else 0 / 0 where the surface is flat
+                            ? std::clamp(2 * distance / rules.contour_clearance - 1, 0.f, 1.f)
+                            : 0;
+        }
+        if (rules.concave_only) {
+            const float lit = (1 - t) * a.lit + t * b.lit;
+            const Eigen::Vector3f l = light_.towards(c.position);
+            const float tangential = std::sqrt(std::max(dot(l, l) - lit * lit, 0.f));
+            const float concavity = -dot(l, c.gradient) / (tangential * c.gradient_norm);
+            const float begin = -rules.fading / 4, range = rules.fading / 2 - begin;
+            c.accepted = c.accepted && concavity > begin;
+            if (range > 0) c.opacity *= std::min((concavity - begin) / range, 1.f);
+        }
+        return c;
+    }
+
+    const Crossing& crossing(const LineRules& rules, std::uint32_t below, std::uint32_t above) {
+        const auto [found, is_new] = crossings_.try_emplace(std::minmax(below, above));
+        if (is_new) found->second = compute_crossing(rules, below, above);
+        return found->second;
+    }
+
+    /// The triangle of a negative corner, a positive one next to it in its orientation, and a
+    /// third.
+    void add_segment(const LineRules& rules, std::uint32_t below, std::uint32_t above,
+                     std::uint32_t third) {
+        const bool third_is_negative = value(third) < 0;
+        const std::uint32_t entry_below = third_is_negative ? third : below;
+        const std::uint32_t entry_above = third_is_negative ? above : third;
+        const Crossing& end = crossing(rules, below, above);
+        const Crossing& begin = crossing(rules, entry_below, entry_above);
+        if (!begin.accepted || !end.accepted) return;
+        float slope = 0;
+        if (rules.use_slope) {
+            const Vertex &a = vertices_[below], &b = vertices_[above], &c = vertices_[third];
+            const Eigen::Vector3f u = b.position - a.position, v = c.position - a.position;
+            const Eigen::Vector3f n = u.cross(v);
+            const float fu = value(above) - value(below), fv = value(third) - value(below);
+            const Eigen::Vector3f steepest = fu * v.cross(n) + fv * n.cross(u);
+            slope = std::sqrt(dot(steepest, steepest)) / dot(n, n) *
+                    ((a.slope_scale + b.slope_scale + c.slope_scale) / 3);
+            if (!(slope >= rules.segment_slope)) return;
+            if (rules.reject_phantoms && !(dot(steepest, begin.gradient + end.gradient) <= 0))
+                return;
+        }
+        segments_.push_back(
+            {{std::minmax(entry_below, entry_above), std::minmax(below, above)}, slope});
+    }
+
+    void trace_all(const LineRules& rules, std::vector<PlainLine>& lines) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> at_edge;
+        for (std::size_t i = 0; i < segments_.size(); ++i)
+            for (const auto& edge : segments_[i].edges)
+                at_edge[edge].push_back(i);
+        // The segment that goes on from segment i at one of its edges, or none.
+        const auto next = [&](std::size_t i, const auto& edge) {
+            const auto& here = at_edge[edge];
+            if (here.size() != 2 || triangles_of_edge_[edge] != 2) return segments_.size();
+            return here[0] == i ? here[1] : here[0];
+        };
+        std::vector<bool> visited(segments_.size(), false);
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            if (visited[i]) continue;
+            // Back to the start of the line, or once round, then along it.
+            std::size_t first = i;
+            int side = 0;
+            for (std::size_t j;
+                 (j = next(first, segments_[first].edges[side])) < segments_.size();) {
+                side = segments_[j].edges[0] == segments_[first].edges[side] ? 1 : 0;
+                first = j;
+                if (first == i) break;
+            }
+            trace(rules, first, side, next, visited, lines);
+        }
+    }
+
+    template <class Next>
+    void trace(const LineRules& rules, std::size_t first, int begin_side, const Next& next,
+               std::vector<bool>& visited, std::vector<PlainLine>& lines) {
+        PlainLine line{{}, {}, false};
+        Polyline& p = line.polyline;
+        const auto add_point = [&](const Crossing& c, float slope) {
+            line.points.push_back({c.position, slope, c.gradient_norm, c.opacity});
+        };
+        add_point(crossings_.at(segments_[first].edges[begin_side]), 0);
+        std::size_t i = first;
+        for (int side = begin_side;;) {
+            visited[i] = true;
+            const Segment& s = segments_[i];
+            const Crossing &from = crossings_.at(s.edges[side]),
+                           &to = crossings_.at(s.edges[1 - side]);
+            line.points.back().weight += s.slope;
+            add_point(to, s.slope);
+            const float length = (to.position - from.position).norm();
+            p.length += length;
+            p.strength += (from.gradient_norm + to.gradient_norm) / 2 * length;
+            p.slope += s.slope * length;
+            const std::size_t j = next(i, s.edges[1 - side]);
+            if (j >= segments_.size() || j == first) {
+                p.closed = j == first;
+                break;
+            }
+            side = segments_[j].edges[0] == s.edges[1 - side] ? 0 : 1;
+            i = j;
+        }
+        p.kind = rules.kind;
+        p.count = std::uint32_t(line.points.size());
+        p.slope = p.length > 0 ? p.slope / p.length : 0;
+        // Above or below a threshold, or too near to say.
+        bool accepted = true;
+        const auto compare = [&](float sum, float threshold) {
+            const bool uncertain = std::abs(sum - threshold) <= 1e-4f * std::abs(threshold);
+            line.uncertain = line.uncertain || uncertain;
+            accepted = accepted && (uncertain || sum >= threshold);
+        };
+        compare(p.length, rules.least_length);
+        compare(p.strength, rules.least_strength);
+        if (rules.use_slope) compare(p.slope, rules.line_slope);
+        if (!accepted) return;
+        finish_plainly(rules, p, mesh_.centre, mesh_.diagonal, line.points.data());
+        lines.push_back(line);
+    }
+
+    const PreparedMesh mesh_;
+    const Eye eye_, light_;
+    std::vector<Vertex> vertices_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles_of_edge_;
+    float Vertex::*function_ = nullptr;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Crossing> crossings_;
+    std::vector<Segment> segments_;
+};
+
+}  // namespace
+
+std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& field,
+                                       const View& view, const LineStyle& style) {
+    PlainExtraction extraction(mesh, field, view, style);
+    std::vector<PlainLine> lines;
+    LineRules rules = laplacian_rules(style);
+    if (view.light) rules.contour_clearance = 0;
+    if (style.laplacian_lines) extraction.extract(rules, &Vertex::laplacian, lines);
+    if (style.contours) extraction.extract(contour_rules(style), &Vertex::illumination, lines);
+    return lines;
+}
+
+}  // namespace reference
