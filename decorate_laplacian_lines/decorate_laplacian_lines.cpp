@@ -110,7 +110,7 @@ void DecorateLaplacianLines::meshGone(GLArea* view) {
 PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view) {
     const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
     if (!alive.empty()) cache_.releaseAllBut(view, alive);
-    const LineSource source = lineSource(mesh.cm);
+    const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
     PreparedLinesPointer lines = cache_.find(source.key);
     if (!lines)
         lines = prepareLines(mesh.cm, mesh.label(), source, [this](const QString& s) { say(s); });

@@ -11,7 +11,7 @@ constexpr qint64 milliseconds_between_checks = 250;
 
 }  // namespace
 
-PreparedLinesPointer LineCache::find(const LineKey& key) const {
+PreparedLinesPointer LineCache::find(const meshlab_host::FieldKey& key) const {
     const auto found = known_.find(key);
     return found == known_.end() ? nullptr : found->second.lock();
 }

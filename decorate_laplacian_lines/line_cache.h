@@ -19,7 +19,7 @@ public:
     using View = const void*;  ///< a name, never followed
 
     /// Lines with this key, or null.
-    PreparedLinesPointer find(const LineKey& key) const;
+    PreparedLinesPointer find(const meshlab_host::FieldKey& key) const;
 
     /// The lines that `mesh` uses in `view`, or null.
     PreparedLinesPointer at(View view, int mesh) const;
@@ -54,7 +54,7 @@ private:
     void endTurn();
 
     Uses uses_;
-    std::map<LineKey, std::weak_ptr<const PreparedLines>> known_;
+    std::map<meshlab_host::FieldKey, std::weak_ptr<const PreparedLines>> known_;
     std::vector<PreparedLinesPointer> retired_;
     std::set<View> unsure_views_;
     unsigned turn_ = 0;

@@ -148,7 +148,8 @@ void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& pla
     glUniform1f(program.surface_side, pass.surface_side);
     const double unit = pass.bias_factor * meanScale(placement.to_eye);
     const double bias = laplacian_lines::kSightClearance * placement.diagonal;
-    const double contour_bias = std::max(bias, laplacian_lines::kContourSightClearance * placement.mean_edge);
+    const double contour_bias =
+        std::max(bias, laplacian_lines::kContourSightClearance * placement.mean_edge);
     glUniform2f(program.depth_bias, float(unit * bias), float(unit * contour_bias));
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));

@@ -1,86 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_laplacian_lines.h"
 
-#include <QElapsedTimer>
-
-#include "filter_help.h"
-#include "filter_report.h"
-#include "laplacian_lines/error.h"
-#include "laplacian_lines/option_table.h"
-#include "laplacian_lines/precompute.h"
-#include "meshlab_host/field_attributes.h"
-#include "meshlab_host/mesh_conversion.h"
-#include "meshlab_host/parameters.h"
-#include "meshlab_host/progress.h"
-
-using laplacian_lines::Error;
-using laplacian_lines::ErrorCode;
-using laplacian_lines::Field;
-using laplacian_lines::FieldScale;
-using laplacian_lines::PrecomputeOptions;
+#include "compute_filter.h"
+#include "polyline_filter.h"
 
 namespace {
 
-const QString key_prefix;  // scripts use the keys of the option table as they are
-
-meshlab_host::FilterDescription description() {
-    meshlab_host::FilterDescription result;
-    result.plugin_name = "FilterLaplacianLines";
-    result.filter_name = "Compute Laplacian Lines";
-    result.python_name = "compute_laplacian_lines_per_vertex";
-    result.help = filterHelp();
-    result.filter_class = FilterLaplacianLines::Normal | FilterLaplacianLines::Quality;
-    result.preconditions = MeshModel::MM_FACENUMBER;
+meshlab_host::FilterList filters() {
+    meshlab_host::FilterList result;
+    result.push_back(std::make_unique<ComputeFilter>());
+    result.push_back(std::make_unique<PolylineFilter>());
     return result;
-}
-
-/// The scale that the defaults are made from; zeros if the mesh cannot be used, in which case the
-/// filter itself will say why.
-FieldScale defaultScale(const MeshModel* mesh) {
-    if (!mesh) return {};
-    try {
-        return laplacian_lines::measure_scale(meshlab_host::toTriangleMesh(mesh->cm));
-    } catch (const std::exception&) {
-        return {};
-    }
-}
-
-/// Stores the field, unless the mesh was deleted or edited while the progress bar ran the event
-/// loop: a field must never end up on another geometry.
-void store(MeshDocument& document, int mesh_id, const meshlab_host::GeometryStamp& stamp,
-           const Field& field, const PrecomputeOptions& options) {
-    MeshModel* mesh = document.getMesh(mesh_id);
-    if (!mesh || meshlab_host::geometryStamp(mesh->cm) != stamp)
-        throw Error(ErrorCode::FieldMismatch,
-                    "The mesh changed while its lines were being computed. Run the filter again.");
-    meshlab_host::writeField(mesh->cm, field, options, stamp);
 }
 
 }  // namespace
 
-FilterLaplacianLines::FilterLaplacianLines() : FilterPluginBase(description()) {}
-
-void FilterLaplacianLines::listParameters(const MeshModel* mesh, RichParameterList& list) const {
-    const FieldScale scale = defaultScale(mesh);
-    PrecomputeOptions defaults;
-    defaults.kernel_size = scale.kernel_size;  // shown as a number; 0 in scripts means the same
-    meshlab_host::addParameters(laplacian_lines::precompute_option_table(), defaults,
-                                scale.diagonal, key_prefix, list);
-}
-
-void FilterLaplacianLines::run(MeshDocument& document, const RichParameterList& parameters,
-                               vcg::CallBackPos* progress) {
-    QElapsedTimer clock;
-    clock.start();
-    const PrecomputeOptions options = meshlab_host::readOptions(
-        laplacian_lines::precompute_option_table(), key_prefix, parameters);
-    const int mesh_id = document.mm()->id();
-    const meshlab_host::GeometryStamp stamp = meshlab_host::geometryStamp(document.mm()->cm);
-    const Field field = laplacian_lines::precompute(meshlab_host::toTriangleMesh(document.mm()->cm),
-                                                    options, meshlab_host::progressTo(progress));
-    store(document, mesh_id, stamp, field, options);
-    for (const QString& line : filterReport(field, options, 1e-3 * double(clock.elapsed())))
-        say(line);
-}
+FilterLaplacianLines::FilterLaplacianLines()
+    : FilterPluginBase("FilterLaplacianLines", filters()) {}
 
 MESHLAB_PLUGIN_NAME_EXPORTER(FilterLaplacianLines)

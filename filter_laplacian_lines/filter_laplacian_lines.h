@@ -3,7 +3,7 @@
 
 #include "meshlab_host/filter_plugin_base.h"
 
-/// MeshLab's side of laplacian_lines::precompute(): parameters in, per-vertex attributes out.
+/// What MeshLab loads: the filters of Laplacian lines.
 class FilterLaplacianLines : public meshlab_host::FilterPluginBase {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_FILTER_IID)
@@ -11,9 +11,4 @@ class FilterLaplacianLines : public meshlab_host::FilterPluginBase {
 
 public:
     FilterLaplacianLines();
-
-protected:
-    void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
-    void run(MeshDocument& document, const RichParameterList& parameters,
-             vcg::CallBackPos* progress) override;
 };

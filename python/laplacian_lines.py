@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The filter Compute Laplacian Lines in PyMeshLab.
+"""The filters of Laplacian lines in PyMeshLab.
 
     import laplacian_lines, pymeshlab
     laplacian_lines.load()
@@ -7,6 +7,7 @@
     meshes.load_new_mesh("scan.ply")
     meshes.compute_laplacian_lines_per_vertex()
     field = laplacian_lines.field(meshes.current_mesh())
+    meshes.generate_polyline_from_laplacian_lines(viewpoint=[0, 0, 5])
 
 Works with the version of PyMeshLab that the plugin beside this file was built for.
 """
@@ -16,6 +17,7 @@ import pathlib
 import pymeshlab
 
 FILTER = "compute_laplacian_lines_per_vertex"
+POLYLINE_FILTER = "generate_polyline_from_laplacian_lines"
 PLUGIN = pathlib.Path(__file__).resolve().with_name("libfilter_laplacian_lines.so")
 
 _POINTS = ("ll_normal", "ll_laplacian_normal", "ll_shape_diagonal", "ll_shape_off_diagonal")
@@ -23,15 +25,16 @@ _SCALARS = ("ll_kernel_size",)
 
 
 def load(plugin=PLUGIN):
-    """Loads the plugin and makes its filter a method of MeshSet; loading twice does nothing.
+    """Loads the plugin and makes its filters methods of MeshSet; loading twice does nothing.
 
     Raises pymeshlab.PyMeshLabException if PyMeshLab refuses the file.
     """
     if FILTER not in pymeshlab.filter_list():
         pymeshlab.load_plugin(str(plugin))
     # PyMeshLab itself does this only for the plugins that it has at its import.
-    if not hasattr(pymeshlab.MeshSet, FILTER):
-        setattr(pymeshlab.MeshSet, FILTER, pymeshlab.bind_function(FILTER))
+    for name in (FILTER, POLYLINE_FILTER):
+        if not hasattr(pymeshlab.MeshSet, name):
+            setattr(pymeshlab.MeshSet, name, pymeshlab.bind_function(name))
 
 
 def field(mesh):

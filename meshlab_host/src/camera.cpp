@@ -34,6 +34,15 @@ std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& mod
     return laplacian_lines::View::perspective(to_mesh.col(3).head<3>() / to_mesh(3, 3));
 }
 
+std::optional<laplacian_lines::View> viewFromWorld(const Eigen::Vector4d& eye,
+                                                   const Eigen::Matrix4d& layer) {
+    const Eigen::Vector4d in_mesh = layer.inverse() * eye;
+    if (!in_mesh.allFinite() || in_mesh.isZero(0)) return std::nullopt;
+    const Eigen::Vector3d direction = in_mesh.head<3>();
+    if (in_mesh.w() == 0) return laplacian_lines::View::orthographic(direction.normalized());
+    return laplacian_lines::View::perspective(direction / in_mesh.w());
+}
+
 Eigen::Vector3d towardsLight(const CameraLight& light) {
     const double degree = std::acos(-1.0) / 180;
     const double azimuth = light.azimuth * degree, elevation = light.elevation * degree;

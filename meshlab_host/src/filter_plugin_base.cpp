@@ -6,10 +6,14 @@
 
 namespace meshlab_host {
 
-FilterPluginBase::FilterPluginBase(FilterDescription description)
-    : description_(std::move(description)) {
-    typeList.push_back(0);
-    actionList.push_back(new QAction(description_.filter_name, this));
+FilterPluginBase::FilterPluginBase(const QString& plugin_name, FilterList filters)
+    : plugin_name_(plugin_name) {
+    for (auto& filter : filters) {
+        typeList.push_back(int(entries_.size()));
+        const FilterDescription description = filter->description();
+        actionList.push_back(new QAction(description.name, this));
+        entries_.push_back({std::move(filter), description});
+    }
 }
 
 void FilterPluginBase::say(const QString& line) {
@@ -20,12 +24,12 @@ void FilterPluginBase::say(const QString& line) {
 #endif
 }
 
-QString FilterPluginBase::runCatchingAll(MeshDocument& document,
+QString FilterPluginBase::runCatchingAll(const Filter& filter, MeshDocument& document,
                                          const RichParameterList& parameters,
                                          vcg::CallBackPos* progress) {
     try {
         if (!document.mm()) return "There is no mesh. Open one first.";
-        run(document, parameters, progress);
+        filter.run({document, parameters, progress, [this](const QString& line) { say(line); }});
         return QString();
     } catch (const std::bad_alloc&) {
         return "Not enough memory. The mesh was not changed.";
@@ -38,14 +42,15 @@ QString FilterPluginBase::runCatchingAll(MeshDocument& document,
 
 #if MESHLAB_API < 2022
 
-void FilterPluginBase::initParameterSet(QAction*, MeshDocument& document, RichParameterList& list) {
-    listParameters(document.mm(), list);
+void FilterPluginBase::initParameterSet(QAction* action, MeshDocument& document,
+                                        RichParameterList& list) {
+    entry(action).filter->listParameters(document.mm(), list);
 }
 
-bool FilterPluginBase::applyFilter(QAction*, MeshDocument& document,
+bool FilterPluginBase::applyFilter(QAction* action, MeshDocument& document,
                                    const RichParameterList& parameters,
                                    vcg::CallBackPos* progress) {
-    errorMessage = runCatchingAll(document, parameters, progress);
+    errorMessage = runCatchingAll(*entry(action).filter, document, parameters, progress);
     if (errorMessage.isEmpty()) return true;
     say(errorMessage);  // meshlabserver prints the log but never errorMessage
     return false;
@@ -53,20 +58,20 @@ bool FilterPluginBase::applyFilter(QAction*, MeshDocument& document,
 
 #else
 
-RichParameterList FilterPluginBase::initParameterList(const QAction*,
+RichParameterList FilterPluginBase::initParameterList(const QAction* action,
                                                       const MeshDocument& document) {
     RichParameterList list;
-    listParameters(document.mm(), list);
+    entry(action).filter->listParameters(document.mm(), list);
     return list;
 }
 
-std::map<std::string, QVariant> FilterPluginBase::applyFilter(const QAction*,
+std::map<std::string, QVariant> FilterPluginBase::applyFilter(const QAction* action,
                                                               const RichParameterList& parameters,
                                                               MeshDocument& document,
                                                               unsigned int& post_condition,
                                                               vcg::CallBackPos* progress) {
     post_condition = MeshModel::MM_NONE;
-    const QString failure = runCatchingAll(document, parameters, progress);
+    const QString failure = runCatchingAll(*entry(action).filter, document, parameters, progress);
     if (!failure.isEmpty()) throw MLException(failure);
     return {};
 }

@@ -92,6 +92,32 @@ double readParameter(const ParameterDescription& d, double fallback,
     return *value;
 }
 
+void addPlace(const PlaceDescription& d, const Eigen::Vector3d& value, RichParameterList& list) {
+    const Point3m point(Scalarm(value.x()), Scalarm(value.y()), Scalarm(value.z()));
+    if (d.kind == PlaceKind::Position)
+        list.addParam(RichPlace(d.name, point, d.label, d.help));
+    else
+        list.addParam(RichHeading(d.name, point, d.label, d.help));
+}
+
+Eigen::Vector3d readPlace(const PlaceDescription& d, const Eigen::Vector3d& fallback,
+                          const RichParameterList& list) {
+    if (!list.hasParameter(d.name)) return fallback;
+    const Value& value = list.getParameterByName(d.name).value();
+    const auto refuse = [&](const char* why) {
+        throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption,
+                                     QString("\"%1\" %2").arg(d.label, why).toStdString());
+    };
+    if (!isPoint(value)) refuse("has to be three numbers.");
+    const Point3m point = pointIn(value);
+    const Eigen::Vector3d result(asWritten(float(point[0])), asWritten(float(point[1])),
+                                 asWritten(float(point[2])));
+    if (!result.allFinite()) refuse("has to be three finite numbers.");
+    if (d.kind == PlaceKind::Direction && result.isZero(0))
+        refuse("is 0 0 0, which is no direction.");
+    return result;
+}
+
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list) {
     if (!list.hasParameter(name)) return fallback;
     const Value& value = list.getParameterByName(name).value();

@@ -31,6 +31,11 @@ std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& mod
                                                       const Eigen::Matrix4d& projection,
                                                       const Eigen::Matrix4d& layer);
 
+/// The same for an eye in homogeneous world coordinates: (position, 1), or (direction towards the
+/// viewer, 0) for an orthographic camera.
+std::optional<laplacian_lines::View> viewFromWorld(const Eigen::Vector4d& eye,
+                                                   const Eigen::Matrix4d& layer);
+
 /// Where a light stands that turns with the camera, in degrees. The defaults light a find the way
 /// that archaeologists draw it.
 struct CameraLight {

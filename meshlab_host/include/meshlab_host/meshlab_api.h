@@ -41,4 +41,29 @@ using RichLength = ::RichAbsPerc;
 using RichLength = ::RichPercentage;
 #endif
 
+/// A point and a direction in world coordinates.
+#if MESHLAB_API < 2022
+using RichPlace = ::RichPoint3f;
+using RichHeading = ::RichPoint3f;
+#else
+using RichPlace = ::RichPosition;
+using RichHeading = ::RichDirection;
+#endif
+
+#if MESHLAB_API < 2025
+inline bool isPoint(const Value& value) {
+    return value.isPoint3f();
+}
+inline Point3m pointIn(const Value& value) {
+    return value.getPoint3f();
+}
+#else
+inline bool isPoint(const Value& value) {
+    return value.isPoint3();
+}
+inline Point3m pointIn(const Value& value) {
+    return value.getPoint3();
+}
+#endif
+
 }  // namespace meshlab_host

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "laplacian_lines/option_table.h"
@@ -66,6 +67,25 @@ Options readOptions(const std::vector<laplacian_lines::OptionDescription<Options
         row.set(options, readParameter(describe(row, key_prefix), row.get(options), list));
     return options;
 }
+
+/// A point or a direction in world coordinates. Dialogs have a button beside it that takes it from
+/// the view.
+enum class PlaceKind { Position, Direction };
+struct PlaceDescription {
+    QString name;
+    QString label;
+    QString help;
+    PlaceKind kind;
+};
+
+void addPlace(const PlaceDescription& description, const Eigen::Vector3d& value,
+              RichParameterList& list);
+
+/// `fallback` if the list has none of this name.
+/// @throws laplacian_lines::Error(InvalidOption) for values that are not finite or not points, and
+/// for directions without a length.
+Eigen::Vector3d readPlace(const PlaceDescription& description, const Eigen::Vector3d& fallback,
+                          const RichParameterList& list);
 
 /// `fallback` if the list has no color of this name. Never throws.
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list);

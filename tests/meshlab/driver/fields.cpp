@@ -120,12 +120,24 @@ void setColour(QPushButton* button, const QString& value) {
     button->click();
 }
 
+// A point has a box that says where to get it from and a button that does so.
+bool getPoint(const QList<QWidget*>& editors, const QString& from) {
+    const auto boxes = only<QComboBox>(editors);
+    const auto buttons = only<QPushButton>(editors);
+    if (boxes.isEmpty() || buttons.isEmpty() || boxes.first()->findText(from) < 0) return false;
+    boxes.first()->setCurrentIndex(boxes.first()->findText(from));
+    buttons.first()->click();
+    return true;
+}
+
 bool setEditors(const QList<QWidget*>& editors, const QString& value) {
     if (const auto boxes = only<QCheckBox>(editors); !boxes.isEmpty())  // from 2022.02 on
         setCheckBox(boxes.first(), value);
     else if (const auto boxes = only<QComboBox>(editors);
              !boxes.isEmpty() && only<QLineEdit>(editors).isEmpty())
         setComboBox(boxes.first(), value);
+    else if (getPoint(editors, value))
+        return true;
     else if (const auto spins = only<QDoubleSpinBox>(editors); !spins.isEmpty())
         setSpinBoxes(spins, value);
     else if (const auto edits = only<QLineEdit>(editors); !edits.isEmpty())

@@ -62,6 +62,7 @@ void makeCurrent(const Command& command) {
     chooseView(int(command.number(0)));
     // MeshLab takes the view that got the focus last; a display without window manager may hand out
     // none
+    requireView()->setFocus();
     QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
     QApplication::sendEvent(requireView(), &event);
 }

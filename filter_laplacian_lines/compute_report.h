@@ -8,5 +8,5 @@
 
 /// What the user wants to know about a finished computation, one line of the log each. Parts that
 /// say "none were left out" are not there.
-QStringList filterReport(const laplacian_lines::Field& field,
-                         const laplacian_lines::PrecomputeOptions& options, double seconds);
+QStringList computeReport(const laplacian_lines::Field& field,
+                          const laplacian_lines::PrecomputeOptions& options, double seconds);

@@ -4,4 +4,4 @@
 #include <QString>
 
 /// The filter's help for MeshLab's dialog and documentation, HTML.
-QString filterHelp();
+QString computeHelp();

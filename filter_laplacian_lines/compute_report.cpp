@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filter_report.h"
+#include "compute_report.h"
 
 #include "laplacian_lines/option_table.h"
 #include "meshlab_host/field_attributes.h"
@@ -54,8 +54,8 @@ QString choicesLine(const PrecomputeOptions& options) {
 
 }  // namespace
 
-QStringList filterReport(const laplacian_lines::Field& field, const PrecomputeOptions& options,
-                         double seconds) {
+QStringList computeReport(const laplacian_lines::Field& field, const PrecomputeOptions& options,
+                          double seconds) {
     QStringList lines{meshLine(field.report), leftOutLine(field.report), kernelLine(field.scale),
                       choicesLine(options)};
     lines << QString("Computed in %1 s, stored per vertex in %2")

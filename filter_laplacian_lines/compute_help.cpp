@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filter_help.h"
+#include "compute_help.h"
 
-QString filterHelp() {
+QString computeHelp() {
     return QStringLiteral(
         "Computes what Laplacian lines need to know about a surface, once and for every later "
         "view. Laplacian lines are drawn where the Laplacian of the illumination, with the light "

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "polyline_filter.h"
+
+#include <QFileInfo>
+
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/line_visibility.h"
+#include "meshlab_host/camera.h"
+#include "meshlab_host/edge_mesh.h"
+#include "meshlab_host/field_source.h"
+#include "meshlab_host/mesh_conversion.h"
+#include "meshlab_host/progress.h"
+#include "polyline_help.h"
+#include "polyline_parameters.h"
+
+using laplacian_lines::Error;
+using laplacian_lines::ErrorCode;
+using laplacian_lines::LineSet;
+using laplacian_lines::View;
+using meshlab_host::CurrentView;
+
+namespace {
+
+/// What the filter needs of a layer, copied: the layer may go while the progress bar runs the event
+/// loop.
+struct Source {
+    explicit Source(const MeshModel& mesh)
+        : triangles(meshlab_host::toTriangleMesh(mesh.cm)),
+          name(mesh.label()),
+          transform(mesh.cm.Tr),
+          layer(meshlab_host::layerTransform(mesh.cm)) {}
+
+    laplacian_lines::TriangleMesh triangles;
+    QString name;
+    Matrix44m transform;
+    Eigen::Matrix4d layer;
+};
+
+/// An eye in world coordinates.
+struct Eye {
+    Eigen::Vector4d place;  ///< homogeneous
+    QString words;          ///< for the log
+};
+
+QString inWords(const Eigen::Vector3d& v) {
+    return QString("%1 %2 %3").arg(v.x(), 0, 'g', 6).arg(v.y(), 0, 'g', 6).arg(v.z(), 0, 'g', 6);
+}
+
+Eye perspective(const Eigen::Vector3d& viewpoint) {
+    return {viewpoint.homogeneous(), "perspective, from the viewpoint " + inWords(viewpoint)};
+}
+
+Eye orthographic(const Eigen::Vector3d& direction) {
+    Eigen::Vector4d place = Eigen::Vector4d::Zero();
+    place.head<3>() = direction;
+    return {place, "orthographic, along the view direction " + inWords(direction)};
+}
+
+Eye eyeOf(const PolylineParameters& chosen) {
+    if (chosen.view == ViewChoice::Perspective) return perspective(chosen.viewpoint);
+    if (chosen.view == ViewChoice::Orthographic) return orthographic(chosen.view_direction);
+    const std::optional<CurrentView> window = meshlab_host::currentView();
+    if (!window)
+        throw Error(ErrorCode::InvalidOption,
+                    "There is no window with a current view. Set \"View\" to 1 (Perspective) and "
+                    "give a viewpoint, or to 2 (Orthographic) and give a view direction.");
+    return window->is_orthographic ? orthographic(window->towards_viewer)
+                                   : perspective(window->eye);
+}
+
+/// In mesh coordinates.
+View viewOf(const Eye& eye, const PolylineParameters& chosen, const Eigen::Matrix4d& layer) {
+    std::optional<View> view = meshlab_host::viewFromWorld(eye.place, layer);
+    if (view && chosen.light == LightChoice::FromADirection)
+        view->light = meshlab_host::directionInMesh(chosen.light_direction,
+                                                    Eigen::Matrix4d::Identity(), layer);
+    if (!view)
+        throw Error(ErrorCode::InvalidOption,
+                    "The layer's transformation cannot be inverted. Reset it, or freeze it.");
+    return *view;
+}
+
+LineSet extract(const Source& source, const laplacian_lines::Field& field, const View& view,
+                const PolylineParameters& chosen, vcg::CallBackPos* progress) {
+    const laplacian_lines::LineVisibility visibility(source.triangles, field.scale);
+    if (view.w != 0 && visibility.encloses(view.eye / view.w))
+        throw Error(ErrorCode::InvalidOption,
+                    "The viewpoint is inside the surface. Move it outside, or choose an "
+                    "orthographic view.");
+    laplacian_lines::ExtractionScratch scratch;
+    LineSet lines;
+    laplacian_lines::LineExtractor(source.triangles, field)
+        .extract(view, chosen.style, scratch, lines);
+    if (chosen.visible_only)
+        lines = visibility.visible_parts(view, lines, meshlab_host::progressTo(progress));
+    if (lines.lines.empty())
+        throw Error(ErrorCode::InvalidOption,
+                    "No lines are seen from there, so no layer was created. Take another view, "
+                    "more \"Detail\", or more kinds of lines.");
+    return lines;
+}
+
+/// "12 Laplacian lines, 3 occluding contours": the kinds that there are.
+QString kindsInWords(const LineSet& lines) {
+    const char* const names[] = {"Laplacian lines", "occluding contours", "ridges", "borders",
+                                 "creases"};
+    std::size_t counts[std::size(names)] = {};
+    for (const auto& line : lines.lines)
+        ++counts[std::size_t(line.kind)];
+    QStringList parts;
+    for (std::size_t kind = 0; kind < std::size(names); ++kind)
+        if (counts[kind]) parts << QString("%1 %2").arg(counts[kind]).arg(names[kind]);
+    return parts.join(", ");
+}
+
+void addLayer(const LineSet& lines, const Source& source, MeshDocument& document) {
+    const QString name = QFileInfo(source.name).completeBaseName() + "_laplacian_lines";
+    MeshModel* layer = document.addNewMesh("", name);
+    layer->updateDataMask(MeshModel::MM_VERTQUALITY);
+    meshlab_host::toEdgeMesh(lines, layer->cm);
+    layer->cm.Tr = source.transform;
+}
+
+}  // namespace
+
+meshlab_host::FilterDescription PolylineFilter::description() const {
+    meshlab_host::FilterDescription result;
+    result.name = "Create Laplacian Lines Polylines";
+    result.python_name = "generate_polyline_from_laplacian_lines";
+    result.help = polylineHelp();
+    result.filter_class =
+        meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer;
+    result.preconditions = MeshModel::MM_FACENUMBER;
+    return result;
+}
+
+void PolylineFilter::listParameters(const MeshModel* mesh, RichParameterList& list) const {
+    listPolylineParameters(polylineDefaults(mesh, meshlab_host::currentView()), list);
+}
+
+void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
+    const PolylineParameters chosen = readPolylineParameters(run.parameters);
+    const MeshModel& mesh = *run.document.mm();
+    const Source source(mesh);
+    const Eye eye = eyeOf(chosen);
+    const View view = viewOf(eye, chosen, source.layer);
+    const laplacian_lines::Field field = meshlab_host::demandField(
+        mesh.cm, source.triangles, source.name, meshlab_host::fieldSource(mesh.cm), run.say,
+        meshlab_host::progressTo(run.progress));
+    const LineSet lines = extract(source, field, view, chosen, run.progress);
+    addLayer(lines, source, run.document);
+    run.say(QString("Lines of %1: %2, %3 segments; %4")
+                .arg(source.name, kindsInWords(lines))
+                .arg(lines.segment_count())
+                .arg(eye.words));
+}

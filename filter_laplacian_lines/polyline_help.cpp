@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "polyline_help.h"
+
+QString polylineHelp() {
+    return QStringLiteral(
+        "Creates a layer with the lines of the current layer as seen from one view: Laplacian "
+        "lines, occluding contours, ridges, borders, creases. They are polylines, that is, "
+        "vertices and edges in the coordinates of the surface, to be saved for other programs "
+        "(PLY, DXF, OBJ) or worked on with other filters.<br>"
+        "<br>"
+        "As the dialog opens, the view is the one in the window: just apply. For another one, "
+        "choose perspective or orthographic and fill in the viewpoint or the direction.<br>"
+        "<br>"
+        "If the filter <i>Compute Laplacian Lines</i> has been run on the layer and it has not "
+        "changed since, its results are used, otherwise those of its default parameters. The new "
+        "layer has the transformation of the old one.<br>"
+        "<br>"
+        "Per-vertex attributes tell more about the lines:<br>"
+        "<b>ll_line</b>: number of the line;<br>"
+        "<b>ll_kind</b>: 0 Laplacian line, 1 occluding contour, 2 ridge, 3 border, 4 crease;<br>"
+        "<b>ll_strength</b>: strength of the line, its gradient summed along its length;<br>"
+        "<b>ll_slope</b>: mean slope of the Laplacian across the line (Laplacian lines);<br>"
+        "<b>ll_gradient</b>: gradient of the illumination at the vertex times the bounding-box "
+        "diagonal; of ridges and creases an angle, in degrees;<br>"
+        "<b>ll_weight</b>: share of the full line width, 0 to 1;<br>"
+        "<b>ll_opacity</b>: 0 to 1, small where the line is about to vanish.<br>"
+        "The vertex quality is weight times opacity.<br>");
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "polyline_parameters.h"
+
+#include "laplacian_lines/option_rows.h"
+#include "meshlab_host/camera.h"
+#include "meshlab_host/parameters.h"
+
+namespace {
+
+using Parameters = PolylineParameters;
+using meshlab_host::PlaceDescription;
+using meshlab_host::PlaceKind;
+using Row = laplacian_lines::OptionDescription<Parameters>;
+namespace rows = laplacian_lines::option_rows;
+
+const QString key_prefix;  // scripts use the keys as they are
+
+struct PlaceRow {
+    PlaceDescription description;
+    Eigen::Vector3d Parameters::*value;
+};
+
+const Row& viewRow() {
+    static const Row row = rows::choice<&Parameters::view>(
+        "view", "View",
+        {"Current View of the Window", "Perspective, from the Viewpoint",
+         "Orthographic, along the View Direction"},
+        "From where the lines are seen. The current view of the window needs a window: scripts "
+        "take one of the others.");
+    return row;
+}
+
+const Row& visibleRow() {
+    static const Row row = rows::boolean<&Parameters::visible_only>(
+        "visible_only", "Visible Lines Only",
+        "Leave out the parts of lines that this layer's own surface hides.");
+    return row;
+}
+
+const Row& lightRow() {
+    static const Row row = rows::choice<&Parameters::light>(
+        "light", "Light Position", {"At the Eye", "Along the Light Direction"},
+        "Whose shading the Laplacian lines draw: of a light at the eye, or of a distant one. "
+        "Contours are the eye's in any case.");
+    return row;
+}
+
+const PlaceRow& viewpointRow() {
+    static const PlaceRow row = {
+        {"viewpoint", "Viewpoint",
+         "Position of the eye, for perspective views. Get: View Pos. takes that of the window.",
+         PlaceKind::Position},
+        &Parameters::viewpoint};
+    return row;
+}
+
+const PlaceRow& viewDirectionRow() {
+    static const PlaceRow row = {
+        {"view_direction", "View Direction",
+         "From the object to the viewer, for orthographic views. Get: View Dir. takes that of the "
+         "window.",
+         PlaceKind::Direction},
+        &Parameters::view_direction};
+    return row;
+}
+
+const PlaceRow& lightDirectionRow() {
+    static const PlaceRow row = {
+        {"light_direction", "Light Direction", "From the object to the light, if that is distant.",
+         PlaceKind::Direction},
+        &Parameters::light_direction};
+    return row;
+}
+
+/// Calls the visitor with each row, in the order of the dialog.
+template <class Visitor>
+void visitRows(Visitor& visitor) {
+    visitor.visit(viewRow());
+    visitor.visit(viewpointRow());
+    visitor.visit(viewDirectionRow());
+    visitor.visit(visibleRow());
+    for (const auto& row : laplacian_lines::line_style_table())
+        if (!row.for_experts) visitor.visit(row);
+    visitor.visit(lightRow());
+    visitor.visit(lightDirectionRow());
+}
+
+struct Lister {
+    const Parameters& defaults;
+    RichParameterList& list;
+
+    const laplacian_lines::LineStyle& options(const laplacian_lines::LineStyle*) const {
+        return defaults.style;
+    }
+    const Parameters& options(const Parameters*) const { return defaults; }
+
+    template <class Options>
+    void visit(const laplacian_lines::OptionDescription<Options>& row) {
+        meshlab_host::addParameter(meshlab_host::describe(row, key_prefix),
+                                   row.get(options(static_cast<const Options*>(nullptr))), 0, list);
+    }
+    void visit(const PlaceRow& row) {
+        meshlab_host::addPlace(row.description, defaults.*row.value, list);
+    }
+};
+
+struct Reader {
+    Parameters& result;
+    const RichParameterList& list;
+
+    laplacian_lines::LineStyle& options(const laplacian_lines::LineStyle*) { return result.style; }
+    Parameters& options(const Parameters*) { return result; }
+
+    template <class Options>
+    void visit(const laplacian_lines::OptionDescription<Options>& row) {
+        Options& target = options(static_cast<const Options*>(nullptr));
+        row.set(target, meshlab_host::readParameter(meshlab_host::describe(row, key_prefix),
+                                                    row.get(target), list));
+    }
+    void visit(const PlaceRow& row) {
+        Eigen::Vector3d& target = result.*row.value;
+        target = meshlab_host::readPlace(row.description, target, list);
+    }
+};
+
+}  // namespace
+
+PolylineParameters polylineDefaults(const MeshModel* mesh,
+                                    const std::optional<meshlab_host::CurrentView>& window) {
+    Parameters result;
+    if (window) {
+        result.view = ViewChoice::CurrentView;
+        result.viewpoint = window->eye;
+        result.view_direction = result.light_direction = window->towards_viewer;
+    } else if (mesh && !mesh->cm.bbox.IsNull()) {
+        const auto centre = mesh->cm.Tr * mesh->cm.bbox.Center();
+        const double distance = 1.5 * double(mesh->cm.bbox.Diag());
+        result.viewpoint =
+            Eigen::Vector3d(double(centre[0]), double(centre[1]), double(centre[2]) + distance);
+    }
+    return result;
+}
+
+void listPolylineParameters(const PolylineParameters& defaults, RichParameterList& list) {
+    Lister lister{defaults, list};
+    visitRows(lister);
+}
+
+PolylineParameters readPolylineParameters(const RichParameterList& list) {
+    Parameters result;
+    Reader reader{result, list};
+    visitRows(reader);
+    return result;
+}

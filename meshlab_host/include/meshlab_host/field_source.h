@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <vector>
+
+#include "laplacian_lines/field.h"
+#include "laplacian_lines/progress.h"
+#include "meshlab_host/field_attributes.h"
+
+namespace meshlab_host {
+
+/// What decides the field of a mesh. Two meshes with equal keys have the same one, whatever layer
+/// they are in.
+struct FieldKey {
+    GeometryStamp stamp;
+    std::vector<double> options;  ///< of the precomputation, in the order of its table
+
+    bool operator<(const FieldKey& other) const;
+};
+
+/// Where the field of a mesh comes from: its own attributes if they are current, otherwise a
+/// computation with the default options.
+struct FieldSource {
+    FieldKey key;
+    FieldStatus status;
+    laplacian_lines::PrecomputeOptions options;
+};
+FieldSource fieldSource(const CMeshO& mesh);
+
+/// The field from there, by live index. Computing takes seconds for a million triangles and is told
+/// to `say`. The mesh is not changed; `triangles` is toTriangleMesh() of it.
+/// @throws laplacian_lines::Error, std::bad_alloc
+laplacian_lines::Field demandField(const CMeshO& mesh,
+                                   const laplacian_lines::TriangleMesh& triangles,
+                                   const QString& mesh_name, const FieldSource& source,
+                                   const std::function<void(const QString&)>& say,
+                                   const laplacian_lines::Progress& progress = {});
+
+}  // namespace meshlab_host

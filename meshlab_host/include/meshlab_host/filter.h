@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "meshlab_host/meshlab_api.h"
+
+namespace meshlab_host {
+
+using FilterInterface = MESHLAB_HOST_FILTER_INTERFACE;
+
+/// What MeshLab asks about a filter before it runs.
+struct FilterDescription {
+    QString name;          ///< menu entry and name in scripts
+    QString python_name;   ///< name in PyMeshLab (MeshLab 2022 and later)
+    QString help;          ///< HTML
+    int filter_class = 0;  ///< bits of FilterInterface::FilterClass; Generic (0) makes loading fail
+    int preconditions = MeshModel::MM_NONE;
+};
+
+/// What a filter works with while it runs.
+struct FilterRun {
+    MeshDocument& document;  ///< with a current mesh
+    const RichParameterList& parameters;
+    vcg::CallBackPos* progress;                    ///< may be null
+    std::function<void(const QString& line)> say;  ///< adds a line to the log
+};
+
+/// An entry of the Filters menu that works on the current mesh and changes nothing MeshLab draws of
+/// it. Called from MeshLab's GUI thread.
+class Filter {
+public:
+    virtual ~Filter() = default;
+
+    virtual FilterDescription description() const = 0;
+
+    /// Adds the parameters with their defaults for this mesh, the null pointer if there is none.
+    virtual void listParameters(const MeshModel* mesh, RichParameterList& list) const = 0;
+
+    /// May throw anything: the user then reads what() and the caller gets a failed filter.
+    virtual void run(const FilterRun& run) const = 0;
+};
+using FilterList = std::vector<std::unique_ptr<const Filter>>;
+
+}  // namespace meshlab_host

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshlab_host/current_view.h"
+
+#include <QApplication>
+#include <QMdiArea>
+#include <QMdiSubWindow>
+
+#include "shot_receiver.h"
+
+namespace meshlab_host {
+namespace {
+
+// Nobody else's name for a view, since all who have asked it hear each answer.
+const char* const request = "laplacian_lines_current_view";
+
+/// The window of the current document, null without one.
+QWidget* documentWindow() {
+    if (!qobject_cast<QApplication*>(QCoreApplication::instance())) return nullptr;
+    for (QWidget* widget : QApplication::allWidgets())
+        if (auto* area = qobject_cast<QMdiArea*>(widget))
+            if (QWidget* window = area->currentSubWindow()) return window;
+    return nullptr;
+}
+
+bool isView(const QWidget* widget) {
+    return widget && widget->inherits("GLArea");
+}
+
+/// The view that had the focus last, which is what makes it MeshLab's current one; the last one
+/// made if none ever had it.
+QWidget* viewIn(QWidget& window) {
+    QWidget* last = nullptr;
+    for (QWidget* child : window.findChildren<QWidget*>()) {
+        if (child->inherits("MultiViewer_Container") && isView(child->focusWidget()))
+            return child->focusWidget();
+        if (isView(child)) last = child;
+    }
+    return last;
+}
+
+Eigen::Vector3d vector(const Point3m& p) {
+    return {double(p[0]), double(p[1]), double(p[2])};
+}
+
+}  // namespace
+
+std::optional<Shotm> ShotReceiver::ask(QObject& view) {
+    ShotReceiver receiver;
+    if (!QObject::connect(&view, SIGNAL(transmitShot(QString, Shotm)), &receiver,
+                          SLOT(receive(QString, Shotm)), Qt::DirectConnection))
+        return std::nullopt;
+    QMetaObject::invokeMethod(&view, "sendViewerShot", Qt::DirectConnection,
+                              Q_ARG(QString, QString(request)));
+    return receiver.shot_;
+}
+
+void ShotReceiver::receive(QString name, Shotm shot) {
+    if (name == request) shot_ = shot;
+}
+
+std::optional<CurrentView> currentView() {
+    QWidget* window = documentWindow();
+    QWidget* view = window ? viewIn(*window) : nullptr;
+    const std::optional<Shotm> shot = view ? ShotReceiver::ask(*view) : std::nullopt;
+    if (!shot) return std::nullopt;
+    // "orthographic" is the camera's type 1, as in the views that MeshLab copies as text
+    return CurrentView{shot->Intrinsics.cameraType == 1, vector(shot->GetViewPoint()),
+                       vector(shot->Axis(2)).normalized()};
+}
+
+}  // namespace meshlab_host

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshlab_host/edge_mesh.h"
+
+#include "attributes.h"
+
+namespace meshlab_host {
+
+using laplacian_lines::LinePoint;
+using laplacian_lines::LineSet;
+using laplacian_lines::Polyline;
+
+namespace {
+
+std::uint32_t vertexCount(const Polyline& line) {
+    return line.closed ? line.count - 1 : line.count;
+}
+
+/// Calls visit(vertex, point, line, number of the line) for each vertex in its order.
+template <class Visit>
+void visitVertices(const LineSet& lines, Visit visit) {
+    std::size_t vertex = 0;
+    for (std::size_t number = 0; number < lines.lines.size(); ++number) {
+        const Polyline& line = lines.lines[number];
+        for (std::uint32_t i = 0; i < vertexCount(line); ++i)
+            visit(vertex++, lines.points[line.first + i], line, number);
+    }
+}
+
+template <class Value>
+void addColumn(const LineSet& lines, const char* name, CMeshO& mesh, Value value) {
+    auto& column = demandVertexColumn<Scalarm>(mesh, name);
+    visitVertices(
+        lines, [&](std::size_t vertex, const LinePoint& point, const Polyline& line,
+                   std::size_t number) { column[vertex] = Scalarm(value(point, line, number)); });
+}
+
+void addVertices(const LineSet& lines, CMeshO& mesh) {
+    std::size_t count = 0;
+    for (const Polyline& line : lines.lines)
+        count += vertexCount(line);
+    vcg::tri::Allocator<CMeshO>::AddVertices(mesh, count);
+    visitVertices(lines,
+                  [&](std::size_t vertex, const LinePoint& point, const Polyline&, std::size_t) {
+                      const Eigen::Vector3f& p = point.position;
+                      mesh.vert[vertex].P() = Point3m(p.x(), p.y(), p.z());
+                      mesh.vert[vertex].Q() = Scalarm(point.weight * point.opacity);
+                  });
+}
+
+void addEdges(const LineSet& lines, CMeshO& mesh) {
+    auto edge = vcg::tri::Allocator<CMeshO>::AddEdges(mesh, lines.segment_count());
+    std::size_t first = 0;
+    for (const Polyline& line : lines.lines) {
+        const std::uint32_t vertices = vertexCount(line);
+        for (std::uint32_t i = 0; i + 1 < line.count; ++i, ++edge) {
+            edge->V(0) = &mesh.vert[first + i];
+            edge->V(1) = &mesh.vert[first + (i + 1) % vertices];
+        }
+        first += vertices;
+    }
+}
+
+}  // namespace
+
+void toEdgeMesh(const LineSet& lines, CMeshO& mesh) {
+    addVertices(lines, mesh);
+    addEdges(lines, mesh);
+    const auto add = [&](const char* name, auto value) { addColumn(lines, name, mesh, value); };
+    add("ll_line", [](const LinePoint&, const Polyline&, std::size_t number) { return number; });
+    add("ll_kind",
+        [](const LinePoint&, const Polyline& line, std::size_t) { return int(line.kind); });
+    add("ll_strength",
+        [](const LinePoint&, const Polyline& line, std::size_t) { return line.strength; });
+    add("ll_slope", [](const LinePoint&, const Polyline& line, std::size_t) { return line.slope; });
+    add("ll_weight",
+        [](const LinePoint& point, const Polyline&, std::size_t) { return point.weight; });
+    add("ll_gradient",
+        [](const LinePoint& point, const Polyline&, std::size_t) { return point.gradient; });
+    add("ll_opacity",
+        [](const LinePoint& point, const Polyline&, std::size_t) { return point.opacity; });
+    vcg::tri::UpdateBounding<CMeshO>::Box(mesh);
+}
+
+}  // namespace meshlab_host

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshlab_host/field_source.h"
+
+#include <QElapsedTimer>
+#include <tuple>
+
+#include "laplacian_lines/option_table.h"
+#include "laplacian_lines/precompute.h"
+
+namespace meshlab_host {
+
+using laplacian_lines::Field;
+
+namespace {
+
+std::vector<double> optionValues(const laplacian_lines::PrecomputeOptions& options) {
+    std::vector<double> values;
+    for (const auto& row : laplacian_lines::precompute_option_table())
+        values.push_back(row.get(options));
+    return values;
+}
+
+QString computedLine(const QString& mesh_name, FieldStatus status, double seconds) {
+    return QString(
+               "Laplacian Lines: %1 has %2; computed with the default options in %3 s (to "
+               "choose others, run the filter Compute Laplacian Lines)")
+        .arg(mesh_name, describe(status))
+        .arg(seconds, 0, 'f', 2);
+}
+
+}  // namespace
+
+bool FieldKey::operator<(const FieldKey& other) const {
+    const auto order = [](const FieldKey& key) {
+        return std::tie(key.stamp.hash, key.stamp.vertices, key.stamp.faces, key.options);
+    };
+    return order(*this) < order(other);
+}
+
+FieldSource fieldSource(const CMeshO& mesh) {
+    FieldSource source;
+    source.key.stamp = geometryStamp(mesh);
+    source.status = fieldStatus(mesh, source.key.stamp);
+    if (source.status == FieldStatus::Current) source.options = readFieldRecord(mesh)->options;
+    source.key.options = optionValues(source.options);
+    return source;
+}
+
+Field demandField(const CMeshO& mesh, const laplacian_lines::TriangleMesh& triangles,
+                  const QString& mesh_name, const FieldSource& source,
+                  const std::function<void(const QString&)>& say,
+                  const laplacian_lines::Progress& progress) {
+    if (source.status == FieldStatus::Current)
+        if (std::optional<Field> field = readField(mesh, source.key.stamp))
+            return std::move(*field);
+    QElapsedTimer clock;
+    clock.start();
+    Field field = laplacian_lines::precompute(triangles, source.options, progress);
+    say(computedLine(mesh_name, source.status, 1e-3 * double(clock.elapsed())));
+    return field;
+}
+
+}  // namespace meshlab_host

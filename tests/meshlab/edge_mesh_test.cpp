@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The edge mesh of lines holds just the core's line set.
+#include <gtest/gtest.h>
+
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/precompute.h"
+#include "meshlab_host/edge_mesh.h"
+#include "registry.h"
+
+namespace {
+
+using namespace laplacian_lines;
+
+LineSet bumpyLines() {
+    const auto bumps = test_meshes::mesh_named("bumpy_sphere").mesh;
+    const LineExtractor extractor(bumps, precompute(bumps));
+    ExtractionScratch scratch;
+    LineSet lines;
+    LineStyle style;
+    style.detail = 90;
+    extractor.extract(View::perspective({0.5, -2, 3}), style, scratch, lines);
+    return lines;
+}
+
+/// The values of an attribute of Scalarm.
+std::vector<Scalarm> column(CMeshO& mesh, const char* name) {
+    using Allocator = vcg::tri::Allocator<CMeshO>;
+    auto handle = Allocator::FindPerVertexAttribute<Scalarm>(mesh, std::string(name));
+    EXPECT_TRUE(Allocator::IsValidHandle(mesh, handle)) << name;
+    std::vector<Scalarm> values;
+    for (auto& vertex : mesh.vert)
+        values.push_back(handle[vertex]);
+    return values;
+}
+
+void expectPoint(const CVertexO& vertex, const LinePoint& point) {
+    for (int axis = 0; axis < 3; ++axis)
+        EXPECT_EQ(vertex.cP()[axis], point.position[axis]);
+    EXPECT_EQ(vertex.cQ(), point.weight * point.opacity);
+}
+
+TEST(EdgeMesh, HoldsTheLineSet) {
+    const LineSet lines = bumpyLines();
+    CMeshO mesh;
+    meshlab_host::toEdgeMesh(lines, mesh);
+    ASSERT_EQ(std::size_t(mesh.en), lines.segment_count());
+    EXPECT_EQ(mesh.fn, 0);
+    const auto number = column(mesh, "ll_line"), kind = column(mesh, "ll_kind"),
+               strength = column(mesh, "ll_strength"), slope = column(mesh, "ll_slope"),
+               weight = column(mesh, "ll_weight"), gradient = column(mesh, "ll_gradient"),
+               opacity = column(mesh, "ll_opacity");
+    std::size_t edge = 0, closed = 0, kinds = 0;
+    std::vector<bool> used(mesh.vert.size());
+    for (std::size_t l = 0; l < lines.lines.size(); ++l) {
+        const Polyline& line = lines.lines[l];
+        closed += line.closed;
+        kinds |= std::size_t(1) << int(line.kind);
+        for (std::uint32_t i = 0; i + 1 < line.count; ++i, ++edge)
+            for (int end = 0; end < 2; ++end) {
+                const LinePoint& point = lines.points[line.first + i + std::uint32_t(end)];
+                const CVertexO& vertex = *mesh.edge[edge].cV(end);
+                const std::size_t v = vcg::tri::Index(mesh, vertex);
+                used[v] = true;
+                // a closed line's last point is where its first vertex is
+                EXPECT_EQ(vertex.cP()[0], point.position.x());
+                if (end == 1 && line.closed && i + 2 == line.count) continue;
+                expectPoint(vertex, point);
+                EXPECT_EQ(number[v], Scalarm(l));
+                EXPECT_EQ(kind[v], Scalarm(int(line.kind)));
+                EXPECT_EQ(strength[v], line.strength);
+                EXPECT_EQ(slope[v], line.slope);
+                EXPECT_EQ(weight[v], point.weight);
+                EXPECT_EQ(gradient[v], point.gradient);
+                EXPECT_EQ(opacity[v], point.opacity);
+            }
+    }
+    EXPECT_EQ(mesh.vert.size(), lines.points.size() - closed);
+    EXPECT_EQ(std::count(used.begin(), used.end(), false), 0);
+    EXPECT_GT(closed, 0u);
+    EXPECT_EQ(kinds & 3u, 3u);
+    EXPECT_FALSE(mesh.bbox.IsNull());
+}
+
+TEST(EdgeMesh, IsEmptyWithoutLines) {
+    CMeshO mesh;
+    meshlab_host::toEdgeMesh({}, mesh);
+    EXPECT_EQ(mesh.vn, 0);
+    EXPECT_EQ(mesh.en, 0);
+}
+
+}  // namespace

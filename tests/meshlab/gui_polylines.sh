@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Lines as a layer of polylines, from the dialog of the filter: its views, its errors, and where the layer lies.
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+
+torus "$WORK/torus.ply"
+counts='Lines of torus.ply: [1-9]\d* Laplacian lines, [1-9]\d* occluding contours, .*[1-9]\d* segments; '
+drive <<END
+wait
+open torus.ply
+size 800x600
+look 0.5 -2 3  0 0 0
+# the view of the window is what the dialog begins with
+trigger Create Laplacian Lines Polylines
+apply
+close
+expect-log torus.ply has no precomputed attributes; computed with the default options in
+expect-log ${counts}perspective, from the viewpoint 0.5 -2 3\n
+show-layer torus_laplacian_lines
+show-layer torus_laplacian_lines
+delete-layer torus_laplacian_lines
+
+trigger Create Laplacian Lines Polylines
+set View = Orthographic, along the View Direction
+set View Direction = 1 2 2
+set Visible Lines Only = off
+apply
+expect-log ${counts}orthographic, along the view direction 1 2 2\n
+select-layer 0
+look 3 0 1  0 0 0
+set View = Perspective, from the Viewpoint
+set Viewpoint = View Pos.
+apply
+close
+expect-log ${counts}perspective, from the viewpoint 3 0 1\n
+delete-layer torus_laplacian_lines(1)
+delete-layer torus_laplacian_lines
+
+# with results of the other filter
+select-layer 0
+trigger Compute Laplacian Lines
+set Laplace Operator = Cotangent
+apply
+close
+slot window updateLayerDialog
+trigger Create Laplacian Lines Polylines
+apply
+close
+delete-layer torus_laplacian_lines
+expect-no-log (?s)computed with the default.*computed with the default.*computed with the default.*computed with the default
+
+# an orthographic window
+trigger Toggle Orthographic Camera
+look 0 -3 4  0 0 0
+trigger Create Laplacian Lines Polylines
+apply
+close
+expect-log ${counts}orthographic, along the view direction -?[\d.e-]+ -0.6 0.8\n
+
+# a layer without faces, and views without lines
+trigger Create Laplacian Lines Polylines
+expect-modal PreConditions' Failure.*Create Laplacian Lines Polylines
+button OK
+delete-layer torus_laplacian_lines
+trigger Create Laplacian Lines Polylines
+set View = Perspective, from the Viewpoint
+set Viewpoint = 1 0 0
+apply
+expect-modal Filter Failure.*The viewpoint is inside the surface
+button OK
+set View Direction = 0 0 0
+apply
+expect-modal Filter Failure.*"View Direction" is 0 0 0, which is no direction
+button OK
+set View Direction = 0 0 1
+set View = Orthographic, along the View Direction
+set Laplacian Lines = off
+set Ridges = off
+set Occluding Contours = off
+apply
+expect-modal Filter Failure.*No lines are seen from there
+button OK
+close
+expect-log No lines are seen from there, so no layer was created
+END
+
+# the current one of several views, and a layer with a transformation: outlines lie around the surface that is seen
+drive <<END
+wait
+open torus.ply
+check Show Info Panel off
+check Show Trackball off
+$(move_layer 'X Scale = 2' 'Y Scale = 0.7' 'X Translation = 0.3')
+size 800x600
+look 3 -3 5  0 0 0
+grab surface.png
+trigger Create Laplacian Lines Polylines
+apply
+close
+show-layer 0
+grab lines.png
+show-layer 0
+delete-layer torus_laplacian_lines
+size 1200x860
+trigger Horizontally
+view 1
+look 1 2 6  0 0 0
+view 0
+look 6 2 1  0 0 0
+trigger Create Laplacian Lines Polylines
+apply
+close
+expect-log perspective, from the viewpoint 6 2 1\n
+select-layer 0
+view 1
+trigger Create Laplacian Lines Polylines
+apply
+close
+expect-log perspective, from the viewpoint 1 2 6\n
+END
+
+# extent FILE: left, top, right and bottom of what is not background
+extent() {
+    convert "$1" -alpha off -bordercolor white -border 1 -fuzz 4% -trim -format '%O %w %h' info: |
+        awk -F'[+ ]' '{ print $2, $3, $2 + $4, $3 + $5 }'
+}
+read -ra surface < <(extent "$WORK/surface.png")
+read -ra lines < <(extent "$WORK/lines.png")
+for side in 0 1 2 3; do
+    difference=$((surface[side] - lines[side]))
+    ((difference >= -4 && difference <= 4)) || fail "lines end at ${lines[*]}, the surface at ${surface[*]}"
+done

@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Lines as polylines in scripts: the example, the files that MeshLab writes of them, and errors.
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+EXAMPLE=$SETUP/../examples/laplacian_lines_polylines.mlx
+
+# accept FILE [KEY=VALUE...]
+accept() {
+    local file=$1
+    shift
+    write_script script.mlx "$@"
+    rm -f "$WORK/$file"
+    serve -i torus.ply -s script.mlx -o "$file"
+    ((SERVER_CODE == 0)) || fail "the script with $* ended with $SERVER_CODE"
+    [[ -s $WORK/$file ]] || fail "the script with $* wrote no $file"
+}
+
+# refuse REASON KEY=VALUE...: and leaves no file behind, which would hold the surface
+refuse() {
+    local reason=$1
+    shift
+    write_script script.mlx "$@"
+    rm -f "$WORK/none.ply"
+    serve -i torus.ply -s script.mlx -o none.ply
+    ((SERVER_CODE != 0)) || fail "the script with $* was accepted"
+    expect_text "$WORK/log" "$reason"
+    [[ ! -e $WORK/none.ply ]] || fail "the script with $* wrote a mesh"
+}
+
+# place NAME X Y Z: gives the example's point other coordinates from now on
+place() {
+    sed -E "s/(name=\"$1\" [^>]*) x=\"[^>]*\"\/>/\1 x=\"$2\" y=\"$3\" z=\"$4\"\/>/" "$EXAMPLE" >"$WORK/changed.mlx"
+    EXAMPLE=$WORK/example.mlx
+    mv "$WORK/changed.mlx" "$EXAMPLE"
+}
+
+segments() {
+    sed -n -E 's/.*Lines of torus.ply: .* ([0-9]+) segments; .*/\1/p' "$WORK/log" | tail -n 1
+}
+
+torus "$WORK/torus.ply"
+accept lines.ply
+expect_text "$WORK/log" 'torus\.ply has no precomputed attributes; computed with the default options'
+expect_text "$WORK/log" '[1-9][0-9]* Laplacian lines, [1-9][0-9]* occluding contours, .*; perspective, from the viewpoint 0\.5 -2 3'
+visible=$(segments)
+# MeshLab writes no edges into PLY files, but the vertices
+grep -aq '^element vertex [1-9]' "$WORK/lines.ply" || fail "lines.ply holds no vertices"
+! grep -aq '^element face [1-9]' "$WORK/lines.ply" || fail "lines.ply holds faces"
+accept lines.obj
+[[ $(grep -c '^l ' "$WORK/lines.obj") == "$visible" ]] || fail "lines.obj does not hold $visible segments"
+# the file is complete, though MeshLab 2022.02 and later say that it could not be opened
+[[ $(meshlab_version) == 2020.* ]] && accept lines.dxf || serve -i torus.ply -s script.mlx -o lines.dxf
+[[ $(grep -cE '^ *LINE' "$WORK/lines.dxf") == "$visible" ]] || fail "lines.dxf does not hold $visible lines"
+
+accept all.ply visible_only=false
+(($(segments) > visible)) || fail "hidden lines are left out unasked"
+accept contours.ply laplacian_lines=false ridges=false borders=false
+expect_text "$WORK/log" 'Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ segments'
+accept detailed.ply detail=90
+(($(segments) > visible)) || fail "more detail gives no more lines"
+accept lit.ply light=1
+accept orthographic.ply view=2
+expect_text "$WORK/log" 'orthographic, along the view direction 0 0 1'
+place viewpoint 5 1 1
+accept other.ply
+expect_text "$WORK/log" 'perspective, from the viewpoint 5 1 1'
+
+refuse 'There is no window with a current view\. Set "View" to 1 \(Perspective\)' view=0
+refuse '"View" is 3\. It has to be one of 0 ' view=3
+refuse '"Detail" is 101\. It has to be between 0 and 100' detail=101
+refuse 'No lines are seen from there, so no layer was created' laplacian_lines=false ridges=false borders=false contours=false
+place viewpoint 1 0 0
+refuse 'The viewpoint is inside the surface'
+place viewpoint nan 0 0
+refuse '"Viewpoint" has to be three finite numbers'
+place viewpoint 5 1 1
+place light_direction 0 0 0
+refuse '"Light Direction" is 0 0 0, which is no direction' light=1 view=2

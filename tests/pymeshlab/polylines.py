@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines as polylines: as a function of Python and by the example script, with their attributes and errors."""
+
+from harness import EXAMPLES, expect_error, meshes
+
+SCALARS = ("ll_line", "ll_kind", "ll_strength", "ll_slope", "ll_weight", "ll_gradient", "ll_opacity")
+
+
+def lines_of(ms):
+    """Vertices, edges and attributes of the layer that was just made."""
+    mesh = ms.current_mesh()
+    assert ms.mesh_number() == 2 and ms.current_mesh_id() == 1
+    assert mesh.face_number() == 0 and mesh.edge_number() > 100
+    attributes = {name: mesh.vertex_custom_scalar_attribute_array(name) for name in SCALARS}
+    return mesh.vertex_matrix(), mesh.edge_matrix(), attributes
+
+
+def create(**parameters):
+    ms = meshes()
+    ms.generate_polyline_from_laplacian_lines(**parameters)
+    return lines_of(ms)
+
+
+parameters = {"view": "Perspective, from the Viewpoint", "viewpoint": [0.5, -2, 3]}
+points, edges, attributes = create(**parameters)
+assert set(attributes["ll_kind"]) <= {0, 1, 2, 3, 4} and 1 in attributes["ll_kind"]
+for name in ("ll_weight", "ll_opacity"):
+    assert (attributes[name] >= 0).all() and (attributes[name] <= 1).all() and attributes[name].max() > 0
+number = attributes["ll_line"]
+assert (number[edges[:, 0]] == number[edges[:, 1]]).all(), "an edge joins two lines"
+assert set(number) == set(range(int(number.max()) + 1))
+for name in ("ll_kind", "ll_strength", "ll_slope"):
+    assert all(len(set(attributes[name][number == line])) == 1 for line in range(5)), name
+
+# the default view is a perspective one from +z; hidden lines on demand
+everything = create(**parameters, visible_only=False)
+assert len(everything[1]) > len(edges)
+from_above = create()
+assert from_above[0].shape != points.shape or (from_above[0] != points).any()
+orthographic = create(view="Orthographic, along the View Direction", view_direction=[0, 0, 1])
+assert len(orthographic[1]) != len(from_above[1])
+
+script = meshes()
+script.load_filter_script(str(EXAMPLES / "laplacian_lines_polylines.mlx"))
+script.apply_filter_script()
+by_script = lines_of(script)
+assert (by_script[0] == points).all() and (by_script[1] == edges).all()
+
+refused = meshes()
+make = refused.generate_polyline_from_laplacian_lines
+expect_error("There is no window with a current view", make, view=0)
+expect_error('"Detail" is 101. It has to be between 0 and 100', make, detail=101)
+expect_error("The viewpoint is inside the surface", make, viewpoint=[1, 0, 0])
+none = {"laplacian_lines": False, "ridges": False, "borders": False, "contours": False}
+expect_error("No lines are seen from there", make, **none)
+assert refused.mesh_number() == 1, "a layer was made in spite of an error"
