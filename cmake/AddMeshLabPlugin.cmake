@@ -7,7 +7,8 @@ add_custom_target(meshlab_plugins COMMENT "All that MeshLab is to load")
 function(add_meshlab_plugin name)
   add_loadable_plugin(${name} ${ARGN})
   set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/plugins")
-  install(TARGETS ${name} LIBRARY DESTINATION "${LAPLACIAN_LINES_PLUGIN_DESTINATION}")
+  install(TARGETS ${name} LIBRARY DESTINATION "${LAPLACIAN_LINES_PLUGIN_DESTINATION}" COMPONENT plugins)
+  install(TARGETS ${name} LIBRARY DESTINATION . COMPONENT loose EXCLUDE_FROM_ALL) # see Packaging.cmake
 endfunction()
 
 # add_loadable_plugin(NAME SOURCES...): the same, but neither placed among the plugins nor installed.

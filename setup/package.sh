@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The plugins as packages, and a copy of the system to try them in.
+
+# make_packages CHECKOUT
+make_packages() {
+    local packages package
+    packages=$(build_folder "$1")/packages
+    rm -rf "$packages"
+    say "making the packages"
+    compile "$1" package
+    for package in "$packages"/*.deb "$packages"/*.zip; do
+        say "$package"
+    done
+}
+
+# in_copy FOLDER SHARED COMMAND...: runs COMMAND, as root, in a copy of the system that is gone when it ends, and which
+# keeps its changes in FOLDER's memory: an overlay. SHARED and /tmp are the system's own.
+in_copy() {
+    setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child "$(dirname "${BASH_SOURCE[0]}")/enter_copy" "$@"
+}
+
+can_copy_system() {
+    ((EUID == 0)) || obstacle "a copy of the system takes root's rights" || return 1
+    local folder
+    folder=$(mktemp -d)
+    in_copy "$folder" "$folder" true 2>/dev/null || obstacle "this machine does not allow overlays of its system"
+    local code=$?
+    rmdir "$folder"
+    return "$code"
+}
