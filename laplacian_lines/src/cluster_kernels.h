@@ -32,7 +32,7 @@ struct StripPoint {
     float opacity;   ///< less than 1 where the crossing alone asks for fading
 };
 
-/// A piece of a line within a cluster, from negative to positive on the left.
+/// A piece of a line within a cluster, with the positive side on its left.
 struct Strip {
     static constexpr std::uint32_t kNoEdge = 0xffffffffu, kClosed = 0xfffffffeu;
     std::uint32_t first_point, point_count;
@@ -84,7 +84,6 @@ struct CrossingMemory {
     alignas(64) float gradient[kPlaces], opacity[kPlaces];  ///< opacity < 0: refused
     alignas(64) float points[kPlaces][4], gradients[kPlaces][4];
     alignas(64) std::uint8_t ends[kPlaces][2];
-    alignas(64) std::uint8_t accepted[256];  ///< of the first crossings, by number; 1 at the last
 };
 
 /// Segments of one function in one cluster.

@@ -23,31 +23,29 @@ static inline float interpolate(float share, float below, float above) {
     return (1 - share) * below + share * above;
 }
 
-/// Where crossings [begin, end) are on their edges, from the values at the ends.
-static inline void find_shares(const float* values, CrossingMemory& m, std::size_t begin,
-                               std::size_t end) {
-    const std::size_t count = whole_vectors(end - begin);
-    for (std::size_t k = 0; k < count; ++k) {
-        m.below[begin + k] = values[m.ends[begin + k][0]];
-        m.above[begin + k] = values[m.ends[begin + k][1]];
+/// Where crossings [0, count) are on their edges, from the values at the ends.
+static inline void find_shares(const float* values, CrossingMemory& m, std::size_t count) {
+    count = whole_vectors(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        m.below[i] = values[m.ends[i][0]];
+        m.above[i] = values[m.ends[i][1]];
     }
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t i = begin + k;
+    for (std::size_t i = 0; i < count; ++i) {
         const float below = absolute(m.below[i]), sum = below + absolute(m.above[i]);
         const float share = below / sum;  // sum > 0: one side is negative
         m.share[i] = sum <= FLT_MAX ? share : 0.5f;
     }
 }
 
-static inline void interpolate_values(const float* values, CrossingMemory& m, std::size_t begin,
-                                      std::size_t end, float* result) {
-    const std::size_t count = whole_vectors(end - begin);
-    for (std::size_t k = 0; k < count; ++k) {
-        m.below[begin + k] = values[m.ends[begin + k][0]];
-        m.above[begin + k] = values[m.ends[begin + k][1]];
+static inline void interpolate_values(const float* values, CrossingMemory& m, std::size_t count,
+                                      float* result) {
+    count = whole_vectors(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        m.below[i] = values[m.ends[i][0]];
+        m.above[i] = values[m.ends[i][1]];
     }
-    for (std::size_t k = 0; k < count; ++k)
-        result[begin + k] = interpolate(m.share[begin + k], m.below[begin + k], m.above[begin + k]);
+    for (std::size_t i = 0; i < count; ++i)
+        result[i] = interpolate(m.share[i], m.below[i], m.above[i]);
 }
 
 /// ∇I = S l of a vertex.
@@ -59,12 +57,12 @@ static inline Float4 vertex_gradient(const VertexRecord& record, Float4 position
            load4(record.shape_operator[2]) * splat<2>(l);
 }
 
-/// Positions and gradients of crossings [begin, end), as rows and as columns.
+/// Positions and gradients of crossings [0, count), as rows and as columns.
 static inline void find_points(const VertexRecord* records, const float eye_of_light[4],
-                               CrossingMemory& m, std::size_t begin, std::size_t end) {
+                               CrossingMemory& m, std::size_t count) {
     const Float4 light = {eye_of_light[0], eye_of_light[1], eye_of_light[2], 0};
     const Float4 w = splat(eye_of_light[3]);
-    for (std::size_t i = begin; i < end; i += 4) {
+    for (std::size_t i = 0; i < count; i += 4) {
         Float4 points[4], gradients[4];
         for (unsigned k = 0; k < 4; ++k) {
             const VertexRecord &a = records[m.ends[i + k][0]], &b = records[m.ends[i + k][1]];
@@ -81,16 +79,16 @@ static inline void find_points(const VertexRecord* records, const float eye_of_l
         store_columns(points, m.x + i, m.y + i, m.z + i);
         store_columns(gradients, m.gx + i, m.gy + i, m.gz + i);
     }
-    const std::size_t count = whole_vectors(end - begin);
-    for (std::size_t k = 0, i = begin; k < count; ++k, ++i)
+    count = whole_vectors(count);
+    for (std::size_t i = 0; i < count; ++i)
         m.gradient[i] = __builtin_sqrtf(m.gx[i] * m.gx[i] + m.gy[i] * m.gy[i] + m.gz[i] * m.gz[i]);
 }
 
 /// Refuses crossings with a gradient or facing below the thresholds.
 static inline void apply_thresholds(const LineRules& rules, const float eye[4], CrossingMemory& m,
-                                    std::size_t begin, std::size_t end) {
-    const std::size_t count = whole_vectors(end - begin);
-    for (std::size_t k = 0, i = begin; k < count; ++k, ++i) {
+                                    std::size_t count) {
+    count = whole_vectors(count);
+    for (std::size_t i = 0; i < count; ++i) {
         const float x = eye[0] - eye[3] * m.x[i], y = eye[1] - eye[3] * m.y[i],
                     z = eye[2] - eye[3] * m.z[i];
         const float distance = __builtin_sqrtf(x * x + y * y + z * z);
@@ -101,10 +99,9 @@ static inline void apply_thresholds(const LineRules& rules, const float eye[4], 
 
 /// Fades crossings that would double a contour. To first order the contour is I/‖∇I‖ away on the
 /// surface, which is seen at half the crossing's cosine on the way there.
-static inline void fade_near_contours(float clearance, CrossingMemory& m, std::size_t begin,
-                                      std::size_t end) {
-    const std::size_t count = whole_vectors(end - begin);
-    for (std::size_t k = 0, i = begin; k < count; ++k, ++i) {
+static inline void fade_near_contours(float clearance, CrossingMemory& m, std::size_t count) {
+    count = whole_vectors(count);
+    for (std::size_t i = 0; i < count; ++i) {
         const float distance = m.facing[i] * absolute(m.facing[i]) / (2 * m.gradient[i]);
         const float faded = m.opacity[i] * clamp01(2 * distance / clearance - 1);
         m.opacity[i] = m.opacity[i] < 0 ? -1.f : faded;
@@ -115,10 +112,10 @@ static inline void fade_near_contours(float clearance, CrossingMemory& m, std::s
 /// between −∇I and the tangential part w of the light vector l: −l·Sl/(‖w‖‖Sl‖), with ∇I = Sl.
 /// `lit` is n·l.
 static inline void keep_concave(float fading, const float light[4], const float* lit,
-                                CrossingMemory& m, std::size_t begin, std::size_t end) {
+                                CrossingMemory& m, std::size_t count) {
     const float least = -fading / 4, range = fading / 2 - least;
-    const std::size_t count = whole_vectors(end - begin);
-    for (std::size_t k = 0, i = begin; k < count; ++k, ++i) {
+    count = whole_vectors(count);
+    for (std::size_t i = 0; i < count; ++i) {
         const float x = light[0] - light[3] * m.x[i], y = light[1] - light[3] * m.y[i],
                     z = light[2] - light[3] * m.z[i];
         const float squared = x * x + y * y + z * z - lit[i] * lit[i];
@@ -132,29 +129,28 @@ static inline void keep_concave(float fading, const float light[4], const float*
     }
 }
 
-/// Computes crossings [begin, end) of one function from their ends. As all functions above, it
+/// Computes crossings [0, count) of one function from their ends. As all functions above, it
 /// writes to whole vectors of places.
 static inline void find_crossings(const VertexRecord* records, const ExtractionTask& task,
                                   const SignedCluster& signs, StripKind kind, CrossingMemory& m,
-                                  std::size_t begin, std::size_t end) {
-    if (begin == end) return;
-    for (std::size_t i = end; i < end + kLanes; ++i)  // something valid
+                                  std::size_t count) {
+    for (std::size_t i = count; i < count + kLanes; ++i)  // something valid
         m.ends[i][0] = m.ends[i][1] = 0;
-    find_shares(signs.values[kind], m, begin, end);
-    find_points(records, task.light, m, begin, end);
+    find_shares(signs.values[kind], m, count);
+    find_points(records, task.light, m, count);
     if (kind == kContourStrips) {
-        const std::size_t count = whole_vectors(end - begin);
-        for (std::size_t k = 0; k < count; ++k)
-            m.opacity[begin + k] = 1;
+        count = whole_vectors(count);
+        for (std::size_t i = 0; i < count; ++i)
+            m.opacity[i] = 1;
         return;
     }
     const LineRules& rules = task.rules[kind];
-    interpolate_values(signs.values[kContourStrips], m, begin, end, m.facing);
-    apply_thresholds(rules, task.eye, m, begin, end);
-    if (rules.contour_clearance > 0) fade_near_contours(rules.contour_clearance, m, begin, end);
+    interpolate_values(signs.values[kContourStrips], m, count, m.facing);
+    apply_thresholds(rules, task.eye, m, count);
+    if (rules.contour_clearance > 0) fade_near_contours(rules.contour_clearance, m, count);
     if (!rules.concave_only) return;
-    if (!task.light_at_eye) interpolate_values(signs.lit, m, begin, end, m.lit);
-    keep_concave(rules.fading, task.light, task.light_at_eye ? m.facing : m.lit, m, begin, end);
+    if (!task.light_at_eye) interpolate_values(signs.lit, m, count, m.lit);
+    keep_concave(rules.fading, task.light, task.light_at_eye ? m.facing : m.lit, m, count);
 }
 
 }  // namespace KERNEL_NAMESPACE

@@ -8,44 +8,43 @@
 namespace laplacian_lines {
 namespace KERNEL_NAMESPACE {
 
-/// Finds the crossings of a cluster, and the segments between accepted ones. A triangle owns the
-/// crossing where its line leaves; the one where it enters is that of the triangle before, or one
-/// of its own if that one is elsewhere. Returns the number of segments.
-static inline unsigned find_segments(const VertexRecord* records, const ExtractionTask& task,
-                                     const SignedCluster& signs, StripKind kind, CrossingMemory& m,
-                                     SegmentMemory& s) {
-    const ActiveTriangle* active = signs.active[kind];
-    const unsigned count = signs.count[kind];
-    for (unsigned i = 0; i < count; ++i) {
-        m.ends[i][0] = active[i].exit[0];
-        m.ends[i][1] = active[i].exit[1];
-    }
-    find_crossings(records, task, signs, kind, m, 0, count);
-
+/// Lists the crossings of a cluster's active triangles. A triangle owns the crossing where its line
+/// leaves, which gets the triangle's place; the one where the line enters is that of the triangle
+/// before, or one of its own if that one is elsewhere. Returns the number of crossings.
+static inline unsigned list_crossings(const ActiveTriangle* active, unsigned count,
+                                      CrossingMemory& m, SegmentMemory& s) {
     // Places in `active` by the triangles' numbers; all others are kNoNeighbour.
     std::uint8_t* place = s.segment_of_triangle;
     __builtin_memset(place, kNoNeighbour, sizeof(s.segment_of_triangle));
     for (unsigned i = 0; i < count; ++i) {
         place[active[i].number] = std::uint8_t(i);
-        m.accepted[i] = m.opacity[i] >= 0;
+        m.ends[i][0] = active[i].exit[0];
+        m.ends[i][1] = active[i].exit[1];
     }
-    m.accepted[kNoNeighbour] = 1;
-    unsigned segments = 0, crossings = count;
+    unsigned crossings = count;
     for (unsigned i = 0; i < count; ++i) {  // without branches, which would be guessed wrong
         const unsigned previous = place[active[i].previous];
         const bool own = previous == kNoNeighbour;
-        const bool accepted = m.accepted[i] & m.accepted[previous];
         m.ends[crossings][0] = active[i].entry[0];
         m.ends[crossings][1] = active[i].entry[1];
-        s.triangle[segments] = std::uint8_t(i);
-        s.begin[segments] = std::uint16_t(own ? crossings : previous);
-        segments += accepted;
-        crossings += accepted & own;
+        s.triangle[i] = std::uint8_t(i);
+        s.begin[i] = std::uint16_t(own ? crossings : previous);
+        crossings += own;
     }
-    find_crossings(records, task, signs, kind, m, count, crossings);
-    for (unsigned i = segments; i < segments + kLanes; ++i)  // something valid
+    return crossings;
+}
+
+/// Leaves out segments with a refused crossing; returns how many are left.
+static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, unsigned count) {
+    unsigned kept = 0;
+    for (unsigned i = 0; i < count; ++i) {
+        s.triangle[kept] = std::uint8_t(i);
+        s.begin[kept] = s.begin[i];
+        kept += (m.opacity[i] >= 0) & (m.opacity[s.begin[i]] >= 0);
+    }
+    for (unsigned i = kept; i < kept + kLanes; ++i)  // something valid
         s.triangle[i] = s.begin[i] = 0;
-    return segments;
+    return kept;
 }
 
 /// Lengths and strengths (Eq. 4) of segments [0, count).
@@ -117,15 +116,16 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
 }
 
 /// Leaves out refused segments; returns how many are left.
-static inline unsigned drop_refused(const CrossingMemory& m, SegmentMemory& s, unsigned count) {
+static inline unsigned keep_steep(SegmentMemory& s, unsigned count) {
     unsigned kept = 0;
     for (unsigned i = 0; i < count; ++i) {
-        const bool keep = (m.opacity[s.begin[i]] >= 0) & (s.slope[i] >= 0);
         s.triangle[kept] = s.triangle[i];
         s.begin[kept] = s.begin[i];
         s.slope[kept] = s.slope[i];
-        kept += keep;
+        kept += s.slope[i] >= 0;
     }
+    for (unsigned i = kept; i < kept + kLanes; ++i)  // something valid
+        s.triangle[i] = s.begin[i] = 0;
     return kept;
 }
 

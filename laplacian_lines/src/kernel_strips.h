@@ -121,15 +121,20 @@ static inline void find_strips(const ClusterStore& store, const ExtractionTask& 
                                                                 cluster_layout(cluster).records);
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
-    unsigned count = find_segments(records, task, signs, kind, m, s);
-    if (count == 0) return;
+    const unsigned crossings = list_crossings(signs.active[kind], signs.count[kind], m, s);
+    find_crossings(records, task, signs, kind, m, crossings);
+    unsigned count = signs.count[kind];
     if (task.rules[kind].use_slope) {
+        count = keep_accepted(m, s, count);
+        if (count == 0) return;
         collect_corners(records, signs, m, s, count);
         test_segments(task.rules[kind], s, count);
-        count = drop_refused(m, s, count);
-    } else {
+        count = keep_steep(s, count);
+    } else {  // all are kept, also by find_crossings()
         for (unsigned i = 0; i < count; ++i)
             s.slope[i] = 0;
+        for (unsigned i = count; i < count + kLanes; ++i)  // something valid
+            s.triangle[i] = s.begin[i] = 0;
     }
     measure_segments(m, s, count);
     StripWriter(store, signs, kind, m, s, count, output).write_all();
