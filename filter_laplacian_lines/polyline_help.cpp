@@ -6,7 +6,7 @@ QString polylineHelp() {
         "Creates a layer with the lines of the current layer as seen from one view: Laplacian "
         "lines, occluding contours, ridges, borders, creases. They are polylines, that is, "
         "vertices and edges in the coordinates of the surface, to be saved for other programs "
-        "(PLY, DXF, OBJ) or worked on with other filters.<br>"
+        "(OBJ, DXF) or worked on with other filters.<br>"
         "<br>"
         "As the dialog opens, the view is the one in the window: just apply. For another one, "
         "choose perspective or orthographic and fill in the viewpoint or the direction.<br>"
