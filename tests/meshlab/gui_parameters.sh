@@ -27,8 +27,8 @@ look 1.5 0.5 1.5  0 0 0
 expect-lines
 $(change "Strength Threshold tau" strength_threshold 0.5 0.01)
 $(change "Gradient Threshold t" gradient_threshold 10 0.8)
-$(change "Least Slope of a Segment" segment_slope 0.2 0.009)
-$(change "Least Slope of a Line" line_slope 0.3 0.03)
+$(change "Least Slope of a Segment" segment_slope 0.2 0.004)
+$(change "Least Slope of a Line" line_slope 0.3 0.012)
 $(change "Shortest Line" shortest_line 0.3 0.01)
 $(change "Shortest Contour" shortest_contour 10 0.005)
 $(change "Least Facing" least_facing 0.5 -0.15)
@@ -57,8 +57,8 @@ expect-lines segment_slope=0 line_slope=0 gradient_threshold=0 single_strokes=0 
 expect-other-lines segment_slope=0 line_slope=0 gradient_threshold=0 single_strokes=0
 setdeco Reject Phantom Lines = on
 setdeco Single Strokes = on
-setdeco Least Slope of a Segment = 0.009
-setdeco Least Slope of a Line = 0.03
+setdeco Least Slope of a Segment = 0.004
+setdeco Least Slope of a Line = 0.012
 setdeco Gradient Threshold t = 0.8
 
 setdeco Exact Point Light = on
@@ -87,7 +87,7 @@ grab wide_contours.png
 setdeco Contour Width Factor = 1
 setdeco Slope for Full Width = 10
 grab faint.png
-setdeco Slope for Full Width = 0.3
+setdeco Slope for Full Width = 0.25
 setdeco Contour Width Factor = 0
 expect-lines contours=0
 setdeco Contour Width Factor = 1
@@ -103,7 +103,7 @@ setdeco Contour Color = #ff0000
 $(refuse "Gradient Threshold t" -1 0.8 '"Gradient Threshold t" is -1\. It has to be between 0 and')
 $(refuse "Strength Threshold tau" -0.5 0.01 '"Strength Threshold tau" is -0.5\. It has to be between 0 and')
 $(refuse "Shortest Line" 11 0.01 '"Shortest Line" is 11\. It has to be between 0 and 10')
-$(refuse "Slope for Full Width" 0 0.3 '"Slope for Full Width" is 0\. It has to be between 1e-06 and')
+$(refuse "Slope for Full Width" 0 0.25 '"Slope for Full Width" is 0\. It has to be between 1e-06 and')
 $(refuse "Least Facing" 1.5 -0.15 '"Least Facing" is 1.5\. It has to be between -1 and 1')
 # and again, because it was all right in between
 $(refuse "Gradient Threshold t" -1 0.8 '("Gradient Threshold t" is -1\.(.*\n)*.*){2}')

@@ -24,9 +24,9 @@ struct LineStyle {
     /// the paper, each of them is accompanied by lines on the convex forms beside it.
     bool single_strokes = true;
     /// The slope of a crossing is ‖∇(ΔI)‖ · h_e^1.5, h_e = h + σ²/2 (kernel and normal smoothing).
-    double segment_slope = 0.009;  ///< least slope of a segment
-    double line_slope = 0.03;      ///< least mean slope of a line
-    double full_slope = 0.3;       ///< slope above segment_slope at which a line has its full width
+    double segment_slope = 0.004;  ///< least slope of a segment
+    double line_slope = 0.012;     ///< least mean slope of a line
+    double full_slope = 0.25;      ///< slope above segment_slope at which a line has its full width
     double shortest_line = 0.01;   ///< least length of a line, in D
     double least_facing = -0.15;   ///< least n·l/|l| at a crossing
     /// Standard deviation, in points of a line, of the smoothing of its course: lines follow the

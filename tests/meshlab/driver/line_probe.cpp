@@ -23,8 +23,9 @@ using laplacian_lines::View;
 // nothing covers by more than a quarter of it must be seen; in between it may be drawn or not.
 constexpr double kDepthTolerance = 0.01;
 
-// What is fainter than this may leave no pixel that counts as ink.
-constexpr float kLeastOpacity = 0.9f;
+// What is fainter or, in shares of the full width, thinner than this may leave no pixel that
+// counts as ink.
+constexpr float kLeastOpacity = 0.9f, kLeastWeight = 0.25f;
 
 // Pixels along the edge of the view where no samples are taken.
 constexpr double kEdge = 3;
@@ -114,7 +115,8 @@ public:
     void add(const LinePoint& a, const LinePoint& b, ProjectedLines& lines) const {
         const Eigen::Vector4d eye_a = modelview_ * a.position.cast<double>().homogeneous(),
                               eye_b = modelview_ * b.position.cast<double>().homogeneous();
-        const bool faint = std::min(a.opacity, b.opacity) < kLeastOpacity;
+        const bool faint = std::min(a.opacity, b.opacity) < kLeastOpacity ||
+                           std::min(a.weight, b.weight) < kLeastWeight;
         const double length = (pixel(eye_a) - pixel(eye_b)).norm();
         const int steps = 1 + int(std::min(length, 4096.) * 2);
         for (int i = 0; i <= steps; ++i) {
