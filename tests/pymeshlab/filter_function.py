@@ -25,7 +25,7 @@ assert field["ll_laplacian_normal"].dtype == numpy.float64
 assert field["ll_laplacian_normal"].shape == (mesh.vertex_number(), 3)
 assert field["ll_kernel_size"].shape == (mesh.vertex_number(),)
 expect_same_field(field, computed, 0)
-for name, bound in (("ll_normal", 0.02), ("ll_laplacian_normal", 0.08), ("ll_shape_diagonal", 0.05)):
+for name, bound in (("ll_normal", 0.02), ("ll_laplacian_normal", 0.12), ("ll_shape_diagonal", 0.05)):
     error = largest_difference(field[name], truth[name])
     print(f"{name}: {error:.3g} from the truth")
     assert error < bound, "too far"
