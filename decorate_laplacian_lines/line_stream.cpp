@@ -13,8 +13,7 @@ namespace {
 
 StreamPoint at(const LinePoint& point, float radius, LineKind kind) {
     const Eigen::Vector3f& p = point.position;
-    return {
-        {p.x(), p.y(), p.z()}, radius, point.opacity, is_outline(kind) ? 1.0f : 0.0f, 0};
+    return {{p.x(), p.y(), p.z()}, radius, point.opacity, is_outline(kind) ? 1.0f : 0.0f, 0};
 }
 
 float taperedRadius(float full, float least_share, float weight) {

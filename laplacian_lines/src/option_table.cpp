@@ -98,8 +98,7 @@ std::vector<OptionDescription<LineStyle>> everyday_style_rows() {
                          "them as they are."),
         boolean<&S::laplacian_lines>("laplacian_lines", "Laplacian Lines",
                                      "Draw the Laplacian lines."),
-        boolean<&S::ridges>("ridges", "Ridges",
-                            "Draw convex edges of the form, sharp or rounded."),
+        boolean<&S::ridges>("ridges", "Ridges", "Draw convex edges of the form, sharp or rounded."),
         boolean<&S::borders>("borders", "Borders", "Draw the borders of holes and open surfaces."),
         boolean<&S::creases>("creases", "Creases",
                              "Draw edges of the mesh at which triangles meet at an angle: for "

@@ -111,8 +111,8 @@ Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, const Smoothi
         for (std::size_t q = 0; q < normals.size(); ++q) {
             const double distance = (mesh.positions[q] - mesh.positions[p]).norm() / sigma;
             if (distance > smoothing.cutoff) continue;
-            double w = m[q] * facing_weight(normals[q], normals[p]) *
-                       std::exp(-distance * distance / 2);
+            double w =
+                m[q] * facing_weight(normals[q], normals[p]) * std::exp(-distance * distance / 2);
             if (chord > 0)
                 w *= std::exp(-(normals[q] - normals[p]).squaredNorm() / (2 * chord * chord));
             sum += w * normals[q];

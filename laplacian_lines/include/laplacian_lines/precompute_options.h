@@ -46,8 +46,8 @@ struct PrecomputeOptions {
     double normal_sigma = 0.8;      ///< standard deviation of the smoothing, in mean edges
     double bilateral_angle = 20.0;  ///< degrees between normals at which bilateral weights fade
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
-    double gradient_radius = 3.0;     ///< ball of the least squares fit, in mean edges
-    bool correct_borders = true;      ///< make up for the half of the kernel a border lacks
+    double gradient_radius = 3.0;  ///< ball of the least squares fit, in mean edges
+    bool correct_borders = true;   ///< make up for the half of the kernel a border lacks
     /// Weight sources q by (1 + c)²(2 − c)/4, c = n(p)·n(q): 1 for equal normals, 0 for opposite.
     bool skip_opposite_sheet = true;
 };

@@ -13,8 +13,8 @@ struct LayerDrawing {
 };
 
 /// The drawing in the view that is being redrawn: its OpenGL context is current and in the state in
-/// which MeshLab calls decorations. Where it cannot be known, points of the usual size without faces,
-/// so that nothing relies on more than may be there.
+/// which MeshLab calls decorations. Where it cannot be known, points of the usual size without
+/// faces, so that nothing relies on more than may be there.
 LayerDrawing layerDrawing(const MeshModel& mesh);
 
 }  // namespace meshlab_host

@@ -77,7 +77,8 @@ void look(QDomDocument& document, QVector3D eye, const QVector3D& target, const 
         "RotationMatrix",
         row(right, 0) + row(QVector3D::crossProduct(back, right), 0) + row(back, 0) + "0 0 0 1 ");
     camera.setAttribute("TranslationVector", row(-eye, 1).trimmed());
-    // from 2022.02 on, MeshLab keeps the far plane of the text, which was right for the old distance
+    // from 2022.02 on, MeshLab keeps the far plane of the text, which was right for the old
+    // distance
     document.elementsByTagName("ViewSettings").at(0).toElement().setAttribute("FarPlane", 10000);
     setCameraText(document.toString());
 }
