@@ -8,8 +8,32 @@
 namespace meshlab_host {
 namespace {
 
-bool holds(MLSceneGLSharedDataContext& scene, const MeshModel& mesh) {
-    const std::vector<const MeshModel*> layers = layersOf(scene.meshDoc());
+/// The documents of scenes. Closing a project can destroy a document before its scene, which keeps
+/// a reference to it, so each is watched from when its scene is first seen.
+class WatchedDocuments {
+public:
+    /// Null if it is gone.
+    const MeshDocument* of(MLSceneGLSharedDataContext* scene) {
+        entries_.erase(std::remove_if(entries_.begin(), entries_.end(),
+                                      [](const Entry& entry) { return entry.scene.isNull(); }),
+                       entries_.end());
+        for (const Entry& entry : entries_)
+            if (entry.scene == scene) return entry.document;
+        entries_.push_back({scene, &scene->meshDoc()});
+        return entries_.back().document;
+    }
+
+private:
+    struct Entry {
+        QPointer<MLSceneGLSharedDataContext> scene;
+        QPointer<MeshDocument> document;
+    };
+    std::vector<Entry> entries_;
+};
+
+bool holds(const MeshDocument* document, const MeshModel& mesh) {
+    if (!document) return false;
+    const std::vector<const MeshModel*> layers = layersOf(*document);
     return std::find(layers.begin(), layers.end(), &mesh) != layers.end();
 }
 
@@ -28,14 +52,14 @@ std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
 }
 
 MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh) {
-    // a widget that is never shown and has no parent to be found by
-    static QPointer<MLSceneGLSharedDataContext> last;
-    if (last && holds(*last, mesh)) return last;
+    static WatchedDocuments documents;
+    MLSceneGLSharedDataContext* found = nullptr;
+    // a widget that is never shown and has no parent to be found by; all are visited, to watch them
     for (QWidget* widget : QApplication::allWidgets()) {
         auto* scene = qobject_cast<MLSceneGLSharedDataContext*>(widget);
-        if (scene && holds(*scene, mesh)) return last = scene;
+        if (scene && holds(documents.of(scene), mesh)) found = scene;
     }
-    return nullptr;
+    return found;
 }
 
 }  // namespace meshlab_host
