@@ -19,13 +19,11 @@
 #include "mesh_file.h"
 #include "naive_belkin.h"
 #include "naive_lines.h"
+#include "orbit.h"
 
 namespace {
 
 using namespace laplacian_lines;
-
-constexpr int kEyes = 24;
-constexpr double kOrbitRadius = 1.25;  // in D
 
 /// A mesh that is generated or read when the first benchmark asks for it.
 class BenchmarkMesh {
@@ -54,20 +52,6 @@ private:
     std::unique_ptr<Field> field_;
     std::unique_ptr<LineExtractor> extractor_;
 };
-
-std::vector<View> orbit(const TriangleMesh& mesh) {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : mesh.positions)
-        if (p.allFinite()) box.extend(p);
-    std::vector<View> views;
-    for (int i = 0; i < kEyes; ++i) {
-        const double angle = 2 * std::acos(-1.0) * i / kEyes;
-        const Eigen::Vector3d direction(std::cos(angle), 0.4, std::sin(angle));
-        views.push_back(View::perspective(box.center() + kOrbitRadius * box.diagonal().norm() *
-                                                             direction.normalized()));
-    }
-    return views;
-}
 
 benchmark::Counter per_item(double items) {
     return benchmark::Counter(

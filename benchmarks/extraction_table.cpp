@@ -24,28 +24,13 @@
 #include "midpoint_subdivision.h"
 #include "naive_lines.h"
 #include "naive_tracing.h"
+#include "orbit.h"
 
 namespace {
 
 using namespace laplacian_lines;
 
-constexpr int kEyes = 24;
-constexpr double kOrbitRadius = 1.25;                  // in D
 constexpr std::size_t kLargestForHashing = 4'000'000;  // triangles
-
-std::vector<View> orbit(const TriangleMesh& mesh) {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : mesh.positions)
-        if (p.allFinite()) box.extend(p);
-    std::vector<View> views;
-    for (int i = 0; i < kEyes; ++i) {
-        const double angle = 2 * std::acos(-1.0) * i / kEyes;
-        const Eigen::Vector3d direction(std::cos(angle), 0.4, std::sin(angle));
-        views.push_back(View::perspective(box.center() + kOrbitRadius * box.diagonal().norm() *
-                                                             direction.normalized()));
-    }
-    return views;
-}
 
 struct Contender {
     std::string name;

@@ -40,9 +40,7 @@ void append_lines(const LineSet& set, const FixedRules& rules, const OpacityOf& 
             lines.points.resize(line.first);
             continue;
         }
-        LinePoint* points = lines.points.data() + line.first;
-        for (int pass = 0; pass < rules.smoothing_passes; ++pass)
-            smooth_line(line, points, &LinePoint::position, LineEnd::Reflected);
+        smooth_positions(line, lines.points.data() + line.first, rules.smoothing_passes);
         lines.lines.push_back(line);
     }
 }

@@ -32,7 +32,7 @@ struct LineRules {
 LineRules laplacian_rules(const LineStyle& style);
 LineRules contour_rules(const LineStyle& style);
 
-/// How many passes of smooth_line() have this standard deviation.
+/// How many passes of smoothing with 1-2-1 have this standard deviation.
 int smoothing_passes(double deviation);
 
 }  // namespace laplacian_lines

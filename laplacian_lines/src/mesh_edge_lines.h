@@ -21,7 +21,7 @@ LineSet find_creases(const ExtractorData& data, const MeshEdges& mesh);
 /// Memory of append_silhouettes(); keeps its capacity.
 struct SilhouetteMemory {
     std::vector<std::uint8_t> faces_away;        ///< by triangle
-    std::vector<std::uint32_t> point_of_vertex;  ///< kNone everywhere between uses
+    std::vector<std::uint32_t> point_of_vertex;  ///< kNone for a vertex without a line
     CrossingGraph graph;
 };
 

@@ -97,8 +97,7 @@ private:
         LinePoint* points = lines_.points.data() + line.first;
         for (std::uint32_t i = 0; i < line.count; ++i)
             points[i].weight = points[i].opacity = 1;
-        for (int pass = 0; pass < rules_.smoothing_passes; ++pass)
-            smooth_line(line, points, &LinePoint::position, LineEnd::Reflected);
+        smooth_positions(line, points, rules_.smoothing_passes);
         for (std::uint32_t i = 0; i < line.count; ++i)
             points[i].position =
                 (data_.centre + data_.diagonal * points[i].position.cast<double>()).cast<float>();
