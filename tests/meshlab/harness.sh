@@ -21,7 +21,7 @@
 set -euo pipefail
 
 TEST_NAME=$(basename "$0" .sh)
-SETUP=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../setup
+SETUP=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../setup")
 EXAMPLE=$SETUP/../examples/laplacian_lines.mlx
 STAGE=$LAPLACIAN_LINES_BUILD/stage
 WORK=$LAPLACIAN_LINES_BUILD/Testing/meshlab/$TEST_NAME

@@ -65,7 +65,7 @@ in_installed_copy() {
 }
 mkdir "$WORK/copy"
 export STAGE WORK deb LAPLACIAN_LINES_BUILD
-in_copy "$WORK/copy" "$LAPLACIAN_LINES_BUILD" bash -c "
+in_copy "$WORK/copy" "$(dirname "$SETUP")" "$LAPLACIAN_LINES_BUILD" -- bash -c "
     set -euo pipefail
     source '$SETUP/all.sh'
     $(declare -f run_driver drive red_pixels expect_text lines_are_shown in_installed_copy)
