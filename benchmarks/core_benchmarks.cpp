@@ -14,12 +14,14 @@
 #include <string>
 
 #include "generators.h"
+#include "laplacian_alone.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
 #include "naive_belkin.h"
 #include "naive_lines.h"
 #include "orbit.h"
+#include "peak_memory.h"
 
 namespace {
 
@@ -40,6 +42,10 @@ public:
         if (!field_) field_ = std::make_unique<Field>(precompute(mesh()));
         return *field_;
     }
+    const benchmarks::LaplacianAlone& laplacian_alone() {
+        if (!laplacian_) laplacian_ = std::make_unique<benchmarks::LaplacianAlone>(mesh());
+        return *laplacian_;
+    }
     const LineExtractor& extractor() {
         if (!extractor_) extractor_ = std::make_unique<LineExtractor>(mesh(), field());
         return *extractor_;
@@ -50,6 +56,7 @@ private:
     std::function<TriangleMesh()> make_;
     std::unique_ptr<TriangleMesh> mesh_;
     std::unique_ptr<Field> field_;
+    std::unique_ptr<benchmarks::LaplacianAlone> laplacian_;
     std::unique_ptr<LineExtractor> extractor_;
 };
 
@@ -63,10 +70,22 @@ void run_precompute(benchmark::State& state, BenchmarkMesh& mesh, int threads, d
     omp_set_num_threads(threads);
     PrecomputeOptions options;
     options.kernel_size = size * measure_scale(mesh.mesh()).mean_edge;
+    const double vertices = double(mesh.mesh().positions.size());
+    const benchmarks::PeakMemory memory;
     for (auto _ : state)
         benchmark::DoNotOptimize(precompute(mesh.mesh(), options).normals.data());
     state.counters["triangles"] = double(mesh.mesh().triangles.size());
-    state.counters["per_vertex"] = per_item(double(mesh.mesh().positions.size()));
+    state.counters["peak_bytes_per_vertex"] = memory.bytes() / vertices;
+    state.counters["per_vertex"] = per_item(vertices);
+}
+
+/// Δn alone; √h in mean edges.
+void run_laplacian(benchmark::State& state, BenchmarkMesh& mesh, int threads, double size) {
+    omp_set_num_threads(threads);
+    const benchmarks::LaplacianAlone& laplacian = mesh.laplacian_alone();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(laplacian.compute(size).data());
+    state.counters["per_vertex"] = per_item(double(laplacian.vertex_count()));
 }
 
 /// The same without corrections and normals, by a plain sum; once, since it takes long.
@@ -128,6 +147,12 @@ void run_naive(benchmark::State& state, BenchmarkMesh& mesh, bool contours) {
     report_frames(state, mesh.mesh(), segments);
 }
 
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
 template <class Run>
 void add(const std::string& name, Run run) {
     benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -142,10 +167,15 @@ void add_benchmarks(BenchmarkMesh& mesh) {
     const int all = omp_get_num_procs();
     for (int threads : {1, all}) {
         const std::string suffix = "/" + mesh.name() + "/threads:" + std::to_string(threads);
-        for (int size : {2, 5, 10, 20})
-            add("precompute/kernel:" + std::to_string(size) + suffix,
+        for (double size : {0., 2., 5., 10., 20.})
+            add("precompute/kernel:" + (size > 0 ? short_number(size) : "auto") + suffix,
                 [&mesh, threads, size](benchmark::State& state) {
                     run_precompute(state, mesh, threads, size);
+                });
+        for (double size : {2., 2.5, 3.5, 5., 10., 20.})
+            add("laplacian/kernel:" + short_number(size) + suffix,
+                [&mesh, threads, size](benchmark::State& state) {
+                    run_laplacian(state, mesh, threads, size);
                 });
         add("extract" + suffix,
             [&mesh, threads](benchmark::State& state) { run_extract(state, mesh, threads, {}); });

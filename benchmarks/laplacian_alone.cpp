@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laplacian_alone.h"
+
+#include "belkin_laplacian.h"
+#include "normal_smoothing.h"
+#include "shape_operators.h"
+#include "vertex_normals.h"
+
+namespace benchmarks {
+
+using namespace laplacian_lines;
+
+namespace {
+
+const Progress kNoProgress;
+
+StageProgress no_reports() {
+    return {kNoProgress, 0, 1, ""};
+}
+
+}  // namespace
+
+LaplacianAlone::LaplacianAlone(const TriangleMesh& mesh)
+    : mesh_(prepare_mesh(mesh)), tree_(sort_in_space(mesh_)) {
+    const PrecomputeOptions options;
+    normals_ = vertex_normals(mesh_, options.normal_weighting);
+    smooth_normals(mesh_, tree_, std::vector<float>(mesh_.size(), 1.f),
+                   options.normal_sigma * mesh_.mean_edge, options, no_reports(), normals_);
+    shape_operators_ = fit_triangles(mesh_, normals_);
+    for (int pass = 0; pass < 2; ++pass)
+        smooth_over_one_rings(mesh_, normals_, shape_operators_);
+}
+
+std::vector<Eigen::Vector3d> LaplacianAlone::compute(double size, double accuracy) const {
+    const std::vector<float> kernel_sizes(mesh_.size(), float(size * mesh_.mean_edge));
+    BelkinOptions options;
+    options.accuracy = accuracy;
+    return belkin_laplacian(mesh_, tree_, normals_, kernel_sizes, shape_operators_, options,
+                            no_reports());
+}
+
+}  // namespace benchmarks

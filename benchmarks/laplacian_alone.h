@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "laplacian_lines/triangle_mesh.h"
+#include "prepared_mesh.h"
+
+namespace benchmarks {
+
+/// Belkin's operator without the rest of precompute(): a mesh whose smoothed normals and shape
+/// operators are there, as the default options have them. Uses the core's inner headers.
+class LaplacianAlone {
+public:
+    /// @throws laplacian_lines::Error: InvalidMesh, EmptyMesh.
+    explicit LaplacianAlone(const laplacian_lines::TriangleMesh& mesh);
+
+    std::size_t vertex_count() const { return mesh_.size(); }
+
+    /// Δn of all vertices, corrections included. `size`: √h in mean edges; `accuracy` as in
+    /// PrecomputeOptions.
+    std::vector<Eigen::Vector3d> compute(double size, double accuracy = 1e-3) const;
+
+private:
+    laplacian_lines::PreparedMesh mesh_;
+    laplacian_lines::SpatialTree tree_;
+    std::vector<Eigen::Vector3d> normals_;
+    std::vector<Eigen::Matrix3d> shape_operators_;
+};
+
+}  // namespace benchmarks
