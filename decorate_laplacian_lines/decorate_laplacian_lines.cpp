@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "decorate_laplacian_lines.h"
 
-#include <QElapsedTimer>
 #include <QPainter>
 #include <stdexcept>
 
@@ -23,10 +22,6 @@ meshlab_host::DecorationDescription description() {
             "first to choose how they are computed; otherwise the default parameters are used."};
 }
 
-double milliseconds(const QElapsedTimer& clock) {
-    return 1e-6 * double(clock.nsecsElapsed());
-}
-
 /// Eye and light in mesh coordinates.
 laplacian_lines::View viewOf(const meshlab_host::CameraMatrices& camera,
                              const Eigen::Matrix4d& layer, const DecorationParameters& chosen) {
@@ -38,12 +33,18 @@ laplacian_lines::View viewOf(const meshlab_host::CameraMatrices& camera,
     return *view;
 }
 
-QString statistics(const laplacian_lines::LineSet& lines, double extraction, double drawing) {
-    return QString("%1 lines, %2 segments; extraction %3 ms, drawing %4 ms")
+QString statistics(const laplacian_lines::LineSet& lines, const RedrawClock& clock,
+                   double switching_on) {
+    const auto spent = [&](const char* name, RedrawClock::Part part) {
+        return QString("%1 %2 ms").arg(name).arg(clock.milliseconds(part), 0, 'f', 2);
+    };
+    return QString("%1 lines, %2 segments; %3, %4, %5, %6; switched on in %7 s")
         .arg(lines.lines.size())
         .arg(lines.segment_count())
-        .arg(extraction, 0, 'f', 2)
-        .arg(drawing, 0, 'f', 2);
+        .arg(spent("extraction", RedrawClock::Extraction), spent("upload", RedrawClock::Upload),
+             spent("draw calls", RedrawClock::DrawCalls),
+             spent("rasterization", RedrawClock::Rasterization))
+        .arg(1e-3 * switching_on, 0, 'f', 3);
 }
 
 /// The widget that is being painted, null if it is none.
@@ -81,10 +82,11 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GL
 void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& parameters,
                                   GLArea* view, QPainter* painter, GLLogStream& log) {
     QString text;
+    RedrawClock clock;
     try {
         PreparedLinesPointer lines = cache_.at(view, mesh.id());
         if (!lines || !areCurrent(*lines, mesh, view)) lines = demandLines(mesh, view);
-        text = lines->failure.isEmpty() ? drawLines(mesh, *lines, parameters, view, painter)
+        text = lines->failure.isEmpty() ? drawLines(mesh, *lines, parameters, view, painter, clock)
                                         : lines->failure;
         complaints_.erase(mesh.id());
     } catch (const std::exception& error) {
@@ -127,19 +129,18 @@ bool DecorateLaplacianLines::areCurrent(const PreparedLines& lines, const MeshMo
 
 QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLines& lines,
                                           const RichParameterList& parameters, GLArea* view,
-                                          QPainter* painter) {
+                                          QPainter* painter, RedrawClock& clock) {
     const DecorationParameters chosen = readDecorationParameters(parameters);
     const meshlab_host::CameraMatrices camera = meshlab_host::cameraFromGl();
     const Eigen::Matrix4d layer = meshlab_host::layerTransform(mesh.cm);
     const laplacian_lines::View eye = viewOf(camera, layer, chosen);
 
-    QElapsedTimer clock;
-    clock.start();
-    lines.extractor->extract(eye, chosen.style, scratch_, lines_);
-    const double extraction = milliseconds(clock);
-
+    clock.count(RedrawClock::DrawCalls);
     if (chosen.show_statistics) glFinish();  // the mesh's own drawing must not count
-    clock.restart();
+    clock.skip();
+    lines.extractor->extract(eye, chosen.style, scratch_, lines_);
+    clock.count(RedrawClock::Extraction);
+
     const meshlab_host::LayerDrawing shown = meshlab_host::layerDrawing(mesh);
     const SurfaceLayer surface = {lines.surface, layer, lines.diagonal, shown.culls_back_faces,
                                   shown.has_faces && shown.mark_pixels == 0};
@@ -159,10 +160,16 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
         paint(view_layers_.of(view), chosen.surface, camera, placement.depths);
     else if (!is_expected)
         paint({surface}, chosen.surface, camera, placement.depths);
-    throwIf(renderer_.draw(lines_, chosen.appearance, placement));
+    clock.count(RedrawClock::DrawCalls);
+    throwIf(renderer_.upload(lines_, chosen.appearance, placement));
+    clock.count(RedrawClock::Upload);
+    renderer_.draw(chosen.appearance, placement);
+    clock.count(RedrawClock::DrawCalls);
+    if (!lines.first_redraw) lines.first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};
     glFinish();
-    return statistics(lines_, extraction, milliseconds(clock));
+    clock.count(RedrawClock::Rasterization);
+    return statistics(lines_, clock, lines.preparation + *lines.first_redraw);
 }
 
 void DecorateLaplacianLines::beginRedraw(const DecorationParameters& chosen) {

@@ -10,6 +10,7 @@
 #include "meshlab_host/camera.h"
 #include "meshlab_host/decorate_plugin_base.h"
 #include "meshlab_host/snapshot_tiles.h"
+#include "redraw_clock.h"
 #include "surface_renderer.h"
 #include "view_layers.h"
 
@@ -41,7 +42,8 @@ private:
     bool areCurrent(const PreparedLines& lines, const MeshModel& mesh, GLArea* view);
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
-                      const RichParameterList& parameters, GLArea* view, QPainter* painter);
+                      const RichParameterList& parameters, GLArea* view, QPainter* painter,
+                      RedrawClock& clock);
     /// What comes before all layers of a view.
     void beginRedraw(const DecorationParameters& chosen);
     /// Of all that hides lines in the view.

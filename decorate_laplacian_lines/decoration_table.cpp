@@ -90,10 +90,13 @@ ParameterGroup light() {
 }
 
 ParameterGroup statistics() {
-    return {nullptr,
-            {boolean<&Parameters::show_statistics>(
-                "show_statistics", "Show Statistics",
-                "Show the number of lines and the time they take in the view.")}};
+    return {
+        nullptr,
+        {boolean<&Parameters::show_statistics>(
+            "show_statistics", "Show Statistics",
+            "Show in the view the number of lines, the milliseconds that the last redraw took to "
+            "find them, to hand them over to the graphics card, to tell it what to draw and "
+            "to wait for its drawing, and the seconds that switching the lines on took.")}};
 }
 
 }  // namespace

@@ -119,11 +119,7 @@ void LineRenderer::bindStream(const GroupObjects& objects) {
     glBindBuffer(GL_ARRAY_BUFFER, objects.corners);
     pointAttribute(LineProgram::Corner, 2, 0, 0, 0);
 
-    const auto bytes = GLsizeiptr(stream_.size() * sizeof(StreamPoint));
     glBindBuffer(GL_ARRAY_BUFFER, objects.stream);
-    // New storage first: the driver need not wait for the last frame to be done with the old one.
-    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
-    glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, stream_.data());
     std::size_t offset = 0;
     for (LineProgram::Attribute window : windows) {
         pointAttribute(window, 4, sizeof(StreamPoint), offset, 1);
@@ -171,18 +167,31 @@ void LineRenderer::drawHidden(const LineProgram& program, const LineAppearance& 
     drawPass(program, placement, hidden);
 }
 
-std::string LineRenderer::draw(const laplacian_lines::LineSet& lines,
-                               const LineAppearance& appearance, const LinePlacement& placement) {
+std::string LineRenderer::upload(const laplacian_lines::LineSet& lines,
+                                 const LineAppearance& appearance, const LinePlacement& placement) {
     const GroupObjects& objects = objectsOfCurrentGroup();
     if (!objects.program.id) return "Lines cannot be drawn: " + objects.program.failure;
-    const LineRadii in_pixels = radii(appearance, placement.pixel_scale);
-    makeStream(lines, in_pixels, stream_);
+    makeStream(lines, radii(appearance, placement.pixel_scale), stream_);
     if (stream_.empty()) return {};
     if (appearance.hidden == HiddenLines::Dashed) {
         const Eigen::Matrix4d to_clip = placement.projection * placement.to_eye;
         measureLines({to_clip.cast<float>(), halfViewport()}, stream_);
     }
+    GLint bound = 0;
+    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
+    const auto bytes = GLsizeiptr(stream_.size() * sizeof(StreamPoint));
+    glBindBuffer(GL_ARRAY_BUFFER, objects.stream);
+    // New storage first: the driver need not wait for the last frame to be done with the old one.
+    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+    glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, stream_.data());
+    glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
+    return {};
+}
 
+void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& placement) {
+    if (stream_.empty()) return;
+    const GroupObjects& objects = objectsOfCurrentGroup();
+    const LineRadii in_pixels = radii(appearance, placement.pixel_scale);
     const LineGlState state;
     glUseProgram(objects.program.id);
     bindStream(objects);
@@ -193,5 +202,4 @@ std::string LineRenderer::draw(const laplacian_lines::LineSet& lines,
     drawPass(objects.program, placement, Pass());
     for (LineProgram::Attribute attribute : per_segment)
         setDivisor(attribute, 0);  // not saved by all drivers
-    return {};
 }

@@ -42,11 +42,13 @@ struct LinePlacement {
 /// from another. GUI thread only.
 class LineRenderer {
 public:
-    /// Draws into the current context's viewport and leaves the OpenGL state as it was.
-    /// Returns why nothing could be drawn, empty on success. No allocation while sets get no
-    /// larger.
-    std::string draw(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
-                     const LinePlacement& placement);
+    /// Hands lines over to OpenGL, for drawing with the same appearance and placement. Returns why
+    /// nothing can be drawn, empty on success. No allocation while sets get no larger.
+    std::string upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
+                       const LinePlacement& placement);
+    /// Draws what was uploaded last into the current context's viewport. Both leave the OpenGL
+    /// state as it was.
+    void draw(const LineAppearance& appearance, const LinePlacement& placement);
 
 private:
     struct GroupObjects {

@@ -16,8 +16,10 @@ struct PreparedLines {
     double diagonal = 0;   ///< of the usable mesh's bounding box, mesh units
     double mean_edge = 0;  ///< mesh units
     std::optional<laplacian_lines::LineExtractor> extractor;
-    SurfacePointer surface;  ///< set if there is an extractor
-    QString failure;         ///< one sentence, empty if there is an extractor
+    SurfacePointer surface;                      ///< set if there is an extractor
+    QString failure;                             ///< one sentence, empty if there is an extractor
+    double preparation = 0;                      ///< time it took, milliseconds
+    mutable std::optional<double> first_redraw;  ///< the plugin's time of it, milliseconds
 };
 using PreparedLinesPointer = std::shared_ptr<const PreparedLines>;
 

@@ -2,9 +2,7 @@
 #include "camera.h"
 #include <QApplication>
 #include <QClipboard>
-#include <QDomDocument>
 #include <QFile>
-#include <QVector3D>
 #include <QtMath>
 #include <cmath>
 #include "gui.h"
@@ -105,17 +103,24 @@ void lookFrom(const Command& command) {
          command.words.size() > 6 ? vectorAt(command, 6) : QVector3D(0, 1, 0));
 }
 
-void orbit(const Command& command) {
-    const double azimuth = qDegreesToRadians(command.number(0));
-    const double elevation = qDegreesToRadians(command.number(1));
-    QDomDocument document = parseCamera(cameraText());
-    const float distance = float(viewingDistance(document, perspectiveAngle));
-    const QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
-    const QVector3D target = -translation(camera) - QVector3D(0, 0, distance);
+Orbit::Orbit() : m_document(parseCamera(cameraText())) {
+    m_distance = float(viewingDistance(m_document, perspectiveAngle));
+    const QDomElement camera = m_document.elementsByTagName("VCGCamera").at(0).toElement();
+    m_target = -translation(camera) - QVector3D(0, 0, m_distance);
+}
+
+void Orbit::place(double azimuth, double elevation) const {
+    azimuth = qDegreesToRadians(azimuth);
+    elevation = qDegreesToRadians(elevation);
     const QVector3D towards(float(std::sin(azimuth) * std::cos(elevation)),
                             float(std::sin(elevation)),
                             float(std::cos(azimuth) * std::cos(elevation)));
-    look(document, target + distance * towards, target, QVector3D(0, 1, 0));
+    QDomDocument document = m_document;
+    look(document, m_target + m_distance * towards, m_target, QVector3D(0, 1, 0));
+}
+
+void orbit(const Command& command) {
+    Orbit().place(command.number(0), command.number(1));
 }
 
 }  // namespace driver

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <QDomDocument>
+#include <QVector3D>
 #include "command_table.h"
 
 namespace driver {
@@ -16,5 +18,17 @@ void lookFrom(const Command& command);
 // orbit AZIMUTH ELEVATION: degrees around what the camera turns about, from where MeshLab's
 // camera stands at first, which must not have been moved.
 void orbit(const Command& command);
+
+// Puts the camera on a circle around what it turns about, as orbit does.
+class Orbit {
+public:
+    Orbit();                                             // where MeshLab's camera stands at first
+    void place(double azimuth, double elevation) const;  // degrees
+
+private:
+    QDomDocument m_document;
+    QVector3D m_target;
+    float m_distance;
+};
 
 }  // namespace driver

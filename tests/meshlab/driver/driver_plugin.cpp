@@ -25,8 +25,8 @@ DriverPlugin::DriverPlugin()
 }
 
 void DriverPlugin::draw(MeshModel& mesh, const RichParameterList&, GLArea*, QPainter*,
-                        GLLogStream&) {
-    driver::layerIsDrawn(mesh);
+                        GLLogStream& log) {
+    driver::layerIsDrawn(mesh, log);
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DriverPlugin)

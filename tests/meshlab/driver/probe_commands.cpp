@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QFile>
 
+#include "camera.h"
 #include "gui.h"
 #include "line_probe.h"
 #include "modules.h"
@@ -98,11 +99,27 @@ void expectNoLines(const Command&) {
         throw CommandError(QString("%1 pixels have the lines' colour").arg(result.inked));
 }
 
+void write(const QString& text, const QString& name) {
+    const QByteArray bytes = text.toUtf8();
+    QFile file(name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        throw CommandError("cannot write " + name);
+}
+
 void writeGlState(const Command& command) {
-    const QByteArray text = recordGlState(requireView()).toUtf8();
-    QFile file(command.rest);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
-        throw CommandError("cannot write " + command.rest);
+    write(recordGlState(requireView()), command.rest);
+}
+
+// Each camera is new to whatever keeps results for the next redraw.
+void turn(const Command& command) {
+    const int steps = int(command.number(0));
+    const Orbit orbit;
+    QString text;
+    for (int step = 0; step < steps; ++step) {
+        orbit.place(360.0 * step / steps, command.number(1));
+        text += recordBoxes(requireView());
+    }
+    write(text, command.word(2));
 }
 
 void chooseInk(const Command& command) {
@@ -118,6 +135,7 @@ void addProbeCommands(CommandTable& table) {
     table.addSimple("expect-lines", expectLines);
     table.addSimple("expect-other-lines", expectOtherLines);
     table.addSimple("gl-state", writeGlState);
+    table.addSimple("turn", turn);
     table.addSimple("expect-no-lines", expectNoLines);
 }
 

@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the plugins cost inside MeshLab. See usage below.
+set -euo pipefail
+
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+# shellcheck source=/dev/null
+source "$root/setup/all.sh"
+build=$(build_folder "$root")
+redraws=48
+
+usage() {
+    cat <<END
+benchmarks/in_meshlab.sh [--json] [MESH]   seconds and milliseconds that the plugins take in MeshLab, in a view of
+                                           1000 x 700 without a display; MESH is the Stanford dragon if none is named
+
+  filter       Compute Laplacian Lines with its defaults, in all, as MeshLab's log has it
+  switch-on    Laplacian Lines switched on after it: the lines made ready, and the plugin's part of the first redraw
+  extraction, upload, draw calls    the plugin's part of a redraw, medians of $redraws directions all around the mesh:
+               finding the lines, handing them to OpenGL, and its calls up to their return with all that remains
+  rasterization                     waiting for OpenGL's drawing of the lines, here by software
+END
+}
+
+json=false
+case ${1:-} in
+-h | --help)
+    usage
+    exit 0
+    ;;
+--json)
+    json=true
+    shift
+    ;;
+esac
+
+work=$(mktemp -d)
+trap 'stop_display; rm -rf "$work"' EXIT
+trap 'exit 143' TERM INT
+
+measure() {
+    start_display 1700 1000
+    use_private_home "$work/home"
+    export LIBGL_ALWAYS_SOFTWARE=1 LAPLACIAN_LINES_PROBE=1
+    cat >"$work/script" <<END
+time-limit 600
+wait
+open $MESH
+size 1000x700
+trigger Compute Laplacian Lines
+apply
+close
+log $work/messages
+check Laplacian Lines on
+check Laplacian Lines Probe on
+setdeco Show Statistics = on
+turn $redraws 15 $work/redraws
+quit
+END
+    run_meshlab "$build/stage" "$work" || {
+        explain_failure "$work"
+        fail "MeshLab ended with an error"
+    }
+}
+
+# median PATTERN: of the numbers before its end, "ms" or "s", in the boxes of all redraws
+median() {
+    sed -n "s/.*$1 \([0-9.]*\) m\{0,1\}s.*/\1/p" "$work/redraws" | sort -n |
+        awk '{ value[NR] = $1 } END { if (!NR) exit 1; print value[int((NR + 1) / 2)] }' ||
+        fail "MeshLab's view does not show: $1"
+}
+
+filter_seconds() {
+    sed -n 's/.*Applied filter Compute Laplacian Lines in \([0-9]*\) msec.*/\1/p' "$work/messages" |
+        awk '{ print $1 / 1000; found = 1 } END { exit !found }' || fail "MeshLab's log does not tell the filter's time"
+}
+
+ensure_packages "${DISPLAY_PACKAGES[@]}"
+ensure_toolchain
+configure "$root" -DLAPLACIAN_LINES_BUILD_DRIVER=ON
+compile "$root" meshlab_plugins
+stage_meshlab "$build/stage" "$build"/plugins/*.so "$build"/driver/*.so
+prepare_mesh "${1:-}" "$work"
+measure
+
+filter=$(filter_seconds)
+switch_on=$(median "switched on in")
+extraction=$(median extraction)
+upload=$(median upload)
+draw_calls=$(median "draw calls")
+rasterization=$(median rasterization)
+if $json; then
+    printf '{"filter_s": %s, "switch_on_s": %s, "extract_ms": %s, "upload_ms": %s, "draw_calls_ms": %s, "rasterization_ms": %s}\n' \
+        "$filter" "$switch_on" "$extraction" "$upload" "$draw_calls" "$rasterization"
+else
+    printf '%-40s %8s s\n' "filter" "$filter" "switch-on" "$switch_on"
+    printf '%-40s %8s ms\n' "redraw: extraction" "$extraction" "redraw: upload" "$upload" \
+        "redraw: draw calls" "$draw_calls" "redraw: rasterization (not the plugin)" "$rasterization"
+fi

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <chrono>
+
+/// Where the time of a redraw goes.
+class RedrawClock {
+public:
+    enum Part {
+        Extraction,
+        Upload,
+        DrawCalls,      ///< up to the return of the last one, and all that is not one of the others
+        Rasterization,  ///< waiting for OpenGL
+        part_count
+    };
+
+    /// The time since the last call, at first since construction, counts for this part.
+    void count(Part part);
+    /// It counts for none.
+    void skip() { last_ = Clock::now(); }
+
+    double milliseconds(Part part) const { return spent_[part]; }
+    /// What the plugin itself takes of a redraw: all but waiting for OpenGL.
+    double ownMilliseconds() const;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last_ = Clock::now();
+    std::array<double, part_count> spent_{};  // milliseconds
+};
