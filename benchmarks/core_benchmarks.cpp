@@ -133,7 +133,8 @@ void run_extract(benchmark::State& state, BenchmarkMesh& mesh, int threads,
 
 void run_naive(benchmark::State& state, BenchmarkMesh& mesh, bool contours) {
     const std::vector<View> views = orbit(mesh.mesh());
-    benchmarks::NaiveLines naive(mesh.mesh(),
+    const benchmarks::PlainMesh plain(mesh.mesh());
+    benchmarks::NaiveLines naive(plain,
                                  contours ? mesh.field().normals : mesh.field().laplacian_normals);
     std::vector<Eigen::Vector3f> points;
     std::size_t segments = 0;

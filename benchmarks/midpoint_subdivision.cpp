@@ -45,6 +45,7 @@ void subdivide(TriangleMesh& mesh, Field& field) {
             triangles.push_back(t);
     }
     mesh.triangles.swap(triangles);
+    field.scale.mean_edge /= 2;
 }
 
 }  // namespace benchmarks

@@ -7,25 +7,21 @@ namespace benchmarks {
 
 using namespace laplacian_lines;
 
-NaiveLines::NaiveLines(const TriangleMesh& mesh, const std::vector<Eigen::Vector3f>& vectors)
-    : vectors_(vectors), triangles_(mesh.triangles) {
-    for (const Eigen::Vector3d& p : mesh.positions)
-        positions_.push_back(p.cast<float>());
-    values_.resize(positions_.size());
-}
+NaiveLines::NaiveLines(const PlainMesh& mesh, const std::vector<Eigen::Vector3f>& vectors)
+    : mesh_(mesh), vectors_(vectors), values_(mesh.positions.size()) {}
 
 void NaiveLines::extract(const View& view, std::vector<Eigen::Vector3f>& segments) {
     segments.clear();
     const Eigen::Vector3f eye = view.eye.cast<float>();
     const float w = float(view.w);
     for (std::size_t v = 0; v < values_.size(); ++v)
-        values_[v] = vectors_[v].dot(eye - w * positions_[v]);
-    for (const Triangle& t : triangles_)
+        values_[v] = vectors_[v].dot(eye - w * mesh_.positions[v]);
+    for (const Triangle& t : mesh_.triangles)
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t a = t[k], b = t[(k + 1) % 3];
             if ((values_[a] < 0) == (values_[b] < 0)) continue;
             const float s = values_[a] / (values_[a] - values_[b]);
-            segments.push_back((1 - s) * positions_[a] + s * positions_[b]);
+            segments.push_back((1 - s) * mesh_.positions[a] + s * mesh_.positions[b]);
         }
 }
 

@@ -4,9 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "laplacian_lines/field.h"
-#include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
+#include "plain_mesh.h"
 
 namespace benchmarks {
 
@@ -14,15 +13,15 @@ namespace benchmarks {
 /// loop over the triangles, as loose segments. Nothing is filtered or traced.
 class NaiveLines {
 public:
-    NaiveLines(const laplacian_lines::TriangleMesh& mesh,
-               const std::vector<Eigen::Vector3f>& vectors);
+    /// Both have to outlive this object. `vectors` are Δn, or n, of the vertices.
+    NaiveLines(const PlainMesh& mesh, const std::vector<Eigen::Vector3f>& vectors);
 
     /// Replaces `segments` by pairs of points.
     void extract(const laplacian_lines::View& view, std::vector<Eigen::Vector3f>& segments);
 
 private:
-    std::vector<Eigen::Vector3f> positions_, vectors_;
-    std::vector<laplacian_lines::Triangle> triangles_;
+    const PlainMesh& mesh_;
+    const std::vector<Eigen::Vector3f>& vectors_;
     std::vector<float> values_;
 };
 

@@ -7,12 +7,8 @@ namespace benchmarks {
 
 using namespace laplacian_lines;
 
-NaiveTracing::NaiveTracing(const TriangleMesh& mesh, const std::vector<Eigen::Vector3f>& vectors)
-    : vectors_(vectors), triangles_(mesh.triangles) {
-    for (const Eigen::Vector3d& p : mesh.positions)
-        positions_.push_back(p.cast<float>());
-    values_.resize(positions_.size());
-}
+NaiveTracing::NaiveTracing(const PlainMesh& mesh, const std::vector<Eigen::Vector3f>& vectors)
+    : mesh_(mesh), vectors_(vectors), values_(mesh.positions.size()) {}
 
 std::uint32_t NaiveTracing::crossing(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
@@ -20,7 +16,7 @@ std::uint32_t NaiveTracing::crossing(std::uint32_t a, std::uint32_t b) {
                                                                std::uint32_t(crossings_.size()));
     if (is_new) {
         const float s = values_[low] / (values_[low] - values_[high]);
-        crossings_.push_back({(1 - s) * positions_[low] + s * positions_[high]});
+        crossings_.push_back({(1 - s) * mesh_.positions[low] + s * mesh_.positions[high]});
     }
     return found->second;
 }
@@ -46,8 +42,8 @@ void NaiveTracing::extract(const View& view, std::vector<Eigen::Vector3f>& point
     const Eigen::Vector3f eye = view.eye.cast<float>();
     const float w = float(view.w);
     for (std::size_t v = 0; v < values_.size(); ++v)
-        values_[v] = vectors_[v].dot(eye - w * positions_[v]);
-    for (const Triangle& t : triangles_) {
+        values_[v] = vectors_[v].dot(eye - w * mesh_.positions[v]);
+    for (const Triangle& t : mesh_.triangles) {
         std::uint32_t ends[2];
         int found = 0;
         for (int k = 0; k < 3; ++k) {

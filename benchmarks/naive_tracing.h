@@ -6,9 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "laplacian_lines/field.h"
-#include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
+#include "plain_mesh.h"
 
 namespace benchmarks {
 
@@ -16,8 +15,8 @@ namespace benchmarks {
 /// each found once an edge through a hash map and joined to lines. Nothing is filtered.
 class NaiveTracing {
 public:
-    NaiveTracing(const laplacian_lines::TriangleMesh& mesh,
-                 const std::vector<Eigen::Vector3f>& vectors);
+    /// Both have to outlive this object. `vectors` are the Δn of the vertices.
+    NaiveTracing(const PlainMesh& mesh, const std::vector<Eigen::Vector3f>& vectors);
 
     /// Replaces `points` by the lines' points and `starts` by the first point of each line.
     void extract(const laplacian_lines::View& view, std::vector<Eigen::Vector3f>& points,
@@ -34,8 +33,8 @@ private:
         bool visited = false;
     };
 
-    std::vector<Eigen::Vector3f> positions_, vectors_;
-    std::vector<laplacian_lines::Triangle> triangles_;
+    const PlainMesh& mesh_;
+    const std::vector<Eigen::Vector3f>& vectors_;
     std::vector<float> values_;
     std::unordered_map<std::uint64_t, std::uint32_t> crossing_of_edge_;
     std::vector<Crossing> crossings_;

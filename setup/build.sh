@@ -23,13 +23,13 @@ build_folder() {
     printf '%s\n' "${LAPLACIAN_LINES_BUILD:-$1/build}"
 }
 
-# configure CHECKOUT CMAKE_OPTIONS...
+# configure CHECKOUT CMAKE_OPTIONS...: without MESHLAB_SOURCE_DIR, as it was configured before or the core alone
 configure() {
     local checkout=$1 build
     shift
     build=$(build_folder "$checkout")
     quietly "$build/configure.log" cmake -S "$checkout" -B "$build" \
-        -DMESHLAB_SOURCE_DIR="$MESHLAB_SOURCE_DIR" "$@" || fail "cmake could not configure the build"
+        ${MESHLAB_SOURCE_DIR:+-DMESHLAB_SOURCE_DIR="$MESHLAB_SOURCE_DIR"} "$@" || fail "cmake could not configure the build"
 }
 
 # compile CHECKOUT TARGETS...: all targets when none is named

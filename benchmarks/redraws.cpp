@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "redraws.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "orbit.h"
+
+namespace benchmarks {
+
+using namespace laplacian_lines;
+
+namespace {
+
+const char* name_of(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::Avx512:
+            return "AVX-512";
+        case InstructionSet::Avx2:
+            return "AVX2";
+        default:
+            return "baseline x86-64";
+    }
+}
+
+/// Every zero, as the plain loops find them.
+LineStyle all_zeros(LineKind kind) {
+    LineStyle style;
+    style.gradient_threshold = style.strength_threshold = 0;
+    style.segment_slope = style.line_slope = style.line_smoothing = 0;
+    style.shortest_line = style.shortest_contour = 0;
+    style.reject_phantoms = style.single_strokes = style.ridges = style.borders = false;
+    style.least_facing = -1;
+    style.laplacian_lines = kind == LineKind::Laplacian;
+    style.contours = kind == LineKind::Contour;
+    return style;
+}
+
+}  // namespace
+
+Redraws::Redraws(const TriangleMesh& mesh, const Field& field)
+    : mesh_(mesh),
+      views_(orbit(mesh)),
+      best_(cluster_kernels().instruction_set),
+      plain_(mesh),
+      contours_(plain_, field.normals),
+      laplacian_(plain_, field.laplacian_normals),
+      traced_(plain_, field.laplacian_normals),
+      diagonal_(field.scale.diagonal) {
+    style_.ridges = style_.borders = false;
+    extractor_seconds_ =
+        seconds([&] { extractor_ = std::make_unique<LineExtractor>(mesh, field); });
+    curvature_seconds_ =
+        seconds([&] { suggestive_ = std::make_unique<SuggestiveContours>(plain_, field.normals); });
+    memory_.assign(std::max(plain_bytes(), extractor_->memory()) / sizeof(memory_[0]), 1);
+}
+
+Redraws::~Redraws() {
+    use_instruction_set(best_);
+    omp_set_num_threads(omp_get_num_procs());
+}
+
+Contender Redraws::extraction(const std::string& key, const std::string& text, InstructionSet set,
+                              int threads, const LineStyle& style) {
+    return {key, text, [this, set, threads, style](std::size_t view) {
+                use_instruction_set(set);
+                omp_set_num_threads(threads);
+                extractor_->extract(views_[view], style, scratch_, lines_);
+            }};
+}
+
+std::vector<Contender> Redraws::fast() {
+    std::vector<Contender> contenders = {extraction(
+        "lines", std::string("Laplacian lines and contours, ") + name_of(best_), best_, 1, style_)};
+    if (omp_get_num_procs() > 1)
+        contenders.push_back(
+            extraction("lines_two_threads", "the same on two threads", best_, 2, style_));
+    for (const auto& [set, key] : {std::pair{InstructionSet::Avx2, "lines_avx2"},
+                                   {InstructionSet::Baseline, "lines_baseline"}})
+        if (set != best_ && use_instruction_set(set))
+            contenders.push_back(
+                extraction(key, std::string("the same by ") + name_of(set), set, 1, style_));
+    contenders.push_back(
+        extraction("default_style", "the same with ridges and borders", best_, 1, LineStyle()));
+    return contenders;
+}
+
+std::vector<Contender> Redraws::plain() {
+    return {
+        {"plain_contours", "plain contours, not traced",
+         [this](std::size_t view) { contours_.extract(views_[view], points_); }},
+        {"suggestive_contours", "suggestive contours, not traced",
+         [this](std::size_t view) { suggestive_->extract(views_[view], points_); }},
+        {"plain_laplacian", "plain Laplacian lines, not traced",
+         [this](std::size_t view) { laplacian_.extract(views_[view], points_); }},
+        {"plain_laplacian_traced", "plain Laplacian lines, traced by a hash map",
+         [this](std::size_t view) { traced_.extract(views_[view], points_, starts_); }},
+    };
+}
+
+std::vector<Contender> Redraws::reading() {
+    return {
+        {"read_plain_mesh", "reading 16 bytes a vertex, 12 a triangle",
+         [this](std::size_t) { read(plain_bytes()); }},
+        {"read_extractor", "reading as many bytes as the extractor holds",
+         [this](std::size_t) { read(extractor_->memory()); }},
+    };
+}
+
+std::size_t Redraws::plain_bytes() const {
+    return 16 * mesh_.positions.size() + 12 * mesh_.triangles.size();
+}
+
+void Redraws::read(std::size_t bytes) {
+    const auto end = memory_.begin() + std::ptrdiff_t(bytes / sizeof(memory_[0]));
+    sum_ = std::accumulate(memory_.begin(), end, std::uint64_t(0));
+}
+
+void Redraws::check_zeros() {
+    check_zeros(LineKind::Contour, contours_);
+    check_zeros(LineKind::Laplacian, laplacian_);
+}
+
+void Redraws::check_zeros(LineKind kind, NaiveLines& plain) {
+    extractor_->extract(views_[0], all_zeros(kind), scratch_, lines_);
+    plain.extract(views_[0], points_);
+    double length = 0, expected = 0;
+    for (const Polyline& line : lines_.lines)
+        length += line.length;
+    for (std::size_t i = 1; i < points_.size(); i += 2)
+        expected += (points_[i] - points_[i - 1]).norm() / diagonal_;
+    if (std::abs(length - expected) > 1e-3 * expected)
+        throw std::runtime_error("the extractor finds zeros of a length of " +
+                                 std::to_string(length) + " D, the plain loop of " +
+                                 std::to_string(expected));
+}
+
+const LineSet& Redraws::lines(std::size_t view) {
+    extractor_->extract(views_[view], style_, scratch_, lines_);
+    return lines_;
+}
+
+Redraws::Crossings Redraws::crossings(std::size_t view) {
+    Crossings result;
+    laplacian_.extract(views_[view], points_);
+    result.laplacian = points_.size() / 2;
+    contours_.extract(views_[view], points_);
+    result.contour = points_.size() / 2;
+    suggestive_->extract(views_[view], points_);
+    result.suggestive = points_.size() / 2;
+    return result;
+}
+
+}  // namespace benchmarks
