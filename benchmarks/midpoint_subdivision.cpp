@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <unordered_map>
+#include <numeric>
+#include <vector>
 
 namespace benchmarks {
 
@@ -25,22 +26,53 @@ void add_vertex(TriangleMesh& mesh, Field& field, std::uint32_t a, std::uint32_t
     field.kernel_sizes.push_back((field.kernel_sizes[a] + field.kernel_sizes[b]) / 2);
 }
 
+/// The vertices in the middle of edges, by their ends; room for each edge is known beforehand,
+/// which is several times as fast as a hash map.
+class Middles {
+public:
+    explicit Middles(const TriangleMesh& mesh)
+        : first_(mesh.positions.size() + 1, 0), used_(mesh.positions.size(), 0) {
+        for (const Triangle& t : mesh.triangles)
+            for (int k = 0; k < 3; ++k)
+                ++first_[std::min(t[k], t[(k + 1) % 3]) + 1];
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        middles_.resize(first_.back());
+    }
+
+    /// Of the edge a, b; `make` returns a new one if there is none yet.
+    template <class Make>
+    std::uint32_t find(std::uint32_t a, std::uint32_t b, Make make) {
+        const auto [low, high] = std::minmax(a, b);
+        Middle* const begin = middles_.data() + first_[low];
+        Middle* const end = begin + used_[low];
+        for (Middle* m = begin; m != end; ++m)
+            if (m->high == high) return m->vertex;
+        ++used_[low];
+        *end = {high, make(low, high)};
+        return end->vertex;
+    }
+
+private:
+    struct Middle {
+        std::uint32_t high, vertex;
+    };
+    std::vector<std::uint32_t> first_, used_;  ///< by the lower end
+    std::vector<Middle> middles_;
+};
+
 }  // namespace
 
 void subdivide(TriangleMesh& mesh, Field& field) {
-    std::unordered_map<std::uint64_t, std::uint32_t> middles;
-    middles.reserve(3 * mesh.triangles.size() / 2);
-    const auto middle_of = [&](std::uint32_t a, std::uint32_t b) {
-        const auto [low, high] = std::minmax(a, b);
-        const auto [found, is_new] = middles.try_emplace(std::uint64_t(low) << 32 | high,
-                                                         std::uint32_t(mesh.positions.size()));
-        if (is_new) add_vertex(mesh, field, low, high);
-        return found->second;
+    Middles middles(mesh);
+    const auto make = [&](std::uint32_t a, std::uint32_t b) {
+        add_vertex(mesh, field, a, b);
+        return std::uint32_t(mesh.positions.size() - 1);
     };
     std::vector<Triangle> triangles;
     triangles.reserve(4 * mesh.triangles.size());
     for (const auto& [a, b, c] : mesh.triangles) {
-        const std::uint32_t ab = middle_of(a, b), bc = middle_of(b, c), ca = middle_of(c, a);
+        const std::uint32_t ab = middles.find(a, b, make), bc = middles.find(b, c, make),
+                            ca = middles.find(c, a, make);
         for (const Triangle& t : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
             triangles.push_back(t);
     }

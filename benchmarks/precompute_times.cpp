@@ -3,6 +3,8 @@
 
 #include <omp.h>
 
+#include <algorithm>
+
 #include "extraction_times.h"
 #include "laplacian_alone.h"
 #include "laplacian_lines/precompute.h"
@@ -46,14 +48,14 @@ void add_precompute(const TriangleMesh& mesh, double kernel_size, MeshFigures& f
     PrecomputeOptions options;
     options.kernel_size = kernel_size;
     Field field;
+    double peak = 0;
     const auto compute = [&](int threads) {
         omp_set_num_threads(threads);
         field = Field();  // or two would be in memory at the end
+        const PeakMemory memory;
         field = precompute(mesh, options);
+        peak = std::max(peak, memory.bytes());
     };
-    const PeakMemory memory;
-    compute(1);
-    const double peak = memory.bytes();
     time_alternately(mesh, "the whole field", "field", compute, figures);
     const double scale = kernel_size / field.scale.mean_edge;
     const LaplacianAlone laplacian(mesh);

@@ -39,21 +39,37 @@ commit_of() {
     git -C "$1" describe --always --dirty --abbrev=12 2>/dev/null || printf 'unknown\n'
 }
 
-# measure_models PROGRAM CHECKOUT JSON ARGS...: prints the table; JSON takes all figures, unless it is empty
-measure_models() {
-    local program=$1 checkout=$2 json=$3 work
+# measure_core PROGRAM COMMIT FILE ARGS...: prints the table; FILE takes all figures as JSON
+measure_core() {
+    local program=$1 commit=$2 file=$3
     shift 3
-    work=$(mktemp -d)
-    printf 'Commit %s; ' "$(commit_of "$checkout")"
-    "$program" --json "$work/core" "$@" || {
-        rm -rf "$work"
-        return 1
+    printf 'Commit %s; ' "$commit"
+    "$program" --json "$file" "$@" || fail "the table could not be made"
+}
+
+# measure_in_meshlab CHECKOUT MESH FILE: a table of what the plugins take there; FILE takes JSON, null if it is left out
+measure_in_meshlab() {
+    local checkout=$1 mesh=$2 file=$3 package
+    printf 'null\n' >"$file"
+    for package in meshlab xvfb; do
+        package_installed "$package" || {
+            say "left out: times in MeshLab, for the package $package is not installed"
+            return 0
+        }
+    done
+    say "measuring in MeshLab"
+    "$checkout/benchmarks/in_meshlab.sh" --json "$mesh" >"$file.part" || {
+        say "left out: times in MeshLab"
+        return 0
     }
-    if [[ -n $json ]]; then
-        printf '{"commit": "%s",\n"core": %s}\n' "$(commit_of "$checkout")" "$(<"$work/core")" >"$json" ||
-            fail "cannot write $json"
-    fi
-    rm -rf "$work"
+    mv "$file.part" "$file"
+    printf '\n| in MeshLab, %s | |\n|---|--:|\n' "$(basename "$mesh")"
+    grep -oE '"[a-z_]+": [0-9.]+' "$file" | sed -E 's/"([a-z_]+)_(m?s)": (.*)/| \1, \2 | \3 |/; s/_/ /g'
+}
+
+# join_figures COMMIT CORE IN_MESHLAB: one JSON object of files with JSON
+join_figures() {
+    printf '{"commit": "%s",\n"core": %s,\n"in_meshlab": %s}\n' "$1" "$(<"$2")" "$(<"$3")"
 }
 
 # count_instructions PROGRAM MESH: a table of the instructions of redraws
@@ -73,6 +89,6 @@ count_instructions() {
         /^totals: / { total[key] = substr($0, 9) }
         NF == 5 {
             printf "| %s | %.1f | %.0f | %.0f |\n", $2, total[$1] / $3 / 1e6, total[$1] / $3 / $4, total[$1] / $5
-        }' $(find "$work" -name 'dump*') "$work/redraws"
+        }' "$work"/dump* "$work/redraws"
     rm -rf "$work"
 }

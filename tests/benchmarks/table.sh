@@ -12,8 +12,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 write_bumpy_torus 60 30 >"$work/torus.ply"
-measure_models "$1" "$here/../.." "$work/report.json" --precompute --rounds 2 --subdivide 1 "$work/torus.ply" \
-    >"$work/table"
+measure_core "$1" 0123abcd "$work/core" --precompute --rounds 2 --subdivide 1 "$work/torus.ply" >"$work/table"
+printf '{"filter_s": 1}\n' >"$work/in_meshlab"
+join_figures 0123abcd "$work/core" "$work/in_meshlab" >"$work/report.json"
 cat "$work/table"
 grep -q '^| triangles | 3,600 | 14,400 |$' "$work/table" || fail "the table lacks a column"
 grep -qE '^\| suggestive contours, not traced \| [0-9.]+ \| [0-9.]+ \|$' "$work/table" || fail "the table lacks a row"
