@@ -67,6 +67,8 @@ void add_extraction(const TriangleMesh& mesh, const Field& field, Turns turns,
     std::vector<Contender> contenders = redraws.fast();
     append(contenders, redraws.plain());
     append(contenders, redraws.reading());
+    for (const Contender& c : contenders)
+        c.run(0);  // allocates, and finds what is found once
     turns.cases = redraws.view_count();
     figures.add(kCounts, "rounds", "rounds", take_turns(contenders, turns));
     for (const Contender& c : contenders) {
