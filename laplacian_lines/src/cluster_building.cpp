@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convexity.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -19,9 +21,10 @@ void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eig
 
 VertexRecord make_record(const LocalVertex& v) {
     const ShapeOperator& s = v.shape_operator;
+    const Eigen::Vector3f n = v.normal.cast<float>();
     return {{float(v.position.x()), float(v.position.y()), float(v.position.z())},
             v.slope_scale,
-            {{s.xx, s.xy, s.xz, 0}, {s.xy, s.yy, s.yz, 0}, {s.xz, s.yz, s.zz, 0}}};
+            {{s.xx, s.xy, s.xz, n.x()}, {s.xy, s.yy, s.yz, n.y()}, {s.xz, s.yz, s.zz, n.z()}}};
 }
 
 /// Writes centre and radius of a ball around a member of the values to four arrays, one float
@@ -149,6 +152,11 @@ void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
             triangle.neighbours[k] = neighbour(t, k, c);
         }
         triangle.number = std::uint8_t(i);
+        const auto convex = [&](std::uint8_t corner) {
+            return is_convex(values_[corner].shape_operator);
+        };
+        if (std::all_of(triangle.corners, triangle.corners + 3, convex))
+            cluster.convex[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
     }
 }
 

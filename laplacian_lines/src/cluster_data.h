@@ -20,12 +20,12 @@ constexpr unsigned kFormGroup = 16;  ///< vertices whose linear forms lie togeth
 constexpr unsigned kMaskGroup = 64;  ///< triangles whose corners lie together
 constexpr unsigned kCacheLine = 64;  ///< bytes
 
-/// Position and shape operator of a vertex in local coordinates x' = (x − centre)/D: one cache
-/// line, as rows of four.
+/// Position, shape operator and normal of a vertex in local coordinates x' = (x − centre)/D: one
+/// cache line, as rows of four.
 struct VertexRecord {
     float position[3];
     float slope_scale;           ///< h_e(p)^1.5
-    float shape_operator[3][4];  ///< columns of S·D, and a zero
+    float shape_operator[3][4];  ///< columns of S·D, each with a component of the normal
 };
 static_assert(sizeof(VertexRecord) == kCacheLine, "a vertex record is one cache line");
 
@@ -51,6 +51,8 @@ struct Cluster {
     std::uint32_t first_line;         ///< in units of kCacheLine
     std::uint32_t first_border_edge;  ///< in ClusterStore::border_edges
     std::uint8_t vertex_count, triangle_count;
+    /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex.
+    std::uint64_t convex[kClusterTriangles / kMaskGroup];
 };
 
 /// Offsets of the parts, in bytes.

@@ -42,6 +42,8 @@ struct Strip {
     float length, strength, slope;  ///< sums over segments; slope times length
 };
 
+constexpr unsigned kPointMargin = 3;
+
 /// Where a kernel appends. There must be place for kStripsOfBatch and kPointsOfBatch more.
 struct StripOutput {
     Strip* strips;
@@ -67,7 +69,6 @@ struct ActiveTriangle {
 struct SignedCluster {
     const Cluster* cluster;
     alignas(64) float values[2][kClusterVertices];  ///< ΔI and n·l, by StripKind
-    alignas(64) float lit[kClusterVertices];        ///< n·light, if the light is not at the eye
     unsigned count[2];
     alignas(64) ActiveTriangle active[2][kClusterTriangles];
 };
@@ -78,10 +79,11 @@ struct CrossingMemory {
     static constexpr unsigned kPlaces = kClusterCrossings + 48;
     alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends, negative first
     alignas(64) float share[kPlaces];                  ///< of the positive end, 0..1
-    alignas(64) float facing[kPlaces], lit[kPlaces];
+    alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye, n·light
     alignas(64) float x[kPlaces], y[kPlaces], z[kPlaces];
     alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];
-    alignas(64) float gradient[kPlaces], opacity[kPlaces];  ///< opacity < 0: refused
+    alignas(64) float gradient[kPlaces], opacity[kPlaces];
+    std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
     alignas(64) float points[kPlaces][4], gradients[kPlaces][4];
     alignas(64) std::uint8_t ends[kPlaces][2];
 };
@@ -109,8 +111,8 @@ struct KernelMemory {
     SegmentMemory segments;
 };
 
-/// The points of a line, a column for each number; with a place before the first and
-/// kColumnMargin places after the last. finish_line() may swap columns.
+/// The points of a line, a column for each number, on cache lines; with a place before the first
+/// and kColumnMargin places after the last. finish_line() may swap columns.
 struct LineColumns {
     float *x, *y, *z;  ///< local
     float* gradient;
@@ -139,6 +141,10 @@ struct ClusterKernels {
     void (*extract_strips)(const ClusterStore&, const ExtractionTask&,
                            const std::uint32_t* clusters, std::size_t count, KernelMemory&,
                            StripOutput outputs[2]);
+    /// Appends the points of a strip to a line's columns at a place, as `weight` their slopes.
+    /// Reads up to kPointMargin points more.
+    void (*append_points)(const StripPoint* points, std::uint32_t count, const LineColumns& columns,
+                          std::size_t place);
     /// Weights, opacities and smoothed positions of a line, written as LinePoint's six floats in
     /// mesh coordinates. Overwrites the columns.
     void (*finish_line)(const LineRules& rules, const LineSums& line, LineColumns& columns,

@@ -42,8 +42,8 @@ static void extract_strips(const ClusterStore& store, const ExtractionTask& task
 }  // namespace KERNEL_NAMESPACE
 
 extern const ClusterKernels KERNEL_TABLE;
-const ClusterKernels KERNEL_TABLE = {KERNEL_SET, KERNEL_NAMESPACE::cull,
-                                     KERNEL_NAMESPACE::extract_strips,
-                                     KERNEL_NAMESPACE::finish_line};
+const ClusterKernels KERNEL_TABLE = {
+    KERNEL_SET, KERNEL_NAMESPACE::cull, KERNEL_NAMESPACE::extract_strips,
+    KERNEL_NAMESPACE::append_points, KERNEL_NAMESPACE::finish_line};
 
 }  // namespace laplacian_lines

@@ -12,17 +12,6 @@
 namespace laplacian_lines {
 namespace KERNEL_NAMESPACE {
 
-static inline float absolute(float v) {
-    return __builtin_fabsf(v);
-}
-/// 0 for NaN.
-static inline float clamp01(float v) {
-    return v > 0 ? (v < 1 ? v : 1) : 0;
-}
-static inline float interpolate(float share, float below, float above) {
-    return (1 - share) * below + share * above;
-}
-
 /// Where crossings [0, count) are on their edges, from the values at the ends.
 static inline void find_shares(const float* values, CrossingMemory& m, std::size_t count) {
     count = whole_vectors(count);
@@ -30,34 +19,41 @@ static inline void find_shares(const float* values, CrossingMemory& m, std::size
         m.below[i] = values[m.ends[i][0]];
         m.above[i] = values[m.ends[i][1]];
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        const float below = absolute(m.below[i]), sum = below + absolute(m.above[i]);
-        const float share = below / sum;  // sum > 0: one side is negative
-        m.share[i] = sum <= FLT_MAX ? share : 0.5f;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Floats below = absolute(load(m.below + i));
+        const Floats sum = below + absolute(load(m.above + i));
+        const Floats share = below / sum;  // sum > 0: one side is negative
+        store(m.share + i, sum <= FLT_MAX ? share : Floats{} + 0.5f);
     }
 }
 
-static inline void interpolate_values(const float* values, CrossingMemory& m, std::size_t count,
-                                      float* result) {
-    count = whole_vectors(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        m.below[i] = values[m.ends[i][0]];
-        m.above[i] = values[m.ends[i][1]];
-    }
-    for (std::size_t i = 0; i < count; ++i)
-        result[i] = interpolate(m.share[i], m.below[i], m.above[i]);
+/// A point on an edge, and there S l and n·l in the last place, S and n interpolated.
+struct EdgePoint {
+    Float4 position, gradient;
+};
+static inline EdgePoint find_point(const VertexRecord& a, const VertexRecord& b, float share,
+                                   Float4 light, Float4 w) {
+#if defined(__AVX512F__)
+    const __m512 t = _mm512_set1_ps(share), s = _mm512_set1_ps(1 - share);
+    const __m512 rows = s * _mm512_load_ps(a.position) + t * _mm512_load_ps(b.position);
+    const Float4 position = _mm512_castps512_ps128(rows), l = light - w * position;
+    const __m512i places = _mm512_set_epi32(2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0);
+    const __m512 products = rows * _mm512_permutexvar_ps(places, _mm512_castps128_ps512(l));
+    return {position, _mm512_extractf32x4_ps(products, 1) + _mm512_extractf32x4_ps(products, 2) +
+                          _mm512_extractf32x4_ps(products, 3)};
+#else
+    const Float4 t = splat(share), s = splat(1 - share);
+    const auto row = [&](const float* of_a, const float* of_b) {
+        return s * load4(of_a) + t * load4(of_b);
+    };
+    const Float4 position = row(a.position, b.position), l = light - w * position;
+    return {position, row(a.shape_operator[0], b.shape_operator[0]) * splat<0>(l) +
+                          row(a.shape_operator[1], b.shape_operator[1]) * splat<1>(l) +
+                          row(a.shape_operator[2], b.shape_operator[2]) * splat<2>(l)};
+#endif
 }
 
-/// ∇I = S l of a vertex.
-static inline Float4 vertex_gradient(const VertexRecord& record, Float4 position, Float4 light,
-                                     Float4 w) {
-    const Float4 l = light - w * position;
-    return load4(record.shape_operator[0]) * splat<0>(l) +
-           load4(record.shape_operator[1]) * splat<1>(l) +
-           load4(record.shape_operator[2]) * splat<2>(l);
-}
-
-/// Positions and gradients of crossings [0, count), as rows and as columns.
+/// Positions, gradients and n·light of crossings [0, count), as rows and as columns.
 static inline void find_points(const VertexRecord* records, const float eye_of_light[4],
                                CrossingMemory& m, std::size_t count) {
     const Float4 light = {eye_of_light[0], eye_of_light[1], eye_of_light[2], 0};
@@ -65,67 +61,77 @@ static inline void find_points(const VertexRecord* records, const float eye_of_l
     for (std::size_t i = 0; i < count; i += 4) {
         Float4 points[4], gradients[4];
         for (unsigned k = 0; k < 4; ++k) {
-            const VertexRecord &a = records[m.ends[i + k][0]], &b = records[m.ends[i + k][1]];
-            const Float4 pa = load4(a.position), pb = load4(b.position);
-            const Float4 t = splat(m.share[i + k]), s = splat(1.f) - t;
-            points[k] = s * pa + t * pb;
-            gradients[k] =
-                s * vertex_gradient(a, pa, light, w) + t * vertex_gradient(b, pb, light, w);
-            store4(m.points[i + k], points[k]);
-            store4(m.gradients[i + k], gradients[k]);
+            const EdgePoint found = find_point(records[m.ends[i + k][0]], records[m.ends[i + k][1]],
+                                               m.share[i + k], light, w);
+            store4(m.points[i + k], points[k] = found.position);
+            store4(m.gradients[i + k], gradients[k] = found.gradient);
         }
         transpose(points);
         transpose(gradients);
         store_columns(points, m.x + i, m.y + i, m.z + i);
         store_columns(gradients, m.gx + i, m.gy + i, m.gz + i);
+        store_row(gradients[3], m.lit + i);
     }
-    count = whole_vectors(count);
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Floats x = load(m.gx + i), y = load(m.gy + i), z = load(m.gz + i);
+        store(m.gradient + i, square_root(x * x + y * y + z * z));
+    }
+}
+
+/// n·eye of crossings [0, count), where the light is elsewhere.
+static inline void find_facing(const VertexRecord* records, const float eye[4], CrossingMemory& m,
+                               std::size_t count) {
+    const Float4 e = {eye[0], eye[1], eye[2], 0}, w = splat(eye[3]);
     for (std::size_t i = 0; i < count; ++i)
-        m.gradient[i] = __builtin_sqrtf(m.gx[i] * m.gx[i] + m.gy[i] * m.gy[i] + m.gz[i] * m.gz[i]);
+        m.facing[i] =
+            find_point(records[m.ends[i][0]], records[m.ends[i][1]], m.share[i], e, w).gradient[3];
 }
 
-/// Refuses crossings with a gradient or facing below the thresholds.
-static inline void apply_thresholds(const LineRules& rules, const float eye[4], CrossingMemory& m,
-                                    std::size_t count) {
-    count = whole_vectors(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float x = eye[0] - eye[3] * m.x[i], y = eye[1] - eye[3] * m.y[i],
-                    z = eye[2] - eye[3] * m.z[i];
-        const float distance = __builtin_sqrtf(x * x + y * y + z * z);
-        const float steep = m.gradient[i] >= rules.least_gradient ? 1.f : -1.f;
-        m.opacity[i] = m.facing[i] >= rules.least_facing * distance ? steep : -1.f;
-    }
+/// From crossings [i, i + kLanes) to an eye or light, and the square of the distance.
+struct Towards {
+    Floats x, y, z, squared;
+};
+static inline Towards towards(const float eye[4], const CrossingMemory& m, std::size_t i) {
+    const Floats x = eye[0] - eye[3] * load(m.x + i), y = eye[1] - eye[3] * load(m.y + i),
+                 z = eye[2] - eye[3] * load(m.z + i);
+    return {x, y, z, x * x + y * y + z * z};
 }
 
-/// Fades crossings that would double a contour. To first order the contour is I/‖∇I‖ away on the
-/// surface, which is seen at half the crossing's cosine on the way there.
-static inline void fade_near_contours(float clearance, CrossingMemory& m, std::size_t count) {
-    count = whole_vectors(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float distance = m.facing[i] * absolute(m.facing[i]) / (2 * m.gradient[i]);
-        const float faded = m.opacity[i] * clamp01(2 * distance / clearance - 1);
-        m.opacity[i] = m.opacity[i] < 0 ? -1.f : faded;
-    }
-}
-
-/// Refuses crossings where the surface is convex and fades in from there. The measure is the cosine
-/// between −∇I and the tangential part w of the light vector l: −l·Sl/(‖w‖‖Sl‖), with ∇I = Sl.
-/// `lit` is n·l.
-static inline void keep_concave(float fading, const float light[4], const float* lit,
-                                CrossingMemory& m, std::size_t count) {
-    const float least = -fading / 4, range = fading / 2 - least;
-    count = whole_vectors(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float x = light[0] - light[3] * m.x[i], y = light[1] - light[3] * m.y[i],
-                    z = light[2] - light[3] * m.z[i];
-        const float squared = x * x + y * y + z * z - lit[i] * lit[i];
-        const float tangential = __builtin_sqrtf(squared > 0 ? squared : 0);
-        const float product = x * m.gx[i] + y * m.gy[i] + z * m.gz[i];
-        const float concavity = -product / (tangential * m.gradient[i]);
-        const float faded = range > 0 ? clamp01((concavity - least) / range) : 1.f;
-        // Not so for NaN, too: nothing to see from above.
-        const float before = m.opacity[i], after = before < 0 ? -1.f : before * faded;
-        m.opacity[i] = concavity > least ? after : -1.f;
+/// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
+/// fading near contours, and concavity. `facing` is n·eye.
+static inline void test_crossings(const LineRules& rules, const ExtractionTask& task,
+                                  const float* facings, CrossingMemory& m, std::size_t count) {
+    const float least = -rules.fading / 4, range = rules.fading / 2 - least;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Floats facing = load(facings + i), gradient = load(m.gradient + i);
+        const Towards eye = towards(task.eye, m, i);
+        Ints accepted = (gradient >= rules.least_gradient) &
+                        (facing >= rules.least_facing * square_root(eye.squared));
+        Floats opacity = Floats{} + 1;
+        if (rules.contour_clearance > 0) {
+            // To first order the contour is I/‖∇I‖ away on the surface, which is seen at half the
+            // crossing's cosine on the way there.
+            const Floats distance = facing * absolute(facing) / (2 * gradient);
+            opacity = clamp01(2 * distance / rules.contour_clearance - 1);
+        }
+        if (rules.concave_only) {
+            // The cosine between −∇I and the tangential part w of the light vector l:
+            // −l·Sl/(‖w‖‖Sl‖), with ∇I = Sl.
+            const Towards light = task.light_at_eye ? eye : towards(task.light, m, i);
+            const Floats lit = load(m.lit + i);
+            const Floats tangential = square_root(at_least(light.squared - lit * lit, 0));
+            const Floats product =
+                light.x * load(m.gx + i) + light.y * load(m.gy + i) + light.z * load(m.gz + i);
+            const Floats concavity = -product / (tangential * gradient);
+            if (range > 0) opacity *= clamp01((concavity - least) / range);
+            accepted &= concavity > least;  // not so for NaN: nothing to see from above
+        }
+        store(m.opacity + i, opacity);
+        const std::uint64_t bits = bits_of(accepted);
+        if (i % 64 == 0)
+            m.accepted[i / 64] = bits;
+        else
+            m.accepted[i / 64] |= bits << i % 64;
     }
 }
 
@@ -139,18 +145,12 @@ static inline void find_crossings(const VertexRecord* records, const ExtractionT
     find_shares(signs.values[kind], m, count);
     find_points(records, task.light, m, count);
     if (kind == kContourStrips) {
-        count = whole_vectors(count);
-        for (std::size_t i = 0; i < count; ++i)
-            m.opacity[i] = 1;
+        for (std::size_t i = 0; i < count; i += kLanes)
+            store(m.opacity + i, Floats{} + 1);
         return;
     }
-    const LineRules& rules = task.rules[kind];
-    interpolate_values(signs.values[kContourStrips], m, count, m.facing);
-    apply_thresholds(rules, task.eye, m, count);
-    if (rules.contour_clearance > 0) fade_near_contours(rules.contour_clearance, m, count);
-    if (!rules.concave_only) return;
-    if (!task.light_at_eye) interpolate_values(signs.lit, m, count, m.lit);
-    keep_concave(rules.fading, task.light, task.light_at_eye ? m.facing : m.lit, m, count);
+    if (!task.light_at_eye) find_facing(records, task.eye, m, count);
+    test_crossings(task.rules[kind], task, task.light_at_eye ? m.lit : m.facing, m, count);
 }
 
 }  // namespace KERNEL_NAMESPACE

@@ -14,6 +14,9 @@ constexpr int kTaperingPasses = 2;  // slopes of neighbouring triangles differ v
 static inline float within01(float v) {
     return v < 0 ? 0 : v > 1 ? 1 : v;
 }
+static inline Floats within01(Floats v) {
+    return v < 0 ? Floats{} : v > 1 ? Floats{} + 1 : v;
+}
 
 /// 0 at the threshold, 1 at (1 + fading) times it; 1 where there is no threshold.
 static inline float above(float value, float threshold, float fading) {
@@ -46,8 +49,10 @@ static inline float* smooth(float* values, float* spare, std::size_t count, bool
         }
         const float* from = values;
         float* to = spare;
-        for (std::size_t i = 0; i < places; ++i)
-            to[i] = (from[std::ptrdiff_t(i) - 1] + 2 * from[i] + from[i + 1]) / 4;
+        for (std::size_t i = 0; i < places; i += kLanes)
+            store(to + i,
+                  (load_anywhere(from + i - 1) + 2 * load(from + i) + load_anywhere(from + i + 1)) /
+                      4);
         spare = values;
         values = to;
     }
@@ -59,8 +64,8 @@ static inline void slopes_to_means(std::size_t count, bool closed, float* weight
     const std::size_t last = count - 1;
     weights[0] = closed ? weights[last] : weights[1];
     weights[count] = closed ? weights[1] : weights[last];
-    for (std::size_t i = 0; i < whole_vectors(count); ++i)
-        spare[i] = (weights[i] + weights[i + 1]) / 2;
+    for (std::size_t i = 0; i < count; i += kLanes)
+        store(spare + i, (load(weights + i) + load_anywhere(weights + i + 1)) / 2);
 }
 
 /// Lets open ends run out over `length`; `step` leads from the end to the inside.
@@ -85,11 +90,11 @@ static inline void taper(const LineRules& rules, std::size_t count, bool closed,
     slopes_to_means(count, closed, c.weight, c.spare);
     float* slopes = c.spare;
     const float range = rules.segment_slope * rules.fading;
-    for (std::size_t i = 0; i < whole_vectors(count); ++i) {
-        const float over = slopes[i] - rules.segment_slope;
-        const float faded = range > 0 ? within01(over / range) : 1.f;
-        c.opacity[i] *= whole * faded;
-        c.weight[i] = within01(over / rules.full_slope);
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Floats over = load(slopes + i) - rules.segment_slope;
+        const Floats faded = range > 0 ? within01(over / range) : Floats{} + 1;
+        store(c.opacity + i, load(c.opacity + i) * (whole * faded));
+        store(c.weight + i, within01(over / rules.full_slope));
     }
     const auto smooth_column = [&](float*& column) {
         float* result = smooth(column, c.spare, count, closed, LineEnd::Repeated, kTaperingPasses);
@@ -107,21 +112,63 @@ static inline void taper(const LineRules& rules, std::size_t count, bool closed,
     }
 }
 
+/// Rows of six numbers, as StripPoint and LinePoint are, to columns and back; four rows at a time,
+/// so that up to three more than `count` are read and columns written.
+static inline void rows_to_columns(const float* rows, std::size_t count, float* const columns[6]) {
+    for (std::size_t i = 0; i < count; i += 4, rows += 24) {
+        Float4 first[4], last[4];
+        for (unsigned k = 0; k < 4; ++k) {
+            __builtin_memcpy(&first[k], rows + 6 * k, sizeof(Float4));
+            __builtin_memcpy(&last[k], rows + 6 * k + 2, sizeof(Float4));
+        }
+        transpose(first);
+        transpose(last);
+        for (unsigned k = 0; k < 4; ++k)
+            store_row(first[k], columns[k] + i);
+        store_row(last[2], columns[4] + i);
+        store_row(last[3], columns[5] + i);
+    }
+}
+
+static inline void columns_to_rows(const float* const columns[6], std::size_t count, float* rows) {
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4, rows += 24) {
+        Float4 first[4], last[4];
+        for (unsigned k = 0; k < 4; ++k)
+            __builtin_memcpy(&first[k], columns[k] + i, sizeof(Float4));
+        __builtin_memcpy(&last[0], columns[4] + i, sizeof(Float4));
+        __builtin_memcpy(&last[1], columns[5] + i, sizeof(Float4));
+        last[2] = last[3] = Float4{};
+        transpose(first);
+        transpose(last);
+        for (unsigned k = 0; k < 4; ++k) {
+            store_row(first[k], rows + 6 * k);
+            __builtin_memcpy(rows + 6 * k + 4, &last[k], 2 * sizeof(float));
+        }
+    }
+    for (; i < count; ++i, rows += 6)
+        for (unsigned k = 0; k < 6; ++k)
+            rows[k] = columns[k][i];
+}
+
+static void append_points(const StripPoint* points, std::uint32_t count, const LineColumns& c,
+                          std::size_t place) {
+    float* const columns[6] = {c.x + place,        c.y + place,      c.z + place,
+                               c.gradient + place, c.weight + place, c.opacity + place};
+    rows_to_columns(points->position, count, columns);
+}
+
 /// Columns to points in mesh coordinates.
 static inline void write_points(const LineColumns& c, std::size_t count, const double centre[3],
                                 double diagonal, float* points) {
-    float* const columns[3] = {c.x, c.y, c.z};
+    float* const positions[3] = {c.x, c.y, c.z};
     for (int k = 0; k < 3; ++k)
-        for (std::size_t i = 0; i < whole_vectors(count); ++i)
-            columns[k][i] = float(centre[k] + diagonal * double(columns[k][i]));
-    for (std::size_t i = 0; i < count; ++i, points += 6) {
-        points[0] = c.x[i];
-        points[1] = c.y[i];
-        points[2] = c.z[i];
-        points[3] = c.weight[i];
-        points[4] = c.gradient[i];
-        points[5] = c.opacity[i];
-    }
+        for (std::size_t i = 0; i < count; i += kLanes) {
+            const Doubles local = __builtin_convertvector(load(positions[k] + i), Doubles);
+            store(positions[k] + i, __builtin_convertvector(centre[k] + diagonal * local, Floats));
+        }
+    const float* const columns[6] = {c.x, c.y, c.z, c.weight, c.gradient, c.opacity};
+    columns_to_rows(columns, count, points);
 }
 
 static void finish_line(const LineRules& rules, const LineSums& line, LineColumns& c,
@@ -137,8 +184,10 @@ static void finish_line(const LineRules& rules, const LineSums& line, LineColumn
         const float least = by_slope < by_length ? by_slope : by_length;
         taper(rules, count, closed, least < by_strength ? least : by_strength, c);
     } else {
-        for (std::size_t i = 0; i < whole_vectors(count); ++i)
-            c.weight[i] = c.opacity[i] = 1;
+        for (std::size_t i = 0; i < count; i += kLanes) {
+            store(c.weight + i, Floats{} + 1);
+            store(c.opacity + i, Floats{} + 1);
+        }
     }
     for (float** column : {&c.x, &c.y, &c.z}) {
         float* result =

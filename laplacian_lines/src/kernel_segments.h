@@ -37,10 +37,15 @@ static inline unsigned list_crossings(const ActiveTriangle* active, unsigned cou
 /// Leaves out segments with a refused crossing; returns how many are left.
 static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, unsigned count) {
     unsigned kept = 0;
-    for (unsigned i = 0; i < count; ++i) {
-        s.triangle[kept] = std::uint8_t(i);
-        s.begin[kept] = s.begin[i];
-        kept += (m.opacity[i] >= 0) & (m.opacity[s.begin[i]] >= 0);
+    for (unsigned first = 0; first < count; first += 64) {
+        std::uint64_t ends = m.accepted[first / 64];
+        if (count - first < 64) ends &= ~(~std::uint64_t(0) << (count - first));
+        for (; ends; ends &= ends - 1) {
+            const unsigned i = first + unsigned(__builtin_ctzll(ends)), begin = s.begin[i];
+            s.triangle[kept] = std::uint8_t(i);
+            s.begin[kept] = std::uint16_t(begin);
+            kept += m.accepted[begin / 64] >> begin % 64 & 1;
+        }
     }
     for (unsigned i = kept; i < kept + kLanes; ++i)  // something valid
         s.triangle[i] = s.begin[i] = 0;
@@ -57,9 +62,11 @@ static inline void measure_segments(const CrossingMemory& m, SegmentMemory& s, s
         s.dz[i] = m.z[b] - m.z[a];
         s.gradient[i] = m.gradient[a] + m.gradient[b];
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        s.length[i] = __builtin_sqrtf(s.dx[i] * s.dx[i] + s.dy[i] * s.dy[i] + s.dz[i] * s.dz[i]);
-        s.strength[i] = s.gradient[i] / 2 * s.length[i];
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Floats x = load(s.dx + i), y = load(s.dy + i), z = load(s.dz + i);
+        const Floats length = square_root(x * x + y * y + z * z);
+        store(s.length + i, length);
+        store(s.strength + i, load(s.gradient + i) / 2 * length);
     }
 }
 
@@ -97,21 +104,22 @@ static inline void collect_corners(const VertexRecord* records, const SignedClus
 /// there (edge) or smallest (phantom). Refused segments get the slope −1.
 static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::size_t count) {
     const float largest_product = rules.reject_phantoms ? 0 : FLT_MAX;
-    count = whole_vectors(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float ux = s.ux[i], uy = s.uy[i], uz = s.uz[i];
-        const float vx = s.vx[i], vy = s.vy[i], vz = s.vz[i];
-        const float nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Floats ux = load(s.ux + i), uy = load(s.uy + i), uz = load(s.uz + i);
+        const Floats vx = load(s.vx + i), vy = load(s.vy + i), vz = load(s.vz + i);
+        const Floats nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
         // ∇f of the linear interpolant: (fu·(v × N) + fv·(N × u)) / |N|², N = u × v.
-        const float fu = s.fu[i], fv = s.fv[i], squared = nx * nx + ny * ny + nz * nz;
-        const float x = fu * (vy * nz - vz * ny) + fv * (ny * uz - nz * uy);
-        const float y = fu * (vz * nx - vx * nz) + fv * (nz * ux - nx * uz);
-        const float z = fu * (vx * ny - vy * nx) + fv * (nx * uy - ny * ux);
-        const float steepness = __builtin_sqrtf(x * x + y * y + z * z) / squared;
-        const float slope = steepness * (s.scale[i] / 3);
-        const float product = x * s.gx[i] + y * s.gy[i] + z * s.gz[i];
-        const float kept = product <= largest_product ? slope : -1.f;
-        s.slope[i] = slope >= rules.segment_slope ? kept : -1.f;  // also for a sliver's NaN
+        const Floats fu = load(s.fu + i), fv = load(s.fv + i);
+        const Floats squared = nx * nx + ny * ny + nz * nz;
+        const Floats x = fu * (vy * nz - vz * ny) + fv * (ny * uz - nz * uy);
+        const Floats y = fu * (vz * nx - vx * nz) + fv * (nz * ux - nx * uz);
+        const Floats z = fu * (vx * ny - vy * nx) + fv * (nx * uy - ny * ux);
+        const Floats steepness = square_root(x * x + y * y + z * z) / squared;
+        const Floats slope = steepness * (load(s.scale + i) / 3);
+        const Floats product = x * load(s.gx + i) + y * load(s.gy + i) + z * load(s.gz + i);
+        // Not so for a sliver's NaN, too.
+        const Ints kept = (slope >= rules.segment_slope) & (product <= largest_product);
+        store(s.slope + i, kept ? slope : Floats{} - 1);
     }
 }
 

@@ -16,9 +16,10 @@ static inline void evaluate(const float* forms, unsigned groups, const float eye
                             float* values) {
     const float ex = eye[0], ey = eye[1], ez = eye[2], w = eye[3];
     for (unsigned g = 0; g < groups; ++g, forms += 4 * kFormGroup, values += kFormGroup)
-        for (unsigned i = 0; i < kFormGroup; ++i)
-            values[i] = forms[i] * ex + forms[kFormGroup + i] * ey +
-                        forms[2 * kFormGroup + i] * ez - w * forms[3 * kFormGroup + i];
+        for (unsigned i = 0; i < kFormGroup; i += kLanes)
+            store(values + i, load(forms + i) * ex + load(forms + kFormGroup + i) * ey +
+                                  load(forms + 2 * kFormGroup + i) * ez -
+                                  w * load(forms + 3 * kFormGroup + i));
 }
 
 /// The cross term that the paper's derivation loses. Places that are left over repeat the last
@@ -132,8 +133,6 @@ static inline bool find_active(const unsigned char* memory, const ExtractionTask
     }
     const bool mixed_laplacian = laplacian.any && !laplacian.all;
     if (!mixed_contour && !mixed_laplacian) return false;
-    if (mixed_laplacian && !task.light_at_eye)
-        evaluate(reinterpret_cast<const float*>(memory), groups, task.light, signs.lit);
 
     const unsigned char* corners = memory + layout.corners;
     const auto* triangles = reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles);
@@ -148,9 +147,13 @@ static inline bool find_active(const unsigned char* memory, const ExtractionTask
                 list_active(mixed, n, triangles, records, signs.active[kind], signs.count[kind]);
         };
         if (mixed_contour) list(contour, kContourStrips, 0);
-        if (mixed_laplacian)
-            list(laplacian, kLaplacianStrips,
-                 away.any ? lookup[0](away.bits) & lookup[1](away.bits) & lookup[2](away.bits) : 0);
+        if (mixed_laplacian) {
+            std::uint64_t unwanted =
+                task.rules[kLaplacianStrips].leave_out_convex ? cluster.convex[g] : 0;
+            if (away.any)
+                unwanted |= lookup[0](away.bits) & lookup[1](away.bits) & lookup[2](away.bits);
+            list(laplacian, kLaplacianStrips, unwanted);
+        }
         corners += 3 * kMaskGroup;
         triangles += kMaskGroup;
     }

@@ -15,14 +15,79 @@ namespace KERNEL_NAMESPACE {
 
 #if defined(__AVX512F__)
 constexpr unsigned kLanes = 16;
-#else
+#elif defined(__AVX__)
 constexpr unsigned kLanes = 8;
+#else
+constexpr unsigned kLanes = 4;
 #endif
 
 /// `count` rounded up to whole vectors: loops over so many places need no code for a rest, which
 /// would run more often than that for whole vectors, since clusters hold short lists.
 static inline std::size_t whole_vectors(std::size_t count) {
     return (count + kLanes - 1) & ~std::size_t(kLanes - 1);
+}
+
+// ---- whole vectors ----
+// Loops are written with these, since compilers vectorize the plain ones only if nothing in them is
+// in their way, and tell nobody.
+
+typedef float Floats __attribute__((vector_size(4 * kLanes)));
+typedef std::int32_t Ints __attribute__((vector_size(4 * kLanes)));  ///< masks: 0 or -1
+
+typedef double Doubles __attribute__((vector_size(8 * kLanes)));
+
+static inline Floats load(const float* p) {  // aligned
+    return *reinterpret_cast<const Floats*>(p);
+}
+static inline Floats load_anywhere(const float* p) {
+    Floats v;
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
+static inline void store(float* p, Floats v) {  // aligned
+    *reinterpret_cast<Floats*>(p) = v;
+}
+static inline Floats square_root(Floats v) {
+#if defined(__AVX512F__)
+    return _mm512_sqrt_ps(v);
+#elif defined(__AVX__)
+    return _mm256_sqrt_ps(v);
+#elif defined(__SSE2__)
+    return _mm_sqrt_ps(v);
+#else
+    for (unsigned i = 0; i < kLanes; ++i)
+        v[i] = __builtin_sqrtf(v[i]);
+    return v;
+#endif
+}
+static inline Floats absolute(Floats v) {
+    return (Floats)((Ints)v & 0x7fffffff);
+}
+/// The bound for NaN.
+static inline Floats at_least(Floats v, float bound) {
+    return v > bound ? v : Floats{} + bound;
+}
+static inline Floats at_most(Floats v, float bound) {
+    return v < bound ? v : Floats{} + bound;
+}
+/// 0 for NaN.
+static inline Floats clamp01(Floats v) {
+    return at_most(at_least(v, 0), 1);
+}
+/// Bit i: mask of lane i.
+static inline unsigned bits_of(Ints mask) {
+#if defined(__AVX512DQ__)
+    return _mm512_movepi32_mask((__m512i)mask);
+#elif defined(__AVX__)
+    return unsigned(_mm256_movemask_ps((__m256)mask));
+#elif defined(__SSE2__)
+    return unsigned(_mm_movemask_ps((__m128)mask));
+#else
+    unsigned bits = 0;
+    for (unsigned i = 0; i < kLanes; ++i)
+        bits |= unsigned(mask[i] != 0) << i;
+    return bits;
+#endif
 }
 
 // ---- rows of four numbers ----
@@ -70,21 +135,8 @@ static inline void store_columns(const Float4 columns[3], float* x, float* y, fl
 /// Bit i: values[i] < bound, for kFormGroup values.
 static inline unsigned mask_below(const float* values, float bound) {
     unsigned mask = 0;
-#if defined(__AVX512F__)
-    mask = _mm512_cmp_ps_mask(_mm512_load_ps(values), _mm512_set1_ps(bound), _CMP_LT_OQ);
-#elif defined(__AVX__)
-    for (unsigned i = 0; i < 16; i += 8)
-        mask |= unsigned(_mm256_movemask_ps(
-                    _mm256_cmp_ps(_mm256_load_ps(values + i), _mm256_set1_ps(bound), _CMP_LT_OQ)))
-                << i;
-#elif defined(__SSE2__)
-    for (unsigned i = 0; i < 16; i += 4)
-        mask |= unsigned(_mm_movemask_ps(_mm_cmplt_ps(_mm_load_ps(values + i), _mm_set1_ps(bound))))
-                << i;
-#else
-    for (unsigned i = 0; i < 16; ++i)
-        mask |= unsigned(values[i] < bound) << i;
-#endif
+    for (unsigned i = 0; i < kFormGroup; i += kLanes)
+        mask |= bits_of(load(values + i) < bound) << i;
     return mask;
 }
 

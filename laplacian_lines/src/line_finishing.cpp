@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "cluster_kernels.h"
 
@@ -12,18 +13,30 @@ namespace {
 
 constexpr std::uint32_t kLeastParallelPoints = 4000;
 constexpr std::size_t kColumns = 7;
+constexpr std::uint32_t kStripsAhead = 4;
 static_assert(sizeof(LinePoint) == 6 * sizeof(float), "finish_line() writes six floats a point");
 
-/// Room for the columns of a line of up to `count` points. Columns begin on cache lines apart from
-/// the place before them.
+/// Floats of a column for a line of up to `count` points: whole cache lines, one of them before the
+/// first point.
+constexpr std::size_t kFloatsOfLine = kCacheLine / sizeof(float);
 std::size_t column_size(std::uint32_t count) {
-    return (count + 1 + kColumnMargin + 15) / 16 * 16;
+    return (count + kColumnMargin + 2 * kFloatsOfLine - 1) / kFloatsOfLine * kFloatsOfLine;
 }
 
 LineColumns make_columns(std::vector<float>& memory, std::size_t size) {
-    float* first = memory.data() + 1;
+    void* begin = memory.data();
+    std::size_t bytes = memory.size() * sizeof(float);
+    std::align(kCacheLine, kColumns * size * sizeof(float), begin, bytes);
+    float* first = static_cast<float*>(begin) + kFloatsOfLine;
     const auto column = [&](std::size_t i) { return first + i * size; };
     return {column(0), column(1), column(2), column(3), column(4), column(5), column(6)};
+}
+
+/// Asks for a strip that will be copied soon: strips of a line come from all over the memory.
+void prefetch_points(const JoinedStrip& strip) {
+    const char* begin = reinterpret_cast<const char*>(strip.points);
+    for (std::size_t i = 0; i < strip.count * sizeof(StripPoint); i += kCacheLine)
+        __builtin_prefetch(begin + i);
 }
 
 void set_point(const LineColumns& c, std::size_t i, const StripPoint& p, float slope) {
@@ -39,19 +52,20 @@ void set_point(const LineColumns& c, std::size_t i, const StripPoint& p, float s
 void collect_points(const TracedLines& traced, const TracedLines::Line& line,
                     const LineColumns& columns) {
     std::size_t place = 0;
+    const std::uint32_t* ends = traced.ends.data() + line.first_end;
     for (std::uint32_t i = 0; i < line.end_count; ++i) {
-        const std::uint32_t end = traced.ends[line.first_end + i];
-        const JoinedStrip& strip = line.strips[end / 2];
-        const StripPoint* points = strip.points;
+        if (i + kStripsAhead < line.end_count)
+            prefetch_points(line.strips[ends[i + kStripsAhead] / 2]);
+        const JoinedStrip& strip = line.strips[ends[i] / 2];
         const std::uint32_t last = strip.count - 1;
-        if (end % 2 == 0) {
-            if (i == 0) set_point(columns, place++, points[0], 0);
-            for (std::uint32_t k = 1; k <= last; ++k)
-                set_point(columns, place++, points[k], points[k].slope);
+        if (ends[i] % 2 == 0) {
+            if (i == 0) set_point(columns, place++, strip.points[0], 0);
+            cluster_kernels().append_points(strip.points + 1, last, columns, place);
+            place += last;
         } else {  // backwards
-            if (i == 0) set_point(columns, place++, points[last], 0);
+            if (i == 0) set_point(columns, place++, strip.points[last], 0);
             for (std::uint32_t k = last; k > 0; --k)
-                set_point(columns, place++, points[k - 1], points[k].slope);
+                set_point(columns, place++, strip.points[k - 1], strip.points[k].slope);
         }
     }
 }
@@ -69,7 +83,8 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
     const int threads = traced.point_count < kLeastParallelPoints ? 1 : omp_get_max_threads();
     if (memory.size() < std::size_t(threads)) memory.resize(std::size_t(threads));
     for (std::vector<float>& columns : memory)
-        if (columns.size() < kColumns * size) columns.resize(kColumns * size);
+        if (columns.size() < kColumns * size + kFloatsOfLine)
+            columns.resize(kColumns * size + kFloatsOfLine);
     const auto count = std::int64_t(traced.lines.size());
 #pragma omp parallel for schedule(dynamic, 4) num_threads(threads) if (threads > 1)
     for (std::int64_t i = 0; i < count; ++i) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "convexity.h"
 #include "laplacian_lines/line_set.h"
 #include "laplacian_lines/line_style.h"
 
@@ -25,6 +26,7 @@ LineRules laplacian_rules(const LineStyle& s) {
     rules.least_facing = float(s.least_facing);
     rules.reject_phantoms = s.reject_phantoms;
     rules.concave_only = s.single_strokes;
+    rules.leave_out_convex = s.single_strokes && s.fading <= kMostFadingOfConvex;
     rules.use_slope = true;
     rules.segment_slope = float(factor * s.segment_slope);
     rules.line_slope = float(factor * s.line_slope);

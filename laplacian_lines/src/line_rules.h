@@ -19,6 +19,9 @@ struct LineRules {
     float least_facing = kAnything;    ///< n·l/|l|
     bool reject_phantoms = false;
     bool concave_only = false;
+    /// Nothing in triangles with is_convex() at all corners, where concave_only would accept
+    /// crossings at most near n ∥ l, the middle of the lit side.
+    bool leave_out_convex = false;
     bool use_slope = false;  ///< false: no slopes are computed or tested, lines have full width
     float segment_slope = 0, line_slope = 0, full_slope = 1;
     float least_strength = kAnything;

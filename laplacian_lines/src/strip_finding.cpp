@@ -17,8 +17,8 @@ constexpr std::size_t kLeastParallelChunks = 2;
 void reserve_batch(ThreadStrips& s) {
     if (s.strips.size() < s.strip_count + kStripsOfBatch)
         s.strips.resize(s.strip_count + s.strip_count / 2 + kStripsOfBatch);
-    if (s.points.size() < s.point_count + kPointsOfBatch)
-        s.points.resize(s.point_count + s.point_count / 2 + kPointsOfBatch);
+    if (s.points.size() < s.point_count + kPointsOfBatch + kPointMargin)
+        s.points.resize(s.point_count + s.point_count / 2 + kPointsOfBatch + kPointMargin);
 }
 
 void find_batch(const ClusterStore& store, const ExtractionTask& task,
@@ -60,8 +60,8 @@ void even_out(FoundStrips& found) {
             ThreadStrips& s = thread.strips[kind];
             if (s.strips.size() < strips + kStripsOfBatch)
                 s.strips.resize(strips + strips / 4 + kStripsOfBatch);
-            if (s.points.size() < points + kPointsOfBatch)
-                s.points.resize(points + points / 4 + kPointsOfBatch);
+            if (s.points.size() < points + kPointsOfBatch + kPointMargin)
+                s.points.resize(points + points / 4 + kPointsOfBatch + kPointMargin);
         }
     }
 }

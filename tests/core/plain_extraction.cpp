@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "convexity.h"
 #include "line_rules.h"
 #include "plain_finishing.h"
 #include "prepared_mesh.h"
@@ -40,9 +41,18 @@ struct Vertex {
     Eigen::Vector3f position;
     ShapeOperator shape_operator;
     float slope_scale;
-    Eigen::Vector3f gradient;            // ∇I
-    float laplacian, illumination, lit;  // ΔI, n·l of the eye and of the light
+    Eigen::Vector3f normal;
+    float laplacian, illumination;  // ΔI, n·l
 };
+
+ShapeOperator interpolate(float t, const ShapeOperator& a, const ShapeOperator& b) {
+    const auto between = [&](float ShapeOperator::*entry) {
+        return (1 - t) * a.*entry + t * b.*entry;
+    };
+    using S = ShapeOperator;
+    return {between(&S::xx), between(&S::yy), between(&S::zz),
+            between(&S::yz), between(&S::xz), between(&S::xy)};
+}
 
 /// v·(e − w p), from v and v·p.
 float linear_form(const Eigen::Vector3d& v, const Eigen::Vector3d& p, const Eye& eye) {
@@ -99,10 +109,8 @@ private:
         vertex.position = p.cast<float>();
         vertex.shape_operator = {s.xx * f, s.yy * f, s.zz * f, s.yz * f, s.xz * f, s.xy * f};
         vertex.slope_scale = float(std::pow(size * size + sigma * sigma / 2, 1.5));
-        vertex.gradient = vertex.shape_operator * light_.towards(vertex.position);
-        const Eigen::Vector3d n = field.normals[v].cast<double>();
-        vertex.illumination = linear_form(n, p, eye_);
-        vertex.lit = linear_form(n, p, light_);
+        vertex.normal = field.normals[v];
+        vertex.illumination = linear_form(vertex.normal.cast<double>(), p, eye_);
         vertex.laplacian =
             linear_form(field.laplacian_normals[v].cast<double>() * d * d, p, light_);
         if (exact_point_light) vertex.laplacian -= light_.w * vertex.shape_operator.trace();
@@ -119,13 +127,15 @@ private:
         const float t = std::isfinite(sum) ? fa / sum : 0.5f;
         Crossing c;
         c.position = (1 - t) * a.position + t * b.position;
-        c.gradient = (1 - t) * a.gradient + t * b.gradient;
+        const Eigen::Vector3f l = light_.towards(c.position);
+        const Eigen::Vector3f normal = (1 - t) * a.normal + t * b.normal;
+        c.gradient = interpolate(t, a.shape_operator, b.shape_operator) * l;
         c.gradient_norm = std::sqrt(dot(c.gradient, c.gradient));
         c.opacity = 1;
         c.accepted = true;
         if (rules.kind == LineKind::Contour) return c;
-        const float facing = (1 - t) * a.illumination + t * b.illumination;
         const Eigen::Vector3f towards_eye = eye_.towards(c.position);
+        const float facing = dot(normal, towards_eye);
         c.accepted = c.gradient_norm >= rules.least_gradient &&
                      facing >= rules.least_facing * std::sqrt(dot(towards_eye, towards_eye));
         if (rules.contour_clearance > 0) {
@@ -135,8 +145,7 @@ private:
                             : 0;
         }
         if (rules.concave_only) {
-            const float lit = (1 - t) * a.lit + t * b.lit;
-            const Eigen::Vector3f l = light_.towards(c.position);
+            const float lit = dot(normal, l);
             const float tangential = std::sqrt(std::max(dot(l, l) - lit * lit, 0.f));
             const float concavity = -dot(l, c.gradient) / (tangential * c.gradient_norm);
             const float begin = -rules.fading / 4, range = rules.fading / 2 - begin;
@@ -169,6 +178,9 @@ private:
             const Eigen::Vector3f n = u.cross(v);
             const float fu = value(above) - value(below), fv = value(third) - value(below);
             const Eigen::Vector3f steepest = fu * v.cross(n) + fv * n.cross(u);
+            if (rules.leave_out_convex && is_convex(a.shape_operator) &&
+                is_convex(b.shape_operator) && is_convex(c.shape_operator))
+                return;
             slope = std::sqrt(dot(steepest, steepest)) / dot(n, n) *
                     ((a.slope_scale + b.slope_scale + c.slope_scale) / 3);
             if (!(slope >= rules.segment_slope)) return;
