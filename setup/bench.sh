@@ -85,8 +85,8 @@ count_instructions() {
     }
     printf '| instructions | a redraw, millions | a vertex | a triangle with a crossing |\n|---|--:|--:|--:|\n'
     awk -F '\t' '
-        /^desc: Trigger: Client Request: / { key = substr($0, 34) }
-        /^totals: / { total[key] = substr($0, 9) }
+        sub(/^desc: Trigger: Client Request: /, "") { key = $0 }
+        sub(/^totals: /, "") { total[key] = $0 }
         NF == 5 {
             printf "| %s | %.1f | %.0f | %.0f |\n", $2, total[$1] / $3 / 1e6, total[$1] / $3 / $4, total[$1] / $5
         }' "$work"/dump* "$work/redraws"
