@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// extraction_instructions MESH
-// What ./bench --instructions runs in callgrind: redraws of the mesh for some eyes, by the
-// extractor and by the plain ways. One dump for each of them, named after it. Prints, for each, the
-// number of redraws, of vertices, and of triangles that lines of the functions pass in all redraws.
+// extraction_instructions --prepare FILE MESH: writes the mesh and its field
+// extraction_instructions FILE
+// What ./bench --instructions runs, the latter in callgrind: redraws of the mesh for some eyes, by
+// the extractor and by the plain ways. One dump for each of them, named after it. Prints, for each,
+// the number of redraws, of vertices, and of triangles that lines of the functions pass in all
+// redraws. Apart, since valgrind takes minutes for the sums of the field.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
+#include <fstream>
+#include <stdexcept>
 
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
@@ -17,6 +21,49 @@ using namespace benchmarks;
 using namespace laplacian_lines;
 
 constexpr std::size_t kEveryEye = 5;  // of the orbit
+
+/// What redraws need, written and read in the same order by Archive.
+template <class Archive>
+void transfer(Archive&& archive, TriangleMesh& mesh, Field& field) {
+    archive(mesh.positions);
+    archive(mesh.triangles);
+    archive(field.normals);
+    archive(field.laplacian_normals);
+    archive(field.shape_operators);
+    archive(field.kernel_sizes);
+    std::vector<FieldScale> scale = {field.scale};
+    archive(scale);
+    field.scale = scale.at(0);
+}
+
+void prepare(const std::string& file, const std::string& mesh_file) {
+    std::ofstream out(file, std::ios::binary);
+    TriangleMesh mesh = test_meshes::read_mesh(mesh_file);
+    Field field = precompute(mesh);
+    transfer(
+        [&](const auto& values) {
+            const std::size_t count = values.size();
+            out.write(reinterpret_cast<const char*>(&count), sizeof count);
+            out.write(reinterpret_cast<const char*>(values.data()),
+                      std::streamsize(count * sizeof values[0]));
+        },
+        mesh, field);
+    if (!out.flush()) throw std::runtime_error("cannot write " + file);
+}
+
+void read(const std::string& file, TriangleMesh& mesh, Field& field) {
+    std::ifstream in(file, std::ios::binary);
+    transfer(
+        [&](auto& values) {
+            std::size_t count = 0;
+            in.read(reinterpret_cast<char*>(&count), sizeof count);
+            values.resize(count);
+            in.read(reinterpret_cast<char*>(values.data()),
+                    std::streamsize(count * sizeof values[0]));
+            if (!in) throw std::runtime_error("cannot read " + file);
+        },
+        mesh, field);
+}
 
 std::size_t passed_triangles(const std::string& key, const Redraws::Crossings& crossings) {
     if (key.find("plain_laplacian") == 0) return crossings.laplacian;
@@ -40,21 +87,30 @@ void count(const Contender& contender, Redraws& redraws, std::size_t vertices) {
                 vertices, triangles);
 }
 
+void count_all(const std::string& file) {
+    TriangleMesh mesh;
+    Field field;
+    read(file, mesh, field);
+    Redraws redraws(mesh, field);
+    for (const auto& contenders : {redraws.fast(), redraws.plain()})
+        for (const Contender& contender : contenders)
+            if (contender.key != "lines_two_threads")
+                count(contender, redraws, mesh.positions.size());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fprintf(stderr, "extraction_instructions MESH\n");
+    const bool preparing = argc == 4 && argv[1] == std::string("--prepare");
+    if (!preparing && argc != 2) {
+        std::fprintf(stderr, "extraction_instructions [--prepare FILE MESH | FILE]\n");
         return 2;
     }
     try {
-        const TriangleMesh mesh = test_meshes::read_mesh(argv[1]);
-        const Field field = precompute(mesh);
-        Redraws redraws(mesh, field);
-        for (const auto& contenders : {redraws.fast(), redraws.plain()})
-            for (const Contender& contender : contenders)
-                if (contender.key != "lines_two_threads")
-                    count(contender, redraws, mesh.positions.size());
+        if (preparing)
+            prepare(argv[2], argv[3]);
+        else
+            count_all(argv[1]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "extraction_instructions: %s\n", error.what());
         return 1;

@@ -76,9 +76,12 @@ join_figures() {
 count_instructions() {
     local program=$1 mesh=$2 work
     work=$(mktemp -d)
-    say "counting instructions in callgrind: some minutes"
-    OMP_NUM_THREADS=1 valgrind --tool=callgrind --instr-atstart=no --callgrind-out-file="$work/dump" \
-        "$program" "$mesh" >"$work/redraws" 2>"$work/log" || {
+    say "counting instructions in callgrind: a minute"
+    {
+        "$program" --prepare "$work/mesh" "$mesh" &&
+            valgrind --tool=callgrind --instr-atstart=no --callgrind-out-file="$work/dump" \
+                "$program" "$work/mesh"
+    } >"$work/redraws" 2>"$work/log" || {
         tail -n 5 "$work/log" >&2
         rm -rf "$work"
         fail "the instructions could not be counted"
