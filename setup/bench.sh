@@ -43,7 +43,7 @@ commit_of() {
 measure_core() {
     local program=$1 commit=$2 file=$3
     shift 3
-    printf 'Commit %s; ' "$commit"
+    printf 'Commit %s\n' "$commit"
     "$program" --json "$file" "$@" || fail "the table could not be made"
 }
 

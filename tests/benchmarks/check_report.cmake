@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -D REPORT=FILE -P check_report.cmake: what ./bench --json has written is JSON and holds the figures.
+# cmake -D REPORT=FILE [-D IN_MESHLAB=ON] -P check_report.cmake: what ./bench --json has written is JSON and holds the
+# figures of one mesh, or those in MeshLab.
 cmake_minimum_required(VERSION 3.19)
 
 file(READ "${REPORT}" report)
@@ -11,33 +12,32 @@ function(expect_positive)
   endif()
 endfunction()
 
+expect_positive(core machine processors)
+if(IN_MESHLAB)
+  expect_positive(in_meshlab filter_s)
+  return()
+endif()
+
 foreach(key commit "core;compiler" "core;machine;processor")
   string(JSON value GET "${report}" ${key})
 endforeach()
-expect_positive(core machine processors)
-expect_positive(in_meshlab filter_s)
 string(JSON meshes LENGTH "${report}" core meshes)
-if(NOT meshes EQUAL 2)
-  message(FATAL_ERROR "${meshes} meshes instead of 2")
+if(NOT meshes EQUAL 1)
+  message(FATAL_ERROR "${meshes} meshes instead of 1")
 endif()
-foreach(mesh 0 1)
-  foreach(section extraction_ms extraction_median_ms)
-    foreach(key lines default_style plain_contours suggestive_contours plain_laplacian plain_laplacian_traced
-            read_plain_mesh read_extractor)
-      expect_positive(core meshes ${mesh} ${section} ${key})
-    endforeach()
+
+# expect_figures SECTION KEY...
+function(expect_figures section)
+  foreach(key ${ARGN})
+    expect_positive(core meshes 0 ${section} ${key})
   endforeach()
-  foreach(key field laplacian plain_sum extractor curvature_derivatives)
-    expect_positive(core meshes ${mesh} building_s ${key})
-  endforeach()
-  foreach(key extractor field)
-    expect_positive(core meshes ${mesh} memory ${key})
-  endforeach()
-  foreach(key lines_to_contours lines_to_suggestive lines_to_traced lines_to_reading)
-    expect_positive(core meshes ${mesh} ratios ${key})
-  endforeach()
-  foreach(key rounds lines segments)
-    expect_positive(core meshes ${mesh} counts ${key})
-  endforeach()
+endfunction()
+
+foreach(section extraction_ms extraction_median_ms)
+  expect_figures(${section} lines default_style plain_contours suggestive_contours plain_laplacian
+    plain_laplacian_traced read_plain_mesh read_extractor)
 endforeach()
-string(JSON growth GET "${report}" core meshes 1 growth lines)
+expect_figures(building_s field laplacian plain_sum extractor curvature_derivatives)
+expect_figures(memory extractor field)
+expect_figures(ratios lines_to_contours lines_to_suggestive lines_to_traced lines_to_reading)
+expect_figures(counts rounds lines segments)
