@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "cluster_sides.h"
+#include "parallel.h"
 
 #include "convexity.h"
 
 namespace laplacian_lines {
 namespace {
-
-constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// Writes a vector v at p as the linear form of place i.
 void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eigen::Vector3d& p) {
@@ -48,53 +50,55 @@ void write_ball(const std::vector<LocalVertex>& values, Eigen::Vector3d LocalVer
 }  // namespace
 
 ClusterBuilder::ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data)
-    : mesh_(mesh),
-      field_(field),
-      data_(data),
-      sides_(find_sides(mesh, edge_count_)),
-      ranges_(partition(mesh, sides_, order_)),
-      place_(mesh.triangles.size()),
-      border_number_(edge_count_, kNone),
-      local_of_vertex_(mesh.size(), kNone) {
-    for (const ClusterRange& r : ranges_)  // in the input's order, which often has some sense
-        std::sort(order_.begin() + r.begin, order_.begin() + r.end);
-    for (std::uint32_t i = 0; i < order_.size(); ++i)
-        place_[order_[i]] = i;
+    : mesh_(mesh), field_(field), data_(data), partition_(partition(mesh)) {
+    data_.border_edge_count = link_clusters(mesh, partition_);
+    data_.vertex_count = std::uint32_t(mesh.size());
 }
 
 void ClusterBuilder::build() {
     data_.allocate(lay_out());
-    for (std::size_t c = 0; c < ranges_.size(); ++c) {
-        unsigned char* memory =
-            data_.memory_of_clusters.get() + data_.clusters[c].first_line * std::size_t(kCacheLine);
-        number_vertices(c);
-        write_triangles(c, memory);
-        write_vertices(c, memory);
-        write_bounds(c);
-    }
+    in_parallel<Values>(partition_.ranges.size(),
+                        [&](std::size_t c, Values& values) { write_cluster(c, values); });
 }
 
 std::size_t ClusterBuilder::lay_out() {
-    data_.clusters.resize(ranges_.size());
-    data_.vertex_count = std::uint32_t(mesh_.size());
-    std::vector<std::uint32_t>& vertices = data_.vertices_of_clusters;
-    std::size_t lines = 0;
-    for (std::size_t c = 0; c < ranges_.size(); ++c) {
-        first_vertex_.push_back(vertices.size());
-        for (std::uint32_t i = ranges_[c].begin; i < ranges_[c].end; ++i)
-            for (std::uint32_t v : mesh_.triangles[order_[i]])
-                if (local_of_vertex_[v] != c) {  // the cluster that had it last
-                    local_of_vertex_[v] = std::uint32_t(c);
-                    vertices.push_back(v);
-                }
+    const std::size_t clusters = partition_.ranges.size();
+    data_.clusters.resize(clusters);
+    std::vector<std::uint32_t> shared_edges(clusters);
+    in_parallel<NoScratch>(clusters, [&](std::size_t c, NoScratch&) {
+        const auto sides = partition_.across.begin();
+        const ClusterRange& range = partition_.ranges[c];
+        shared_edges[c] =
+            std::uint32_t(std::count_if(sides + 3 * std::size_t(range.begin),
+                                        sides + 3 * std::size_t(range.end), is_shared_edge));
+    });
+    std::size_t lines = 0, vertices = 0, edges = 0;
+    for (std::size_t c = 0; c < clusters; ++c) {
+        const ClusterRange& range = partition_.ranges[c];
         Cluster& cluster = data_.clusters[c];
         cluster.first_line = std::uint32_t(lines);
-        cluster.vertex_count = std::uint8_t(vertices.size() - first_vertex_[c]);
-        cluster.triangle_count = std::uint8_t(ranges_[c].end - ranges_[c].begin);
+        cluster.first_border_edge = std::uint32_t(edges);
+        cluster.vertex_count = std::uint8_t(range.vertex_count);
+        cluster.triangle_count = std::uint8_t(range.end - range.begin);
+        first_vertex_.push_back(vertices);
         lines += cluster_layout(cluster).end / kCacheLine;
+        vertices += range.vertex_count;
+        edges += shared_edges[c];
     }
-    vertices.shrink_to_fit();
+    data_.vertices_of_clusters.resize(vertices);
+    data_.border_edges.resize(edges);
     return lines * kCacheLine;
+}
+
+void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
+    const Cluster& cluster = data_.clusters[c];
+    unsigned char* memory =
+        data_.memory_of_clusters.get() + cluster.first_line * std::size_t(kCacheLine);
+    std::memset(memory, 0, cluster_layout(cluster).end);
+    list_vertices(c, values);
+    write_triangles(c, memory);
+    write_vertices(c, values, memory);
+    write_bounds(c, values);
 }
 
 LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
@@ -106,50 +110,47 @@ LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
     // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
     const FieldScale& scale = field_.scale;
     const double sigma = scale.normal_sigma / d * (size / (scale.kernel_size / scale.diagonal));
+    const double squared_effective = size * size + sigma * sigma / 2;  // h_e
     return {mesh_.positions[prepared],
             field_.normals[v].cast<double>(),
             field_.laplacian_normals[v].cast<double>() * d * d,
             {s.xx * f, s.yy * f, s.zz * f, s.yz * f, s.xz * f, s.xy * f},
-            float(std::pow(size * size + sigma * sigma / 2, 1.5))};
+            float(squared_effective * std::sqrt(squared_effective))};
 }
 
-void ClusterBuilder::number_vertices(std::size_t c) {
-    values_.clear();
-    for (std::uint32_t i = 0; i < data_.clusters[c].vertex_count; ++i) {
-        const std::uint32_t v = data_.vertices_of_clusters[first_vertex_[c] + i];
-        local_of_vertex_[v] = i;
-        values_.push_back(local_vertex(v));
-    }
-}
-
-std::uint8_t ClusterBuilder::neighbour(std::uint32_t triangle, int side, std::size_t c) {
-    const TriangleSides& sides = sides_[triangle];
-    const std::uint32_t other = sides.neighbours[side];
-    if (other == TriangleSides::kNone) return kNoNeighbour;
-    const std::uint32_t place = place_[other];
-    if (!sides.reversed[side] && place >= ranges_[c].begin && place < ranges_[c].end)
-        return std::uint8_t(place - ranges_[c].begin);
-    std::uint32_t& number = border_number_[sides.edges[side]];
-    if (number == kNone) number = data_.border_edge_count++;
-    data_.border_edges.push_back(number);
-    const Cluster& cluster = data_.clusters[c];
-    return std::uint8_t(cluster.triangle_count + data_.border_edges.size() - 1 -
-                        cluster.first_border_edge);
+void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
+    const ClusterRange& range = partition_.ranges[c];
+    std::uint32_t* vertices = data_.vertices_of_clusters.data() + first_vertex_[c];
+    for (std::uint32_t p = range.begin; p < range.end; ++p)
+        for (std::size_t k = 0; k < 3; ++k)
+            vertices[partition_.corners[3 * std::size_t(p) + k]] =
+                mesh_.triangles[partition_.order[p]][k];
+    values.clear();
+    for (std::uint32_t i = 0; i < range.vertex_count; ++i)
+        values.push_back(local_vertex(vertices[i]));
 }
 
 void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
-    Cluster& cluster = data_.clusters[c];
-    cluster.first_border_edge = std::uint32_t(data_.border_edges.size());
+    const Cluster& cluster = data_.clusters[c];
     const ClusterLayout layout = cluster_layout(cluster);
     auto* triangles = reinterpret_cast<ClusterTriangle*>(memory + layout.triangles);
+    std::uint32_t* edges = data_.border_edges.data() + cluster.first_border_edge;
+    unsigned edge_count = 0;
+    const std::size_t first_side = 3 * std::size_t(partition_.ranges[c].begin);
+    const auto neighbour = [&](std::uint32_t across) {
+        if (across >= Partition::kMany) return kNoNeighbour;
+        if (!is_shared_edge(across)) return std::uint8_t((across - first_side) / 3);
+        edges[edge_count] = across - kSharedEdge;
+        return std::uint8_t(cluster.triangle_count + edge_count++);
+    };
     for (unsigned i = 0; i < cluster.triangle_count; ++i) {
-        const std::uint32_t t = order_[ranges_[c].begin + i];
         ClusterTriangle& triangle = triangles[i];
         unsigned char* corners = memory + layout.corners + i / kMaskGroup * 3 * kMaskGroup;
-        for (int k = 0; k < 3; ++k) {
-            const auto local = std::uint8_t(local_of_vertex_[mesh_.triangles[t][std::size_t(k)]]);
-            corners[unsigned(k) * kMaskGroup + i % kMaskGroup] = triangle.corners[k] = local;
-            triangle.neighbours[k] = neighbour(t, k, c);
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::size_t side = first_side + 3 * i + k;
+            triangle.corners[k] = partition_.corners[side];
+            corners[k * kMaskGroup + i % kMaskGroup] = triangle.corners[k];
+            triangle.neighbours[k] = neighbour(partition_.across[side]);
         }
         triangle.number = std::uint8_t(i);
         const auto convex = [&](std::uint8_t corner) {
@@ -160,27 +161,28 @@ void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
     }
 }
 
-void ClusterBuilder::write_vertices(std::size_t c, unsigned char* memory) {
+void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
+                                    unsigned char* memory) const {
     const Cluster& cluster = data_.clusters[c];
     const ClusterLayout layout = cluster_layout(cluster);
     auto* normals = reinterpret_cast<float*>(memory);
     auto* laplacians = reinterpret_cast<float*>(memory + layout.laplacians);
     auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
-    for (std::size_t i = 0; i < values_.size(); ++i)
-        records[i] = make_record(values_[i]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        records[i] = make_record(values[i]);
     // The places that are left over repeat the last vertex, which changes no "all" or "any".
     for (std::size_t i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
-        const LocalVertex& v = values_[std::min(i, values_.size() - 1)];
+        const LocalVertex& v = values[std::min(i, values.size() - 1)];
         write_form(normals, i, v.normal, v.position);
         write_form(laplacians, i, v.laplacian, v.position);
     }
 }
 
-void ClusterBuilder::write_bounds(std::size_t c) {
+void ClusterBuilder::write_bounds(std::size_t c, const Values& values) {
     const std::size_t stride = data_.padded_cluster_count();
     float* out = data_.bounds.data() + c;
     for (auto member : {&LocalVertex::position, &LocalVertex::normal, &LocalVertex::laplacian}) {
-        write_ball(values_, member, out, stride);
+        write_ball(values, member, out, stride);
         out += 4 * stride;
     }
 }

@@ -13,7 +13,8 @@ struct LocalVertex {
     float slope_scale;                            ///< h_e(p)^1.5
 };
 
-/// Writes the clusters of a mesh into `data`, whose centre and diagonal are set.
+/// Writes the clusters of a mesh into `data`, whose centre and diagonal are set. The number of
+/// threads does not matter.
 class ClusterBuilder {
 public:
     ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data);
@@ -21,28 +22,23 @@ public:
     void build();
 
 private:
-    /// Lists each cluster's vertices and finds where its memory begins. Returns the bytes needed.
+    using Values = std::vector<LocalVertex>;  // of a cluster's vertices
+
+    /// Finds where the parts of each cluster begin. Returns the bytes that clusters need.
     std::size_t lay_out();
+    void write_cluster(std::size_t cluster, Values& values);
     LocalVertex local_vertex(std::uint32_t v) const;
-    void number_vertices(std::size_t cluster);
-    /// What ClusterTriangle::neighbours has for a side of a triangle of a cluster.
-    std::uint8_t neighbour(std::uint32_t triangle, int side, std::size_t cluster);
+    /// Lists the cluster's vertices with their values.
+    void list_vertices(std::size_t cluster, Values& values);
     void write_triangles(std::size_t cluster, unsigned char* memory);
-    void write_vertices(std::size_t cluster, unsigned char* memory);
-    void write_bounds(std::size_t cluster);
+    void write_vertices(std::size_t cluster, const Values& values, unsigned char* memory) const;
+    void write_bounds(std::size_t cluster, const Values& values);
 
     const PreparedMesh& mesh_;
     const Field& field_;
     ExtractorData& data_;
-    std::size_t edge_count_ = 0;
-    const std::vector<TriangleSides> sides_;
-    std::vector<std::uint32_t> order_;  // of the triangles, by cluster
-    std::vector<ClusterRange> ranges_;
-    std::vector<std::uint32_t> place_;            // of triangles in the order
-    std::vector<std::size_t> first_vertex_;       // of each cluster in data_
-    std::vector<std::uint32_t> border_number_;    // of edges, given one after the other
-    std::vector<std::uint32_t> local_of_vertex_;  // while a cluster is written
-    std::vector<LocalVertex> values_;             // of the cluster's vertices
+    Partition partition_;
+    std::vector<std::size_t> first_vertex_;  // of each cluster in data_
 };
 
 }  // namespace laplacian_lines

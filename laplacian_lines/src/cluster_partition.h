@@ -8,25 +8,28 @@
 
 namespace laplacian_lines {
 
-/// What is across the sides of a triangle; side k goes from corner k to the next.
-struct TriangleSides {
-    static constexpr std::uint32_t kNone = 0xffffffffu;
-    std::uint32_t edges[3];       ///< numbers of the undirected edges
-    std::uint32_t neighbours[3];  ///< triangle, kNone unless exactly two triangles share the edge
-    bool reversed[3];             ///< the neighbour has the opposite orientation
-};
-
-std::vector<TriangleSides> find_sides(const PreparedMesh& mesh, std::size_t& edge_count);
-
 /// Triangles of a cluster: order[begin..end).
 struct ClusterRange {
     std::uint32_t begin, end;
+    std::uint32_t vertex_count;
+};
+
+/// A mesh cut into clusters. A triangle's place is its number in `order`. Side k of the triangle at
+/// place p, from its corner k to the next, has the number 3 p + k.
+struct Partition {
+    static constexpr std::uint32_t kNobody = 0xffffffffu;
+    static constexpr std::uint32_t kMany = 0xfffffffeu;
+
+    std::vector<std::uint32_t> order;  ///< triangles by cluster, ascending within each
+    std::vector<ClusterRange> ranges;
+    std::vector<std::uint8_t> corners;  ///< [3 p + k]: the corner's number in its cluster
+    /// [side]: the other side of its edge within the cluster, kNobody if there is none and kMany if
+    /// there are several.
+    std::vector<std::uint32_t> across;
 };
 
 /// Cuts the mesh into pieces that are compact in space and keep within the limits of
-/// cluster_data.h, whatever the topology. `order` becomes a permutation of the triangles.
-std::vector<ClusterRange> partition(const PreparedMesh& mesh,
-                                    const std::vector<TriangleSides>& sides,
-                                    std::vector<std::uint32_t>& order);
+/// cluster_data.h, whatever the topology. The number of threads does not matter.
+Partition partition(const PreparedMesh& mesh);
 
 }  // namespace laplacian_lines

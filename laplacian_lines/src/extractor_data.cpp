@@ -30,15 +30,15 @@ void ExtractorData::Free::operator()(unsigned char* memory) const {
     std::free(memory);
 }
 
-void ExtractorData::allocate(std::size_t size) {
-    const std::size_t alignment = size < kHugePage ? kCacheLine : kHugePage;
-    size = (size + alignment - 1) / alignment * alignment;
+void ExtractorData::allocate(std::size_t bytes) {
+    const std::size_t alignment = bytes < kHugePage ? kCacheLine : kHugePage;
+    const std::size_t size = (bytes + alignment - 1) / alignment * alignment;
     memory_of_clusters.reset(static_cast<unsigned char*>(std::aligned_alloc(alignment, size)));
     if (!memory_of_clusters) throw std::bad_alloc();
 #ifdef __linux__
     madvise(memory_of_clusters.get(), size, MADV_HUGEPAGE);  // no harm if it fails
 #endif
-    std::memset(memory_of_clusters.get(), 0, size);
+    std::memset(memory_of_clusters.get() + bytes, 0, size - bytes);
     bytes_of_clusters = size;
     bounds.assign(kBounds * padded_cluster_count(), 0);
 }
@@ -71,12 +71,11 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field)
         field.shape_operators.size() != n || field.kernel_sizes.size() != n)
         throw Error(ErrorCode::FieldMismatch,
                     "The Laplacian lines field belongs to another mesh; compute it again.");
-    const PreparedMesh prepared = prepare_mesh(mesh);
+    const PreparedMesh prepared = prepare_geometry(mesh);
     ExtractorData data;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
     ClusterBuilder(prepared, field, data).build();
-    data.border_edges.shrink_to_fit();
     return data;
 }
 

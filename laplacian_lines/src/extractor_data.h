@@ -30,7 +30,7 @@ struct ExtractorData {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     double diagonal = 1;                               ///< D, mesh units
 
-    /// Memory for the clusters, aligned to cache lines, zero; and for their bounds.
+    /// Memory for the clusters, aligned to cache lines, for the builder to fill, and for their bounds.
     /// @throws std::bad_alloc
     void allocate(std::size_t bytes);
     std::size_t padded_cluster_count() const;  ///< to whole groups of kFormGroup

@@ -86,4 +86,19 @@ void in_parallel(std::size_t count, Body body) {
 
 struct NoScratch {};
 
+constexpr std::size_t kBlockElements = 8192;
+
+inline std::size_t block_count(std::size_t count) {
+    return (count + kBlockElements - 1) / kBlockElements;
+}
+
+/// Runs body(begin, end) for the blocks of kBlockElements elements of [0, count), for short work on
+/// each element.
+template <class Body>
+void in_blocks(std::size_t count, Body body) {
+    in_parallel<NoScratch>(block_count(count), [&](std::size_t i, NoScratch&) {
+        body(i * kBlockElements, std::min(count, (i + 1) * kBlockElements));
+    });
+}
+
 }  // namespace laplacian_lines

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "laplacian_lines/error.h"
+#include "parallel.h"
 
 namespace laplacian_lines {
 namespace {
@@ -33,12 +34,25 @@ void check_indices(const TriangleMesh& mesh) {
                                 std::to_string(mesh.positions.size()) + " vertices.");
 }
 
+/// In blocks, each of which first counts what it keeps.
 std::vector<Triangle> usable_triangles(const TriangleMesh& mesh, MeshReport& report) {
-    std::vector<Triangle> usable;
-    usable.reserve(mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles)
-        if (!is_degenerate(mesh, t)) usable.push_back(t);
-    report.degenerate_triangles = mesh.triangles.size() - usable.size();
+    const std::size_t count = mesh.triangles.size();
+    std::vector<std::uint8_t> is_usable(count);
+    std::vector<std::size_t> kept(block_count(count) + 1, 0);
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            kept[begin / kBlockElements + 1] += is_usable[t] =
+                !is_degenerate(mesh, mesh.triangles[t]);
+    });
+    for (std::size_t b = 1; b < kept.size(); ++b)
+        kept[b] += kept[b - 1];
+    std::vector<Triangle> usable(kept.back());
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        std::size_t place = kept[begin / kBlockElements];
+        for (std::size_t t = begin; t < end; ++t)
+            if (is_usable[t]) usable[place++] = mesh.triangles[t];
+    });
+    report.degenerate_triangles = count - usable.size();
     if (usable.empty())
         throw Error(ErrorCode::EmptyMesh,
                     "The mesh has no triangle with an area. Laplacian lines need a surface: for a "
@@ -52,6 +66,7 @@ void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
     for (const Triangle& t : prepared.triangles)
         for (std::uint32_t v : t)
             number[v] = 0;
+    prepared.original_vertex.reserve(number.size());
     for (std::uint32_t v = 0; v < number.size(); ++v) {
         if (!mesh.positions[v].allFinite())
             ++prepared.report.non_finite_vertices;
@@ -62,22 +77,29 @@ void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
             prepared.original_vertex.push_back(v);
         }
     }
-    for (Triangle& t : prepared.triangles)
-        for (std::uint32_t& v : t)
-            v = number[v];
+    if (prepared.original_vertex.size() == number.size()) return;
+    in_blocks(prepared.triangles.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            for (std::uint32_t& v : prepared.triangles[t])
+                v = number[v];
+    });
 }
 
 void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
-    Eigen::Vector3d low = mesh.positions[prepared.original_vertex[0]], high = low;
-    for (std::uint32_t v : prepared.original_vertex) {
+    const std::vector<std::uint32_t>& original = prepared.original_vertex;
+    Eigen::Vector3d low = mesh.positions[original[0]], high = low;
+    for (std::uint32_t v : original) {
         low = low.cwiseMin(mesh.positions[v]);
         high = high.cwiseMax(mesh.positions[v]);
     }
     prepared.centre = low / 2 + high / 2;
     prepared.diagonal = (high - low).stableNorm();
-    prepared.positions.reserve(prepared.original_vertex.size());
-    for (std::uint32_t v : prepared.original_vertex)
-        prepared.positions.push_back((mesh.positions[v] - prepared.centre) / prepared.diagonal);
+    prepared.positions.resize(original.size());
+    in_blocks(original.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            prepared.positions[i] =
+                (mesh.positions[original[i]] - prepared.centre) / prepared.diagonal;
+    });
 }
 
 void measure(PreparedMesh& mesh) {
@@ -123,7 +145,7 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
     return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
 }
 
-PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
+PreparedMesh prepare_geometry(const TriangleMesh& mesh) {
     check_indices(mesh);
     PreparedMesh prepared;
     prepared.report.vertices = mesh.positions.size();
@@ -131,6 +153,11 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
     prepared.triangles = usable_triangles(mesh, prepared.report);
     keep_used_vertices(mesh, prepared);
     to_local_coordinates(mesh, prepared);
+    return prepared;
+}
+
+PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
+    PreparedMesh prepared = prepare_geometry(mesh);
     measure(prepared);
     return prepared;
 }

@@ -29,6 +29,9 @@ struct PreparedMesh {
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
 PreparedMesh prepare_mesh(const TriangleMesh& mesh);
 
+/// The same without masses and mean edge.
+PreparedMesh prepare_geometry(const TriangleMesh& mesh);
+
 /// Reorders vertices and triangles so that neighbours in space are neighbours in memory. The
 /// cyclic order of each triangle's corners is kept. Vertices are then the points of the returned
 /// tree in its order.
