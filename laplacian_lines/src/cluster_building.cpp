@@ -97,6 +97,7 @@ void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
     std::memset(memory, 0, cluster_layout(cluster).end);
     list_vertices(c, values);
     write_triangles(c, memory);
+    mark_convex(c, values);
     write_vertices(c, values, memory);
     write_bounds(c, values);
 }
@@ -153,12 +154,19 @@ void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
             triangle.neighbours[k] = neighbour(partition_.across[side]);
         }
         triangle.number = std::uint8_t(i);
-        const auto convex = [&](std::uint8_t corner) {
-            return is_convex(values_[corner].shape_operator);
-        };
-        if (std::all_of(triangle.corners, triangle.corners + 3, convex))
-            cluster.convex[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
     }
+}
+
+void ClusterBuilder::mark_convex(std::size_t c, const Values& values) {
+    Cluster& cluster = data_.clusters[c];
+    bool convex[kClusterVertices];
+    std::transform(values.begin(), values.end(), convex,
+                   [](const LocalVertex& v) { return is_convex(v.shape_operator); });
+    const std::uint8_t* corners =
+        partition_.corners.data() + 3 * std::size_t(partition_.ranges[c].begin);
+    for (unsigned i = 0; i < cluster.triangle_count; ++i, corners += 3)
+        if (convex[corners[0]] && convex[corners[1]] && convex[corners[2]])
+            cluster.convex[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
 }
 
 void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
