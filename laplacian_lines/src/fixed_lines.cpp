@@ -60,7 +60,7 @@ const MeshEdges& FixedLines::mesh_edges(const ExtractorData& data) {
 
 void FixedLines::append_ridges(const ExtractorData& data, const LocalEye& eye,
                                const LineStyle& style, float shortest, LineSet& lines) {
-    const Ridges& ridges = ridges_.get([&] { return find_ridges(data, rebuild_mesh(data)); });
+    const Ridges& ridges = ridges_.get([&] { return find_ridges(data); });
     // Angles differ less than slopes do: the eighth root, and part of the fading.
     const float angle = float(std::pow(threshold_factor(style.detail), 0.125) * style.ridge_angle);
     const float fading = 0.4f * float(style.fading);
@@ -87,8 +87,8 @@ void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const Li
     if (style.ridges) append_ridges(data, eye, style, shortest, lines);
     if (style.borders)
         append_lines(
-            borders_.get([&] { return find_borders(data, find_mesh_edges(rebuild_mesh(data))); }),
-            {kPinhole * shortest, 0}, [](std::size_t) { return 1.f; }, lines);
+            borders_.get([&] { return find_borders(data); }), {kPinhole * shortest, 0},
+            [](std::size_t) { return 1.f; }, lines);
     if (style.creases) {
         const LineSet& creases =
             creases_.get([&] { return find_creases(data, find_mesh_edges(rebuild_mesh(data))); });

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
 namespace laplacian_lines {
 namespace {
@@ -42,6 +44,15 @@ private:
     CrossingGraph& graph_;
 };
 
+LineSet trace_all(const ExtractorData& data, LineKind kind, const CrossingGraph& graph) {
+    LineRules rules;
+    rules.kind = kind;
+    TracingMemory memory;
+    LineSet lines;
+    trace_polylines(data, rules, graph, memory, lines);
+    return lines;
+}
+
 /// `angle_of(edge)` is the value of an edge, negative for one that is left out.
 template <class AngleOf>
 LineSet collect(const ExtractorData& data, const MeshEdges& mesh, LineKind kind, AngleOf angle_of) {
@@ -50,12 +61,42 @@ LineSet collect(const ExtractorData& data, const MeshEdges& mesh, LineKind kind,
     EdgeCollector collector(mesh, point_of_vertex, graph);
     for (const MeshEdges::Edge& edge : mesh.edges)
         if (const float angle = angle_of(edge); angle >= 0) collector.add(edge, angle);
-    LineRules rules;
-    rules.kind = kind;
-    TracingMemory memory;
-    LineSet lines;
-    trace_polylines(data, rules, graph, memory, lines);
-    return lines;
+    return trace_all(data, kind, graph);
+}
+
+/// A side of a triangle where the surface ends.
+struct BorderSide {
+    std::uint32_t vertices[2];  ///< from one to the other
+    const float* positions[2];
+
+    std::pair<std::uint32_t, std::uint32_t> edge() const {
+        return std::minmax(vertices[0], vertices[1]);
+    }
+};
+
+/// By edge. Those of one edge, where more than two triangles meet, are in the order of the
+/// clusters.
+std::vector<BorderSide> border_sides(const ExtractorData& data) {
+    std::vector<BorderSide> sides;
+    const ClusterStore store = data.store();
+    const std::uint32_t* vertices = data.vertices_of_clusters.data();
+    for (const Cluster& cluster : data.clusters) {
+        const unsigned char* memory = memory_of(store, cluster);
+        const ClusterLayout layout = cluster_layout(cluster);
+        const auto* records = reinterpret_cast<const VertexRecord*>(memory + layout.records);
+        const auto* triangles = reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles);
+        for (unsigned t = 0; t < cluster.triangle_count; ++t)
+            for (unsigned k = 0; k < 3; ++k) {
+                if (triangles[t].neighbours[k] != kNoNeighbour) continue;
+                const unsigned a = triangles[t].corners[k], b = triangles[t].corners[(k + 1) % 3];
+                sides.push_back(
+                    {{vertices[a], vertices[b]}, {records[a].position, records[b].position}});
+            }
+        vertices += cluster.vertex_count;
+    }
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const BorderSide& x, const BorderSide& y) { return x.edge() < y.edge(); });
+    return sides;
 }
 
 Eigen::Vector3f normal(const MeshEdges& mesh, std::uint32_t triangle) {
@@ -74,9 +115,23 @@ void find_faces_away(const Planes& planes, const LocalEye& eye,
 
 }  // namespace
 
-LineSet find_borders(const ExtractorData& data, const MeshEdges& mesh) {
-    return collect(data, mesh, LineKind::Border,
-                   [](const MeshEdges::Edge& edge) { return edge.is_border() ? 0.f : -1.f; });
+LineSet find_borders(const ExtractorData& data) {
+    CrossingGraph graph;
+    std::unordered_map<std::uint32_t, std::uint32_t> point_of_vertex;
+    const auto point = [&](std::uint32_t vertex, const float* position) {
+        const auto number = std::uint32_t(graph.crossings.size());
+        const auto [place, is_new] = point_of_vertex.try_emplace(vertex, number);
+        if (is_new) graph.crossings.push_back({Eigen::Map<const Eigen::Vector3f>(position), 0, 1});
+        return place->second;
+    };
+    const std::vector<BorderSide> sides = border_sides(data);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const BorderSide& side = sides[i];
+        if (i + 1 < sides.size() && side.edge() == sides[i + 1].edge()) continue;
+        const std::uint32_t begin = point(side.vertices[0], side.positions[0]);
+        graph.segments.push_back({begin, point(side.vertices[1], side.positions[1]), 0});
+    }
+    return trace_all(data, LineKind::Border, graph);
 }
 
 LineSet find_creases(const ExtractorData& data, const MeshEdges& mesh) {

@@ -9,7 +9,7 @@
 namespace laplacian_lines {
 
 /// Chains of edges where the surface ends.
-LineSet find_borders(const ExtractorData& data, const MeshEdges& mesh);
+LineSet find_borders(const ExtractorData& data);
 
 /// Less is not called a crease, whatever the style asks for.
 constexpr float kLeastCreaseAngle = 20;  // degrees

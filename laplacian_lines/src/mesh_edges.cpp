@@ -20,14 +20,13 @@ void add_triangle(MeshEdges::Edge& edge, std::uint32_t triangle) {
 
 MeshEdges find_mesh_edges(const WholeMesh& whole) {
     MeshEdges mesh;
-    for (const WholeMesh::Vertex& v : whole.vertices)
-        mesh.positions.push_back(v.position);
+    mesh.positions = whole.positions;
     mesh.edges.assign(whole.topology.edge_count, {{}, {MeshEdges::kNone, MeshEdges::kNone}});
     mesh.planes.resize(whole.triangles.size());
     for (std::uint32_t i = 0; i < whole.triangles.size(); ++i) {
         const Triangle& t = whole.triangles[i];
         const auto corner = [&](std::size_t k) -> Eigen::Vector3d {
-            return whole.vertices[t[k]].position.cast<double>();
+            return whole.positions[t[k]].cast<double>();
         };
         const Eigen::Vector3d area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
         mesh.planes.set(i, area.stableNormalized(), corner(0));

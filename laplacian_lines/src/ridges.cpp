@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
+#include "parallel.h"
 #include "polyline_tracing.h"
 
 namespace laplacian_lines {
@@ -22,21 +24,22 @@ struct Bend {
     float curvature = 0;   ///< k₁
 };
 
-Eigen::Matrix3f matrix(const ShapeOperator& s) {
-    Eigen::Matrix3f m;
-    m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
-    return m;
+/// The vector of place v of linear forms.
+Eigen::Vector3f read_form(const unsigned char* forms, unsigned v) {
+    const float* form =
+        reinterpret_cast<const float*>(forms) + v / kFormGroup * 4 * kFormGroup + v % kFormGroup;
+    return {form[0], form[kFormGroup], form[2 * kFormGroup]};
 }
 
-Bend bend(const WholeMesh& mesh, std::size_t v) {
-    const WholeMesh::Vertex& record = mesh.vertices[v];
+/// `laplacian`: Δn·D²
+Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian) {
     const float size = std::cbrt(record.slope_scale);  // √h_e
-    const ShapeOperator& s = record.shape_operator;
-    const float frobenius = std::sqrt(s.xx * s.xx + s.yy * s.yy + s.zz * s.zz +
-                                      2 * (s.yz * s.yz + s.xz * s.xz + s.xy * s.xy));
+    const Eigen::Matrix3f s =
+        Eigen::Map<const Eigen::Matrix<float, 4, 3>>(record.shape_operator[0]).topRows<3>();
+    const float frobenius = s.norm();
     if (!(2 * frobenius * size * kDegrees >= kLeastRidgeAngle)) return {};
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-    solver.computeDirect(matrix(s));
+    solver.computeDirect(s);
     const Eigen::Vector3f k = solver.eigenvalues();  // ascending; one of them is the normal's 0
     Bend bend;
     bend.curvature = k[2];
@@ -45,28 +48,44 @@ Bend bend(const WholeMesh& mesh, std::size_t v) {
         !(k[2] > kDominance * k[1]))
         return {};
     bend.direction = solver.eigenvectors().col(2);
-    bend.derivative = bend.direction.dot(record.laplacian);
+    bend.derivative = bend.direction.dot(laplacian);
     return bend;
 }
 
-/// Collects the pieces of ridges in triangles.
-class RidgeFinder {
+/// A zero on an edge between two vertices of the mesh.
+struct Zero {
+    std::uint64_t edge;  ///< the smaller vertex, then the larger one
+    Eigen::Vector3f position;
+    float angle;
+    Ridges::Form form;
+};
+
+/// A piece of a ridge in a triangle.
+struct Piece {
+    Zero ends[2];
+};
+
+/// Finds the pieces of ridges in one cluster.
+class ClusterRidges {
 public:
-    explicit RidgeFinder(const WholeMesh& mesh) : mesh_(mesh), bends_(mesh.vertices.size()) {
-        for (std::size_t v = 0; v < bends_.size(); ++v)
-            bends_[v] = bend(mesh, v);
-        crossing_of_edge_.assign(mesh.topology.edge_count, CrossingGraph::kNoCrossing);
-        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-            add(t);
+    /// `vertices`: numbers of its vertices in the mesh.
+    ClusterRidges(const ExtractorData& data, const Cluster& cluster, const std::uint32_t* vertices)
+        : cluster_(cluster), vertices_(vertices) {
+        const unsigned char* memory = memory_of(data.store(), cluster);
+        const ClusterLayout layout = cluster_layout(cluster);
+        records_ = reinterpret_cast<const VertexRecord*>(memory + layout.records);
+        triangles_ = reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles);
+        for (unsigned v = 0; v < cluster.vertex_count; ++v)
+            bends_[v] = bend(records_[v], read_form(memory + layout.laplacians, v));
     }
-    const CrossingGraph& graph() const { return graph_; }
-    /// Of the crossing that a traced point comes from. Above 2^24 crossings, of one beside it.
-    float angle(const LinePoint& point) const { return angles_[number(point)]; }
-    const Ridges::Form& form(const LinePoint& point) const { return forms_[number(point)]; }
+
+    void find(std::vector<Piece>& pieces) const {
+        for (unsigned t = 0; t < cluster_.triangle_count; ++t)
+            add(triangles_[t].corners, pieces);
+    }
 
 private:
-    void add(std::uint32_t index) {
-        const Triangle& t = mesh_.triangles[index];
+    void add(const std::uint8_t t[3], std::vector<Piece>& pieces) const {
         const Bend* b[3] = {&bends_[t[0]], &bends_[t[1]], &bends_[t[2]]};
         if (b[0]->angle == 0 || b[1]->angle == 0 || b[2]->angle == 0) return;
         const float sign[3] = {1, sign_to(*b[0], *b[1]), sign_to(*b[0], *b[2])};
@@ -80,82 +99,120 @@ private:
         }
         if ((f[0] < 0) == (f[1] < 0) && (f[0] < 0) == (f[2] < 0)) return;
         if (!falls_along(t, f, e)) return;
-        std::uint32_t ends[2];
+        Piece piece;
         int found = 0;
         for (int k = 0; k < 3; ++k) {
             const int i = (k + 1) % 3, j = (k + 2) % 3;
-            if ((f[i] < 0) == (f[j] < 0)) continue;
-            ends[found++] = crossing(mesh_.topology.edges_of_triangle[index][std::size_t(k)],
-                                     t[std::size_t(i)], t[std::size_t(j)]);
+            if ((f[i] < 0) != (f[j] < 0)) piece.ends[found++] = zero(t[i], t[j]);
         }
-        graph_.segments.push_back({ends[0], ends[1], 0});
+        pieces.push_back(piece);
     }
 
     static float sign_to(const Bend& a, const Bend& b) {
         return a.direction.dot(b.direction) < 0 ? -1.f : 1.f;
     }
 
+    Eigen::Vector3f position(unsigned v) const {
+        return Eigen::Map<const Eigen::Vector3f>(records_[v].position);
+    }
+    Eigen::Vector3f normal(unsigned v) const {
+        const auto& s = records_[v].shape_operator;
+        return {s[0][3], s[1][3], s[2][3]};
+    }
+
     /// Whether the linear interpolant of f falls along e: a maximum of the curvature.
-    bool falls_along(const Triangle& t, const float f[3], const Eigen::Vector3f& e) const {
-        const Eigen::Vector3f a = mesh_.vertices[t[0]].position;
-        const Eigen::Vector3f u = mesh_.vertices[t[1]].position - a;
-        const Eigen::Vector3f v = mesh_.vertices[t[2]].position - a;
+    bool falls_along(const std::uint8_t t[3], const float f[3], const Eigen::Vector3f& e) const {
+        const Eigen::Vector3f a = position(t[0]);
+        const Eigen::Vector3f u = position(t[1]) - a;
+        const Eigen::Vector3f v = position(t[2]) - a;
         const Eigen::Vector3f area = u.cross(v);
         const Eigen::Vector3f df = (f[1] - f[0]) * v.cross(area) + (f[2] - f[0]) * area.cross(u);
         return df.dot(e) < 0;
     }
 
-    std::uint32_t crossing(std::uint32_t edge, std::uint32_t a, std::uint32_t b) {
-        std::uint32_t& index = crossing_of_edge_[edge];
-        if (index == CrossingGraph::kNoCrossing) {
-            index = std::uint32_t(graph_.crossings.size());
-            if (b < a) std::swap(a, b);
-            const float fa = std::abs(bends_[a].derivative),
-                        sum = fa + std::abs(bends_[b].derivative);
-            const float t = sum > 0 ? fa / sum : 0.5f;
-            Crossing c;
-            c.position = (1 - t) * mesh_.vertices[a].position + t * mesh_.vertices[b].position;
-            // Its number travels through the tracing in place of a gradient.
-            c.gradient = float(index);
-            angles_.push_back((1 - t) * bends_[a].angle + t * bends_[b].angle);
-            forms_.push_back(form(a, b, t));
-            c.opacity = 1;
-            graph_.crossings.push_back(c);
-        }
-        return index;
-    }
-
-    Ridges::Form form(std::uint32_t a, std::uint32_t b, float t) const {
+    /// The same from the triangles on both sides.
+    Zero zero(unsigned a, unsigned b) const {
+        if (vertices_[b] < vertices_[a]) std::swap(a, b);
+        const float fa = std::abs(bends_[a].derivative), sum = fa + std::abs(bends_[b].derivative);
+        const float t = sum > 0 ? fa / sum : 0.5f;
         const Eigen::Vector3f bend_a = bends_[a].curvature * bends_[a].direction;
         const Eigen::Vector3f bend_b = bends_[b].curvature * bends_[b].direction;
-        return {(1 - t) * mesh_.vertices[a].normal + t * mesh_.vertices[b].normal,
-                (1 - t) * bend_a + t * sign_to(bends_[a], bends_[b]) * bend_b};
+        return {std::uint64_t(vertices_[a]) << 32 | vertices_[b],
+                (1 - t) * position(a) + t * position(b),
+                (1 - t) * bends_[a].angle + t * bends_[b].angle,
+                {(1 - t) * normal(a) + t * normal(b),
+                 (1 - t) * bend_a + t * sign_to(bends_[a], bends_[b]) * bend_b}};
     }
 
-    std::size_t number(const LinePoint& point) const {
-        return std::min(std::size_t(point.gradient), forms_.size() - 1);
+    const Cluster& cluster_;
+    const std::uint32_t* vertices_;
+    const VertexRecord* records_;
+    const ClusterTriangle* triangles_;
+    Bend bends_[kClusterVertices];
+};
+
+/// In the order of the clusters.
+std::vector<std::vector<Piece>> find_pieces(const ExtractorData& data) {
+    std::vector<const std::uint32_t*> vertices;
+    const std::uint32_t* next = data.vertices_of_clusters.data();
+    for (const Cluster& cluster : data.clusters) {
+        vertices.push_back(next);
+        next += cluster.vertex_count;
+    }
+    std::vector<std::vector<Piece>> pieces(data.clusters.size());
+    in_parallel<NoScratch>(data.clusters.size(), [&](std::size_t c, NoScratch&) {
+        ClusterRidges(data, data.clusters[c], vertices[c]).find(pieces[c]);
+    });
+    return pieces;
+}
+
+/// Joins the pieces at their ends.
+class RidgeGraph {
+public:
+    explicit RidgeGraph(const std::vector<std::vector<Piece>>& pieces) {
+        for (const std::vector<Piece>& of_cluster : pieces)
+            for (const Piece& piece : of_cluster) {
+                const std::uint32_t begin = crossing(piece.ends[0]);
+                graph_.segments.push_back({begin, crossing(piece.ends[1]), 0});
+            }
+    }
+    const CrossingGraph& graph() const { return graph_; }
+    /// The zero that a traced point comes from. Above 2^24 crossings, one beside it.
+    const Zero& zero(const LinePoint& point) const {
+        return *zeros_[std::min(std::size_t(point.gradient), zeros_.size() - 1)];
     }
 
-    const WholeMesh& mesh_;
-    std::vector<Bend> bends_;
-    std::vector<std::uint32_t> crossing_of_edge_;
+private:
+    std::uint32_t crossing(const Zero& zero) {
+        const auto number = std::uint32_t(zeros_.size());
+        const auto [place, is_new] = crossing_of_edge_.try_emplace(zero.edge, number);
+        if (is_new) {
+            // Its number travels through the tracing in place of a gradient.
+            graph_.crossings.push_back({zero.position, float(number), 1});
+            zeros_.push_back(&zero);
+        }
+        return place->second;
+    }
+
     CrossingGraph graph_;
-    std::vector<float> angles_;  // by crossing
-    std::vector<Ridges::Form> forms_;
+    std::vector<const Zero*> zeros_;  // by crossing
+    std::unordered_map<std::uint64_t, std::uint32_t> crossing_of_edge_;
 };
 
 }  // namespace
 
-Ridges find_ridges(const ExtractorData& data, const WholeMesh& mesh) {
-    const RidgeFinder finder(mesh);
+Ridges find_ridges(const ExtractorData& data) {
+    const std::vector<std::vector<Piece>> pieces = find_pieces(data);
+    const RidgeGraph graph(pieces);
     LineRules rules;
     rules.kind = LineKind::Ridge;
     TracingMemory memory;
     Ridges ridges;
-    trace_polylines(data, rules, finder.graph(), memory, ridges.lines);
+    trace_polylines(data, rules, graph.graph(), memory, ridges.lines);
     for (LinePoint& point : ridges.lines.points) {
-        ridges.forms.push_back(finder.form(point));
-        point.gradient = finder.angle(point);
+        const Zero& zero = graph.zero(point);
+        ridges.forms.push_back(zero.form);
+        point.gradient = zero.angle;
     }
     for (Polyline& line : ridges.lines.lines)
         line.strength = 0;

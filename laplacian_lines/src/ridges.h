@@ -3,7 +3,6 @@
 
 #include "extractor_data.h"
 #include "laplacian_lines/line_set.h"
-#include "whole_mesh.h"
 
 namespace laplacian_lines {
 
@@ -23,7 +22,8 @@ struct Ridges {
     };
     std::vector<Form> forms;
 };
-Ridges find_ridges(const ExtractorData& data, const WholeMesh& mesh);
+/// The number of threads does not matter.
+Ridges find_ridges(const ExtractorData& data);
 
 constexpr float kLeastRidgeAngle = 5;  // degrees; less is no edge to any eye
 

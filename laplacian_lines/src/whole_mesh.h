@@ -12,14 +12,7 @@ namespace laplacian_lines {
 /// The mesh in one piece, for what is found once; rebuilt from the clusters, so that it need not be
 /// kept. Local coordinates.
 struct WholeMesh {
-    struct Vertex {
-        Eigen::Vector3f position;
-        Eigen::Vector3f normal;
-        Eigen::Vector3f laplacian;     ///< Δn·D²
-        ShapeOperator shape_operator;  ///< S·D
-        float slope_scale;             ///< h_e(p)^1.5
-    };
-    std::vector<Vertex> vertices;
+    std::vector<Eigen::Vector3f> positions;
     std::vector<Triangle> triangles;
     EdgeTopology topology;
 };
