@@ -114,11 +114,13 @@ QString kindsInWords(const LineSet& lines) {
     return parts.join(", ");
 }
 
-void addLayer(const LineSet& lines, const Source& source, MeshDocument& document) {
+void addLayer(const LineSet& lines, const Source& source, const laplacian_lines::Field& field,
+              MeshDocument& document) {
     const QString name = QFileInfo(source.name).completeBaseName() + "_laplacian_lines";
     MeshModel* layer = document.addNewMesh("", name);
     layer->updateDataMask(MeshModel::MM_VERTQUALITY);
     meshlab_host::toEdgeMesh(lines, layer->cm);
+    meshlab_host::setNormals(source.triangles, field, layer->cm);
     layer->cm.Tr = source.transform;
 }
 
@@ -126,7 +128,7 @@ void addLayer(const LineSet& lines, const Source& source, MeshDocument& document
 
 meshlab_host::FilterDescription PolylineFilter::description() const {
     meshlab_host::FilterDescription result;
-    result.name = "Create Laplacian Lines Polylines";
+    result.name = "Generate Laplacian Lines Polylines";
     result.python_name = "generate_polyline_from_laplacian_lines";
     result.help = polylineHelp();
     result.filter_class =
@@ -149,7 +151,7 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
         mesh.cm, source.triangles, source.name, meshlab_host::fieldSource(mesh.cm), run.say,
         meshlab_host::progressTo(run.progress));
     const LineSet lines = extract(source, field, view, chosen, run.progress);
-    addLayer(lines, source, run.document);
+    addLayer(lines, source, field, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")
                 .arg(source.name, kindsInWords(lines))
                 .arg(lines.segment_count())

@@ -24,5 +24,5 @@ QString polylineHelp() {
         "diagonal; of ridges and creases an angle, in degrees;<br>"
         "<b>ll_weight</b>: share of the full line width, 0 to 1;<br>"
         "<b>ll_opacity</b>: 0 to 1, small where the line is about to vanish.<br>"
-        "The vertex quality is weight times opacity.<br>");
+        "The vertex quality is weight times opacity, the vertex normal that of the surface.<br>");
 }

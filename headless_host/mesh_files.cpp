@@ -58,6 +58,15 @@ void chooseParameters(const OutputMesh& output, RichParameterList& parameters) {
     }
 }
 
+/// MeshLab's writer of edges as DXF returns an error's number when all went well.
+bool isCompleteDxfOfEdges(const QString& type, const MeshModel& mesh, const QString& file) {
+    if (type != "dxf" || mesh.cm.fn > 0 || mesh.cm.en == 0) return false;
+    const QByteArray end = "ENDSEC\n0\nEOF\n";
+    QFile written(file);
+    return written.open(QIODevice::ReadOnly) && written.seek(written.size() - end.size()) &&
+           written.readAll() == end;
+}
+
 void write(const OutputMesh& output, MeshModel& mesh, GLLogStream& log) {
     const QString type = QFileInfo(output.file).suffix().toLower();
     IOPlugin* plugin = meshlab::pluginManagerInstance().outputMeshPlugin(type);
@@ -70,7 +79,11 @@ void write(const OutputMesh& output, MeshModel& mesh, GLLogStream& log) {
     if (output.mask & possible & vcg::tri::io::Mask::IOM_BITPOLYGONAL)
         mesh.updateDataMask(MeshModel::MM_FACEFACETOPO);
     plugin->setLog(&log);
-    plugin->save(type, output.file, mesh, output.mask & possible, parameters);
+    try {
+        plugin->save(type, output.file, mesh, output.mask & possible, parameters);
+    } catch (const MLException&) {
+        if (!isCompleteDxfOfEdges(type, mesh, output.file)) throw;
+    }
     if (QFileInfo(output.file).size() == 0) throw MLException(output.file + " was not written");
 }
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/edge_mesh.h"
 
+#include <vcg/space/index/kdtree/kdtree.h>
+
 #include "attributes.h"
 
 namespace meshlab_host {
 
+using laplacian_lines::Field;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 using laplacian_lines::Polyline;
+using laplacian_lines::TriangleMesh;
 
 namespace {
 
@@ -60,6 +64,21 @@ void addEdges(const LineSet& lines, CMeshO& mesh) {
     }
 }
 
+/// The vertices of a surface that have a normal.
+struct OrientedPoints {
+    OrientedPoints(const TriangleMesh& surface, const Field& field) {
+        for (std::size_t i = 0; i < surface.positions.size(); ++i) {
+            if (field.normals[i].isZero(0)) continue;
+            const Eigen::Vector3d& p = surface.positions[i];
+            const Eigen::Vector3f& n = field.normals[i];
+            positions.emplace_back(Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z()));
+            normals.emplace_back(Scalarm(n.x()), Scalarm(n.y()), Scalarm(n.z()));
+        }
+    }
+
+    std::vector<Point3m> positions, normals;
+};
+
 }  // namespace
 
 void toEdgeMesh(const LineSet& lines, CMeshO& mesh) {
@@ -79,6 +98,19 @@ void toEdgeMesh(const LineSet& lines, CMeshO& mesh) {
     add("ll_opacity",
         [](const LinePoint& point, const Polyline&, std::size_t) { return point.opacity; });
     vcg::tri::UpdateBounding<CMeshO>::Box(mesh);
+}
+
+void setNormals(const TriangleMesh& surface, const Field& field, CMeshO& mesh) {
+    const OrientedPoints points(surface, field);
+    if (points.positions.empty()) return;
+    vcg::KdTree<Scalarm> tree(vcg::ConstDataWrapper<Point3m>(
+        points.positions.data(), int(points.positions.size()), sizeof(Point3m)));
+    for (auto& vertex : mesh.vert) {
+        unsigned int nearest = 0;
+        Scalarm distance = 0;
+        tree.doQueryClosest(vertex.cP(), nearest, distance);
+        vertex.N() = points.normals[nearest];
+    }
 }
 
 }  // namespace meshlab_host

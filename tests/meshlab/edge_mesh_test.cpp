@@ -81,9 +81,42 @@ TEST(EdgeMesh, HoldsTheLineSet) {
     EXPECT_FALSE(mesh.bbox.IsNull());
 }
 
+TEST(EdgeMesh, HasTheNormalsOfTheSurface) {
+    auto bumps = test_meshes::mesh_named("bumpy_sphere").mesh;
+    const Field field = precompute(bumps);
+    const LineSet lines = bumpyLines();
+    CMeshO mesh;
+    meshlab_host::toEdgeMesh(lines, mesh);
+    meshlab_host::setNormals(bumps, field, mesh);
+    ASSERT_GT(mesh.vert.size(), 100u);
+    for (const CVertexO& vertex : mesh.vert) {
+        const Eigen::Vector3d point(vertex.cP()[0], vertex.cP()[1], vertex.cP()[2]);
+        std::size_t nearest = 0;
+        for (std::size_t i = 1; i < bumps.positions.size(); ++i)
+            if ((bumps.positions[i] - point).norm() < (bumps.positions[nearest] - point).norm())
+                nearest = i;
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_EQ(vertex.cN()[axis], field.normals[nearest][axis]);
+    }
+}
+
+TEST(EdgeMesh, VerticesWithoutNormalsAreNotTheSurface) {
+    auto bumps = test_meshes::mesh_named("bumpy_sphere").mesh;
+    const LineSet lines = bumpyLines();
+    for (const LinePoint& point : lines.points)  // in no triangle, just where the lines are
+        bumps.positions.push_back(point.position.cast<double>());
+    bumps.positions.emplace_back(NAN, 0, 0);
+    CMeshO mesh;
+    meshlab_host::toEdgeMesh(lines, mesh);
+    meshlab_host::setNormals(bumps, precompute(bumps), mesh);
+    for (const CVertexO& vertex : mesh.vert)
+        EXPECT_NEAR(vertex.cN().Norm(), 1, 1e-5);
+}
+
 TEST(EdgeMesh, IsEmptyWithoutLines) {
     CMeshO mesh;
     meshlab_host::toEdgeMesh({}, mesh);
+    meshlab_host::setNormals({}, {}, mesh);
     EXPECT_EQ(mesh.vn, 0);
     EXPECT_EQ(mesh.en, 0);
 }

@@ -28,7 +28,7 @@ wait
 open torus.ply
 size 800x600
 expect-action Compute Laplacian Lines
-expect-action Create Laplacian Lines Polylines
+expect-action Generate Laplacian Lines Polylines
 expect-action Laplacian Lines unchecked
 check Laplacian Lines on
 setdeco Line Color = #ff0000

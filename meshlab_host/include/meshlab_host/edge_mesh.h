@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "laplacian_lines/field.h"
 #include "laplacian_lines/line_set.h"
 #include "meshlab_host/meshlab_api.h"
 
@@ -14,5 +15,10 @@ namespace meshlab_host {
 ///     ll_weight, ll_gradient, ll_opacity   of the point, see LinePoint
 /// and as quality weight times opacity: how much ink the point takes.
 void toEdgeMesh(const laplacian_lines::LineSet& lines, CMeshO& mesh);
+
+/// Gives each vertex of an edge mesh the field's normal at the surface's nearest vertex. MeshLab
+/// lights points by their normals; without any, their color depends on the OpenGL driver.
+void setNormals(const laplacian_lines::TriangleMesh& surface, const laplacian_lines::Field& field,
+                CMeshO& mesh);
 
 }  // namespace meshlab_host
