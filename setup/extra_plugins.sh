@@ -18,10 +18,13 @@ extra_plugins_folder() {
 
 # refuse_installed_plugins PLUGIN...: MeshLab would load plugins of the same name twice and stop at their parameters.
 refuse_installed_plugins() {
-    local plugin
+    local plugin package removal
     for plugin in "$@"; do
         plugin=$(installed_meshlab_folder)/plugins/$(basename "$plugin")
-        [[ ! -e $plugin ]] || fail "$plugin is installed for all users and would be loaded twice; remove it first"
+        [[ -e $plugin ]] || continue
+        package=$(dpkg-query --search "$plugin" 2>/dev/null | sed 's/: .*//') || package=
+        [[ -n $package ]] && removal="apt remove $package" || removal="rm $plugin"
+        fail "$plugin is installed for all users and would be loaded twice; to install for you alone, first run: sudo $removal"
     done
 }
 

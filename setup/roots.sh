@@ -102,7 +102,10 @@ ensure_root() {
     exec {ROOT_LOCK}>"$ROOT.lock"
     flock --shared "$ROOT_LOCK"
     root_is_made_from "$recipe" && return 0
-    flock "$ROOT_LOCK"
+    if ! flock --nonblock "$ROOT_LOCK"; then
+        say "$ROOT has to be made anew: waiting until no other tests use it"
+        flock "$ROOT_LOCK"
+    fi
     root_is_made_from "$recipe" || make_root "$suite" "$mirror" "$checkout" "$recipe" || return 1
     flock --shared "$ROOT_LOCK"
 }

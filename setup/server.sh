@@ -12,6 +12,5 @@ stage_server() {
         printf '#!/bin/sh\nexec'
         printf ' %q' "$(dirname "$stage")/bin/laplacian_lines_server" "${arguments[@]}"
         printf ' "$@"\n'
-    } >"$stage/bin/meshlabserver"
-    chmod +x "$stage/bin/meshlabserver"
+    } | write_program "$stage/bin/meshlabserver"
 }

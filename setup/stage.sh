@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# STAGE/bin/meshlab: the installed MeshLab with our plugins beside its own, and with nothing written outside STAGE.
+# STAGE/bin/meshlab and meshlabserver: the installed MeshLab with our plugins beside its own, and with nothing written
+# outside STAGE.
 
 multiarch() {
     dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch
@@ -11,56 +12,56 @@ installed_meshlab_folder() {
 
 # stage_meshlab STAGE PLUGIN...
 stage_meshlab() {
-    if has_extra_plugins; then
-        stage_extra_plugins "$@"
-        stage_server "$@"
+    local stage=$1
+    mkdir -p "$stage/bin"
+    copy_meshlab "$stage/system"
+    add_plugins "$stage/system" "${@:2}"
+    stage_program "$stage" meshlab
+    if [[ -e /usr/bin/meshlabserver ]]; then
+        stage_program "$stage" meshlabserver
     else
-        stage_copy "$@"
+        stage_server "$@"
     fi
 }
 
-# MeshLab 2020.09 finds its library and plugins from the place of its executable: ../lib/ARCHITECTURE/meshlab, if the
-# executable's folder is called "bin". The executables have to be copies, because Qt follows links.
-stage_copy() {
-    local stage=$1 installed plugins plugin name
-    shift
+# copy_meshlab FOLDER: MeshLab finds its libraries, plugins and shaders from the place of its executable, if that
+# one's folder is called "bin". Executables have to be copies, because Qt follows links.
+copy_meshlab() {
+    local folder=$1 installed libraries name
     installed=$(installed_meshlab_folder)
-    plugins=$stage/lib/$(multiarch)/meshlab/plugins
-    mkdir -p "$stage/bin" "$plugins"
+    libraries=$folder/lib/$(multiarch)/meshlab
+    mkdir -p "$folder/bin" "$folder/share" "$libraries/plugins"
     for name in meshlab meshlabserver; do
+        [[ -e /usr/bin/$name ]] || continue
         # A running MeshLab may hold the old copy: replace it instead of writing into it.
-        cmp -s "/usr/bin/$name" "$stage/bin/$name" || install "/usr/bin/$name" "$stage/bin/"
+        cmp -s "/usr/bin/$name" "$folder/bin/$name" || install "/usr/bin/$name" "$folder/bin/"
     done
-    ln -sfn "$installed/libmeshlab-common.so" "$plugins/.."
-    find "$plugins" -type l -delete
-    ln -s "$installed"/plugins/*.so "$plugins"
-    # MeshLab loads both of two plugins with the same decorations and stops at their parameters: ours replaces an
-    # installed one of the same name.
-    for plugin in "$@"; do
-        ln -sfn "$plugin" "$plugins"
+    find "$libraries" -type l -delete
+    ln -s "$installed"/*.so "$libraries"
+    ln -s "$installed"/plugins/*.so "$libraries/plugins"
+    ln -sfn /usr/share/meshlab "$folder/share/meshlab"
+}
+
+# add_plugins FOLDER PLUGIN...: MeshLab loads both of two plugins with the same decorations and stops at their
+# parameters: ours replaces an installed one of the same name.
+add_plugins() {
+    local plugin
+    for plugin in "${@:2}"; do
+        ln -sfn "$plugin" "$1/lib/$(multiarch)/meshlab/plugins"
     done
 }
 
-# From 2022.02 on, MeshLab also loads the plugins in a folder of the user's data: here, a data folder of the stage.
-# Settings stay those of the user.
-stage_extra_plugins() {
-    local stage=$1 plugin folder
-    shift
-    refuse_installed_plugins "$@"
-    folder=$(extra_plugins_folder "$stage/data")
-    mkdir -p "$stage/bin" "$folder"
-    find "$folder" -type l -delete
-    for plugin in "$@"; do
-        ln -s "$plugin" "$folder"
-    done
-    # MeshLab's OpenGL needs an X display, also on Wayland.
-    write_program "$stage/bin/meshlab" <<-END
+# stage_program STAGE NAME: from 2022.02 on, MeshLab would also load the plugins that the user has added: give it
+# another folder to look for them. Its OpenGL needs an X display, also on Wayland.
+stage_program() {
+    write_program "$1/bin/$2" <<-END
 		#!/bin/sh
-		XDG_DATA_HOME=$(printf %q "$stage/data") QT_QPA_PLATFORM=xcb exec /usr/bin/meshlab "\$@"
+		XDG_DATA_HOME=$(printf %q "$1/system/data") QT_QPA_PLATFORM=xcb exec $(printf %q "$1/system/bin/$2") "\$@"
 	END
 }
 
 write_program() {
+    rm -f "$1"
     cat >"$1"
     chmod +x "$1"
 }

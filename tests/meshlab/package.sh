@@ -60,6 +60,13 @@ in_installed_copy() {
     dpkg --install "$deb" >"$WORK/log" 2>&1 || fail "the .deb cannot be installed"
     stage_meshlab "$STAGE" "$LAPLACIAN_LINES_BUILD"/driver/*.so
     lines_are_shown
+    # a checkout's plugins replace the installed ones of the same name, but not for the MeshLab that is installed
+    stage_meshlab "$STAGE" "$LAPLACIAN_LINES_BUILD"/plugins/*.so "$LAPLACIAN_LINES_BUILD"/driver/*.so
+    lines_are_shown
+    if has_extra_plugins; then
+        ! (install_plugins "$LAPLACIAN_LINES_BUILD"/plugins/*.so) 2>"$WORK/log" || fail "the plugins were installed twice"
+        expect_text "$WORK/log" 'would be loaded twice; .* apt remove meshlab-laplacian-lines'
+    fi
     dpkg --remove meshlab-laplacian-lines >>"$WORK/log" 2>&1 || fail "the package cannot be removed"
     ! ls "$(installed_meshlab_folder)"/plugins/*laplacian_lines* || fail "the package leaves files"
 }
