@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The example script gives the same attributes in PyMeshLab and in every MeshLab whose tests have run before.
+"""The example scripts give the same in PyMeshLab and in every MeshLab whose tests have run before: attributes, polylines.
 
 They are built by different compilers and of different precision. MeshLab's are in the files that its own tests have
 saved; without any, or with none that is newer than the plugins' sources, the test is skipped.
@@ -9,13 +9,15 @@ import sys
 
 import laplacian_lines
 import numpy
-from harness import BUILD, EXAMPLES, expect_same_field, largest_difference, meshes
+from harness import BUILD, EXAMPLES, MESH, expect_same_field, largest_difference, meshes
 
 ROOT = EXAMPLES.parent
-PLACES = ("Testing/meshlab/gui_script/torus.ply", "Testing/meshlab/server/out.ply")
+ATTRIBUTE_PLACES = ("Testing/meshlab/gui_script/torus.ply", "Testing/meshlab/server/out.ply")
+LINE_PLACES = ("Testing/meshlab/scripts_polylines/lines.obj",)  # of torus.ply beside it
 SOURCES = ("laplacian_lines", "meshlab_host", "filter_laplacian_lines", "tests/meshes")
 TYPES = {"float": "<f4", "double": "<f8", "int": "<i4", "uchar": "u1"}
 ROUNDING = 1e-5  # of the largest value: some hundred roundings to float
+LINE_ROUNDING = 2e-6  # a length: the files have six digits after the point
 
 
 def vertex_type(header):
@@ -54,21 +56,53 @@ def changed():
     return max(file.stat().st_mtime for folder in SOURCES for file in (ROOT / folder).rglob("*.*"))
 
 
-builds = [ROOT / "build", *sorted((ROOT / "build").glob("host-*"))]
-files = [build / place for build in builds for place in PLACES if build != BUILD and (build / place).exists()]
-current = [file for file in files if file.stat().st_mtime > changed()]
-for file in set(files) - set(current):
-    print(f"older than the sources: {file}")
-if not current:
+def current_files(places):
+    """What the other hosts have saved in these places since the sources were changed."""
+    builds = [ROOT / "build", *sorted((ROOT / "build").glob("host-*"))]
+    files = [build / place for build in builds for place in places if build != BUILD and (build / place).exists()]
+    current = [file for file in files if file.stat().st_mtime > changed()]
+    for file in set(files) - set(current):
+        print(f"older than the sources: {file}")
+    return current
+
+
+def after_script(mesh, script):
+    ms = meshes(mesh)
+    ms.load_filter_script(str(EXAMPLES / script))
+    ms.apply_filter_script()
+    return ms.current_mesh()
+
+
+def compare_attributes(files):
+    field = laplacian_lines.field(after_script(MESH, "laplacian_lines.mlx"))
+    for file in files:
+        attributes = read_attributes(file)
+        expect_same_field(attributes, field, ROUNDING)
+        worst = max(largest_difference(attributes[name], field[name]) for name in field)
+        print(f"agrees to {worst:.2g}: {file}")
+
+
+def read_lines(path):
+    """Vertices and edges, from 0, of an OBJ file."""
+    rows = [line.split() for line in path.read_text().splitlines()]
+    points = numpy.array([row[1:4] for row in rows if row and row[0] == "v"], dtype=float)
+    edges = numpy.array([row[1:3] for row in rows if row and row[0] == "l"], dtype=int) - 1
+    return points, edges
+
+
+def compare_lines(files):
+    for file in files:
+        lines = after_script(file.with_name("torus.ply"), "laplacian_lines_polylines.mlx")
+        points, edges = read_lines(file)
+        assert len(edges) > 100 and numpy.array_equal(edges, lines.edge_matrix()), f"{file} has other edges"
+        worst = numpy.abs(points - lines.vertex_matrix()).max()
+        assert worst <= LINE_ROUNDING, f"the lines of {file} are off by {worst:.3g}"
+        print(f"the same lines to {worst:.2g}: {file}")
+
+
+attribute_files, line_files = current_files(ATTRIBUTE_PLACES), current_files(LINE_PLACES)
+if not attribute_files and not line_files:
     print("no other host's tests have run: ./test --host all")
     sys.exit(77)
-
-ms = meshes()
-ms.load_filter_script(str(EXAMPLES / "laplacian_lines.mlx"))
-ms.apply_filter_script()
-field = laplacian_lines.field(ms.current_mesh())
-for file in current:
-    attributes = read_attributes(file)
-    expect_same_field(attributes, field, ROUNDING)
-    worst = max(largest_difference(attributes[name], field[name]) for name in field)
-    print(f"agrees to {worst:.2g}: {file}")
+compare_attributes(attribute_files)
+compare_lines(line_files)
