@@ -84,7 +84,8 @@ struct CrossingMemory {
     alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];
     alignas(64) float gradient[kPlaces], opacity[kPlaces];
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
-    alignas(64) float points[kPlaces][4], gradients[kPlaces][4];
+    alignas(64) float points[kPlaces][4];  ///< with ‖∇I‖ in the last place, as in StripPoint
+    alignas(64) float gradients[kPlaces][4];
     alignas(64) std::uint8_t ends[kPlaces][2];
 };
 
@@ -93,14 +94,13 @@ struct SegmentMemory {
     static constexpr unsigned kPlaces = kClusterTriangles + 80;
     std::uint8_t triangle[kPlaces];  ///< place in SignedCluster::active, where the end is
     std::uint16_t begin[kPlaces];    ///< crossing
-    alignas(64) float dx[kPlaces], dy[kPlaces], dz[kPlaces];  ///< end − begin
     alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];  ///< sum of the ends' gradients
     alignas(64) float ux[kPlaces], uy[kPlaces], uz[kPlaces];  ///< first to second corner
     alignas(64) float vx[kPlaces], vy[kPlaces], vz[kPlaces];  ///< first to third corner
     alignas(64) float fu[kPlaces], fv[kPlaces];               ///< differences of the function
     alignas(64) float scale[kPlaces];                         ///< sum of slope_scale
-    alignas(64) float gradient[kPlaces];                      ///< sum of the ends' ‖∇I‖
-    alignas(64) float length[kPlaces], strength[kPlaces], slope[kPlaces];  ///< slope < 0: refused
+    alignas(64) float slope[kPlaces];                         ///< < 0: refused
+    alignas(64) float sums[kPlaces][4];  ///< length, strength, slope times length, slope
     std::uint8_t segment_of_triangle[256], next[kPlaces];
 };
 

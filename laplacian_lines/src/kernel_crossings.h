@@ -63,18 +63,21 @@ static inline void find_points(const VertexRecord* records, const float eye_of_l
         for (unsigned k = 0; k < 4; ++k) {
             const EdgePoint found = find_point(records[m.ends[i + k][0]], records[m.ends[i + k][1]],
                                                m.share[i + k], light, w);
-            store4(m.points[i + k], points[k] = found.position);
+            points[k] = found.position;
             store4(m.gradients[i + k], gradients[k] = found.gradient);
         }
-        transpose(points);
         transpose(gradients);
+        const Float4 x = gradients[0], y = gradients[1], z = gradients[2];
+        const Float4 norms = square_root4(x * x + y * y + z * z);
+        store_row(norms, m.gradient + i);
+        store4(m.points[i], __builtin_shuffle(points[0], norms, Int4{0, 1, 2, 4}));
+        store4(m.points[i + 1], __builtin_shuffle(points[1], norms, Int4{0, 1, 2, 5}));
+        store4(m.points[i + 2], __builtin_shuffle(points[2], norms, Int4{0, 1, 2, 6}));
+        store4(m.points[i + 3], __builtin_shuffle(points[3], norms, Int4{0, 1, 2, 7}));
+        transpose(points);
         store_columns(points, m.x + i, m.y + i, m.z + i);
         store_columns(gradients, m.gx + i, m.gy + i, m.gz + i);
         store_row(gradients[3], m.lit + i);
-    }
-    for (std::size_t i = 0; i < count; i += kLanes) {
-        const Floats x = load(m.gx + i), y = load(m.gy + i), z = load(m.gz + i);
-        store(m.gradient + i, square_root(x * x + y * y + z * z));
     }
 }
 

@@ -52,21 +52,26 @@ static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, 
     return kept;
 }
 
-/// Lengths and strengths (Eq. 4) of segments [0, count).
+/// Lengths and strengths (Eq. 4) of segments [0, count), whose slopes are known.
 static inline void measure_segments(const CrossingMemory& m, SegmentMemory& s, std::size_t count) {
-    count = whole_vectors(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const unsigned a = s.begin[i], b = s.triangle[i];
-        s.dx[i] = m.x[b] - m.x[a];
-        s.dy[i] = m.y[b] - m.y[a];
-        s.dz[i] = m.z[b] - m.z[a];
-        s.gradient[i] = m.gradient[a] + m.gradient[b];
-    }
-    for (std::size_t i = 0; i < count; i += kLanes) {
-        const Floats x = load(s.dx + i), y = load(s.dy + i), z = load(s.dz + i);
-        const Floats length = square_root(x * x + y * y + z * z);
-        store(s.length + i, length);
-        store(s.strength + i, load(s.gradient + i) / 2 * length);
+    for (std::size_t i = 0; i < count; i += 4) {
+        Float4 rows[4];
+        for (unsigned k = 0; k < 4; ++k) {
+            const Float4 a = load4(m.points[s.begin[i + k]]),
+                         b = load4(m.points[s.triangle[i + k]]);
+            rows[k] = __builtin_shuffle(b - a, a + b, Int4{0, 1, 2, 7});
+        }
+        transpose(rows);
+        const Float4 x = rows[0], y = rows[1], z = rows[2], gradients = rows[3];
+        const Float4 length = square_root4(x * x + y * y + z * z);
+        const Float4 slope = load4(s.slope + i);
+        rows[0] = length;
+        rows[1] = gradients / 2 * length;
+        rows[2] = slope * length;
+        rows[3] = slope;
+        transpose(rows);
+        for (unsigned k = 0; k < 4; ++k)
+            store4(s.sums[i + k], rows[k]);
     }
 }
 

@@ -21,8 +21,9 @@ public:
           count_(count),
           output_(output) {}
 
-    void write_all() {
-        link();
+    /// `listed`: segment_of_triangle is that of list_crossings(), since no segment was left out.
+    void write_all(bool listed) {
+        link(listed);
         unsigned written = 0;
         for (unsigned i = 0; i < count_; ++i)
             if (previous(i) == kNoNeighbour) written += write(i);
@@ -30,11 +31,13 @@ public:
     }
 
 private:
-    void link() {
+    void link(bool listed) {
         std::uint8_t* segment = segments_.segment_of_triangle;
-        __builtin_memset(segment, kNoNeighbour, sizeof(segments_.segment_of_triangle));
-        for (unsigned i = 0; i < count_; ++i)
-            segment[triangle(i).number] = std::uint8_t(i);
+        if (!listed) {
+            __builtin_memset(segment, kNoNeighbour, sizeof(segments_.segment_of_triangle));
+            for (unsigned i = 0; i < count_; ++i)
+                segment[triangle(i).number] = std::uint8_t(i);
+        }
         for (unsigned i = 0; i < count_; ++i)
             segments_.next[i] = segment[triangle(i).successor];
     }
@@ -54,8 +57,7 @@ private:
 
     void add_point(unsigned crossing, float slope) {
         StripPoint& point = output_.points[output_.point_count++];
-        store_row(load4(crossings_.points[crossing]), point.position);
-        point.gradient = crossings_.gradient[crossing];
+        store_row(load4(crossings_.points[crossing]), point.position);  // and the gradient
         point.slope = slope;
         point.opacity = crossings_.opacity[crossing];
     }
@@ -66,20 +68,18 @@ private:
         strip.first_point = output_.point_count;
         strip.edges[0] = edge_to_elsewhere(triangle(first).previous);
         add_point(segments_.begin[first], 0);
-        float length = 0, strength = 0, slope = 0;
+        Float4 sums = {0, 0, 0, 0};
         unsigned last = first;
         for (unsigned i = first; i != kNoNeighbour; i = segments_.next[i]) {
             add_point(segments_.triangle[i], segments_.slope[i]);
-            length += segments_.length[i];
-            strength += segments_.strength[i];
-            slope += segments_.slope[i] * segments_.length[i];
+            sums += load4(segments_.sums[i]);
             last = i;
         }
         strip.edges[1] = edge_to_elsewhere(triangle(last).successor);
         strip.point_count = output_.point_count - strip.first_point;
-        strip.length = length;
-        strip.strength = strength;
-        strip.slope = slope;
+        strip.length = sums[0];
+        strip.strength = sums[1];
+        strip.slope = sums[2];
         return strip.point_count - 1;
     }
 
@@ -131,13 +131,12 @@ static inline void find_strips(const ClusterStore& store, const ExtractionTask& 
         test_segments(task.rules[kind], s, count);
         count = keep_steep(s, count);
     } else {  // all are kept, also by find_crossings()
-        for (unsigned i = 0; i < count; ++i)
-            s.slope[i] = 0;
+        __builtin_memset(s.slope, 0, whole_vectors(count) * sizeof(float));
         for (unsigned i = count; i < count + kLanes; ++i)  // something valid
             s.triangle[i] = s.begin[i] = 0;
     }
     measure_segments(m, s, count);
-    StripWriter(store, signs, kind, m, s, count, output).write_all();
+    StripWriter(store, signs, kind, m, s, count, output).write_all(!task.rules[kind].use_slope);
 }
 
 }  // namespace KERNEL_NAMESPACE

@@ -104,6 +104,14 @@ static inline void store4(float* p, Float4 v) {
 static inline Float4 splat(float v) {
     return Float4{v, v, v, v};
 }
+static inline Float4 square_root4(Float4 v) {
+#if defined(__SSE2__)
+    return _mm_sqrt_ps(v);
+#else
+    return Float4{__builtin_sqrtf(v[0]), __builtin_sqrtf(v[1]), __builtin_sqrtf(v[2]),
+                  __builtin_sqrtf(v[3])};
+#endif
+}
 template <int K>
 static inline Float4 splat(Float4 v) {
     return __builtin_shuffle(v, Int4{K, K, K, K});

@@ -55,9 +55,12 @@ void join_strips(const FoundStrips& found, StripKind kind, std::uint32_t border_
     for_each_strip(found, kind, [&](const Strip& strip, const StripPoint* points) {
         append(strip, points, memory.strips[kind], memory.end_at_edge);
     });
+    const JoinedStrip* joined = memory.strips[kind].data();
     for_each_strip(found, kind, [&](const Strip& strip, const StripPoint*) {
-        for (std::uint32_t edge : strip.edges)
-            if (edge < Strip::kClosed) memory.end_at_edge[edge] = kNone;
+        for (int side : {0, 1})  // what still waits
+            if (joined->links[side] == kNone && strip.edges[side] < Strip::kClosed)
+                memory.end_at_edge[strip.edges[side]] = kNone;
+        ++joined;
     });
     memory.in_use = false;
 }
