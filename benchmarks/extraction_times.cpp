@@ -55,9 +55,10 @@ void add_extraction(const TriangleMesh& mesh, const Field& field, Turns turns,
                     MeshFigures& figures) {
     Redraws redraws(mesh, field);
     redraws.check_zeros();
-    figures.add(kBuilding, "extractor", "building the extractor", redraws.extractor_seconds());
+    figures.add(kBuilding, "extractor", "building the extractor, all threads",
+                redraws.extractor_seconds());
     figures.add(kBuilding, "curvature_derivatives",
-                "curvatures and their derivatives, for suggestive contours",
+                "curvatures and their derivatives for suggestive contours, one thread",
                 redraws.curvature_seconds());
     figures.add(kMemory, "extractor", "extractor",
                 double(redraws.extractor().memory()) / double(mesh.positions.size()));
