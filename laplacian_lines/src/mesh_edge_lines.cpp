@@ -14,34 +14,46 @@ constexpr float kDegrees = 57.29577951308232f;
 /// Collects edges of the mesh as segments between their vertices, each vertex once.
 class EdgeCollector {
 public:
-    EdgeCollector(const MeshEdges& mesh, std::vector<std::uint32_t>& point_of_vertex,
-                  CrossingGraph& graph)
-        : mesh_(mesh), point_of_vertex_(point_of_vertex), graph_(graph) {
-        point_of_vertex_.assign(mesh.positions.size(), MeshEdges::kNone);
-        graph_.crossings.clear();
-        graph_.segments.clear();
+    EdgeCollector(const MeshEdges& mesh, CollectedEdges& collected)
+        : mesh_(mesh), collected_(collected) {
+        std::vector<std::uint32_t>& crossings = collected.crossing_of_vertex;
+        if (collected.in_use) crossings.clear();
+        if (crossings.size() < mesh.positions.size())
+            crossings.resize(mesh.positions.size(), MeshEdges::kNone);
+        collected.in_use = true;
+        collected.vertex_of_crossing.clear();
+        collected.graph.crossings.clear();
+        collected.graph.segments.clear();
     }
 
     void add(const MeshEdges::Edge& edge, float value) {
-        graph_.segments.push_back(
+        collected_.graph.segments.push_back(
             {point(edge.vertices[0], value), point(edge.vertices[1], value), 0});
+    }
+
+    /// The edges that were added.
+    const CrossingGraph& finish() {
+        for (std::uint32_t vertex : collected_.vertex_of_crossing)
+            collected_.crossing_of_vertex[vertex] = MeshEdges::kNone;
+        collected_.in_use = false;
+        return collected_.graph;
     }
 
 private:
     std::uint32_t point(std::uint32_t vertex, float value) {
-        std::uint32_t& index = point_of_vertex_[vertex];
+        std::vector<Crossing>& crossings = collected_.graph.crossings;
+        std::uint32_t& index = collected_.crossing_of_vertex[vertex];
         if (index == MeshEdges::kNone) {
-            index = std::uint32_t(graph_.crossings.size());
-            graph_.crossings.push_back({mesh_.positions[vertex], 0, 1});
+            index = std::uint32_t(crossings.size());
+            crossings.push_back({mesh_.positions[vertex], 0, 1});
+            collected_.vertex_of_crossing.push_back(vertex);
         }
-        float& gradient = graph_.crossings[index].gradient;
-        gradient = std::max(gradient, value);
+        crossings[index].gradient = std::max(crossings[index].gradient, value);
         return index;
     }
 
     const MeshEdges& mesh_;
-    std::vector<std::uint32_t>& point_of_vertex_;
-    CrossingGraph& graph_;
+    CollectedEdges& collected_;
 };
 
 LineSet trace_all(const ExtractorData& data, LineKind kind, const CrossingGraph& graph) {
@@ -56,12 +68,11 @@ LineSet trace_all(const ExtractorData& data, LineKind kind, const CrossingGraph&
 /// `angle_of(edge)` is the value of an edge, negative for one that is left out.
 template <class AngleOf>
 LineSet collect(const ExtractorData& data, const MeshEdges& mesh, LineKind kind, AngleOf angle_of) {
-    std::vector<std::uint32_t> point_of_vertex;
-    CrossingGraph graph;
-    EdgeCollector collector(mesh, point_of_vertex, graph);
+    CollectedEdges collected;
+    EdgeCollector collector(mesh, collected);
     for (const MeshEdges::Edge& edge : mesh.edges)
         if (const float angle = angle_of(edge); angle >= 0) collector.add(edge, angle);
-    return trace_all(data, kind, graph);
+    return trace_all(data, kind, collector.finish());
 }
 
 /// A side of a triangle where the surface ends.
@@ -147,12 +158,12 @@ void append_silhouettes(const ExtractorData& data, const MeshEdges& mesh, const 
                         const LineRules& rules, SilhouetteMemory& memory, TracingMemory& tracing,
                         LineSet& lines) {
     find_faces_away(mesh.planes, eye, memory.faces_away);
-    EdgeCollector collector(mesh, memory.point_of_vertex, memory.graph);
+    EdgeCollector collector(mesh, memory.edges);
     const std::uint8_t* faces_away = memory.faces_away.data();
     for (const MeshEdges::Edge& edge : mesh.edges)
         if (!edge.is_border() && faces_away[edge.triangles[0]] != faces_away[edge.triangles[1]])
             collector.add(edge, 0);
-    trace_polylines(data, rules, memory.graph, tracing, lines);
+    trace_polylines(data, rules, collector.finish(), tracing, lines);
 }
 
 }  // namespace laplacian_lines

@@ -18,11 +18,19 @@ constexpr float kLeastCreaseAngle = 20;  // degrees
 /// point's `gradient` is the largest such angle at its vertex, in degrees.
 LineSet find_creases(const ExtractorData& data, const MeshEdges& mesh);
 
+/// Edges of the mesh as segments between their vertices; keeps its capacity.
+struct CollectedEdges {
+    CrossingGraph graph;
+    std::vector<std::uint32_t> vertex_of_crossing;
+    /// By vertex; kNone everywhere between uses, so that a use costs what its lines cost.
+    std::vector<std::uint32_t> crossing_of_vertex;
+    bool in_use = false;  ///< an exception left crossing_of_vertex behind
+};
+
 /// Memory of append_silhouettes(); keeps its capacity.
 struct SilhouetteMemory {
-    std::vector<std::uint8_t> faces_away;        ///< by triangle
-    std::vector<std::uint32_t> point_of_vertex;  ///< kNone for a vertex without a line
-    CrossingGraph graph;
+    std::vector<std::uint8_t> faces_away;  ///< by triangle
+    CollectedEdges edges;
 };
 
 /// Chains of edges between a triangle that faces the eye and one that does not: the outline of the

@@ -70,6 +70,9 @@ TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
 
 class Extraction : public testing::Test {
 protected:
+    Extraction() { silhouettes_.mesh_silhouettes = true; }
+
+    LineStyle silhouettes_;
     const test_meshes::AnalyticMesh surface_ = test_meshes::bumpy_sphere(5, 0.15);
     const LineExtractor extractor_{surface_.mesh, precompute(surface_.mesh)};
     const std::vector<View> views_ = helpers::random_views(surface_.mesh, 24);
@@ -80,11 +83,12 @@ TEST_F(Extraction, GivesTheSameLinesWithUsedAndNewScratch) {
     LineSet lines;
     const test_meshes::TestMesh& other = test_meshes::mesh_named("torus");
     const LineExtractor other_extractor(other.mesh, precompute(other.mesh));
-    for (const View& view : views_) {
-        other_extractor.extract(view, {}, used, lines);
-        extractor_.extract(view, {}, used, lines);
-        EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor_, view, {})));
-    }
+    for (const LineStyle& style : {LineStyle(), silhouettes_})
+        for (const View& view : views_) {
+            other_extractor.extract(view, style, used, lines);
+            extractor_.extract(view, style, used, lines);
+            EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor_, view, style)));
+        }
 }
 
 TEST_F(Extraction, SurvivesTheMeshAndItsField) {
@@ -121,15 +125,24 @@ TEST_F(Extraction, RunsInSeveralThreadsAtOnce) {
 }
 
 TEST_F(Extraction, AllocatesNothingInTheSteadyState) {
-    ExtractionScratch scratch;
-    LineSet lines;
-    for (const View& view : views_)
-        extractor_.extract(view, {}, scratch, lines);
-    const std::size_t before = allocations;
-    for (const View& view : views_)
-        extractor_.extract(view, {}, scratch, lines);
-    EXPECT_EQ(allocations, before);
-    EXPECT_GT(before, 0u);
+    const int threads_before = omp_get_max_threads();
+    for (const LineStyle& style : {LineStyle(), silhouettes_, helpers::all_crossings()})
+        for (int threads : {1, 2, 5}) {
+            omp_set_num_threads(threads);
+            ExtractionScratch scratch;
+            LineSet lines;
+            const auto turn = [&] {
+                for (const View& view : views_)
+                    extractor_.extract(view, style, scratch, lines);
+            };
+            turn();
+            const std::size_t before = allocations;
+            for (int i = 0; i < 3; ++i)  // threads share the work differently each time
+                turn();
+            EXPECT_EQ(allocations, before) << threads << " threads";
+            EXPECT_GT(before, 0u);
+        }
+    omp_set_num_threads(threads_before);
 }
 
 TEST_F(Extraction, LeavesTheScratchUsableAfterAnError) {
