@@ -70,10 +70,10 @@ static inline void find_points(const VertexRecord* records, const float eye_of_l
         const Float4 x = gradients[0], y = gradients[1], z = gradients[2];
         const Float4 norms = square_root4(x * x + y * y + z * z);
         store_row(norms, m.gradient + i);
-        store4(m.points[i], __builtin_shuffle(points[0], norms, Int4{0, 1, 2, 4}));
-        store4(m.points[i + 1], __builtin_shuffle(points[1], norms, Int4{0, 1, 2, 5}));
-        store4(m.points[i + 2], __builtin_shuffle(points[2], norms, Int4{0, 1, 2, 6}));
-        store4(m.points[i + 3], __builtin_shuffle(points[3], norms, Int4{0, 1, 2, 7}));
+        store4(m.points[i], shuffle<0, 1, 2, 4>(points[0], norms));
+        store4(m.points[i + 1], shuffle<0, 1, 2, 5>(points[1], norms));
+        store4(m.points[i + 2], shuffle<0, 1, 2, 6>(points[2], norms));
+        store4(m.points[i + 3], shuffle<0, 1, 2, 7>(points[3], norms));
         transpose(points);
         store_columns(points, m.x + i, m.y + i, m.z + i);
         store_columns(gradients, m.gx + i, m.gy + i, m.gz + i);

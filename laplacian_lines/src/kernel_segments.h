@@ -59,7 +59,7 @@ static inline void measure_segments(const CrossingMemory& m, SegmentMemory& s, s
         for (unsigned k = 0; k < 4; ++k) {
             const Float4 a = load4(m.points[s.begin[i + k]]),
                          b = load4(m.points[s.triangle[i + k]]);
-            rows[k] = __builtin_shuffle(b - a, a + b, Int4{0, 1, 2, 7});
+            rows[k] = shuffle<0, 1, 2, 7>(b - a, a + b);
         }
         transpose(rows);
         const Float4 x = rows[0], y = rows[1], z = rows[2], gradients = rows[3];
@@ -91,7 +91,7 @@ static inline void collect_corners(const VertexRecord* records, const SignedClus
             const Float4 gradients =
                 load4(m.gradients[s.begin[i + k]]) + load4(m.gradients[s.triangle[i + k]]);
             const Float4 scales = a + b + c;
-            g[k] = __builtin_shuffle(gradients, scales, Int4{0, 1, 2, 7});
+            g[k] = shuffle<0, 1, 2, 7>(gradients, scales);
             s.fu[i + k] = values[t.exit[1]] - values[t.exit[0]];
             s.fv[i + k] = values[t.third] - values[t.exit[0]];
         }

@@ -93,7 +93,6 @@ static inline unsigned bits_of(Ints mask) {
 // ---- rows of four numbers ----
 
 typedef float Float4 __attribute__((vector_size(16)));
-typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
 static inline Float4 load4(const float* p) {
     return *reinterpret_cast<const Float4*>(p);
@@ -112,21 +111,32 @@ static inline Float4 square_root4(Float4 v) {
                   __builtin_sqrtf(v[3])};
 #endif
 }
+
+/// Places A, B, C and D of eight: those of a, then those of b.
+template <int A, int B, int C, int D>
+static inline Float4 shuffle(Float4 a, Float4 b) {
+#if defined(__clang__)
+    return __builtin_shufflevector(a, b, A, B, C, D);
+#else
+    typedef std::int32_t Int4 __attribute__((vector_size(16)));
+    return __builtin_shuffle(a, b, Int4{A, B, C, D});
+#endif
+}
 template <int K>
 static inline Float4 splat(Float4 v) {
-    return __builtin_shuffle(v, Int4{K, K, K, K});
+    return shuffle<K, K, K, K>(v, v);
 }
 
 /// Four rows to columns.
 static inline void transpose(Float4 rows[4]) {
-    const Float4 a = __builtin_shuffle(rows[0], rows[1], Int4{0, 4, 1, 5});
-    const Float4 b = __builtin_shuffle(rows[2], rows[3], Int4{0, 4, 1, 5});
-    const Float4 c = __builtin_shuffle(rows[0], rows[1], Int4{2, 6, 3, 7});
-    const Float4 d = __builtin_shuffle(rows[2], rows[3], Int4{2, 6, 3, 7});
-    rows[0] = __builtin_shuffle(a, b, Int4{0, 1, 4, 5});
-    rows[1] = __builtin_shuffle(a, b, Int4{2, 3, 6, 7});
-    rows[2] = __builtin_shuffle(c, d, Int4{0, 1, 4, 5});
-    rows[3] = __builtin_shuffle(c, d, Int4{2, 3, 6, 7});
+    const Float4 a = shuffle<0, 4, 1, 5>(rows[0], rows[1]);
+    const Float4 b = shuffle<0, 4, 1, 5>(rows[2], rows[3]);
+    const Float4 c = shuffle<2, 6, 3, 7>(rows[0], rows[1]);
+    const Float4 d = shuffle<2, 6, 3, 7>(rows[2], rows[3]);
+    rows[0] = shuffle<0, 1, 4, 5>(a, b);
+    rows[1] = shuffle<2, 3, 6, 7>(a, b);
+    rows[2] = shuffle<0, 1, 4, 5>(c, d);
+    rows[3] = shuffle<2, 3, 6, 7>(c, d);
 }
 
 static inline void store_row(Float4 row, float* p) {
