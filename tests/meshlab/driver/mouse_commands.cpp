@@ -55,15 +55,17 @@ void sendOne(QEvent::Type type, const Command& command) {
               modifiersNamed(command.wordOr(3, "")));
 }
 
-void drag(const Command& command) {
-    const QPointF from = pointInView(command, 0), to = pointInView(command, 2);
-    const Qt::MouseButton button = buttonNamed(command.wordOr(4, "left"));
-    const Qt::KeyboardModifiers modifiers = modifiersNamed(command.wordOr(5, ""));
+void dragMouse(QPointF from, QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
     sendMouse(QEvent::MouseButtonPress, from, button, modifiers);
     const int moves = 12;  // a trackball follows the path, not only its end
     for (int i = 1; i <= moves; ++i)
         sendMouse(QEvent::MouseMove, from + (to - from) * i / moves, button, modifiers);
     sendMouse(QEvent::MouseButtonRelease, to, button, modifiers);
+}
+
+void drag(const Command& command) {
+    dragMouse(pointInView(command, 0), pointInView(command, 2),
+              buttonNamed(command.wordOr(4, "left")), modifiersNamed(command.wordOr(5, "")));
 }
 
 void turnWheel(double notches, Qt::KeyboardModifiers modifiers) {
@@ -81,30 +83,62 @@ void wheel(const Command& command) {
     turnWheel(command.number(0), modifiersNamed(command.wordOr(1, "")));
 }
 
-/// Whether a frame along the view's border, a twentieth wide, shows nothing but one colour.
-bool hasMargin() {
-    QGLWidget* area = requireView();
-    area->repaint();
-    const QImage picture = area->grabFrameBuffer();
-    const QRect all = picture.rect();
-    const int margin = std::min(all.width(), all.height()) / 20;
-    const QRect inside = all.adjusted(margin, margin, -margin, -margin);
+/// The part of the view that shows other than the background, the colour of its corner, in its
+/// pixels; empty when nothing does.
+QRect drawnPart(const QImage& picture) {
     const int border = 2;  // MeshLab may outline the current view
-    const QRect outside = all.adjusted(border, border, -border, -border);
-    const QRgb background = picture.pixel(border, border);
-    for (int y = outside.top(); y <= outside.bottom(); ++y)
-        for (int x = outside.left(); x <= outside.right(); ++x)
-            if (!inside.contains(x, y) && picture.pixel(x, y) != background) return false;
-    return true;
+    const QRect all = picture.rect().adjusted(border, border, -border, -border);
+    const QRgb background = picture.pixel(all.topLeft());
+    QRect drawn;
+    for (int y = all.top(); y <= all.bottom(); ++y)
+        for (int x = all.left(); x <= all.right(); ++x)
+            if (picture.pixel(x, y) != background) drawn |= QRect(x, y, 1, 1);
+    return drawn;
 }
 
-void fillView(const Command&) {
+QImage repaintedView() {
+    QGLWidget* area = requireView();
+    area->repaint();
+    return area->grabFrameBuffer();
+}
+
+/// Whether a frame along the view's border, a twentieth wide, shows nothing but the background.
+bool hasMargin() {
+    const QImage picture = repaintedView();
+    const int margin = std::min(picture.width(), picture.height()) / 20;
+    const QRect drawn = drawnPart(picture);
+    return drawn.isEmpty() ||
+           picture.rect().adjusted(margin, margin, -margin, -margin).contains(drawn);
+}
+
+void zoomUntilMargin() {
     const double step = 0.25;       // notches
     const int most_steps = 8 * 12;  // a mesh that is nowhere to be seen must not keep us here
     for (int i = 0; i < most_steps && hasMargin(); ++i)
         turnWheel(-step, Qt::NoModifier);
     for (int i = 0; i < most_steps && !hasMargin(); ++i)
         turnWheel(step, Qt::NoModifier);
+}
+
+/// Shifts what is seen into the middle of the view.
+void centre() {
+    const QImage picture = repaintedView();
+    const QRect drawn = drawnPart(picture);
+    if (drawn.isEmpty()) return;
+    const QGLWidget* area = requireView();
+    const QPointF middle(area->width() / 2., area->height() / 2.);
+    const QPoint pixels = picture.rect().center() - drawn.center();
+    dragMouse(middle, middle + QPointF(pixels) * area->width() / picture.width(), Qt::MiddleButton,
+              Qt::NoModifier);
+}
+
+void fillView(const Command&) {
+    const int rounds = 2;  // what is nearer to the eye shifts faster
+    for (int i = 0; i < rounds; ++i) {
+        zoomUntilMargin();
+        centre();
+    }
+    zoomUntilMargin();
 }
 
 }  // namespace
