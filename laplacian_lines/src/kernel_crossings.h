@@ -138,6 +138,17 @@ static inline void test_crossings(const LineRules& rules, const ExtractionTask& 
     }
 }
 
+/// Opacities of crossings of contours: 1, less where the surface is concave along the view.
+static inline void weigh_contours(const LineRules& rules, const float eye[4], CrossingMemory& m,
+                                  std::size_t count) {
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Towards v = towards(eye, m, i);
+        const Floats product = v.x * load(m.gx + i) + v.y * load(m.gy + i) + v.z * load(m.gz + i);
+        const Floats concavity = -product / (square_root(v.squared) * load(m.gradient + i));
+        store(m.opacity + i, 1 - clamp01(concavity / rules.concave_thinning));  // 1 for NaN
+    }
+}
+
 /// Computes crossings [0, count) of one function from their ends. As all functions above, it
 /// writes to whole vectors of places.
 static inline void find_crossings(const VertexRecord* records, const ExtractionTask& task,
@@ -146,10 +157,9 @@ static inline void find_crossings(const VertexRecord* records, const ExtractionT
     for (std::size_t i = count; i < count + kLanes; ++i)  // something valid
         m.ends[i][0] = m.ends[i][1] = 0;
     find_shares(signs.values[kind], m, count);
-    find_points(records, task.light, m, count);
+    find_points(records, kind == kContourStrips ? task.eye : task.light, m, count);
     if (kind == kContourStrips) {
-        for (std::size_t i = 0; i < count; i += kLanes)
-            store(m.opacity + i, Floats{} + 1);
+        weigh_contours(task.rules[kind], task.eye, m, count);
         return;
     }
     if (!task.light_at_eye) find_facing(records, task.eye, m, count);

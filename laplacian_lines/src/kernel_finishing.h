@@ -83,6 +83,14 @@ static inline void fade_end(const LineColumns& c, std::ptrdiff_t from, std::ptrd
     }
 }
 
+static inline void smooth_taper(std::size_t count, bool closed, float*& column, float*& spare) {
+    float* result = smooth(column, spare, count, closed, LineEnd::Repeated, kTaperingPasses);
+    if (result != column) {
+        spare = column;
+        column = result;
+    }
+}
+
 /// Weights and opacities of a line from slopes and from the fading of its crossings. `whole` is
 /// the opacity of the line as a whole.
 static inline void taper(const LineRules& rules, std::size_t count, bool closed, float whole,
@@ -96,15 +104,8 @@ static inline void taper(const LineRules& rules, std::size_t count, bool closed,
         store(c.opacity + i, load(c.opacity + i) * (whole * faded));
         store(c.weight + i, within01(over / rules.full_slope));
     }
-    const auto smooth_column = [&](float*& column) {
-        float* result = smooth(column, c.spare, count, closed, LineEnd::Repeated, kTaperingPasses);
-        if (result != column) {
-            c.spare = column;
-            column = result;
-        }
-    };
-    smooth_column(c.weight);
-    smooth_column(c.opacity);
+    smooth_taper(count, closed, c.weight, c.spare);
+    smooth_taper(count, closed, c.opacity, c.spare);
     if (!closed && rules.end_length > 0) {
         const auto last = std::ptrdiff_t(count) - 1;
         fade_end(c, 0, last, 1, rules.end_length);
@@ -185,9 +186,10 @@ static void finish_line(const LineRules& rules, const LineSums& line, LineColumn
         taper(rules, count, closed, least < by_strength ? least : by_strength, c);
     } else {
         for (std::size_t i = 0; i < count; i += kLanes) {
-            store(c.weight + i, Floats{} + 1);
+            store(c.weight + i, load(c.opacity + i));
             store(c.opacity + i, Floats{} + 1);
         }
+        smooth_taper(count, closed, c.weight, c.spare);
     }
     for (float** column : {&c.x, &c.y, &c.z}) {
         float* result =

@@ -44,6 +44,7 @@ LineRules contour_rules(const LineStyle& s) {
     LineRules rules;
     rules.kind = LineKind::Contour;
     rules.least_length = float(s.shortest_contour);
+    rules.concave_thinning = 0.1f;
     rules.smoothing_passes = smoothing_passes(s.line_smoothing);
     return rules;
 }

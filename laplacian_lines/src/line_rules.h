@@ -22,14 +22,18 @@ struct LineRules {
     /// Nothing in triangles with is_convex() at all corners, where concave_only would accept
     /// crossings at most near n ∥ l, the middle of the lit side.
     bool leave_out_convex = false;
-    bool use_slope = false;  ///< false: no slopes are computed or tested, lines have full width
+    bool use_slope = false;  ///< false: no slopes are computed or tested, nor tell the width
     float segment_slope = 0, line_slope = 0, full_slope = 1;
     float least_strength = kAnything;
     float least_length = kAnything;  ///< D
-    float fading = 0;                ///< full opacity at (1 + fading) times a threshold
-    int smoothing_passes = 0;        ///< of the positions, each with the weights 1-2-1
-    float end_length = 0;            ///< over which open ends fade, D
-    float contour_clearance = 0;     ///< lines nearer to a contour fade out, D in the picture
+    /// Lines thin out where the surface is concave along the view, up to this cosine between the
+    /// view vector v and −∇(n·v) = −Sv. Contours are hidden there by the surface before them, but
+    /// not by much, so that parts of a wide stroke would be seen.
+    float concave_thinning = 0;
+    float fading = 0;             ///< full opacity at (1 + fading) times a threshold
+    int smoothing_passes = 0;     ///< of the positions, each with the weights 1-2-1
+    float end_length = 0;         ///< over which open ends fade, D
+    float contour_clearance = 0;  ///< lines nearer to a contour fade out, D in the picture
 };
 
 LineRules laplacian_rules(const LineStyle& style);

@@ -2,9 +2,13 @@
 // How lines fade, and how the detail moves all thresholds.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "generators.h"
+#include "helpers.h"
+#include "laplacian_lines/precompute.h"
 #include "made_up_line.h"
 
 namespace {
@@ -71,6 +75,38 @@ TEST(Fading, SparesTheNeighbourhoodOfContours) {
     EXPECT_EQ(middle_opacity(made_up.lines(style)), 0);
     style.contours = false;  // nothing is doubled
     EXPECT_EQ(middle_opacity(made_up.lines(style)), 1);
+}
+
+/// 1, but 0 where −v·Sv is a tenth of ‖Sv‖ or more, for the torus of radii 1 and 0.4.
+float expected_contour_weight(const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
+    const double ring = p.head<2>().norm();
+    const Eigen::Vector3d outward(p.x() / ring, p.y() / ring, 0);
+    const Eigen::Vector3d along(-outward.y(), outward.x(), 0);
+    const double cosine = (ring - 1) / 0.4;
+    const Eigen::Vector3d normal = cosine * outward + p.z() / 0.4 * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d across = along.cross(normal);
+    const Eigen::Vector3d sv = cosine / ring * along.dot(v) * along + across.dot(v) / 0.4 * across;
+    return float(std::clamp(1 + v.dot(sv) / (sv.norm() * v.norm()) / 0.1, 0., 1.));
+}
+
+/// The surface hides them there, but only just.
+TEST(Fading, ContoursThinOutWhereTheSurfaceIsConcaveAlongTheView) {
+    const auto torus = test_meshes::torus(300, 150);
+    const Field field = precompute(torus.mesh);
+    const LineExtractor extractor(torus.mesh, field);
+    const Eigen::Vector3d direction = Eigen::Vector3d(0, -2, 1).normalized();
+    const LineSet set =
+        helpers::extract(extractor, View::orthographic(direction), helpers::all_contours());
+    std::size_t thin = 0, full = 0;
+    for (const LinePoint& point : set.points) {
+        const float expected = expected_contour_weight(point.position.cast<double>(), direction);
+        EXPECT_NEAR(point.weight, expected, 0.2);  // along the line it is smoothed
+        EXPECT_EQ(point.opacity, 1);
+        thin += point.weight == 0;
+        full += point.weight == 1;
+    }
+    EXPECT_GT(thin, set.points.size() / 20);
+    EXPECT_GT(full, set.points.size() / 2);
 }
 
 TEST(Detail, LeavesTheThresholdsInTheMiddle) {

@@ -127,14 +127,19 @@ private:
         const float t = std::isfinite(sum) ? fa / sum : 0.5f;
         Crossing c;
         c.position = (1 - t) * a.position + t * b.position;
-        const Eigen::Vector3f l = light_.towards(c.position);
+        const Eigen::Vector3f towards_eye = eye_.towards(c.position);
+        const bool contour = rules.kind == LineKind::Contour;
+        const Eigen::Vector3f l = contour ? towards_eye : light_.towards(c.position);
         const Eigen::Vector3f normal = (1 - t) * a.normal + t * b.normal;
         c.gradient = interpolate(t, a.shape_operator, b.shape_operator) * l;
         c.gradient_norm = std::sqrt(dot(c.gradient, c.gradient));
         c.opacity = 1;
         c.accepted = true;
-        if (rules.kind == LineKind::Contour) return c;
-        const Eigen::Vector3f towards_eye = eye_.towards(c.position);
+        if (contour) {
+            const float concavity = -dot(l, c.gradient) / (std::sqrt(dot(l, l)) * c.gradient_norm);
+            if (concavity > 0) c.opacity = 1 - std::min(concavity / rules.concave_thinning, 1.f);
+            return c;
+        }
         const float facing = dot(normal, towards_eye);
         c.accepted = c.gradient_norm >= rules.least_gradient &&
                      facing >= rules.least_facing * std::sqrt(dot(towards_eye, towards_eye));

@@ -74,8 +74,12 @@ void fade_ends(const Polyline& line, float length, LinePoint* points) {
 
 void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points) {
     if (!rules.use_slope) {
-        for (std::uint32_t i = 0; i < line.count; ++i)
-            points[i].weight = points[i].opacity = 1;
+        for (std::uint32_t i = 0; i < line.count; ++i) {
+            points[i].weight = points[i].opacity;
+            points[i].opacity = 1;
+        }
+        for (int pass = 0; pass < kTaperingPasses; ++pass)
+            smooth_line(line, points, &LinePoint::weight, LineEnd::Repeated);
         return;
     }
     slopes_to_means(line, points);

@@ -24,8 +24,9 @@ constexpr bool is_outline(LineKind kind) {
 struct LinePoint {
     Eigen::Vector3f position;  ///< mesh coordinates
     float weight;              ///< 0..1, share of the full line width
-    float gradient;  ///< ‖∇I‖·D, dimensionless; of ridges and creases an angle, degrees
-    float opacity;   ///< 0..1; lines that are about to vanish are nearly transparent
+    float gradient;  ///< ‖∇I‖·D, dimensionless, of contours for the light at the eye; of ridges and
+                     ///< creases an angle, degrees
+    float opacity;  ///< 0..1; lines that are about to vanish are nearly transparent
 };
 
 /// A traced line: points[first .. first+count) of its LineSet. A closed line ends with a copy of
