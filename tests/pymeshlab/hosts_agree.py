@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The example scripts give the same in PyMeshLab and in every MeshLab whose tests have run before: attributes, polylines.
+"""The example scripts give the same attributes and lines in PyMeshLab and in every MeshLab whose tests have run before.
 
 They are built by different compilers and of different precision. MeshLab's are in the files that its own tests have
 saved; without any, or with none that is newer than the plugins' sources, the test is skipped.
