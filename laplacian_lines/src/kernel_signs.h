@@ -33,6 +33,9 @@ static inline void subtract_traces(const VertexRecord* records, const Cluster& c
     }
 }
 
+/// Beside those of StripKind, the bits of vertices that surely face away.
+constexpr unsigned kAwaySet = 2;
+
 /// How many of a cluster's values are below a bound, and which.
 struct BelowBound {
     VertexBits bits{{0, 0}};
@@ -134,25 +137,29 @@ static inline bool find_active(const unsigned char* memory, const ExtractionTask
     const bool mixed_laplacian = laplacian.any && !laplacian.all;
     if (!mixed_contour && !mixed_laplacian) return false;
 
+    VertexSigns vertices;
+    if (mixed_contour) vertices.set(kContourStrips, contour.bits);
+    if (mixed_laplacian) vertices.set(kLaplacianStrips, laplacian.bits);
+    if (mixed_laplacian && away.any) vertices.set(kAwaySet, away.bits);
     const unsigned char* corners = memory + layout.corners;
     const auto* triangles = reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles);
     for (unsigned g = 0; g < mask_groups(cluster); ++g) {
-        const CornerLookup lookup[3] = {CornerLookup(corners), CornerLookup(corners + kMaskGroup),
-                                        CornerLookup(corners + 2 * kMaskGroup)};
-        const auto list = [&](const BelowBound& below, StripKind kind, std::uint64_t unwanted) {
-            const std::uint64_t n[3] = {lookup[0](below.bits), lookup[1](below.bits),
-                                        lookup[2](below.bits)};
+        const CornerLookup lookup[3] = {{corners, vertices},
+                                        {corners + kMaskGroup, vertices},
+                                        {corners + 2 * kMaskGroup, vertices}};
+        const auto list = [&](StripKind kind, std::uint64_t unwanted) {
+            const std::uint64_t n[3] = {lookup[0](kind), lookup[1](kind), lookup[2](kind)};
             const std::uint64_t mixed = ((n[0] ^ n[1]) | (n[0] ^ n[2])) & ~unwanted;
             signs.count[kind] =
                 list_active(mixed, n, triangles, records, signs.active[kind], signs.count[kind]);
         };
-        if (mixed_contour) list(contour, kContourStrips, 0);
+        if (mixed_contour) list(kContourStrips, 0);
         if (mixed_laplacian) {
-            std::uint64_t unwanted =
-                task.rules[kLaplacianStrips].leave_out_convex ? cluster.convex[g] : 0;
-            if (away.any)
-                unwanted |= lookup[0](away.bits) & lookup[1](away.bits) & lookup[2](away.bits);
-            list(laplacian, kLaplacianStrips, unwanted);
+            const bool leave_out = task.rules[kLaplacianStrips].leave_out_convex;
+            const std::uint64_t convex = leave_out ? cluster.convex[g] : 0;
+            const std::uint64_t all_away =
+                away.any ? lookup[0](kAwaySet) & lookup[1](kAwaySet) & lookup[2](kAwaySet) : 0;
+            list(kLaplacianStrips, convex | all_away);
         }
         corners += 3 * kMaskGroup;
         triangles += kMaskGroup;
