@@ -17,8 +17,9 @@ benchmarks/in_meshlab.sh [--json] [MESH]   seconds and milliseconds that the plu
   filter       Compute Laplacian Lines with its defaults, in all, as MeshLab's log has it
   switch-on    Laplacian Lines switched on after it: the lines made ready, and the plugin's part of the first redraw
   extraction, upload, draw calls    the plugin's part of a redraw, medians of $redraws directions all around the mesh:
-               finding the lines, handing them to OpenGL, and its calls up to their return with all that remains
-  rasterization                     waiting for OpenGL's drawing of the lines, here by software
+               finding the lines, handing them to OpenGL, and telling it what to draw, with all that remains
+  drawing      OpenGL's part, here by software: the call that draws, which shades the points before it returns, and
+               waiting for the end
 END
 }
 
@@ -88,12 +89,12 @@ switch_on=$(median "switched on in")
 extraction=$(median extraction)
 upload=$(median upload)
 draw_calls=$(median "draw calls")
-rasterization=$(median rasterization)
+drawing=$(median "drawing by OpenGL")
 if $json; then
-    printf '{"filter_s": %s, "switch_on_s": %s, "extract_ms": %s, "upload_ms": %s, "draw_calls_ms": %s, "rasterization_ms": %s}\n' \
-        "$filter" "$switch_on" "$extraction" "$upload" "$draw_calls" "$rasterization"
+    printf '{"filter_s": %s, "switch_on_s": %s, "extract_ms": %s, "upload_ms": %s, "draw_calls_ms": %s, "drawing_ms": %s}\n' \
+        "$filter" "$switch_on" "$extraction" "$upload" "$draw_calls" "$drawing"
 else
     printf '%-40s %8s s\n' "filter" "$filter" "switch-on" "$switch_on"
     printf '%-40s %8s ms\n' "redraw: extraction" "$extraction" "redraw: upload" "$upload" \
-        "redraw: draw calls" "$draw_calls" "redraw: rasterization (not the plugin)" "$rasterization"
+        "redraw: draw calls" "$draw_calls" "redraw: drawing by OpenGL" "$drawing"
 fi

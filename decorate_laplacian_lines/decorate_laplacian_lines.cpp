@@ -43,7 +43,7 @@ QString statistics(const laplacian_lines::LineSet& lines, const RedrawClock& clo
         .arg(lines.segment_count())
         .arg(spent("extraction", RedrawClock::Extraction), spent("upload", RedrawClock::Upload),
              spent("draw calls", RedrawClock::DrawCalls),
-             spent("rasterization", RedrawClock::Rasterization))
+             spent("drawing by OpenGL", RedrawClock::Drawing))
         .arg(1e-3 * switching_on, 0, 'f', 3);
 }
 
@@ -163,12 +163,12 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     clock.count(RedrawClock::DrawCalls);
     throwIf(renderer_.upload(lines_, chosen.appearance, placement));
     clock.count(RedrawClock::Upload);
-    renderer_.draw(chosen.appearance, placement);
+    renderer_.draw(chosen.appearance, placement, clock);
     clock.count(RedrawClock::DrawCalls);
     if (!lines.first_redraw) lines.first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};
     glFinish();
-    clock.count(RedrawClock::Rasterization);
+    clock.count(RedrawClock::Drawing);
     return statistics(lines_, clock, lines.preparation + *lines.first_redraw);
 }
 

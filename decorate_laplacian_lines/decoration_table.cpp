@@ -90,13 +90,12 @@ ParameterGroup light() {
 }
 
 ParameterGroup statistics() {
-    return {
-        nullptr,
-        {boolean<&Parameters::show_statistics>(
-            "show_statistics", "Show Statistics",
-            "Show in the view the number of lines, the milliseconds that the last redraw took to "
-            "find them, to hand them over to the graphics card, to tell it what to draw and "
-            "to wait for its drawing, and the seconds that switching the lines on took.")}};
+    return {nullptr,
+            {boolean<&Parameters::show_statistics>(
+                "show_statistics", "Show Statistics",
+                "Show in the view the number of lines; the milliseconds of the last redraw to find "
+                "them (extraction), to hand them to OpenGL (upload), to tell it what to draw (draw "
+                "calls) and of its own drawing; and the seconds that switching them on took.")}};
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ struct LineRenderer::Pass {
 };
 
 void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& placement,
-                            const Pass& pass) {
+                            const Pass& pass, RedrawClock& clock) {
     glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
     glUniform1f(program.surface_side, pass.surface_side);
     const double unit = pass.bias_factor * meanScale(placement.to_eye);
@@ -149,47 +149,68 @@ void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& pla
     glUniform2f(program.depth_bias, float(unit * bias), float(unit * contour_bias));
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
-    drawInstanced(GL_TRIANGLE_STRIP, 4, GLsizei(stream_.size()) - 3);
+    clock.count(RedrawClock::DrawCalls);
+    drawInstanced(GL_TRIANGLE_STRIP, 4, GLsizei(stream_length_) - 3);
+    clock.count(RedrawClock::Drawing);
 }
 
 void LineRenderer::drawHidden(const LineProgram& program, const LineAppearance& appearance,
-                              const LinePlacement& placement) {
+                              const LinePlacement& placement, RedrawClock& clock) {
     Pass hidden;
     hidden.bias_factor = hidden_depth;
     hidden.is_dashed = appearance.hidden == HiddenLines::Dashed;
     setColors(program, appearance, hidden.is_dashed ? 1 : faint_alpha);
     hidden.depth_function = GL_ALWAYS;
     hidden.surface_side = -1;
-    drawPass(program, placement, hidden);
+    drawPass(program, placement, hidden, clock);
     if (placement.depths.is_complete) return;
     hidden.depth_function = GL_GREATER;  // what the depth buffer hides and the texture does not
     hidden.surface_side = 1;
-    drawPass(program, placement, hidden);
+    drawPass(program, placement, hidden, clock);
+}
+
+StreamPoint* LineRenderer::mapStream(GroupObjects& objects) {
+    const auto bytes = [](std::size_t points) { return GLsizeiptr(points * sizeof(StreamPoint)); };
+    const bool has_ranges = GLEW_VERSION_3_0 || GLEW_ARB_map_buffer_range;
+    glBindBuffer(GL_ARRAY_BUFFER, objects.stream);
+    if (stream_length_ > objects.capacity || !has_ranges) {
+        objects.capacity = std::max(objects.capacity, stream_length_ + stream_length_ / 4);
+        glBufferData(GL_ARRAY_BUFFER, bytes(objects.capacity), nullptr, GL_STREAM_DRAW);
+    }
+    // The driver need not wait for the last frame to be done with what the buffer had.
+    void* memory = has_ranges ? glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes(stream_length_),
+                                                 GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT)
+                              : glMapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY);
+    return static_cast<StreamPoint*>(memory);
 }
 
 std::string LineRenderer::upload(const laplacian_lines::LineSet& lines,
                                  const LineAppearance& appearance, const LinePlacement& placement) {
-    const GroupObjects& objects = objectsOfCurrentGroup();
+    GroupObjects& objects = objectsOfCurrentGroup();
     if (!objects.program.id) return "Lines cannot be drawn: " + objects.program.failure;
-    makeStream(lines, radii(appearance, placement.pixel_scale), stream_);
-    if (stream_.empty()) return {};
-    if (appearance.hidden == HiddenLines::Dashed) {
-        const Eigen::Matrix4d to_clip = placement.projection * placement.to_eye;
-        measureLines({to_clip.cast<float>(), halfViewport()}, stream_);
-    }
+    stream_length_ = streamLength(lines);
+    if (stream_length_ == 0) return {};
+    const Eigen::Matrix4d to_clip = placement.projection * placement.to_eye;
+    const ScreenTransform screen = {to_clip.cast<float>(), halfViewport()};
+    const bool is_dashed = appearance.hidden == HiddenLines::Dashed;
+
     GLint bound = 0;
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
-    const auto bytes = GLsizeiptr(stream_.size() * sizeof(StreamPoint));
-    glBindBuffer(GL_ARRAY_BUFFER, objects.stream);
-    // New storage first: the driver need not wait for the last frame to be done with the old one.
-    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
-    glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, stream_.data());
+    bool is_written = false;
+    if (StreamPoint* stream = mapStream(objects)) {
+        writeStream(lines, radii(appearance, placement.pixel_scale), is_dashed ? &screen : nullptr,
+                    stream);
+        is_written = glUnmapBuffer(GL_ARRAY_BUFFER);
+    }
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
-    return {};
+    if (is_written) return {};
+    stream_length_ = objects.capacity = 0;
+    return "Lines cannot be drawn: OpenGL has no memory for them.";
 }
 
-void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& placement) {
-    if (stream_.empty()) return;
+void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& placement,
+                        RedrawClock& clock) {
+    if (stream_length_ == 0) return;
     const GroupObjects& objects = objectsOfCurrentGroup();
     const LineRadii in_pixels = radii(appearance, placement.pixel_scale);
     const LineGlState state;
@@ -197,9 +218,9 @@ void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& p
     bindStream(objects);
     setPlacement(objects.program, placement, std::max(in_pixels.laplacian, in_pixels.contour));
     if (appearance.hidden != HiddenLines::LeftOut)
-        drawHidden(objects.program, appearance, placement);
+        drawHidden(objects.program, appearance, placement, clock);
     setColors(objects.program, appearance, 1);
-    drawPass(objects.program, placement, Pass());
+    drawPass(objects.program, placement, Pass(), clock);
     for (LineProgram::Attribute attribute : per_segment)
         setDivisor(attribute, 0);  // not saved by all drivers
 }

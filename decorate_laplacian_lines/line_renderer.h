@@ -6,11 +6,11 @@
 #include <QObject>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "laplacian_lines/line_set.h"
 #include "line_program.h"
 #include "line_stream.h"
+#include "redraw_clock.h"
 #include "share_group.h"
 #include "surface_depth.h"
 
@@ -47,25 +47,29 @@ public:
     std::string upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
                        const LinePlacement& placement);
     /// Draws what was uploaded last into the current context's viewport. Both leave the OpenGL
-    /// state as it was.
-    void draw(const LineAppearance& appearance, const LinePlacement& placement);
+    /// state as it was. `clock` counts the draw calls themselves as drawing.
+    void draw(const LineAppearance& appearance, const LinePlacement& placement, RedrawClock& clock);
 
 private:
     struct GroupObjects {
         LineProgram program;
-        GLuint corners = 0;  ///< buffer with the corners of a quad
-        GLuint stream = 0;   ///< buffer for this frame's points
+        GLuint corners = 0;        ///< buffer with the corners of a quad
+        GLuint stream = 0;         ///< buffer for this frame's points
+        std::size_t capacity = 0;  ///< points that it has room for
     };
 
     struct Pass;
 
     GroupObjects& objectsOfCurrentGroup();
+    /// Memory for stream_length_ points in the buffer, which is bound; null if there is none.
+    StreamPoint* mapStream(GroupObjects& objects);
     void bindStream(const GroupObjects& objects);
     void drawHidden(const LineProgram& program, const LineAppearance& appearance,
-                    const LinePlacement& placement);
-    void drawPass(const LineProgram& program, const LinePlacement& placement, const Pass& pass);
+                    const LinePlacement& placement, RedrawClock& clock);
+    void drawPass(const LineProgram& program, const LinePlacement& placement, const Pass& pass,
+                  RedrawClock& clock);
 
     std::map<ShareGroup, GroupObjects> groups_;
-    std::vector<StreamPoint> stream_;
-    QObject receiver_;  ///< of the groups' last words; destroyed first
+    std::size_t stream_length_ = 0;  ///< points of what was uploaded last
+    QObject receiver_;               ///< of the groups' last words; destroyed first
 };

@@ -11,9 +11,9 @@ using laplacian_lines::Polyline;
 
 namespace {
 
-StreamPoint at(const LinePoint& point, float radius, LineKind kind) {
+StreamPoint at(const LinePoint& point, float radius, LineKind kind, float along) {
     const Eigen::Vector3f& p = point.position;
-    return {{p.x(), p.y(), p.z()}, radius, point.opacity, is_outline(kind) ? 1.0f : 0.0f, 0};
+    return {{p.x(), p.y(), p.z()}, radius, point.opacity, is_outline(kind) ? 1.0f : 0.0f, along};
 }
 
 float taperedRadius(float full, float least_share, float weight) {
@@ -25,42 +25,58 @@ struct ScreenPlace {
     bool is_known = false;
 };
 
-ScreenPlace placeOf(const StreamPoint& point, const ScreenTransform& screen) {
-    const Eigen::Map<const Eigen::Vector3f> position(point.position);
-    const Eigen::Vector4f clip = screen.to_clip * position.homogeneous();
+ScreenPlace placeOf(const LinePoint& point, const ScreenTransform& screen) {
+    const Eigen::Vector4f clip = screen.to_clip * point.position.homogeneous();
     if (clip.w() <= 0) return {};
     return {clip.head<2>().cwiseProduct(screen.half_viewport) / clip.w(), true};
 }
 
+/// Length of a line on the screen, point by point.
+class LengthOnScreen {
+public:
+    explicit LengthOnScreen(const ScreenTransform* screen) : screen_(screen) {}
+
+    float upTo(const LinePoint& point) {
+        if (!screen_) return 0;
+        const ScreenPlace here = placeOf(point, *screen_);
+        if (here.is_known && previous_.is_known) length_ += (here.pixel - previous_.pixel).norm();
+        previous_ = here;
+        return length_;
+    }
+
+private:
+    const ScreenTransform* screen_;
+    float length_ = 0;
+    ScreenPlace previous_;
+};
+
+bool isDrawn(const Polyline& line) {
+    return line.count >= 2;
+}
+
 }  // namespace
 
-void makeStream(const LineSet& lines, const LineRadii& radii, std::vector<StreamPoint>& stream) {
-    stream.clear();
-    stream.reserve(lines.points.size() + 2 * lines.lines.size());
+std::size_t streamLength(const LineSet& lines) {
+    std::size_t length = 0;
+    for (const Polyline& line : lines.lines)
+        if (isDrawn(line)) length += line.count + 2;
+    return length;
+}
+
+void writeStream(const LineSet& lines, const LineRadii& radii, const ScreenTransform* screen,
+                 StreamPoint* stream) {
     for (const Polyline& line : lines.lines) {
-        if (line.count < 2) continue;
+        if (!isDrawn(line)) continue;
         const LinePoint* first = lines.points.data() + line.first;
         const LinePoint* last = first + line.count - 1;
         const float full = is_outline(line.kind) ? radii.contour : radii.laplacian;
         const float mark = line.closed ? neighbour_only : nothing_here;
+        LengthOnScreen length(screen);
         // a closed line ends with a copy of its first point, so its neighbours are one further in
-        stream.push_back(at(*(last - 1), mark, line.kind));
+        *stream++ = at(*(last - 1), mark, line.kind, 0);
         for (const LinePoint* point = first; point <= last; ++point)
-            stream.push_back(
-                at(*point, taperedRadius(full, radii.least_share, point->weight), line.kind));
-        stream.push_back(at(*(first + 1), mark, line.kind));
-    }
-}
-
-void measureLines(const ScreenTransform& screen, std::vector<StreamPoint>& stream) {
-    float along = 0;
-    ScreenPlace previous;
-    for (StreamPoint& point : stream) {
-        const bool is_mark = point.radius < 0;  // between two lines
-        const ScreenPlace here = is_mark ? ScreenPlace() : placeOf(point, screen);
-        if (is_mark) along = 0;
-        if (here.is_known && previous.is_known) along += (here.pixel - previous.pixel).norm();
-        point.along = along;
-        previous = here;
+            *stream++ = at(*point, taperedRadius(full, radii.least_share, point->weight), line.kind,
+                           length.upTo(*point));
+        *stream++ = at(*(first + 1), mark, line.kind, 0);
     }
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include <cstddef>
 
 #include "laplacian_lines/line_set.h"
 
@@ -33,9 +33,11 @@ struct StreamPoint {
 constexpr float nothing_here = -1;    ///< before and after a line: its ends are round
 constexpr float neighbour_only = -2;  ///< around a closed line: a point to join to
 
-/// Replaces `stream` by the points of all lines, each line between two marks. Keeps the memory.
-void makeStream(const laplacian_lines::LineSet& lines, const LineRadii& radii,
-                std::vector<StreamPoint>& stream);
+/// How many points a line set has as a stream: each line stands between two marks.
+std::size_t streamLength(const laplacian_lines::LineSet& lines);
 
-/// Sets the points' `along`. What lies behind the eye counts as no length.
-void measureLines(const ScreenTransform& screen, std::vector<StreamPoint>& stream);
+/// Writes that many points, one after the other and reading none, so that `stream` may be memory of
+/// the graphics card. With a `screen`, sets the points' `along`; what lies behind the eye counts as
+/// no length.
+void writeStream(const laplacian_lines::LineSet& lines, const LineRadii& radii,
+                 const ScreenTransform* screen, StreamPoint* stream);

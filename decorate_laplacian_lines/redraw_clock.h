@@ -10,8 +10,10 @@ public:
     enum Part {
         Extraction,
         Upload,
-        DrawCalls,      ///< up to the return of the last one, and all that is not one of the others
-        Rasterization,  ///< waiting for OpenGL
+        DrawCalls,  ///< telling OpenGL what to draw, and all that is not one of the others
+        /// By OpenGL: the call that begins it, in which a software renderer does half of it, and
+        /// waiting for its end.
+        Drawing,
         part_count
     };
 

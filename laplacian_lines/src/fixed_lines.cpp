@@ -21,12 +21,14 @@ struct FixedRules {
 };
 
 /// Appends the lines of the set that are long enough and have a point to be seen.
-/// `opacity_of(i)` is the opacity of point i of the set.
-template <class OpacityOf>
-void append_lines(const LineSet& set, const FixedRules& rules, const OpacityOf& opacity_of,
-                  LineSet& lines) {
-    for (Polyline line : set.lines) {
-        if (line.length < rules.least_length) continue;
+/// `opacity_of(i)` is the opacity of point i of the set; `may_show(i)` is false if that is 0 for
+/// all points of line i.
+template <class MayShow, class OpacityOf>
+void append_lines(const LineSet& set, const FixedRules& rules, const MayShow& may_show,
+                  const OpacityOf& opacity_of, LineSet& lines) {
+    for (std::size_t number = 0; number < set.lines.size(); ++number) {
+        Polyline line = set.lines[number];
+        if (line.length < rules.least_length || !may_show(number)) continue;
         const std::size_t begin = line.first, end = begin + line.count;
         line.first = std::uint32_t(lines.points.size());
         float most = 0;
@@ -77,24 +79,26 @@ void FixedLines::append_ridges(const ExtractorData& data, const LocalEye& eye,
         const float gradient = std::abs(form.bend.dot(l));
         return opacity * clearance_opacity(facing, std::max(gradient, 1e-6f), clearance);
     };
-    append_lines(ridges.lines, {shortest, smoothing_passes(style.line_smoothing)}, opacity_of,
-                 lines);
+    append_lines(
+        ridges.lines, {shortest, smoothing_passes(style.line_smoothing)},
+        [&](std::size_t line) { return ridges.sharpest[line] >= angle; }, opacity_of, lines);
 }
 
 void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                         LineSet& lines) {
     const float shortest = float(std::sqrt(threshold_factor(style.detail)) * style.shortest_line);
+    const auto always = [](std::size_t) { return true; };
     if (style.ridges) append_ridges(data, eye, style, shortest, lines);
     if (style.borders)
         append_lines(
-            borders_.get([&] { return find_borders(data); }), {kPinhole * shortest, 0},
+            borders_.get([&] { return find_borders(data); }), {kPinhole * shortest, 0}, always,
             [](std::size_t) { return 1.f; }, lines);
     if (style.creases) {
         const LineSet& creases =
             creases_.get([&] { return find_creases(data, find_mesh_edges(rebuild_mesh(data))); });
         const float angle = float(style.crease_angle);
         append_lines(
-            creases, {shortest, 0},
+            creases, {shortest, 0}, always,
             [&](std::size_t i) { return angle_opacity(creases.points[i].gradient, angle, 0); },
             lines);
     }

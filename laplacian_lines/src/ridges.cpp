@@ -214,8 +214,13 @@ Ridges find_ridges(const ExtractorData& data) {
         ridges.forms.push_back(zero.form);
         point.gradient = zero.angle;
     }
-    for (Polyline& line : ridges.lines.lines)
+    for (Polyline& line : ridges.lines.lines) {
         line.strength = 0;
+        float most = 0;
+        for (std::uint32_t i = 0; i < line.count; ++i)
+            most = std::max(most, ridges.lines.points[line.first + i].gradient);
+        ridges.sharpest.push_back(most);
+    }
     return ridges;
 }
 

@@ -21,6 +21,7 @@ struct Ridges {
         Eigen::Vector3f bend;    ///< k₁ e₁, local
     };
     std::vector<Form> forms;
+    std::vector<float> sharpest;  ///< the largest angle of a line's points, by line
 };
 /// The number of threads does not matter.
 Ridges find_ridges(const ExtractorData& data);

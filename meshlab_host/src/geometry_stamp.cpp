@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/geometry_stamp.h"
 
+#include <algorithm>
 #include <cstring>
+#include <vector>
 
 #include "meshlab_host/mesh_conversion.h"
 
@@ -42,25 +44,53 @@ std::uint64_t pack(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
     return a * 0xd6e8feb86659fd93u + b * 0xa0761d6478bd642fu + c * 0xe7037ed1a0b428dbu;
 }
 
+/// Hashes the elements that are not deleted: blocks of them, and then the results in their order.
+/// `add(element, hash)` adds one.
+template <class Elements, class Add>
+std::uint64_t hashInBlocks(const Elements& elements, std::size_t live, std::uint64_t seed,
+                           Add add) {
+    constexpr std::size_t block = 16384;
+    std::vector<std::uint64_t> hashes((live + block - 1) / block);
+    const auto hashBlock = [&](std::size_t number, std::size_t slot) {
+        Hash hash(seed);
+        std::size_t left = std::min(live - number * block, block);
+        for (; left > 0 && slot < elements.size(); ++slot) {
+            if (elements[slot].IsD()) continue;
+            add(elements[slot], hash);
+            --left;
+        }
+        hashes[number] = hash.value();
+        return slot;
+    };
+    if (elements.size() == live) {
+#pragma omp parallel for
+        for (std::size_t number = 0; number < hashes.size(); ++number)
+            hashBlock(number, number * block);
+    } else {
+        std::size_t slot = 0;
+        for (std::size_t number = 0; number < hashes.size(); ++number)
+            slot = hashBlock(number, slot);
+    }
+    Hash all(seed);
+    for (std::uint64_t hash : hashes)
+        all.add(hash);
+    return all.value();
+}
+
 std::uint64_t hashVertices(const CMeshO& mesh) {
-    Hash hash(1);
-    for (const CVertexO& vertex : mesh.vert)
-        if (!vertex.IsD()) hash.add(pack(vertex.cP()));
-    return hash.value();
+    return hashInBlocks(mesh.vert, std::size_t(mesh.vn), 1,
+                        [](const CVertexO& vertex, Hash& hash) { hash.add(pack(vertex.cP())); });
 }
 
 /// `index(slot)` gives a vertex's number among the live ones.
 template <class Index>
 std::uint64_t hashFaces(const CMeshO& mesh, Index index) {
-    Hash hash(2);
     const CVertexO* first = mesh.vert.data();
-    for (const CFaceO& face : mesh.face) {
-        if (face.IsD()) continue;
+    return hashInBlocks(mesh.face, std::size_t(mesh.fn), 2, [&](const CFaceO& face, Hash& hash) {
         hash.add(pack(index(std::size_t(face.cV(0) - first)),
                       index(std::size_t(face.cV(1) - first)),
                       index(std::size_t(face.cV(2) - first))));
-    }
-    return hash.value();
+    });
 }
 
 }  // namespace
