@@ -10,20 +10,22 @@
 namespace meshlab_host {
 namespace {
 
-/// A chain of multiply-and-fold steps over 64-bit words, seeded apart for vertices and faces. Not
-/// for adversaries; one bit changed anywhere in a mesh is all it has to notice.
+/// A sum over 64-bit words, each mixed with its place, so that no word has to wait for the one
+/// before. Not for adversaries; one bit changed anywhere in a mesh is all it has to notice.
 class Hash {
 public:
-    explicit Hash(std::uint64_t seed) : state_(seed) {}
+    explicit Hash(std::uint64_t seed) : place_(seed) {}
 
     void add(std::uint64_t word) {
-        const std::uint64_t product = (state_ ^ word) * 0x9e3779b97f4a7c15u;
-        state_ = product ^ (product >> 32);
+        place_ += 0x9e3779b97f4a7c15u;
+        std::uint64_t mixed = (word ^ place_) * 0xbf58476d1ce4e5b9u;
+        mixed ^= mixed >> 32;
+        sum_ += mixed * 0x94d049bb133111ebu;
     }
-    std::uint64_t value() const { return state_; }
+    std::uint64_t value() const { return sum_; }
 
 private:
-    std::uint64_t state_;
+    std::uint64_t place_, sum_ = 0;
 };
 
 template <class Scalar>
