@@ -65,6 +65,23 @@ std::size_t ExtractorData::memory() const {
            bytes(border_edges) + bytes(bounds);
 }
 
+std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
+    std::vector<PlacedCluster> placed;
+    placed.reserve(data.clusters.size());
+    const ClusterStore store = data.store();
+    const std::uint32_t* vertices = data.vertices_of_clusters.data();
+    for (const Cluster& cluster : data.clusters) {
+        const unsigned char* memory = memory_of(store, cluster);
+        const ClusterLayout layout = cluster_layout(cluster);
+        placed.push_back({&cluster, vertices,
+                          reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
+                          reinterpret_cast<const VertexRecord*>(memory + layout.records),
+                          reinterpret_cast<const float*>(memory + layout.laplacians)});
+        vertices += cluster.vertex_count;
+    }
+    return placed;
+}
+
 ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field) {
     const std::size_t n = mesh.positions.size();
     if (field.normals.size() != n || field.laplacian_normals.size() != n ||

@@ -38,6 +38,16 @@ struct ExtractorData {
     std::size_t memory() const;  ///< bytes
 };
 
+/// A cluster with where its parts are.
+struct PlacedCluster {
+    const Cluster* cluster;
+    const std::uint32_t* vertices;  ///< numbers in the mesh
+    const ClusterTriangle* triangles;
+    const VertexRecord* records;
+    const float* laplacians;  ///< linear forms
+};
+std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
+
 /// @throws Error: FieldMismatch, InvalidMesh, EmptyMesh.
 ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field);
 

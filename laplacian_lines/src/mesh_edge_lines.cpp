@@ -89,22 +89,15 @@ struct BorderSide {
 /// clusters.
 std::vector<BorderSide> border_sides(const ExtractorData& data) {
     std::vector<BorderSide> sides;
-    const ClusterStore store = data.store();
-    const std::uint32_t* vertices = data.vertices_of_clusters.data();
-    for (const Cluster& cluster : data.clusters) {
-        const unsigned char* memory = memory_of(store, cluster);
-        const ClusterLayout layout = cluster_layout(cluster);
-        const auto* records = reinterpret_cast<const VertexRecord*>(memory + layout.records);
-        const auto* triangles = reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles);
-        for (unsigned t = 0; t < cluster.triangle_count; ++t)
+    for (const PlacedCluster& placed : place_clusters(data))
+        for (unsigned t = 0; t < placed.cluster->triangle_count; ++t)
             for (unsigned k = 0; k < 3; ++k) {
-                if (triangles[t].neighbours[k] != kNoNeighbour) continue;
-                const unsigned a = triangles[t].corners[k], b = triangles[t].corners[(k + 1) % 3];
-                sides.push_back(
-                    {{vertices[a], vertices[b]}, {records[a].position, records[b].position}});
+                const ClusterTriangle& triangle = placed.triangles[t];
+                if (triangle.neighbours[k] != kNoNeighbour) continue;
+                const unsigned a = triangle.corners[k], b = triangle.corners[(k + 1) % 3];
+                sides.push_back({{placed.vertices[a], placed.vertices[b]},
+                                 {placed.records[a].position, placed.records[b].position}});
             }
-        vertices += cluster.vertex_count;
-    }
     std::stable_sort(sides.begin(), sides.end(),
                      [](const BorderSide& x, const BorderSide& y) { return x.edge() < y.edge(); });
     return sides;

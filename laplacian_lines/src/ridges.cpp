@@ -25,9 +25,8 @@ struct Bend {
 };
 
 /// The vector of place v of linear forms.
-Eigen::Vector3f read_form(const unsigned char* forms, unsigned v) {
-    const float* form =
-        reinterpret_cast<const float*>(forms) + v / kFormGroup * 4 * kFormGroup + v % kFormGroup;
+Eigen::Vector3f read_form(const float* forms, unsigned v) {
+    const float* form = forms + v / kFormGroup * 4 * kFormGroup + v % kFormGroup;
     return {form[0], form[kFormGroup], form[2 * kFormGroup]};
 }
 
@@ -68,20 +67,14 @@ struct Piece {
 /// Finds the pieces of ridges in one cluster.
 class ClusterRidges {
 public:
-    /// `vertices`: numbers of its vertices in the mesh.
-    ClusterRidges(const ExtractorData& data, const Cluster& cluster, const std::uint32_t* vertices)
-        : cluster_(cluster), vertices_(vertices) {
-        const unsigned char* memory = memory_of(data.store(), cluster);
-        const ClusterLayout layout = cluster_layout(cluster);
-        records_ = reinterpret_cast<const VertexRecord*>(memory + layout.records);
-        triangles_ = reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles);
-        for (unsigned v = 0; v < cluster.vertex_count; ++v)
-            bends_[v] = bend(records_[v], read_form(memory + layout.laplacians, v));
+    explicit ClusterRidges(const PlacedCluster& placed) : placed_(placed) {
+        for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
+            bends_[v] = bend(placed.records[v], read_form(placed.laplacians, v));
     }
 
     void find(std::vector<Piece>& pieces) const {
-        for (unsigned t = 0; t < cluster_.triangle_count; ++t)
-            add(triangles_[t].corners, pieces);
+        for (unsigned t = 0; t < placed_.cluster->triangle_count; ++t)
+            add(placed_.triangles[t].corners, pieces);
     }
 
 private:
@@ -113,10 +106,10 @@ private:
     }
 
     Eigen::Vector3f position(unsigned v) const {
-        return Eigen::Map<const Eigen::Vector3f>(records_[v].position);
+        return Eigen::Map<const Eigen::Vector3f>(placed_.records[v].position);
     }
     Eigen::Vector3f normal(unsigned v) const {
-        const auto& s = records_[v].shape_operator;
+        const auto& s = placed_.records[v].shape_operator;
         return {s[0][3], s[1][3], s[2][3]};
     }
 
@@ -132,36 +125,28 @@ private:
 
     /// The same from the triangles on both sides.
     Zero zero(unsigned a, unsigned b) const {
-        if (vertices_[b] < vertices_[a]) std::swap(a, b);
+        if (placed_.vertices[b] < placed_.vertices[a]) std::swap(a, b);
         const float fa = std::abs(bends_[a].derivative), sum = fa + std::abs(bends_[b].derivative);
         const float t = sum > 0 ? fa / sum : 0.5f;
         const Eigen::Vector3f bend_a = bends_[a].curvature * bends_[a].direction;
         const Eigen::Vector3f bend_b = bends_[b].curvature * bends_[b].direction;
-        return {std::uint64_t(vertices_[a]) << 32 | vertices_[b],
+        return {std::uint64_t(placed_.vertices[a]) << 32 | placed_.vertices[b],
                 (1 - t) * position(a) + t * position(b),
                 (1 - t) * bends_[a].angle + t * bends_[b].angle,
                 {(1 - t) * normal(a) + t * normal(b),
                  (1 - t) * bend_a + t * sign_to(bends_[a], bends_[b]) * bend_b}};
     }
 
-    const Cluster& cluster_;
-    const std::uint32_t* vertices_;
-    const VertexRecord* records_;
-    const ClusterTriangle* triangles_;
+    const PlacedCluster& placed_;
     Bend bends_[kClusterVertices];
 };
 
 /// In the order of the clusters.
 std::vector<std::vector<Piece>> find_pieces(const ExtractorData& data) {
-    std::vector<const std::uint32_t*> vertices;
-    const std::uint32_t* next = data.vertices_of_clusters.data();
-    for (const Cluster& cluster : data.clusters) {
-        vertices.push_back(next);
-        next += cluster.vertex_count;
-    }
-    std::vector<std::vector<Piece>> pieces(data.clusters.size());
-    in_parallel<NoScratch>(data.clusters.size(), [&](std::size_t c, NoScratch&) {
-        ClusterRidges(data, data.clusters[c], vertices[c]).find(pieces[c]);
+    const std::vector<PlacedCluster> placed = place_clusters(data);
+    std::vector<std::vector<Piece>> pieces(placed.size());
+    in_parallel<NoScratch>(placed.size(), [&](std::size_t c, NoScratch&) {
+        ClusterRidges(placed[c]).find(pieces[c]);
     });
     return pieces;
 }
