@@ -80,11 +80,12 @@ void run_precompute(benchmark::State& state, BenchmarkMesh& mesh, int threads, d
 }
 
 /// Δn alone; √h in mean edges.
-void run_laplacian(benchmark::State& state, BenchmarkMesh& mesh, int threads, double size) {
+void run_laplacian(benchmark::State& state, BenchmarkMesh& mesh, int threads, double size,
+                   Summation summation) {
     omp_set_num_threads(threads);
     const benchmarks::LaplacianAlone& laplacian = mesh.laplacian_alone();
     for (auto _ : state)
-        benchmark::DoNotOptimize(laplacian.compute(size).data());
+        benchmark::DoNotOptimize(laplacian.compute(size, summation).data());
     state.counters["per_vertex"] = per_item(double(laplacian.vertex_count()));
 }
 
@@ -176,7 +177,7 @@ void add_benchmarks(BenchmarkMesh& mesh) {
         for (double size : {2., 2.5, 3.5, 5., 10., 20.})
             add("laplacian/kernel:" + short_number(size) + suffix,
                 [&mesh, threads, size](benchmark::State& state) {
-                    run_laplacian(state, mesh, threads, size);
+                    run_laplacian(state, mesh, threads, size, Summation::Fastest);
                 });
         add("extract" + suffix,
             [&mesh, threads](benchmark::State& state) { run_extract(state, mesh, threads, {}); });
@@ -187,6 +188,14 @@ void add_benchmarks(BenchmarkMesh& mesh) {
     }
     add("build_extractor/" + mesh.name(),
         [&mesh](benchmark::State& state) { run_extractor_build(state, mesh); });
+    // Where the two ways cost the same, the choice should change.
+    for (double size : {2., 2.5, 3., 3.5})
+        for (bool grid : {false, true})
+            add((grid ? "laplacian_grid/kernel:" : "laplacian_direct/kernel:") +
+                    short_number(size) + "/" + mesh.name(),
+                [&mesh, size, grid](benchmark::State& state) {
+                    run_laplacian(state, mesh, 1, size, grid ? Summation::Grid : Summation::Direct);
+                });
     for (int size : {2, 5})
         add("naive_belkin/kernel:" + std::to_string(size) + "/" + mesh.name(),
             [&mesh, size](benchmark::State& state) { run_naive_belkin(state, mesh, size); });

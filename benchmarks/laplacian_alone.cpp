@@ -23,18 +23,18 @@ StageProgress no_reports() {
 LaplacianAlone::LaplacianAlone(const TriangleMesh& mesh)
     : mesh_(prepare_mesh(mesh)), tree_(sort_in_space(mesh_)) {
     const PrecomputeOptions options;
-    normals_ = vertex_normals(mesh_, options.normal_weighting);
+    const VertexRanges ranges(mesh_);
+    normals_ = vertex_normals(mesh_, ranges, options.normal_weighting, no_reports());
     smooth_normals(mesh_, tree_, std::vector<float>(mesh_.size(), 1.f),
                    options.normal_sigma * mesh_.mean_edge, options, no_reports(), normals_);
-    shape_operators_ = fit_triangles(mesh_, normals_);
-    for (int pass = 0; pass < 2; ++pass)
-        smooth_over_one_rings(mesh_, normals_, shape_operators_);
+    shape_operators_ = fit_triangles(mesh_, ranges, normals_, no_reports());
+    smooth_over_one_rings(mesh_, ranges, normals_, 2, no_reports(), shape_operators_);
 }
 
-std::vector<Eigen::Vector3d> LaplacianAlone::compute(double size, double accuracy) const {
+std::vector<Eigen::Vector3d> LaplacianAlone::compute(double size, Summation summation) const {
     const std::vector<float> kernel_sizes(mesh_.size(), float(size * mesh_.mean_edge));
     BelkinOptions options;
-    options.accuracy = accuracy;
+    options.summation = summation;
     return belkin_laplacian(mesh_, tree_, normals_, kernel_sizes, shape_operators_, options,
                             no_reports());
 }

@@ -6,6 +6,8 @@
 
 #include "laplacian_lines/triangle_mesh.h"
 #include "prepared_mesh.h"
+#include "shape_operators.h"
+#include "summation_cost.h"
 
 namespace benchmarks {
 
@@ -18,15 +20,16 @@ public:
 
     std::size_t vertex_count() const { return mesh_.size(); }
 
-    /// Δn of all vertices, corrections included. `size`: √h in mean edges; `accuracy` as in
-    /// PrecomputeOptions.
-    std::vector<Eigen::Vector3d> compute(double size, double accuracy = 1e-3) const;
+    /// Δn of all vertices to 1e-3, corrections included. `size`: √h in mean edges.
+    std::vector<Eigen::Vector3d> compute(
+        double size,
+        laplacian_lines::Summation summation = laplacian_lines::Summation::Fastest) const;
 
 private:
     laplacian_lines::PreparedMesh mesh_;
     laplacian_lines::SpatialTree tree_;
     std::vector<Eigen::Vector3d> normals_;
-    std::vector<Eigen::Matrix3d> shape_operators_;
+    laplacian_lines::ShapeOperators shape_operators_;
 };
 
 }  // namespace benchmarks

@@ -9,6 +9,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kQuickAccuracy = 0.5e-3;  // far above the error of quick Gaussians
 // Less of the kernel than this is on the surface only at the tip of a border's corner.
 constexpr double kLeastKernelMass = 0.2;
 
@@ -17,8 +18,7 @@ double tail(double u) {
 }
 
 /// Root mean square of √h|S|.
-double roughness(const std::vector<float>& kernel_sizes,
-                 const std::vector<Eigen::Matrix3d>& shape_operators) {
+double roughness(const std::vector<float>& kernel_sizes, const ShapeOperators& shape_operators) {
     double sum = 0;
     for (std::size_t i = 0; i < kernel_sizes.size(); ++i)
         sum += double(kernel_sizes[i]) * kernel_sizes[i] * shape_operators[i].squaredNorm();
@@ -36,16 +36,22 @@ double belkin_cutoff(double accuracy) {
     return 2 * std::sqrt(high);
 }
 
-std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
-                                              const std::vector<Eigen::Vector3d>& normals,
-                                              const std::vector<float>& kernel_sizes,
-                                              const std::vector<Eigen::Matrix3d>& shape_operators,
-                                              const BelkinOptions& options,
-                                              const StageProgress& stage) {
+GaussianKernel belkin_kernel(const std::vector<float>& kernel_sizes, const BelkinOptions& options) {
     GaussianKernel kernel;
     kernel.kernel_sizes = kernel_sizes;
     kernel.cutoff = belkin_cutoff(options.accuracy);
+    kernel.quick = options.accuracy >= kQuickAccuracy;
     kernel.facing = options.skip_opposite_sheet;
+    return kernel;
+}
+
+std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
+                                              const std::vector<Eigen::Vector3d>& normals,
+                                              const std::vector<float>& kernel_sizes,
+                                              const ShapeOperators& shape_operators,
+                                              const BelkinOptions& options,
+                                              const StageProgress& stage) {
+    const GaussianKernel kernel = belkin_kernel(kernel_sizes, options);
     const GridResolution resolution =
         grid_resolution(options.accuracy, roughness(kernel_sizes, shape_operators));
     Summation summation = options.summation;
@@ -57,11 +63,11 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
     // The cut-off tail of a second moment is known, so its mean effect can be taken out.
     const double kept = on_grid ? 1 : 1 - tail(kernel.cutoff * kernel.cutoff / 4);
     std::vector<Eigen::Vector3d> laplacian(mesh.size());
-    for (std::size_t i = 0; i < laplacian.size(); ++i) {
+    for_each_element(laplacian.size(), [&](std::size_t i) {
         const double h = double(kernel_sizes[i]) * kernel_sizes[i];
         const double factor = 1 / (4 * kPi * h * h * kept);
         laplacian[i] = factor * sums.normal_difference[i].cast<double>();
-        if (!options.correct_borders) continue;
+        if (!options.correct_borders) return;
         const Eigen::Vector3d& n = normals[i];
         const Eigen::Vector3d moment = factor * sums.first_moment[i].cast<double>();
         // A kernel that is not symmetric around p, as at a border, has a first moment along the
@@ -73,7 +79,7 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
         // surfaces; tangential parts get worse by it.
         const double kernel_mass = std::max(sums.mass[i] / (4 * kPi * h), kLeastKernelMass);
         laplacian[i] += n * n.dot(laplacian[i]) * (1 / kernel_mass - 1);
-    }
+    });
     return laplacian;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gaussian_sums.h"
+#include "shape_operators.h"
 #include "summation_cost.h"
 
 namespace laplacian_lines {
@@ -20,6 +21,9 @@ struct BelkinOptions {
     Summation summation = Summation::Fastest;
 };
 
+/// The kernel of the direct sum.
+GaussianKernel belkin_kernel(const std::vector<float>& kernel_sizes, const BelkinOptions& options);
+
 /// Δn of all vertices, [N], local units, by
 ///   L f(p) = 1/(4πh²) Σ_q m_q exp(−|q−p|²/4h) (f(q) − f(p)):
 /// M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces", SoCG 2008; Eq. 2 of
@@ -28,7 +32,7 @@ struct BelkinOptions {
 std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
                                               const std::vector<Eigen::Vector3d>& normals,
                                               const std::vector<float>& kernel_sizes,
-                                              const std::vector<Eigen::Matrix3d>& shape_operators,
+                                              const ShapeOperators& shape_operators,
                                               const BelkinOptions& options,
                                               const StageProgress& stage);
 

@@ -11,20 +11,27 @@ namespace {
 
 constexpr double kLog2E = 1.4426950408889634;
 
-using Sources = std::vector<GaussianSource>;
+static_assert(SourceLeaf::kSize == SpatialTree::kLeafSize);
 
-/// All vertices, positions relative to the centres of their leaves.
-Sources pack_sources(const PreparedMesh& mesh, const SpatialTree& tree,
-                     const std::vector<Eigen::Vector3d>& normals) {
-    Sources packed(mesh.size());
-    for (const SpatialTree::Leaf& leaf : tree.leaves()) {
-        const Eigen::Vector3d centre = leaf.box.center();
+GaussianSource source(const Eigen::Vector3d& position, double mass, const Eigen::Vector3d& normal) {
+    const Eigen::Vector3f p = position.cast<float>(), n = normal.cast<float>();
+    return {p.x(), p.y(), p.z(), float(mass), n.x(), n.y(), n.z(), 0};
+}
+
+/// All vertices, by the leaves of the tree.
+std::vector<SourceLeaf> pack_sources(const PreparedMesh& mesh, const SpatialTree& tree,
+                                     const std::vector<Eigen::Vector3d>& normals) {
+    std::vector<SourceLeaf> packed(tree.leaves().size());
+    in_parallel<NoScratch>(packed.size(), [&](std::size_t i, NoScratch&) {
+        const SpatialTree::Leaf& leaf = tree.leaves()[i];
+        SourceLeaf& to = packed[i];
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
-            const Eigen::Vector3f p = (mesh.positions[v] - centre).cast<float>();
-            const Eigen::Vector3f n = normals[v].cast<float>();
-            packed[v] = {p.x(), p.y(), p.z(), float(mesh.masses[v]), n.x(), n.y(), n.z(), 0};
+            const std::size_t k = v - leaf.begin;
+            to.sources[k] =
+                source(mesh.positions[v] - leaf.box.center(), mesh.masses[v], normals[v]);
+            to.x[k] = to.sources[k].x, to.y[k] = to.sources[k].y, to.z[k] = to.sources[k].z;
         }
-    }
+    });
     return packed;
 }
 
@@ -36,21 +43,24 @@ public:
             const SpatialTree::Leaf& leaf)
         : mesh_(mesh), tree_(tree), normals_(normals), kernel_(kernel), leaf_(leaf) {
         centre_ = leaf.box.center();
+        mean_normal_.setZero();
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
             radius_ = std::max(radius_, kernel.cutoff * kernel.kernel_sizes[v]);
+            mean_normal_ += normals[v] / double(leaf.end - leaf.begin);
         }
     }
 
-    std::size_t collect_sources(const Sources& packed, Sources& sources) const {
+    std::size_t collect_sources(const std::vector<SourceLeaf>& packed,
+                                std::vector<GaussianSource>& sources) const {
         std::size_t count = 0;
         const Eigen::Array3f half_size = (leaf_.box.sizes() / 2).cast<float>();
         tree_.visit_leaves(leaf_.box, radius_, [&](const SpatialTree::Leaf& other) {
             const std::size_t others = other.end - other.begin;
             if (sources.size() < count + others) sources.resize(2 * (count + others));
-            const Eigen::Vector3f p = (other.box.center() - centre_).cast<float>();
             count += laplacian_lines::collect_sources(
-                &packed[other.begin], others, {p.x(), p.y(), p.z(), 0, 0, 0, 0, 0},
-                half_size.data(), float(radius_ * radius_), &sources[count]);
+                packed[std::size_t(&other - tree_.leaves().data())], others,
+                source(other.box.center() - centre_, 0, -mean_normal_), half_size.data(),
+                float(radius_ * radius_), &sources[count]);
         });
         return count;
     }
@@ -60,13 +70,14 @@ public:
         for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
             const std::uint32_t v = std::min(begin + lane, leaf_.end - 1);
             const Eigen::Vector3f p = (mesh_.positions[v] - centre_).cast<float>();
-            const Eigen::Vector3f n = normals_[v].cast<float>();
+            const Eigen::Vector3f n = (normals_[v] - mean_normal_).cast<float>();
             t.x[lane] = p.x(), t.y[lane] = p.y(), t.z[lane] = p.z();
             t.nx[lane] = n.x(), t.ny[lane] = n.y(), t.nz[lane] = n.z();
             const double size = kernel_.kernel_sizes[v];
             t.squared_cutoff[lane] = float(std::pow(kernel_.cutoff * size, 2));
             t.exponent[lane] = float(-kLog2E / (4 * size * size));
         }
+        Eigen::Map<Eigen::Vector3f>(t.mean_normal) = mean_normal_.cast<float>();
         t.normal_exponent = float(-kLog2E * kernel_.normal_falloff);
         t.facing = kernel_.facing ? 1.f : 0.f;
         return t;
@@ -88,7 +99,7 @@ private:
     const std::vector<Eigen::Vector3d>& normals_;
     const GaussianKernel& kernel_;
     const SpatialTree::Leaf& leaf_;
-    Eigen::Vector3d centre_;
+    Eigen::Vector3d centre_, mean_normal_;
     double radius_ = 0;
 };
 
@@ -98,14 +109,16 @@ GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const std::vector<Eigen::Vector3d>& normals,
                            const GaussianKernel& kernel, const StageProgress& stage) {
     GaussianSums sums(mesh.size());
-    const Sources packed = pack_sources(mesh, tree, normals);
-    parallel_for<Sources>(tree.leaves().size(), stage, [&](std::size_t i, Sources& sources) {
+    const std::vector<SourceLeaf> packed = pack_sources(mesh, tree, normals);
+    using Sources = std::vector<GaussianSource>;
+    const auto sum = kernel.quick ? sum_quickly : sum_gaussians;
+    parallel_for<Sources>(packed.size(), stage, [&](std::size_t i, Sources& sources) {
         const SpatialTree::Leaf& leaf = tree.leaves()[i];
         const LeafSum leaf_sum(mesh, tree, normals, kernel, leaf);
         const std::size_t count = leaf_sum.collect_sources(packed, sources);
         for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kLanes) {
             GaussianLaneSums lanes;
-            sum_gaussians(leaf_sum.targets(begin), sources.data(), count, lanes);
+            sum(leaf_sum.targets(begin), sources.data(), count, lanes);
             leaf_sum.write(lanes, begin, sums);
         }
     });

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "grid_kernels.h"
+#include "parallel.h"
 
 namespace laplacian_lines {
 namespace {
@@ -16,14 +17,33 @@ std::size_t block_of(const GridGeometry& grid, const Eigen::Array3i& node) {
            std::size_t(node.x() / kBlock);
 }
 
-void mark(const GridGeometry& grid, const ReachedNodes& reached, const Eigen::Array3i& node,
-          std::vector<BlockMask>& masks) {
-    BlockMask* block = &masks[block_of(grid, node)];
+BlockMask bit_of(const Eigen::Array3i& node) {
+    const Eigen::Array3i in_block = node.unaryExpr([](int i) { return i % kBlock; });
+    return BlockMask(1) << ((in_block.z() * kBlock + in_block.y()) * kBlock + in_block.x());
+}
+
+/// By block, the nodes that points reach whose first nodes are given by block.
+std::vector<BlockMask> reached_nodes(const GridGeometry& grid, const ReachedNodes& reached,
+                                     const std::vector<BlockMask>& first_nodes) {
+    std::vector<BlockMask> nodes(first_nodes.size(), 0);
     const std::size_t row = std::size_t(grid.blocks[0]);
-    reached.visit_parts(node, [&](int part, BlockMask nodes) {
-        block[std::size_t(part & 1) + row * std::size_t(part >> 1 & 1) +
-              grid.columns() * std::size_t(part >> 2)] |= nodes;
+    for_each_element(first_nodes.size(), [&](std::size_t block) {
+        BlockMask parts[8] = {};
+        int bit = 0;
+        for (BlockMask first = first_nodes[block]; first; first >>= 1, ++bit)
+            if (first & 1)
+                reached.visit_parts({bit % kBlock, bit / kBlock % kBlock, bit / (kBlock * kBlock)},
+                                    [&](int part, BlockMask mask) { parts[part] |= mask; });
+        for (int part = 0; part < 8; ++part) {
+            if (!parts[part]) continue;
+            BlockMask& other =
+                nodes[block + std::size_t(part & 1) + row * std::size_t(part >> 1 & 1) +
+                      grid.columns() * std::size_t(part >> 2)];
+#pragma omp atomic
+            other |= parts[part];
+        }
     });
+    return nodes;
 }
 
 /// Sets each flag that has a set one at most `reach` away along the axis with that stride.
@@ -70,16 +90,19 @@ GridGeometry::GridGeometry(const std::vector<Eigen::Vector3d>& points, double ce
 GridPoints::GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector3d>& positions)
     : starts_(std::size_t(grid.block_count()) + 1, 0),
       order_(positions.size()),
-      source_nodes_(std::size_t(grid.block_count()), 0),
-      target_nodes_(std::size_t(grid.block_count()), 0) {
+      first_nodes_(std::size_t(grid.block_count()), 0) {
     std::vector<std::uint32_t> block(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) {
+    for_each_element(positions.size(), [&](std::size_t i) {
         const Eigen::Array3i node = grid.first_node(positions[i]);
         block[i] = std::uint32_t(block_of(grid, node));
-        ++starts_[block[i] + 1];
-        mark(grid, kSpreadNodes, node, source_nodes_);
-        mark(grid, kInterpolatedNodes, node, target_nodes_);
-    }
+        BlockMask& first_nodes = first_nodes_[block[i]];
+#pragma omp atomic
+        first_nodes |= bit_of(node);
+    });
+    source_nodes_ = reached_nodes(grid, kSpreadNodes, first_nodes_);
+    target_nodes_ = reached_nodes(grid, kInterpolatedNodes, first_nodes_);
+    for (std::uint32_t b : block)
+        ++starts_[b + 1];
     for (std::size_t b = 1; b < starts_.size(); ++b)
         starts_[b] += starts_[b - 1];
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -92,15 +115,16 @@ GridPoints::GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector
 void GridPoints::restrict_to_targets(const GridGeometry& grid,
                                      const std::vector<Eigen::Vector3d>& positions,
                                      const std::vector<bool>& is_target, int reach) {
-    target_nodes_.assign(source_nodes_.size(), 0);
-    source_nodes_.assign(source_nodes_.size(), 0);
-    std::vector<std::uint8_t> near(source_nodes_.size(), 0);
+    std::vector<BlockMask> first_nodes(first_nodes_.size(), 0);
+    std::vector<std::uint8_t> near(first_nodes.size(), 0);
     for (std::size_t i = 0; i < positions.size(); ++i) {
         if (!is_target[i]) continue;
         const Eigen::Array3i node = grid.first_node(positions[i]);
-        near[block_of(grid, node)] = 1;
-        mark(grid, kInterpolatedNodes, node, target_nodes_);
+        const std::size_t block = block_of(grid, node);
+        first_nodes[block] |= bit_of(node);
+        near[block] = 1;
     }
+    target_nodes_ = reached_nodes(grid, kInterpolatedNodes, first_nodes);
     std::size_t stride = 1;
     for (int axis = 0; axis < 3; ++axis) {
         dilate(near, grid.blocks[axis], stride, reach);
@@ -110,12 +134,12 @@ void GridPoints::restrict_to_targets(const GridGeometry& grid,
     for (std::size_t b = 0; b < near.size(); ++b) {
         const std::uint32_t begin = starts_[b], end = starts_[b + 1];
         starts_[b] = kept;
-        for (std::uint32_t i = begin; near[b] && i < end; ++i) {
+        if (!near[b]) first_nodes_[b] = 0;
+        for (std::uint32_t i = begin; near[b] && i < end; ++i)
             order_[kept++] = order_[i];
-            mark(grid, kSpreadNodes, grid.first_node(positions[order_[i]]), source_nodes_);
-        }
     }
     starts_.back() = kept;
+    source_nodes_ = reached_nodes(grid, kSpreadNodes, first_nodes_);
 }
 
 }  // namespace laplacian_lines

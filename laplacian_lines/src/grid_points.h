@@ -80,6 +80,7 @@ public:
 
 private:
     std::vector<std::uint32_t> starts_, order_;
+    std::vector<BlockMask> first_nodes_;  // of the points of each block
     std::vector<BlockMask> source_nodes_, target_nodes_;
 };
 

@@ -9,32 +9,31 @@ namespace {
 constexpr int kSmoothingPasses = 10;
 constexpr double kSmallestRatio = 0.25, kLargestRatio = 4;
 
-/// Mean length of the edges at each vertex; inner edges count once per triangle.
-std::vector<double> local_edge_lengths(const PreparedMesh& mesh) {
-    std::vector<double> lengths(mesh.size(), 0), counts(mesh.size(), 0);
-    for (const Triangle& t : mesh.triangles)
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-            const double length = (mesh.positions[b] - mesh.positions[a]).norm();
-            for (std::uint32_t v : {a, b}) {
-                lengths[v] += length;
-                counts[v] += 1;
+/// For each vertex v, the mean of value_of(v, other) over the edges at v, inner ones counted once
+/// per triangle, and of start[v] unless that is empty.
+template <class Value>
+std::vector<double> mean_over_edges(const PreparedMesh& mesh, const VertexRanges& ranges,
+                                    const std::vector<double>& start, const StageProgress& stage,
+                                    Value value_of) {
+    std::vector<double> means = start;
+    std::vector<int> counts(mesh.size(), start.empty() ? 0 : 1);
+    means.resize(mesh.size(), 0);
+    ranges.for_each(stage, [&](const VertexRanges::Range& range) {
+        const auto add = [&](std::uint32_t at, std::uint32_t other) {
+            if (!range.holds(at)) return;
+            means[at] += value_of(at, other);
+            ++counts[at];
+        };
+        range.for_each_triangle([&](const Triangle& t) {
+            for (int k = 0; k < 3; ++k) {
+                add(t[k], t[(k + 1) % 3]);
+                add(t[(k + 1) % 3], t[k]);
             }
-        }
-    for (std::size_t v = 0; v < lengths.size(); ++v)
-        lengths[v] /= counts[v];
-    return lengths;
-}
-
-void average_over_one_rings(const PreparedMesh& mesh, std::vector<double>& values) {
-    std::vector<double> sums = values, counts(values.size(), 1);
-    for (const Triangle& t : mesh.triangles)
-        for (int k = 0; k < 3; ++k) {
-            sums[t[k]] += values[t[(k + 1) % 3]] + values[t[(k + 2) % 3]];
-            counts[t[k]] += 2;
-        }
-    for (std::size_t v = 0; v < values.size(); ++v)
-        values[v] = sums[v] / counts[v];
+        });
+        for (std::uint32_t v = range.begin(); v < range.end(); ++v)
+            means[v] /= counts[v];
+    });
+    return means;
 }
 
 }  // namespace
@@ -48,11 +47,21 @@ double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& opt
                                    : automatic_kernel_size(mesh.mean_edge, 1);
 }
 
-std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, KernelMode mode) {
+std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, const VertexRanges& ranges,
+                                         KernelMode mode, const StageProgress& stage) {
     if (mode == KernelMode::Uniform) return std::vector<float>(mesh.size(), 1.f);
-    std::vector<double> lengths = local_edge_lengths(mesh);
+    const auto part = [&](int i) {
+        return stage.part(double(i) / (kSmoothingPasses + 1),
+                          double(i + 1) / (kSmoothingPasses + 1));
+    };
+    std::vector<double> lengths =
+        mean_over_edges(mesh, ranges, {}, part(0), [&](std::uint32_t v, std::uint32_t other) {
+            return (mesh.positions[other] - mesh.positions[v]).norm();
+        });
     for (int pass = 0; pass < kSmoothingPasses; ++pass)
-        average_over_one_rings(mesh, lengths);
+        lengths =
+            mean_over_edges(mesh, ranges, lengths, part(pass + 1),
+                            [&](std::uint32_t, std::uint32_t other) { return lengths[other]; });
     std::vector<float> ratios(mesh.size());
     for (std::size_t v = 0; v < ratios.size(); ++v)
         ratios[v] = float(std::clamp(lengths[v] / mesh.mean_edge, kSmallestRatio, kLargestRatio));

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "laplacian_lines/precompute_options.h"
-#include "prepared_mesh.h"
+#include "vertex_ranges.h"
 
 namespace laplacian_lines {
 
@@ -13,6 +13,7 @@ double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& opt
 
 /// √h(p) / √h for every vertex, [N]: 1 everywhere, or the local edge length in mean edges,
 /// smoothed and clamped (see PrecomputeOptions::kernel_mode).
-std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, KernelMode mode);
+std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, const VertexRanges& ranges,
+                                         KernelMode mode, const StageProgress& stage);
 
 }  // namespace laplacian_lines

@@ -101,4 +101,13 @@ void in_blocks(std::size_t count, Body body) {
     });
 }
 
+/// The same with body(i) for each element.
+template <class Body>
+void for_each_element(std::size_t count, Body body) {
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            body(i);
+    });
+}
+
 }  // namespace laplacian_lines

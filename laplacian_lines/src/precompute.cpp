@@ -14,6 +14,10 @@ namespace {
 
 constexpr int kTensorSmoothingPasses = 2;
 
+// About the part of the whole time at which each step ends, with the default options.
+constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
+constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6, kLaplacian = 1;
+
 /// Standard deviation of the normals' smoothing in local units, before adaptation.
 double global_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options) {
     return options.normal_smoothing == NormalSmoothing::None
@@ -35,9 +39,9 @@ public:
                      const PrecomputeOptions& options, const Progress& progress)
         : mesh_(mesh),
           tree_(tree),
+          ranges_(mesh),
           options_(options),
           progress_(progress),
-          relative_sizes_(relative_kernel_sizes(mesh, options.kernel_mode)),
           kernel_size_(global_kernel_size(mesh, options)),
           normal_sigma_(global_normal_sigma(mesh, options)) {}
 
@@ -55,41 +59,52 @@ public:
         field.shape_operators.assign(vertex_count, ShapeOperator{});
         field.kernel_sizes.assign(vertex_count, 0.f);
         const double d = mesh_.diagonal;
-        for (std::size_t i = 0; i < mesh_.size(); ++i) {
+        for_each_element(mesh_.size(), [&](std::size_t i) {
             const std::uint32_t v = mesh_.original_vertex[i];
             field.normals[v] = normals_[i].cast<float>();
             field.laplacian_normals[v] = (laplacian_[i] / d / d).cast<float>();
-            const Eigen::Matrix3f s = (shape_operators_[i] / d).cast<float>();
-            field.shape_operators[v] = {s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)};
+            const SymmetricTensor& s = shape_operators_[i];
+            field.shape_operators[v] = {float(s.xx / d), float(s.yy / d), float(s.zz / d),
+                                        float(s.yz / d), float(s.xz / d), float(s.xy / d)};
             field.kernel_sizes[v] = float(relative_sizes_[i] * kernel_size_ * d);
-        }
+        });
         field.scale = scale_of(mesh_, options_);
         field.report = mesh_.report;
         return field;
     }
 
 private:
+    StageProgress stage(double begin, double end, const char* name) const {
+        return {progress_, begin, end, name};
+    }
+
     void compute_normals() {
-        normals_ = vertex_normals(mesh_, options_.normal_weighting);
+        relative_sizes_ = relative_kernel_sizes(mesh_, ranges_, options_.kernel_mode,
+                                                stage(kSorted, kSizes, "Measuring edges"));
+        normals_ = vertex_normals(mesh_, ranges_, options_.normal_weighting,
+                                  stage(kSizes, kNormals, "Computing normals"));
         smooth_normals(mesh_, tree_, relative_sizes_, normal_sigma_, options_,
-                       StageProgress(progress_, 0.1, 0.2, "Smoothing normals"), normals_);
+                       stage(kNormals, kSmoothNormals, "Smoothing normals"), normals_);
     }
 
     void compute_shape_operators() {
-        const StageProgress stage(progress_, 0.2, 0.4, "Estimating curvature tensors");
-        stage.report(0);
-        shape_operators_ = fit_triangles(mesh_, normals_);
-        if (options_.gradient_estimator == GradientEstimator::LeastSquares)
+        const char* name = "Estimating curvature tensors";
+        const StageProgress fit = stage(kSmoothNormals, kFitted, name);
+        const bool in_balls = options_.gradient_estimator == GradientEstimator::LeastSquares;
+        shape_operators_ =
+            fit_triangles(mesh_, ranges_, normals_, in_balls ? fit.part(0, 0.2) : fit);
+        if (in_balls)
             shape_operators_ =
                 fit_balls(mesh_, tree_, normals_, options_.gradient_radius * mesh_.mean_edge,
-                          options_.skip_opposite_sheet, shape_operators_, stage);
-        for (int pass = 0; pass < kTensorSmoothingPasses; ++pass)
-            smooth_over_one_rings(mesh_, normals_, shape_operators_);
+                          options_.skip_opposite_sheet, shape_operators_, fit.part(0.2, 1));
+        smooth_over_one_rings(mesh_, ranges_, normals_, kTensorSmoothingPasses,
+                              stage(kFitted, kTensors, name), shape_operators_);
     }
 
     void compute_laplacian() {
-        const StageProgress stage(progress_, 0.4, 1, "Computing the Laplacian of the normals");
-        stage.report(0);
+        const StageProgress laplacian =
+            stage(kTensors, kLaplacian, "Computing the Laplacian of the normals");
+        laplacian.report(0);
         if (options_.laplace_operator == LaplaceOperator::Cotangent) {
             laplacian_ = cotangent_laplacian(mesh_, normals_);
         } else {
@@ -98,19 +113,21 @@ private:
                 size *= float(kernel_size_);
             laplacian_ = belkin_laplacian(
                 mesh_, tree_, normals_, sizes, shape_operators_,
-                {options_.accuracy, options_.correct_borders, options_.skip_opposite_sheet}, stage);
+                {options_.accuracy, options_.correct_borders, options_.skip_opposite_sheet},
+                laplacian);
         }
-        stage.report(1);
+        laplacian.report(1);
     }
 
     const PreparedMesh& mesh_;
     const SpatialTree& tree_;
+    const VertexRanges ranges_;
     const PrecomputeOptions& options_;
     const Progress& progress_;
-    std::vector<float> relative_sizes_;
     double kernel_size_, normal_sigma_;
+    std::vector<float> relative_sizes_;
     std::vector<Eigen::Vector3d> normals_, laplacian_;
-    std::vector<Eigen::Matrix3d> shape_operators_;
+    ShapeOperators shape_operators_;
 };
 
 }  // namespace
@@ -118,12 +135,12 @@ private:
 Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
                  const Progress& progress) {
     validate(options);
-    const StageProgress stage(progress, 0, 0.1, "Preparing the mesh");
-    stage.report(0);
+    StageProgress(progress, 0, kPrepared, "Preparing the mesh").report(0);
     PreparedMesh prepared = prepare_mesh(mesh);
-    stage.report(0.7);
+    const StageProgress sorting(progress, kPrepared, kSorted, "Sorting in space");
+    sorting.report(0);
     const SpatialTree tree = sort_in_space(prepared);
-    stage.report(1);
+    sorting.report(1);
     FieldComputation computation(prepared, tree, options, progress);
     computation.run();
     return computation.result(mesh.positions.size());

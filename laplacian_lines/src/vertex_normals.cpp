@@ -22,27 +22,34 @@ double corner_weight(NormalWeighting weighting, const Eigen::Vector3d& u, const 
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, NormalWeighting weighting) {
+std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, const VertexRanges& ranges,
+                                            NormalWeighting weighting, const StageProgress& stage) {
     std::vector<Eigen::Vector3d> normals(mesh.size(), Eigen::Vector3d::Zero());
-    std::vector<Eigen::Vector3d> any_normal(mesh.size(), Eigen::Vector3d::Zero());
-    for (const Triangle& t : mesh.triangles) {
-        const Eigen::Vector3d area = area_vector(mesh, t);
-        const double twice_area = area.norm();
-        const Eigen::Vector3d normal = area / twice_area;
-        for (int k = 0; k < 3; ++k) {
-            const Eigen::Vector3d& p = mesh.positions[t[k]];
-            const Eigen::Vector3d u = mesh.positions[t[(k + 1) % 3]] - p;
-            const Eigen::Vector3d v = mesh.positions[t[(k + 2) % 3]] - p;
-            normals[t[k]] += corner_weight(weighting, u, v, twice_area) * normal;
-            any_normal[t[k]] = normal;
+    std::vector<std::uint32_t> any_triangle(mesh.size(), 0);
+    ranges.for_each(stage, [&](const VertexRanges::Range& range) {
+        range.for_each_triangle([&](const Triangle& t) {
+            const Eigen::Vector3d area = area_vector(mesh, t);
+            const double twice_area = area.norm();
+            const Eigen::Vector3d normal = area / twice_area;
+            for (int k = 0; k < 3; ++k) {
+                if (!range.holds(t[k])) continue;
+                const Eigen::Vector3d& p = mesh.positions[t[k]];
+                const Eigen::Vector3d u = mesh.positions[t[(k + 1) % 3]] - p;
+                const Eigen::Vector3d v = mesh.positions[t[(k + 2) % 3]] - p;
+                normals[t[k]] += corner_weight(weighting, u, v, twice_area) * normal;
+                any_triangle[t[k]] = std::uint32_t(&t - mesh.triangles.data());
+            }
+        });
+        for (std::uint32_t v = range.begin(); v < range.end(); ++v) {
+            double length = normals[v].norm();
+            if (!(length > 0 && std::isfinite(length))) {
+                // Faces that cancel (a doubled sheet) leave no mean; any incident one will do.
+                normals[v] = area_vector(mesh, mesh.triangles[any_triangle[v]]);
+                length = normals[v].norm();
+            }
+            normals[v] /= length;
         }
-    }
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-        const double length = normals[i].norm();
-        // Faces that cancel (a doubled sheet) leave no mean; any incident one will do.
-        normals[i] = length > 0 && std::isfinite(length) ? Eigen::Vector3d(normals[i] / length)
-                                                         : any_normal[i];
-    }
+    });
     return normals;
 }
 

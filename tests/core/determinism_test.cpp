@@ -68,6 +68,20 @@ TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
     }
 }
 
+TEST(Determinism, FieldsOfManyVerticesDoNotDependOnTheNumberOfThreads) {
+    // Enough for several ranges of vertices, and for parts of the tree that are built apart.
+    const TriangleMesh mesh = test_meshes::torus(240, 120, 0.2).mesh;
+    PrecomputeOptions plain, adaptive;
+    adaptive.kernel_mode = KernelMode::Adaptive;
+    adaptive.normal_weighting = NormalWeighting::Max;
+    for (const PrecomputeOptions& options : {plain, adaptive}) {
+        const Field one = with_threads(1, mesh, options);
+        for (int threads : {2, 5})
+            EXPECT_TRUE(helpers::same_fields(one, with_threads(threads, mesh, options)))
+                << threads << " threads";
+    }
+}
+
 class Extraction : public testing::Test {
 protected:
     Extraction() { silhouettes_.mesh_silhouettes = true; }

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 
@@ -162,6 +164,31 @@ TEST(Progress, NeverFallsAndCoversEverything) {
         EXPECT_GE(calls, 5);
         EXPECT_GE(stages.size(), 3u);
     }
+}
+
+TEST(Progress, MovesThroughAllStepsOfALargerMesh) {
+    const TriangleMesh mesh = test_meshes::torus(240, 120, 0.2).mesh;
+    using Clock = std::chrono::steady_clock;
+    std::map<std::string, int> calls;
+    double last = 0, largest_step = 0, longest_silence = 0;
+    Clock::time_point heard = Clock::now();
+    precompute(mesh, {}, [&](double done, const char* stage) {
+        const Clock::time_point now = Clock::now();
+        longest_silence =
+            std::max(longest_silence, std::chrono::duration<double>(now - heard).count());
+        heard = now;
+        largest_step = std::max(largest_step, done - last);
+        last = done;
+        ++calls[stage];
+        return true;
+    });
+    for (const char* stage :
+         {"Preparing the mesh", "Sorting in space", "Computing normals", "Smoothing normals",
+          "Estimating curvature tensors", "Computing the Laplacian of the normals"})
+        EXPECT_GE(calls[stage], 1) << stage;
+    EXPECT_GE(calls["Computing the Laplacian of the normals"], 20);
+    EXPECT_LE(largest_step, 0.16);  // the mesh is prepared in one step
+    RecordProperty("longest_silence_in_seconds", std::to_string(longest_silence));
 }
 
 TEST(Cancelled, AtAnyMomentWithTheInputUntouched) {

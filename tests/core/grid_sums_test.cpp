@@ -68,10 +68,13 @@ TriangleMesh mesh_for(const std::string& name) {
 struct Prepared {
     Prepared(const TriangleMesh& mesh, double size_in_edges, KernelMode mode)
         : prepared(prepare_mesh(mesh)), tree(sort_in_space(prepared)) {
-        normals = vertex_normals(prepared, NormalWeighting::Area);
-        shape_operators = fit_triangles(prepared, normals);
-        smooth_over_one_rings(prepared, normals, shape_operators);
-        kernel_sizes = relative_kernel_sizes(prepared, mode);
+        const Progress silent;
+        const StageProgress stage(silent, 0, 1, "");
+        const VertexRanges ranges(prepared);
+        normals = vertex_normals(prepared, ranges, NormalWeighting::Area, stage);
+        shape_operators = fit_triangles(prepared, ranges, normals, stage);
+        smooth_over_one_rings(prepared, ranges, normals, 1, stage, shape_operators);
+        kernel_sizes = relative_kernel_sizes(prepared, ranges, mode, stage);
         for (float& size : kernel_sizes)
             size *= float(size_in_edges * prepared.mean_edge);
     }
@@ -82,16 +85,16 @@ struct Prepared {
     }
 
     SummationCosts costs(double accuracy) const {
-        GaussianKernel kernel;
-        kernel.kernel_sizes = kernel_sizes;
-        kernel.cutoff = belkin_cutoff(accuracy);
-        return summation_costs(prepared, tree, kernel, grid_resolution(accuracy, 1));
+        BelkinOptions options;
+        options.accuracy = accuracy;
+        return summation_costs(prepared, tree, belkin_kernel(kernel_sizes, options),
+                               grid_resolution(accuracy, 1));
     }
 
     PreparedMesh prepared;
     SpatialTree tree;
     Vectors normals;
-    std::vector<Eigen::Matrix3d> shape_operators;
+    ShapeOperators shape_operators;
     std::vector<float> kernel_sizes;
 };
 
@@ -117,7 +120,7 @@ Eigen::Vector3d plain_laplacian(const Prepared& m, std::size_t p, const BelkinOp
     Eigen::Vector3d result = difference / (4 * pi * h * h);
     if (!options.correct_borders) return result;
     moment = (moment - n * n.dot(moment)) / (4 * pi * h * h);
-    const Eigen::Matrix3d& s = m.shape_operators[p];
+    const SymmetricTensor& s = m.shape_operators[p];
     result -= s * moment / (1 + h * s.squaredNorm());
     return result + n * n.dot(result) * (1 / std::max(mass / (4 * pi * h), 0.2) - 1);
 }
