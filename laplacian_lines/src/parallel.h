@@ -71,11 +71,13 @@ void parallel_for(std::size_t count, int grain, Body body, Finished report) {
     if (failure) std::rethrow_exception(failure);
 }
 
-/// The same as a step of a longer computation.
+/// The same as a step of a longer computation, whose end is told in any case: the calling thread
+/// may have got no part of the work.
 template <class Scratch, class Body>
-void parallel_for(std::size_t count, const StageProgress& stage, Body body) {
-    parallel_for<Scratch>(count, 16, body,
+void parallel_for(std::size_t count, const StageProgress& stage, Body body, int grain = 16) {
+    parallel_for<Scratch>(count, grain, body,
                           [&](std::size_t done) { stage.report(double(done) / double(count)); });
+    stage.report(1);
 }
 
 /// Without reports, one at a time.

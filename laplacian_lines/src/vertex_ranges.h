@@ -45,8 +45,7 @@ public:
     template <class Body>
     void for_each(const StageProgress& stage, Body body) const {
         parallel_for<NoScratch>(
-            count(), 1, [&](std::size_t r, NoScratch&) { body(range(r)); },
-            [&](std::size_t done) { stage.report(double(done) / double(count())); });
+            count(), stage, [&](std::size_t r, NoScratch&) { body(range(r)); }, 1);
     }
 
 private:
