@@ -82,6 +82,7 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GL
 void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& parameters,
                                   GLArea* view, QPainter* painter, GLLogStream& log) {
     QString text;
+    if (shows_statistics_) glFinish();  // the mesh's own drawing must not count
     RedrawClock clock;
     try {
         PreparedLinesPointer lines = cache_.at(view, mesh.id());
@@ -131,13 +132,12 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
                                           const RichParameterList& parameters, GLArea* view,
                                           QPainter* painter, RedrawClock& clock) {
     const DecorationParameters chosen = readDecorationParameters(parameters);
+    shows_statistics_ = chosen.show_statistics;
     const meshlab_host::CameraMatrices camera = meshlab_host::cameraFromGl();
     const Eigen::Matrix4d layer = meshlab_host::layerTransform(mesh.cm);
     const laplacian_lines::View eye = viewOf(camera, layer, chosen);
 
     clock.count(RedrawClock::DrawCalls);
-    if (chosen.show_statistics) glFinish();  // the mesh's own drawing must not count
-    clock.skip();
     lines.extractor->extract(eye, chosen.style, scratch_, lines_);
     clock.count(RedrawClock::Extraction);
 

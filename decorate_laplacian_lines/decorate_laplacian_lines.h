@@ -65,5 +65,6 @@ private:
     SurfaceRenderer surface_renderer_;
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_;
+    bool shows_statistics_ = false;
     std::map<int, QString> complaints_;  ///< by mesh, since its lines were last drawn
 };

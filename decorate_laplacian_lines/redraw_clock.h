@@ -19,8 +19,6 @@ public:
 
     /// The time since the last call, at first since construction, counts for this part.
     void count(Part part);
-    /// It counts for none.
-    void skip() { last_ = Clock::now(); }
 
     double milliseconds(Part part) const { return spent_[part]; }
     /// What the plugin itself takes of a redraw: all but waiting for OpenGL.
