@@ -81,20 +81,23 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GL
 
 void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& parameters,
                                   GLArea* view, QPainter* painter, GLLogStream& log) {
-    QString text;
+    emit drawingBegins(mesh);
+    QString text, refusal;
     if (shows_statistics_) glFinish();  // the mesh's own drawing must not count
     RedrawClock clock;
     try {
         PreparedLinesPointer lines = cache_.at(view, mesh.id());
         if (!lines || !areCurrent(*lines, mesh, view)) lines = demandLines(mesh, view);
-        text = lines->failure.isEmpty() ? drawLines(mesh, *lines, parameters, view, painter, clock)
-                                        : lines->failure;
-        complaints_.erase(mesh.id());
+        refusal = lines->failure;
+        if (refusal.isEmpty()) text = drawLines(mesh, *lines, parameters, view, painter, clock);
+        complaints_.erase({&log, mesh.id()});
     } catch (const std::exception& error) {
-        text = QString::fromUtf8(error.what());
-        complain(mesh, text);
+        refusal = QString::fromUtf8(error.what());
+        complain(mesh, log, refusal);
     }
-    if (!text.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), text);
+    const QString& message = refusal.isEmpty() ? text : refusal;
+    if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
+    emit drawingEnds(mesh, parameters, refusal.isEmpty() ? &lines_ : nullptr, refusal);
 }
 
 void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
@@ -104,6 +107,7 @@ void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
 void DecorateLaplacianLines::endAll(GLArea* view) {
     cache_.releaseView(view);
     view_layers_.forget(view);
+    complaints_.clear();  // another document may get the place of a closed one
 }
 
 void DecorateLaplacianLines::meshGone(GLArea* view) {
@@ -115,7 +119,7 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
     if (!alive.empty()) cache_.releaseAllBut(view, alive);
     const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
     PreparedLinesPointer lines = cache_.find(source.key);
-    if (!lines)
+    if (!lines || lines->lacked_memory)
         lines = prepareLines(mesh.cm, mesh.label(), source, [this](const QString& s) { say(s); });
     cache_.assign(view, mesh.id(), lines);
     return lines;
@@ -195,8 +199,9 @@ void DecorateLaplacianLines::paint(const std::vector<SurfaceLayer>& layers,
                                         depths, buffers_));
 }
 
-void DecorateLaplacianLines::complain(const MeshModel& mesh, const QString& text) {
-    QString& last = complaints_[mesh.id()];
+void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream& log,
+                                      const QString& text) {
+    QString& last = complaints_[{&log, mesh.id()}];
     if (text == last) return;
     last = text;
     say(QString("%1: %2: %3").arg(title, mesh.label(), text));

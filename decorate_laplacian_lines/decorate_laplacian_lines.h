@@ -26,6 +26,14 @@ class DecorateLaplacianLines : public meshlab_host::DecoratePluginBase {
 public:
     DecorateLaplacianLines();
 
+signals:
+    /// For observers, around each drawing of a layer and with MeshLab's GL context current, which
+    /// they must leave as it is. `lines` in mesh coordinates, valid during the call; null if none
+    /// could be drawn, for the reason in `refusal`.
+    void drawingBegins(const MeshModel& mesh);
+    void drawingEnds(const MeshModel& mesh, const RichParameterList& parameters,
+                     const laplacian_lines::LineSet* lines, const QString& refusal);
+
 protected:
     void listParameters(RichParameterList& list) const override;
     bool start(MeshModel& mesh, const RichParameterList& parameters, GLArea* view) override;
@@ -53,7 +61,7 @@ private:
     void paint(const std::vector<SurfaceLayer>& layers, const SurfaceAppearance& appearance,
                const meshlab_host::CameraMatrices& camera, const DepthTexture& depths);
     /// Adds a complaint to the log, but not at every redraw.
-    void complain(const MeshModel& mesh, const QString& text);
+    void complain(const MeshModel& mesh, const GLLogStream& log, const QString& text);
 
     LineCache cache_;
     ViewLayers view_layers_;
@@ -66,5 +74,6 @@ private:
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_;
     bool shows_statistics_ = false;
-    std::map<int, QString> complaints_;  ///< by mesh, since its lines were last drawn
+    /// By a document's log and mesh, since its lines were last drawn.
+    std::map<std::pair<const GLLogStream*, int>, QString> complaints_;
 };

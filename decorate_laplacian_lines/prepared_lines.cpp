@@ -40,6 +40,7 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
         result->extractor.emplace(triangles, field);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";
+        result->lacked_memory = true;
     } catch (const std::exception& error) {
         result->failure = QString::fromUtf8(error.what());
     }

@@ -18,6 +18,7 @@ struct PreparedLines {
     std::optional<laplacian_lines::LineExtractor> extractor;
     SurfacePointer surface;                      ///< set if there is an extractor
     QString failure;                             ///< one sentence, empty if there is an extractor
+    bool lacked_memory = false;                  ///< why it failed: another try may succeed
     double preparation = 0;                      ///< time it took, milliseconds
     mutable std::optional<double> first_redraw;  ///< the plugin's time of it, milliseconds
 };

@@ -22,6 +22,9 @@ using meshlab_host::CurrentView;
 
 namespace {
 
+/// Of the whole work, when hidden parts of lines are left out.
+constexpr double field_share = 0.8;
+
 /// What the filter needs of a layer, copied: the layer may go while the progress bar runs the event
 /// loop.
 struct Source {
@@ -93,7 +96,8 @@ LineSet extract(const Source& source, const laplacian_lines::Field& field, const
     laplacian_lines::LineExtractor(source.triangles, field)
         .extract(view, chosen.style, scratch, lines);
     if (chosen.visible_only)
-        lines = visibility.visible_parts(view, lines, meshlab_host::progressTo(progress));
+        lines =
+            visibility.visible_parts(view, lines, meshlab_host::progressTo(progress, field_share));
     if (lines.lines.empty())
         throw Error(ErrorCode::InvalidOption,
                     "No lines are seen from there, so no layer was created. Take another view, "
@@ -149,7 +153,7 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     const View view = viewOf(eye, chosen, source.layer);
     const laplacian_lines::Field field = meshlab_host::demandField(
         mesh.cm, source.triangles, source.name, meshlab_host::fieldSource(mesh.cm), run.say,
-        meshlab_host::progressTo(run.progress));
+        meshlab_host::progressTo(run.progress, 0, chosen.visible_only ? field_share : 1));
     const LineSet lines = extract(source, field, view, chosen, run.progress);
     addLayer(lines, source, field, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")

@@ -8,11 +8,14 @@
 namespace meshlab_host {
 
 /// The core's reports, passed on to MeshLab's callback (percent and text; false cancels), which
-/// may be null. The callback runs the GUI's event loop: anything may have happened to the document
-/// when it returns.
-inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback) {
+/// may be null, as the part from `begin` to `end` (0..1) of all that is done. The callback runs the
+/// GUI's event loop: anything may have happened to the document when it returns.
+inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback, double begin = 0,
+                                            double end = 1) {
     if (!callback) return {};
-    return [callback](double done, const char* stage) { return callback(int(100 * done), stage); };
+    return [=](double done, const char* stage) {
+        return callback(int(100 * (begin + (end - begin) * done)), stage);
+    };
 }
 
 }  // namespace meshlab_host

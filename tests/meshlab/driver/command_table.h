@@ -33,7 +33,8 @@ enum class Outcome {
 
 enum class Place {
     MainWindow,  // refused while a modal box is in the way
-    ModalBox     // meant to be run while a modal box is up
+    ModalBox,    // meant to be run while a modal box is up
+    Everywhere   // answers modal boxes itself: no other command is run before it returns
 };
 
 class CommandTable {

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDialog>
+#include <QMdiArea>
 #include <QMessageBox>
 #include <algorithm>
 #include <cstring>
@@ -31,9 +32,20 @@ QMainWindow* requireMainWindow() {
     return window;
 }
 
+QList<QMdiSubWindow*> documentWindows() {
+    auto* area = mainWindow() ? mainWindow()->findChild<QMdiArea*>() : nullptr;
+    return area ? area->subWindowList() : QList<QMdiSubWindow*>();
+}
+
+QMdiSubWindow* currentDocumentWindow() {
+    for (QMdiSubWindow* window : documentWindows())
+        if (window->mdiArea()->currentSubWindow() == window) return window;
+    return nullptr;
+}
+
 QList<QGLWidget*> visibleViews() {
     QList<QGLWidget*> views;
-    if (QMainWindow* window = mainWindow())
+    if (QMdiSubWindow* window = currentDocumentWindow())
         for (QGLWidget* widget : window->findChildren<QGLWidget*>())
             if (isOfClass(widget, "GLArea") && widget->isVisible()) views << widget;
     std::sort(views.begin(), views.end(), [](QGLWidget* a, QGLWidget* b) {

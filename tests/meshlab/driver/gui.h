@@ -4,6 +4,7 @@
 #include <QGLWidget>
 #include <QList>
 #include <QMainWindow>
+#include <QMdiSubWindow>
 #include <QString>
 #include <QWidget>
 
@@ -13,8 +14,12 @@ namespace driver {
 QMainWindow* mainWindow();         // null before it exists
 QMainWindow* requireMainWindow();  // CommandError when there is none
 
-QList<QGLWidget*> visibleViews();  // the GL views, from the upper left to the lower right
-QGLWidget* view();                 // the chosen one (the first by default); null when there is none
+QList<QMdiSubWindow*> documentWindows();
+QMdiSubWindow* currentDocumentWindow();  // null when there is none
+
+// the GL views of the current document, from the upper left to the lower right
+QList<QGLWidget*> visibleViews();
+QGLWidget* view();  // the chosen one (the first by default); null when there is none
 QGLWidget* requireView();
 void chooseView(int index);
 

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core_lines.h"
+
 namespace driver {
 namespace {
 
@@ -32,23 +34,6 @@ constexpr double kEdge = 3;
 
 bool nearEdge(double x, double y, int width, int height, double distance) {
     return x < distance || y < distance || x > width - 1 - distance || y > height - 1 - distance;
-}
-
-TriangleMesh convert(const CMeshO& mesh) {
-    TriangleMesh result;
-    std::vector<std::uint32_t> number(mesh.vert.size());
-    for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
-        if (mesh.vert[i].IsD()) continue;
-        number[i] = std::uint32_t(result.positions.size());
-        const auto& p = mesh.vert[i].cP();
-        result.positions.emplace_back(p[0], p[1], p[2]);
-    }
-    for (const CFaceO& f : mesh.face)
-        if (!f.IsD())
-            result.triangles.push_back({number[vcg::tri::Index(mesh, f.cV(0))],
-                                        number[vcg::tri::Index(mesh, f.cV(1))],
-                                        number[vcg::tri::Index(mesh, f.cV(2))]});
-    return result;
 }
 
 /// Puts the faces into the depth buffer, whatever MeshLab shows of them: they hide lines in any
@@ -170,7 +155,7 @@ private:
 }  // namespace
 
 ProjectedLines probeLayer(const MeshModel& mesh, const ProbeOptions& options) {
-    const TriangleMesh triangles = convert(mesh.cm);
+    const TriangleMesh triangles = liveTriangles(mesh.cm);
     const laplacian_lines::LineExtractor extractor(
         triangles, laplacian_lines::precompute(triangles, options.field));
     const Screen screen(mesh.cm);

@@ -5,10 +5,10 @@
 #include <QRegularExpression>
 #include <QTextEdit>
 #include "gui.h"
+#include "log_text.h"
 #include "modules.h"
 
 namespace driver {
-namespace {
 
 QString logText() {
     QMainWindow* window = requireMainWindow();
@@ -20,6 +20,8 @@ QString logText() {
         return panel->toPlainText();
     throw CommandError("MeshLab's log panel was not found");
 }
+
+namespace {
 
 void dumpLog(const Command& command) {
     QFile file(command.rest);

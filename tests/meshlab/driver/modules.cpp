@@ -11,6 +11,7 @@ CommandTable allCommands() {
     addMouseCommands(table);
     addPictureCommands(table);
     addLogCommands(table);
+    addMemoryCommands(table);
     addProbeCommands(table);
     return table;
 }

@@ -14,6 +14,7 @@ void addModalCommands(
 void addMouseCommands(CommandTable& table);    // mouse_commands.cpp
 void addPictureCommands(CommandTable& table);  // picture_commands.cpp
 void addLogCommands(CommandTable& table);      // log_commands.cpp
+void addMemoryCommands(CommandTable& table);   // memory_commands.cpp
 void addProbeCommands(CommandTable& table);    // probe_commands.cpp
 
 CommandTable allCommands();

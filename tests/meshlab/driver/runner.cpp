@@ -11,6 +11,7 @@ namespace {
 constexpr std::chrono::seconds defaultLimit(60);
 constexpr int betweenCommands = 60;  // ms, so that MeshLab's own queued events run first
 constexpr int betweenRetries = 50;
+constexpr int betweenActions = 20;  // thousands of them
 
 QString describe(const Command& command) {
     return QString("line %1: %2 %3").arg(command.line).arg(command.name, command.rest).trimmed();
@@ -41,6 +42,8 @@ void Runner::addOwnCommands() {
             m_watchdog.setLimit(std::chrono::milliseconds(qint64(1000 * c.number(0))));
         });
     m_table.addSimple("quit", [](const Command&) { endProcess(0); });
+    m_table.add(
+        "random-actions", [this](const Command& c) { return randomActions(c); }, Place::Everywhere);
 }
 
 // A misspelt command fails at once, not after minutes.
@@ -82,7 +85,7 @@ bool Runner::mayStart(const CommandTable::Entry& entry) {
     if (!modal)
         return m_inProgress
             .isEmpty();  // otherwise a filter's progress call-back is running the event loop
-    if (entry.place == Place::ModalBox) return true;
+    if (entry.place != Place::MainWindow) return true;
     if (acceptOptionsBox(modal)) return false;
     throw CommandError("MeshLab says: " + describeBox(modal));
 }
@@ -96,17 +99,34 @@ void Runner::watch(const Command& command) {
 
 void Runner::run(const Command& command, const CommandTable::Entry& entry) {
     const int position = m_next++;
-    scheduleStep(betweenCommands);  // before the command, which may block in a modal box
+    const bool alone = entry.place == Place::Everywhere;
+    // before the command, which may block in a modal box
+    if (!alone) scheduleStep(betweenCommands);
     m_inProgress << describe(command);
     const Outcome outcome = entry.handler(command);
     m_inProgress.removeLast();
     if (outcome == Outcome::Retry) m_next = position;
+    if (alone) scheduleStep(betweenActions);
 }
 
 Outcome Runner::sleep(const Command& command) {
     if (!m_sleeping.isValid()) m_sleeping.start();
     if (m_sleeping.elapsed() < command.number(0)) return Outcome::Retry;
     m_sleeping.invalidate();
+    return Outcome::Done;
+}
+
+// SEED COUNT FILE...
+Outcome Runner::randomActions(const Command& command) {
+    if (!m_random)
+        m_random = std::make_unique<RandomActions>(
+            unsigned(command.number(0)), int(command.number(1)), command.words.mid(2), m_table,
+            [this](const QString& line) {
+                say(line.toStdString());
+                m_watchdog.watch("random action " + line.toStdString());
+            });
+    if (m_random->step()) return Outcome::Retry;
+    m_random.reset();
     return Outcome::Done;
 }
 

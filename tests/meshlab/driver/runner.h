@@ -2,6 +2,8 @@
 #pragma once
 #include <QElapsedTimer>
 #include <QObject>
+#include <memory>
+#include "random_actions.h"
 #include "script.h"
 #include "watchdog.h"
 
@@ -22,11 +24,13 @@ private:
     void addOwnCommands();
     void checkNames() const;
     Outcome sleep(const Command& command);
+    Outcome randomActions(const Command& command);
 
     QVector<Command> m_script;
     CommandTable m_table;
     Watchdog m_watchdog;
     QElapsedTimer m_sleeping;
+    std::unique_ptr<RandomActions> m_random;
     QStringList
         m_inProgress;  // commands: more than one when a command sits in a modal box's event loop
     int m_next = 0;

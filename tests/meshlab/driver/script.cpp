@@ -29,6 +29,14 @@ QStringList cutIntoWords(const QString& text) {
 
 }  // namespace
 
+Command parseLine(const QString& text) {
+    Command command;
+    command.name = text.section(' ', 0, 0);
+    command.rest = text.mid(command.name.size()).trimmed();
+    command.words = cutIntoWords(command.rest);
+    return command;
+}
+
 QVector<Command> readScript(const QString& fileName) {
     QFile file(fileName);
     if (!file.open(QIODevice::ReadOnly))
@@ -40,12 +48,8 @@ QVector<Command> readScript(const QString& fileName) {
     for (int line = 1; !text.atEnd(); ++line) {
         const QString content = text.readLine().trimmed();
         if (content.isEmpty() || content.startsWith('#')) continue;
-        Command command;
-        command.line = line;
-        command.name = content.section(' ', 0, 0);
-        command.rest = content.mid(command.name.size()).trimmed();
-        command.words = cutIntoWords(command.rest);
-        script << command;
+        script << parseLine(content);
+        script.last().line = line;
     }
     return script;
 }

@@ -5,6 +5,8 @@
 
 namespace driver {
 
+Command parseLine(const QString& text);
+
 // One command a line; empty lines and lines that start with # are skipped. CommandError when
 // unreadable.
 QVector<Command> readScript(const QString& fileName);

@@ -24,7 +24,7 @@ void Watchdog::watch(const std::string& what) {
     {
         std::lock_guard<std::mutex> lock(m_mutex);
         m_what = what;
-        m_deadline = std::chrono::steady_clock::now() + m_limit;
+        m_spent = {};
         m_watching = true;
     }
     m_changed.notify_one();
@@ -36,14 +36,17 @@ void Watchdog::rest() {
 }
 
 void Watchdog::run() {
+    constexpr std::chrono::milliseconds look(50);
     std::unique_lock<std::mutex> lock(m_mutex);
     while (!m_ending) {
-        if (!m_watching)
+        if (!m_watching) {
             m_changed.wait(lock);
-        else if (m_changed.wait_until(lock, m_deadline) == std::cv_status::timeout && m_watching &&
-                 std::chrono::steady_clock::now() >= m_deadline)
-            endWithError(m_what + ": time-out after " + std::to_string(m_limit.count() / 1000.) +
-                         " s");
+        } else if (m_changed.wait_for(lock, look) == std::cv_status::timeout && m_watching) {
+            m_spent += look;  // however long it took until this thread could look
+            if (m_spent >= m_limit)
+                endWithError(m_what + ": time-out after " +
+                             std::to_string(m_limit.count() / 1000.) + " s");
+        }
     }
 }
 

@@ -9,7 +9,8 @@
 namespace driver {
 
 // Ends the process with a clear line when one script line takes too long. A thread of its own,
-// because a timer of the GUI thread never fires while a filter or a drawing hangs there.
+// because a timer of the GUI thread never fires while a filter or a drawing hangs there. Time
+// during which the whole process stands still, as in a suspended machine, does not count.
 class Watchdog {
 public:
     explicit Watchdog(std::chrono::milliseconds limit);
@@ -25,7 +26,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_changed;
     std::chrono::milliseconds m_limit;
-    std::chrono::steady_clock::time_point m_deadline;
+    std::chrono::milliseconds m_spent{0};
     std::string m_what;
     bool m_watching = false;
     bool m_ending = false;

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QFocusEvent>
+#include <QMdiArea>
 #include <QTreeWidget>
 #include "camera.h"
 #include "gui.h"
@@ -67,6 +68,14 @@ void makeCurrent(const Command& command) {
     QApplication::sendEvent(requireView(), &event);
 }
 
+void makeDocumentCurrent(const Command& command) {
+    const QList<QMdiSubWindow*> windows = documentWindows();
+    const int index = int(command.number(0));
+    if (index < 0 || index >= windows.size())
+        throw CommandError(QString("there are %1 documents, counted from 0").arg(windows.size()));
+    windows[index]->mdiArea()->setActiveSubWindow(windows[index]);
+}
+
 void expectViews(const Command& command) {
     const int count = visibleViews().size();
     if (count != int(command.number(0)))
@@ -124,6 +133,7 @@ void addWindowCommands(CommandTable& table) {
     table.add("size", setViewSize);
     table.addSimple("open", openMesh);
     table.addSimple("view", makeCurrent);
+    table.addSimple("document", makeDocumentCurrent);
     table.addSimple("expect-views", expectViews);
     table.addSimple("camera", [](const Command& c) { loadCamera(c.rest); });
     table.addSimple("save-camera", [](const Command& c) { saveCamera(c.rest); });

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <laplacian_lines/line_extractor.h>
+#include <laplacian_lines/precompute_options.h>
+#include <meshlab_host/meshlab_api.h>
+
+#include <list>
+
+namespace driver {
+
+/// The faces and vertices of a mesh that are not deleted.
+laplacian_lines::TriangleMesh liveTriangles(const CMeshO& mesh);
+
+/// The lines that a layer has to show, by a computation of its own from the geometry as it is: no
+/// attribute's content, nothing that was kept by the decoration. Geometries that were seen lately
+/// are kept.
+class CoreLines {
+public:
+    /// For the camera of the current GL context. Valid until the next call.
+    /// @throws std::exception if the layer can have no lines
+    const laplacian_lines::LineSet& of(const MeshModel& mesh, const RichParameterList& parameters);
+
+private:
+    struct Known {
+        laplacian_lines::TriangleMesh triangles;
+        std::vector<double> options;
+        laplacian_lines::LineExtractor extractor;
+    };
+    const laplacian_lines::LineExtractor& extractor(
+        const CMeshO& mesh, const laplacian_lines::PrecomputeOptions& options);
+
+    std::list<Known> known_;  ///< the latest first
+    laplacian_lines::ExtractionScratch scratch_;
+    laplacian_lines::LineSet lines_;
+};
+
+}  // namespace driver

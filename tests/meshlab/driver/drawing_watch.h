@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <map>
+
+#include "core_lines.h"
+
+namespace driver {
+
+/// Looks at every drawing of the decoration Laplacian Lines: it must leave OpenGL's state and the
+/// mesh as they were, and draw the lines that CoreLines says, or none where there can be none. The
+/// driver is a plugin beside the decoration, so its signals reach it.
+class DrawingWatch : public QObject {
+    Q_OBJECT
+public:
+    /// @throws CommandError if the decoration is not there or has no such signals
+    DrawingWatch();
+
+    /// What was wrong since the last call.
+    QStringList takeProblems();
+    /// Meshes drawn since the last call, by id, with the reason if they were drawn without lines.
+    std::map<int, QString> takeDrawn();
+    /// For people: how much was looked at since the beginning.
+    QString summary() const;
+    int comparisons() const { return comparisons_; }
+
+private slots:
+    void drawingBegins(const MeshModel& mesh);
+    void drawingEnds(const MeshModel& mesh, const RichParameterList& parameters,
+                     const laplacian_lines::LineSet* lines, const QString& refusal);
+
+private:
+    void complain(const MeshModel& mesh, const QString& what);
+    void compare(const MeshModel& mesh, const RichParameterList& parameters,
+                 const laplacian_lines::LineSet& lines);
+    void justify(const MeshModel& mesh, const RichParameterList& parameters,
+                 const QString& refusal);
+
+    CoreLines core_;
+    QString gl_state_, mesh_state_;  ///< when the drawing began
+    QStringList problems_;
+    std::map<int, QString> drawn_;
+    int comparisons_ = 0, refusals_ = 0;
+    long lines_ = 0;
+};
+
+}  // namespace driver

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "random_actions.h"
+
+#include "gui.h"
+#include "log_text.h"
+#include "report.h"
+#include "script.h"
+
+namespace driver {
+
+RandomActions::RandomActions(unsigned seed, int count, const QStringList& meshes,
+                             const CommandTable& table, Announce announce)
+    : actions_(seed, meshes), table_(table), announce_(std::move(announce)), left_(count) {
+    if (meshes.isEmpty()) throw CommandError("say which meshes to open");
+}
+
+bool RandomActions::step() {
+    if (!pending_.isEmpty()) {
+        run(pending_.takeFirst());
+        if (pending_.isEmpty()) check();
+        return true;
+    }
+    if (left_ == 0) {
+        conclude();
+        return false;
+    }
+    --left_;
+    pending_ = actions_.next(presentSituation());
+    return true;
+}
+
+// MeshLab disables actions, and fields are not in all its versions: that ends an action, as it
+// ends a user's.
+void RandomActions::run(const QString& line) {
+    ++lines_;
+    announce_(line);
+    const Command command = parseLine(line);
+    try {
+        if (table_.find(command.name).handler(command) == Outcome::Retry) pending_.prepend(line);
+    } catch (const CommandError& why) {
+        say(std::string("# not possible: ") + why.what());
+        ++impossible_;
+        pending_.clear();
+    }
+}
+
+void RandomActions::check() {
+    for (const QString& text : boxes_.takeTexts())
+        say("# box: " + text.toStdString());
+    watch_.takeDrawn();
+    for (QGLWidget* view : visibleViews())
+        view->repaint();
+    const std::map<int, QString> drawn = watch_.takeDrawn();
+    const QStringList problems = watch_.takeProblems();
+    if (!problems.isEmpty()) throw CommandError(problems.join("; "));
+    checkThatCurrentLayerIsDrawn(drawn);
+    for (const auto& [mesh, refusal] : drawn)
+        if (!refusal.isEmpty()) checkThatLogHas(refusal);
+}
+
+void RandomActions::checkThatCurrentLayerIsDrawn(const std::map<int, QString>& drawn) const {
+    const Situation now = presentSituation();
+    if (now.has_lines && now.current->isVisible() && !drawn.count(int(now.current->id())))
+        throw CommandError(
+            QString("the decoration of %1 is on, but nothing was drawn").arg(now.current->label()));
+}
+
+void RandomActions::checkThatLogHas(const QString& refusal) const {
+    if (!logText().contains(refusal))
+        throw CommandError("the log does not say why there are no lines: " + refusal);
+}
+
+void RandomActions::conclude() const {
+    say(QString("%1 lines, %2 of them not possible; %3")
+            .arg(lines_)
+            .arg(impossible_)
+            .arg(watch_.summary())
+            .toStdString());
+    if (watch_.comparisons() == 0) throw CommandError("no lines were ever drawn");
+}
+
+}  // namespace driver

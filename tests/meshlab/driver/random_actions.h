@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "box_answerer.h"
+#include "command_table.h"
+#include "drawing_watch.h"
+#include "user_actions.h"
+
+namespace driver {
+
+/// Does what users do, in random order, and looks after each action whether the view still shows
+/// what it has to. The lines that are said, without their beginnings, are a script that does the
+/// same again.
+class RandomActions {
+public:
+    using Announce = std::function<void(const QString& line)>;
+
+    /// `announce` is told each line before it is run.
+    RandomActions(unsigned seed, int count, const QStringList& meshes, const CommandTable& table,
+                  Announce announce);
+
+    /// One line. Returns false when all is done. CommandError when something is wrong.
+    bool step();
+
+private:
+    void run(const QString& line);
+    void check();
+    void checkThatCurrentLayerIsDrawn(const std::map<int, QString>& drawn) const;
+    void checkThatLogHas(const QString& refusal) const;
+    void conclude() const;
+
+    UserActions actions_;
+    const CommandTable& table_;
+    const Announce announce_;
+    BoxAnswerer boxes_;
+    DrawingWatch watch_;
+    QStringList pending_;  ///< lines of the action that is going on
+    int left_;
+    int lines_ = 0, impossible_ = 0;
+};
+
+}  // namespace driver

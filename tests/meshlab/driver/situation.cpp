@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "situation.h"
+
+#include <QApplication>
+
+#include "gui.h"
+#include "scene.h"
+
+namespace driver {
+namespace {
+
+/// The one whose contexts share objects with that of the view: while the view lives, so does the
+/// scene's document.
+MLSceneGLSharedDataContext* sceneOfView() {
+    QGLWidget* shown = view();
+    for (QWidget* widget : QApplication::allWidgets())
+        if (auto* scene = qobject_cast<MLSceneGLSharedDataContext*>(widget))
+            if (shown && QGLContext::areSharing(scene->context(), shown->context())) return scene;
+    return nullptr;
+}
+
+}  // namespace
+
+Situation presentSituation() {
+    Situation result;
+    result.documents = documentWindows().size();
+    result.views = visibleViews().size();
+    if (MLSceneGLSharedDataContext* scene = sceneOfView()) {
+        result.layers = meshlab_host::layersOf(scene->meshDoc());
+        result.current = scene->meshDoc().mm();
+    }
+    const QAction* decoration = findAction("Laplacian Lines");
+    result.has_lines = result.current && decoration && decoration->isChecked();
+    return result;
+}
+
+}  // namespace driver

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <meshlab_host/meshlab_api.h>
+
+#include <vector>
+
+namespace driver {
+
+/// What the user has before him.
+struct Situation {
+    int documents = 0;
+    int views = 0;                         ///< of the current document
+    std::vector<const MeshModel*> layers;  ///< of the current document
+    const MeshModel* current = nullptr;    ///< layer, null if there is none
+    bool has_lines = false;                ///< the decoration of the current layer is on
+};
+Situation presentSituation();
+
+}  // namespace driver

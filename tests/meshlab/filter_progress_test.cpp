@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The filters as a host calls them: progress that rises to its end, and a callback that cancels.
+#include <gtest/gtest.h>
+
+#include "compute_filter.h"
+#include "meshlab_host/edge_mesh.h"
+#include "meshlab_host/field_attributes.h"
+#include "meshlab_host/filter_plugin_base.h"
+#include "meshlab_host/mesh_conversion.h"
+#include "polyline_filter.h"
+#include "registry.h"
+
+namespace {
+
+meshlab_host::FilterList filters() {
+    meshlab_host::FilterList result;
+    result.push_back(std::make_unique<ComputeFilter>());
+    result.push_back(std::make_unique<PolylineFilter>());
+    return result;
+}
+enum FilterNumber { Compute, Polylines };
+
+/// The plugin as MeshLab sees it.
+class Plugin : public meshlab_host::FilterPluginBase {
+public:
+    Plugin() : FilterPluginBase("TestedFilters", filters()) {}
+
+    RichParameterList defaults(FilterNumber filter, MeshDocument& document) {
+        QAction* action = actions().at(filter);
+#if MESHLAB_API < 2022
+        RichParameterList list;
+        initParameterSet(action, document, list);
+        return list;
+#else
+        return initParameterList(action, document);
+#endif
+    }
+
+    /// Empty, or what the user is told.
+    QString apply(FilterNumber filter, MeshDocument& document, const RichParameterList& list,
+                  vcg::CallBackPos* callback) {
+        QAction* action = actions().at(filter);
+#if MESHLAB_API < 2022
+        return applyFilter(action, document, list, callback) ? QString() : errorMsg();
+#else
+        try {
+            unsigned int changed = 0;
+            applyFilter(action, list, document, changed, callback);
+            return QString();
+        } catch (const MLException& error) {
+            return error.what();
+        }
+#endif
+    }
+};
+
+constexpr int never = 101;
+
+/// What the callback is told, and when it cancels; plain functions have no other place for it.
+struct Record {
+    std::vector<int> percents;
+    int cancel_from = never;  ///< percent; how many calls there are depends on the machine
+    int calls_after = 0;      ///< since it said to stop
+    bool has_cancelled = false;
+} record;
+
+bool callback(const int percent, const char*) {
+    record.calls_after += record.has_cancelled;
+    record.percents.push_back(percent);
+    record.has_cancelled = record.has_cancelled || percent >= record.cancel_from;
+    return !record.has_cancelled;
+}
+
+void addMesh(MeshDocument& document, const char* name) {
+    CMeshO& mesh = document.addNewMesh("", name)->cm;
+    const laplacian_lines::TriangleMesh source = test_meshes::mesh_named(name).mesh;
+    auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(mesh, source.positions.size());
+    for (const Eigen::Vector3d& p : source.positions)
+        (vertex++)->P() = Point3m(Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z()));
+    for (const auto& t : source.triangles)
+        vcg::tri::Allocator<CMeshO>::AddFace(mesh, t[0], t[1], t[2]);
+    vcg::tri::UpdateBounding<CMeshO>::Box(mesh);
+}
+
+class FilterProgress : public testing::TestWithParam<FilterNumber> {
+protected:
+    FilterProgress() { addMesh(document, "bumpy_sphere"); }
+
+    QString run(int cancel_from) {
+        record = {{}, cancel_from};
+        return plugin.apply(GetParam(), document, plugin.defaults(GetParam(), document), callback);
+    }
+    const CMeshO& mesh() { return document.mm()->cm; }
+
+    MeshDocument document;
+    Plugin plugin;
+};
+
+/// Everything that a filter might leave behind in a layer.
+struct LayerState {
+    explicit LayerState(const CMeshO& mesh)
+        : stamp(meshlab_host::geometryStamp(mesh)),
+          vertex_attributes(mesh.vert_attr.size()),
+          mesh_attributes(mesh.mesh_attr.size()),
+          field(meshlab_host::readField(mesh, stamp)) {}
+
+    meshlab_host::GeometryStamp stamp;
+    std::size_t vertex_attributes, mesh_attributes;
+    std::optional<laplacian_lines::Field> field;
+};
+
+void expectSame(const LayerState& a, const LayerState& b) {
+    EXPECT_EQ(a.stamp, b.stamp);
+    EXPECT_EQ(a.vertex_attributes, b.vertex_attributes);
+    EXPECT_EQ(a.mesh_attributes, b.mesh_attributes);
+    ASSERT_EQ(a.field.has_value(), b.field.has_value());
+    if (!a.field) return;
+    EXPECT_EQ(a.field->normals, b.field->normals);
+    EXPECT_EQ(a.field->laplacian_normals, b.field->laplacian_normals);
+}
+
+TEST_P(FilterProgress, RisesFromTheBeginningToTheEnd) {
+    ASSERT_EQ(run(never).toStdString(), "");
+    ASSERT_GE(record.percents.size(), 5u);
+    EXPECT_TRUE(std::is_sorted(record.percents.begin(), record.percents.end()));
+    EXPECT_GE(record.percents.front(), 0);
+    EXPECT_LE(record.percents.front(), 10);
+    EXPECT_EQ(record.percents.back(), 100);
+}
+
+TEST_P(FilterProgress, StopsAtOnceAndLeavesNothingBehind) {
+    const LayerState before(mesh());
+    for (const int percent : {0, 1, 5, 12, 25, 37, 50, 75, 90, 99, 100}) {
+        SCOPED_TRACE(percent);
+        EXPECT_NE(run(percent).toStdString().find("Cancelled"), std::string::npos);
+        EXPECT_EQ(record.calls_after, 0);
+        expectSame(before, LayerState(mesh()));
+        EXPECT_EQ(document.size(), 1);
+    }
+}
+
+TEST_P(FilterProgress, KeepsEarlierResultsWhenCancelled) {
+    RichParameterList list = plugin.defaults(Compute, document);
+    ASSERT_EQ(plugin.apply(Compute, document, list, nullptr).toStdString(), "");
+    const LayerState before(mesh());
+    ASSERT_TRUE(before.field);
+    EXPECT_NE(run(30).toStdString(), "");
+    expectSame(before, LayerState(mesh()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, FilterProgress, testing::Values(Compute, Polylines),
+                         [](const auto& info) {
+                             return info.param == Compute ? "Compute" : "Polylines";
+                         });
+
+}  // namespace

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Without enough memory, the filter and the decoration say so, the mesh stays as it is, and MeshLab goes on.
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+
+# What is freed goes back to the system at once, else the limit would not be one.
+export MALLOC_ARENA_MAX=1 MALLOC_MMAP_THRESHOLD_=65536
+write_bumpy_torus 500 300 >"$WORK/torus.ply"
+# The first run starts the threads, for which there has to be memory: libgomp ends the process otherwise.
+begin=$(
+    cat <<'END'
+wait
+open torus.ply
+size 500x400
+check Fill off
+check Points on
+trigger Compute Laplacian Lines
+apply
+close
+trigger Invert Faces Orientation
+set Force Flip = on
+apply
+close
+END
+)
+drive <<END
+$begin
+trigger Compute Laplacian Lines
+limit-memory 2
+apply
+expect-modal Filter Failure.*Not enough memory\. The mesh was not changed
+unlimit-memory
+button OK
+apply
+close
+expect-log (?s)Computed in.*Not enough memory.*Computed in
+END
+drive <<END
+$begin
+limit-memory 2
+check Laplacian Lines on
+unlimit-memory
+expect-log Laplacian Lines: torus.ply: There is not enough memory for the lines of this mesh
+expect-action Laplacian Lines unchecked
+check Laplacian Lines on
+expect-action Laplacian Lines checked
+END

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Users do things in any order: whatever they do, lines are those of the mesh and the camera or the log says why there
+# are none, OpenGL's state is left alone, and MeshLab goes on.
+#   RANDOM_SEEDS="1 2 3", RANDOM_ACTIONS=300: what to try
+DRIVE_SECONDS=${RANDOM_SECONDS:-3000}
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+
+# ply NAME VERTICES FACES: an ASCII file with the vertices and faces on stdin
+ply() {
+    printf 'ply\nformat ascii 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n' "$2"
+    printf 'element face %s\nproperty list uchar int vertex_indices\nend_header\n' "$3"
+    cat
+}
+
+small_torus "$WORK/torus.ply"
+write_bumpy_torus 24 16 >"$WORK/ring.ply"
+ply points 3 0 <<<$'0 0 0\n1 0 0\n0 1 0' >"$WORK/points.ply"
+ply pyramid 5 4 <<<$'0 0 1\n1 1 0\n-1 1 0\n-1 -1 0\n1 -1 0\n3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 1' >"$WORK/pyramid.ply"
+
+for seed in ${RANDOM_SEEDS:-1 2 3}; do
+    drive <<END
+wait
+open torus.ply
+size 500x400
+check Laplacian Lines on
+random-actions $seed ${RANDOM_ACTIONS:-100} torus.ply ring.ply torus.ply pyramid.ply points.ply
+END
+    cp "$WORK/log" "$WORK/log_$seed"
+    grep 'are the core' "$WORK/log"
+done
