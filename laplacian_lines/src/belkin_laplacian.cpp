@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "belkin_laplacian.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gaussian_grid.h"
@@ -55,8 +56,12 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
     const GridResolution resolution =
         grid_resolution(options.accuracy, roughness(kernel_sizes, shape_operators));
     Summation summation = options.summation;
-    if (summation == Summation::Fastest)
-        summation = summation_costs(mesh, tree, kernel, resolution).fastest();
+    if (summation == Summation::Fastest) {
+        const SummationCosts costs = summation_costs(mesh, tree, kernel, resolution);
+        refuse_endless_sum(std::min(costs.direct, costs.grid),
+                           "Merge close vertices, or choose a larger Kernel Size.");
+        summation = costs.fastest();
+    }
     const bool on_grid = summation == Summation::Grid;
     const GaussianSums sums = on_grid ? grid_sums(mesh, normals, kernel, resolution, stage)
                                       : gaussian_sums(mesh, tree, normals, kernel, stage);

@@ -21,6 +21,17 @@ void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eig
     place[3 * kFormGroup] = float(v.dot(p));
 }
 
+/// Whatever a caller's field holds, floats can take powers of what is kept of it.
+constexpr double kLargestLaplacian = 1e12, kLargestCurvature = 1e8, kLargestSlopeScale = 1e15;
+
+double bounded(double x, double limit) {
+    return std::isnan(x) ? 0 : std::clamp(x, -limit, limit);
+}
+
+Eigen::Vector3d bounded(const Eigen::Vector3f& v, double factor, double limit) {
+    return (v.cast<double>() * factor).unaryExpr([=](double x) { return bounded(x, limit); });
+}
+
 VertexRecord make_record(const LocalVertex& v) {
     const ShapeOperator& s = v.shape_operator;
     const Eigen::Vector3f n = v.normal.cast<float>();
@@ -106,17 +117,18 @@ LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
     const std::uint32_t v = mesh_.original_vertex[prepared];
     const double d = data_.diagonal;
     const ShapeOperator& s = field_.shape_operators[v];
-    const float f = float(d);
+    const auto curvature = [&](float x) { return float(bounded(x * d, kLargestCurvature)); };
     const double size = field_.kernel_sizes[v] / d;
     // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
     const FieldScale& scale = field_.scale;
     const double sigma = scale.normal_sigma / d * (size / (scale.kernel_size / scale.diagonal));
     const double squared_effective = size * size + sigma * sigma / 2;  // h_e
     return {mesh_.positions[prepared],
-            field_.normals[v].cast<double>(),
-            field_.laplacian_normals[v].cast<double>() * d * d,
-            {s.xx * f, s.yy * f, s.zz * f, s.yz * f, s.xz * f, s.xy * f},
-            float(squared_effective * std::sqrt(squared_effective))};
+            bounded(field_.normals[v], 1, 2),
+            bounded(field_.laplacian_normals[v], d * d, kLargestLaplacian),
+            {curvature(s.xx), curvature(s.yy), curvature(s.zz), curvature(s.yz), curvature(s.xz),
+             curvature(s.xy)},
+            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
 }
 
 void ClusterBuilder::list_vertices(std::size_t c, Values& values) {

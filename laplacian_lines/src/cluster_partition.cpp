@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "affordable_threads.h"
 #include "cluster_data.h"
 #include "parallel.h"
 
@@ -142,11 +143,12 @@ public:
     }
 
     void run() {
-        workers_.reserve(std::size_t(omp_get_max_threads()));
-        for (int i = 0; i < omp_get_max_threads(); ++i)
+        const int threads = affordable_threads(omp_get_max_threads());
+        workers_.reserve(std::size_t(threads));
+        for (int i = 0; i < threads; ++i)
             workers_.emplace_back(mesh_.size());
         const auto all = std::uint32_t(centres_.size());
-#pragma omp parallel
+#pragma omp parallel num_threads(threads)
 #pragma omp single
         split(0, all);
         for (std::uint32_t i = 0; i < all; ++i) {

@@ -41,8 +41,12 @@ public:
     LeafSum(const PreparedMesh& mesh, const SpatialTree& tree,
             const std::vector<Eigen::Vector3d>& normals, const GaussianKernel& kernel,
             const SpatialTree::Leaf& leaf)
-        : mesh_(mesh), tree_(tree), normals_(normals), kernel_(kernel), leaf_(leaf) {
-        centre_ = leaf.box.center();
+        : mesh_(mesh),
+          tree_(tree),
+          normals_(normals),
+          kernel_(kernel),
+          leaf_(leaf),
+          centre_(leaf.box.center()) {
         mean_normal_.setZero();
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
             radius_ = std::max(radius_, kernel.cutoff * kernel.kernel_sizes[v]);

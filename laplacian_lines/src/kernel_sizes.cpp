@@ -8,6 +8,8 @@ namespace {
 
 constexpr int kSmoothingPasses = 10;
 constexpr double kSmallestRatio = 0.25, kLargestRatio = 4;
+// In D. Beyond, nothing changes any more: no vertex has a neighbour, or all are equally near.
+constexpr double kSmallestKernel = 1e-7, kLargestKernel = 1e4;
 
 /// For each vertex v, the mean of value_of(v, other) over the edges at v, inner ones counted once
 /// per triangle, and of start[v] unless that is empty.
@@ -43,8 +45,9 @@ double automatic_kernel_size(double mean_edge, double diagonal) {
 }
 
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options) {
-    return options.kernel_size > 0 ? options.kernel_size / mesh.diagonal
-                                   : automatic_kernel_size(mesh.mean_edge, 1);
+    return options.kernel_size > 0
+               ? std::clamp(options.kernel_size / mesh.diagonal, kSmallestKernel, kLargestKernel)
+               : automatic_kernel_size(mesh.mean_edge, 1);
 }
 
 std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, const VertexRanges& ranges,

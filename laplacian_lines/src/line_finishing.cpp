@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "affordable_threads.h"
 #include "cluster_kernels.h"
 
 namespace laplacian_lines {
@@ -80,7 +81,8 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
     for (const TracedLines::Line& line : traced.lines)
         longest = std::max(longest, line.polyline.count);
     const std::size_t size = column_size(longest);
-    const int threads = traced.point_count < kLeastParallelPoints ? 1 : omp_get_max_threads();
+    const int threads =
+        traced.point_count < kLeastParallelPoints ? 1 : affordable_threads(omp_get_max_threads());
     if (memory.size() < std::size_t(threads)) memory.resize(std::size_t(threads));
     for (std::vector<float>& columns : memory)
         if (columns.size() < kColumns * size + kFloatsOfLine)

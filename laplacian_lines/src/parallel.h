@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <exception>
 
+#include "affordable_threads.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/progress.h"
 
@@ -47,7 +48,8 @@ void parallel_for(std::size_t count, int grain, Body body, Finished report) {
     std::atomic<std::size_t> finished{0};
     std::exception_ptr failure;
     const std::size_t report_every = std::max<std::size_t>(1, count / 100);
-#pragma omp parallel if (count > std::size_t(grain))
+    const int threads = count > std::size_t(grain) ? affordable_threads(omp_get_max_threads()) : 1;
+#pragma omp parallel num_threads(threads) if (threads > 1)
     {
         Scratch scratch;
         std::size_t next_report = 0;

@@ -7,12 +7,14 @@
 #include "normal_smoothing.h"
 #include "prepared_mesh.h"
 #include "shape_operators.h"
+#include "summation_cost.h"
 #include "vertex_normals.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr int kTensorSmoothingPasses = 2;
+constexpr double kFitCost = 20;  // of a pair of vertices in a fit, in those of a direct sum
 
 // About the part of the whole time at which each step ends, with the default options.
 constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
@@ -93,12 +95,18 @@ private:
         const bool in_balls = options_.gradient_estimator == GradientEstimator::LeastSquares;
         shape_operators_ =
             fit_triangles(mesh_, ranges_, normals_, in_balls ? fit.part(0, 0.2) : fit);
-        if (in_balls)
-            shape_operators_ =
-                fit_balls(mesh_, tree_, normals_, options_.gradient_radius * mesh_.mean_edge,
-                          options_.skip_opposite_sheet, shape_operators_, fit.part(0.2, 1));
+        if (in_balls) fit_balls(fit.part(0.2, 1));
         smooth_over_one_rings(mesh_, ranges_, normals_, kTensorSmoothingPasses,
                               stage(kFitted, kTensors, name), shape_operators_);
+    }
+
+    void fit_balls(const StageProgress& stage) {
+        const double radius = options_.gradient_radius * mesh_.mean_edge;
+        refuse_endless_sum(kFitCost * pairs_cost(tree_, radius),
+                           "Merge close vertices, or choose a smaller Gradient Radius or the "
+                           "Gradient Estimator Triangle Fit.");
+        shape_operators_ = laplacian_lines::fit_balls(
+            mesh_, tree_, normals_, radius, options_.skip_opposite_sheet, shape_operators_, stage);
     }
 
     void compute_laplacian() {

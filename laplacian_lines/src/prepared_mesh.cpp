@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 #include "laplacian_lines/error.h"
@@ -14,10 +15,14 @@ namespace {
 constexpr std::uint32_t kUnused = 0xffffffffu;
 // sin of the smallest angle a triangle may have; far below what float input can resolve.
 constexpr double kLeastSine = 1e-12;
+// Diagonals for which D² and 1/D², which the field holds as floats, keep far from the ends of the
+// number range.
+constexpr double kLeastDiagonal = 1e-15, kLargestDiagonal = 1e15;
 
-bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
-    const Eigen::Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
-                          &c = mesh.positions[t[2]];
+using Positions = std::vector<Eigen::Vector3d>;
+
+bool is_degenerate(const Positions& positions, const Triangle& t) {
+    const Eigen::Vector3d &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
     if (!a.allFinite() || !b.allFinite() || !c.allFinite()) return true;
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
     if (!(longest > 0)) return true;
@@ -35,14 +40,15 @@ void check_indices(const TriangleMesh& mesh) {
 }
 
 /// In blocks, each of which first counts what it keeps.
-std::vector<Triangle> usable_triangles(const TriangleMesh& mesh, MeshReport& report) {
-    const std::size_t count = mesh.triangles.size();
+std::vector<Triangle> usable_triangles(const Positions& positions,
+                                       const std::vector<Triangle>& triangles) {
+    const std::size_t count = triangles.size();
     std::vector<std::uint8_t> is_usable(count);
     std::vector<std::size_t> kept(block_count(count) + 1, 0);
     in_blocks(count, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t)
             kept[begin / kBlockElements + 1] += is_usable[t] =
-                !is_degenerate(mesh, mesh.triangles[t]);
+                !is_degenerate(positions, triangles[t]);
     });
     for (std::size_t b = 1; b < kept.size(); ++b)
         kept[b] += kept[b - 1];
@@ -50,14 +56,29 @@ std::vector<Triangle> usable_triangles(const TriangleMesh& mesh, MeshReport& rep
     in_blocks(count, [&](std::size_t begin, std::size_t end) {
         std::size_t place = kept[begin / kBlockElements];
         for (std::size_t t = begin; t < end; ++t)
-            if (is_usable[t]) usable[place++] = mesh.triangles[t];
+            if (is_usable[t]) usable[place++] = triangles[t];
     });
-    report.degenerate_triangles = count - usable.size();
     if (usable.empty())
         throw Error(ErrorCode::EmptyMesh,
                     "The mesh has no triangle with an area. Laplacian lines need a surface: for a "
                     "point cloud, reconstruct one first.");
     return usable;
+}
+
+/// Around the mesh's centre, coordinates may be coarser than they were around the origin. Drops the
+/// triangles that have no area there, and gives the others back their vertices of the input; false
+/// if there are none to drop.
+bool drop_lost_triangles(PreparedMesh& prepared) {
+    std::vector<Triangle> usable = usable_triangles(prepared.positions, prepared.triangles);
+    if (usable.size() == prepared.triangles.size()) return false;
+    for (Triangle& t : usable)
+        for (std::uint32_t& v : t)
+            v = prepared.original_vertex[v];
+    prepared.triangles.swap(usable);
+    prepared.positions.clear();
+    prepared.original_vertex.clear();
+    prepared.report.non_finite_vertices = prepared.report.unreferenced_vertices = 0;
+    return true;
 }
 
 /// Numbers the vertices that triangles use and rewrites the triangles' indices.
@@ -85,6 +106,15 @@ void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
     });
 }
 
+void check_size(double diagonal) {
+    if (diagonal >= kLeastDiagonal && diagonal <= kLargestDiagonal) return;
+    std::ostringstream message;
+    message << "The mesh's bounding box has a diagonal of " << diagonal
+            << ", but it must be between " << kLeastDiagonal << " and " << kLargestDiagonal
+            << ": scale the mesh, or delete vertices that lie far off.";
+    throw Error(ErrorCode::InvalidMesh, message.str());
+}
+
 void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
     const std::vector<std::uint32_t>& original = prepared.original_vertex;
     Eigen::Vector3d low = mesh.positions[original[0]], high = low;
@@ -94,6 +124,7 @@ void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
     }
     prepared.centre = low / 2 + high / 2;
     prepared.diagonal = (high - low).stableNorm();
+    check_size(prepared.diagonal);
     prepared.positions.resize(original.size());
     in_blocks(original.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -150,9 +181,12 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh) {
     PreparedMesh prepared;
     prepared.report.vertices = mesh.positions.size();
     prepared.report.triangles = mesh.triangles.size();
-    prepared.triangles = usable_triangles(mesh, prepared.report);
-    keep_used_vertices(mesh, prepared);
-    to_local_coordinates(mesh, prepared);
+    prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
+    do {
+        keep_used_vertices(mesh, prepared);
+        to_local_coordinates(mesh, prepared);
+    } while (drop_lost_triangles(prepared));
+    prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
     return prepared;
 }
 

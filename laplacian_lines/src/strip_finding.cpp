@@ -7,6 +7,8 @@
 #include <atomic>
 #include <exception>
 
+#include "affordable_threads.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -71,10 +73,10 @@ void even_out(FoundStrips& found) {
 void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found) {
     const ClusterStore store = data.store();
     const std::size_t chunks = (data.clusters.size() + kChunk - 1) / kChunk;
-    const int threads =
-        chunks < kLeastParallelChunks
-            ? 1
-            : int(std::min<std::size_t>(chunks, std::size_t(omp_get_max_threads())));
+    const int threads = chunks < kLeastParallelChunks
+                            ? 1
+                            : affordable_threads(int(std::min<std::size_t>(
+                                  chunks, std::size_t(omp_get_max_threads()))));
     if (found.threads.size() < std::size_t(threads)) found.threads.resize(std::size_t(threads));
     found.chunks.resize(chunks);
     for (FindingThread& thread : found.threads) {

@@ -4,9 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include "grid_bands.h"
 #include "grid_points.h"
+#include "laplacian_lines/error.h"
 
 namespace laplacian_lines {
 namespace {
@@ -22,13 +24,16 @@ constexpr std::size_t kSampledLeaves = 64;
 // Tables take 20 bytes a block.
 constexpr double kBlocksPerVertex = 8;
 
-double direct_cost(const SpatialTree& tree, const GaussianKernel& kernel) {
+constexpr double kEndless = 3e7;  // half a minute
+
+/// `radius_at(v)`: how far vertex v looks.
+template <class RadiusAt>
+double direct_cost(const SpatialTree& tree, RadiusAt radius_at) {
     const auto& leaves = tree.leaves();
     const std::size_t step = std::max<std::size_t>(1, leaves.size() / kSampledLeaves);
     double pairs = 0, sampled = 0;
     for (std::size_t i = step / 2; i < leaves.size(); i += step) {
-        const double size = kernel.kernel_sizes[leaves[i].begin];
-        tree.visit_leaves(leaves[i].box, kernel.cutoff * size,
+        tree.visit_leaves(leaves[i].box, radius_at(leaves[i].begin),
                           [&](const SpatialTree::Leaf&) { ++pairs; });
         ++sampled;
     }
@@ -62,7 +67,20 @@ double grid_cost(const PreparedMesh& mesh, const GaussianKernel& kernel,
 
 SummationCosts summation_costs(const PreparedMesh& mesh, const SpatialTree& tree,
                                const GaussianKernel& kernel, const GridResolution& resolution) {
-    return {direct_cost(tree, kernel), grid_cost(mesh, kernel, resolution)};
+    const auto radius = [&](std::uint32_t v) { return kernel.cutoff * kernel.kernel_sizes[v]; };
+    return {direct_cost(tree, radius), grid_cost(mesh, kernel, resolution)};
+}
+
+double pairs_cost(const SpatialTree& tree, double radius) {
+    return direct_cost(tree, [&](std::uint32_t) { return radius; });
+}
+
+void refuse_endless_sum(double cost, const char* advice) {
+    if (cost < kEndless) return;
+    throw Error(ErrorCode::TooCostly,
+                std::string("The mesh has too many vertices near each other to be finished within "
+                            "minutes. ") +
+                    advice);
 }
 
 }  // namespace laplacian_lines

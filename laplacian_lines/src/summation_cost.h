@@ -21,6 +21,12 @@ struct SummationCosts {
     Summation fastest() const { return grid < direct ? Summation::Grid : Summation::Direct; }
 };
 
+/// The same for looking at all vertices within `radius` of each vertex.
+double pairs_cost(const SpatialTree& tree, double radius);
+
+/// @throws Error(TooCostly), whose sentence ends with the advice, if the cost is that of minutes.
+void refuse_endless_sum(double cost, const char* advice);
+
 /// The kernel's cutoff counts for the direct sum, the resolution for the grid.
 SummationCosts summation_costs(const PreparedMesh& mesh, const SpatialTree& tree,
                                const GaussianKernel& kernel, const GridResolution& resolution);

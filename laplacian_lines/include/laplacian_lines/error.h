@@ -9,9 +9,10 @@ namespace laplacian_lines {
 /// Why a call of the core was refused. Nothing the caller passed in has been changed.
 enum class ErrorCode {
     InvalidOption,  ///< an option is outside its documented range
-    InvalidMesh,    ///< a triangle names a vertex that does not exist
+    InvalidMesh,    ///< a triangle names a vertex that does not exist, or D is beyond 1e±15
     EmptyMesh,      ///< no triangle of positive area with finite corners is left
     FieldMismatch,  ///< a field and a mesh do not have the same vertices
+    TooCostly,      ///< with these options, the mesh would take minutes
     Cancelled,      ///< the progress callback asked to stop
 };
 

@@ -34,6 +34,7 @@ private:
 /// paper are described at the members of LineStyle.
 class LineExtractor {
 public:
+    /// Values of the field that are not finite count as zero.
     /// @throws Error(FieldMismatch) if the field has another number of vertices, InvalidMesh.
     LineExtractor(const TriangleMesh& mesh, const Field& field);
     ~LineExtractor();

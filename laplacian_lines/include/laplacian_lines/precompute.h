@@ -14,7 +14,7 @@ namespace laplacian_lines {
 /// the Laplacian of M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces"
 /// (SoCG 2008). The Laplacian is negative semi-definite: Δf < 0 at a maximum of f.
 ///
-/// @throws Error: InvalidOption, InvalidMesh, EmptyMesh, Cancelled.
+/// @throws Error: InvalidOption, InvalidMesh, EmptyMesh, TooCostly, Cancelled.
 /// Thread-safe; runs on OpenMP's threads, and the result does not depend on how many there are.
 Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options = {},
                  const Progress& progress = {});
