@@ -61,7 +61,7 @@ TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
         const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
         for (const PrecomputeOptions& options : {plain, other}) {
             const Field one = with_threads(1, mesh, options);
-            for (int threads : {1, 2, 3, 7})
+            for (int threads : {1, 2, 3, 8})
                 EXPECT_TRUE(helpers::same_fields(one, with_threads(threads, mesh, options)))
                     << name << ", " << threads << " threads";
         }
@@ -80,6 +80,28 @@ TEST(Determinism, FieldsOfManyVerticesDoNotDependOnTheNumberOfThreads) {
             EXPECT_TRUE(helpers::same_fields(one, with_threads(threads, mesh, options)))
                 << threads << " threads";
     }
+}
+
+TEST(Determinism, SameFieldsAndLinesOfEveryMesh) {
+    for (const auto* meshes : {&test_meshes::all_meshes(), &test_meshes::wild_meshes()})
+        for (const test_meshes::TestMesh& mesh : *meshes) {
+            if (mesh.has(test_meshes::kUnusable)) continue;
+            const Field field = with_threads(1, mesh.mesh, {});
+            const View view = View::perspective(field.scale.diagonal * Eigen::Vector3d(1, 2, 1.5));
+            const LineSet lines =
+                helpers::extract(LineExtractor(mesh.mesh, field), view, helpers::all_crossings());
+            for (int threads : {1, 2, 3, 8}) {
+                EXPECT_TRUE(helpers::same_fields(field, with_threads(threads, mesh.mesh, {})))
+                    << mesh << ", " << threads << " threads";
+                const int before = omp_get_max_threads();
+                omp_set_num_threads(threads);
+                const LineExtractor extractor(mesh.mesh, field);
+                EXPECT_TRUE(helpers::same_lines(
+                    lines, helpers::extract(extractor, view, helpers::all_crossings())))
+                    << mesh << ", " << threads << " threads";
+                omp_set_num_threads(before);
+            }
+        }
 }
 
 class Extraction : public testing::Test {

@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, FiniteFields, testing::ValuesIn(test_meshes::me
 /// A kernel that reaches no neighbour and one that holds everything.
 TEST(ExtremeKernels, StayFinite) {
     for (const char* name : {"torus", "hills", "scattered_spheres"})
-        for (double size : {1e-9, 1e-4, 10.0, 1e6}) {
+        for (double size : {1e-300, 1e-9, 1e-4, 10.0, 1e6, 1e300}) {
             PrecomputeOptions options;
             options.kernel_size = size;
             for (const Eigen::Vector3f& x :

@@ -151,4 +151,11 @@ TEST(Invariance, LinesScaleWithTheMesh) {
     expect_same_lines(std::ldexp(1.0, -20), Eigen::Vector3d::Zero());
 }
 
+TEST(Invariance, LinesAreTheSameFarFromTheOrigin) {
+    // As far as the floats of their points can tell.
+    expect_same_lines(1, {1e6, -1e6, 1e6});
+    expect_same_lines(1e-8, {0, 0, 1});
+    expect_same_lines(1e8, {1e6, 1e6, 0});
+}
+
 }  // namespace

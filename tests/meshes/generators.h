@@ -53,6 +53,13 @@ TriangleMesh fan_of_sheets(int sheets, int cells);
 /// Two plane squares, z = 0 facing down and z = `distance` facing up: a thin wall without rim.
 TriangleMesh parallel_sheets(int cells, double distance);
 
+/// Triangles around one vertex, or, if `cut`, around as many vertices at one place.
+TriangleMesh star(int triangles, bool cut);
+TriangleMesh book(int pages);            ///< triangles on one edge
+TriangleMesh one_face_often(int times);  ///< a torus with one face repeated, both ways around
+/// The same with three vertices of its own for each triangle. All indices are in range.
+TriangleMesh cut_apart(const TriangleMesh& mesh);
+
 void append(TriangleMesh& mesh, const TriangleMesh& other);
 void flip_triangles(TriangleMesh& mesh, int every);  ///< reverses each `every`-th triangle
 /// Adds what real files hold: NaN and infinite vertices with triangles, triangles without area,

@@ -95,6 +95,17 @@ TriangleMesh parallel_sheets(int cells, double distance) {
     return mesh;
 }
 
+TriangleMesh cut_apart(const TriangleMesh& mesh) {
+    TriangleMesh apart;
+    for (const Triangle& t : mesh.triangles) {
+        const auto first = std::uint32_t(apart.positions.size());
+        for (std::uint32_t v : t)
+            apart.positions.push_back(mesh.positions[v]);
+        apart.triangles.push_back({first, first + 1, first + 2});
+    }
+    return apart;
+}
+
 void append(TriangleMesh& mesh, const TriangleMesh& other) {
     const auto first = std::uint32_t(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());

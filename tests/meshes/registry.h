@@ -20,6 +20,7 @@ enum Tag : unsigned {
     kComponents = 128,  ///< more than one piece
     kSymmetric = 256,   ///< mirror symmetric in x, y and z: functions are zero at vertices
     kSharp = 512,       ///< edges at which the normal jumps
+    kUnusable = 1024,   ///< has to be refused
 };
 
 struct TestMesh {
@@ -34,7 +35,11 @@ struct TestMesh {
 /// All meshes, a few thousand triangles each, generated at the first call.
 const std::vector<TestMesh>& all_meshes();
 
-/// Those that have all wanted tags and none of the others.
+/// What else there is: not finite, without area, far from the origin, of thousands of pieces, ...;
+/// also such as have to be refused. Not among all_meshes().
+const std::vector<TestMesh>& wild_meshes();
+
+/// Those of all_meshes() that have all wanted tags and none of the others.
 std::vector<const TestMesh*> meshes_with(unsigned wanted, unsigned unwanted = 0);
 
 /// @throws std::out_of_range

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes on which a careless step would take the square of their size. What takes more than a
+// second or two runs only with LAPLACIAN_LINES_LARGE=1, and prints its times.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+
+#include "helpers.h"
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/precompute.h"
+#include "wild_case.h"
+
+namespace {
+
+using namespace laplacian_lines;
+
+struct LargeMesh {
+    const char* name;
+    TriangleMesh (*make)();
+    double kernel_size = 0;
+    bool refused = false;
+};
+
+/// A million vertices at so many places of a line, all of them corners of triangles.
+TriangleMesh million_at(unsigned places) {
+    TriangleMesh mesh;
+    for (unsigned v = 0; v < 1000000; ++v)
+        mesh.positions.push_back(Eigen::Vector3d(1, 2, 3) * (v % places));
+    for (std::uint32_t v = 0; v + 2 < mesh.positions.size(); ++v)
+        mesh.triangles.push_back({v, v + 1, v + 2});
+    return mesh;
+}
+
+TriangleMesh tetrahedra(int count) {
+    TriangleMesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const Eigen::Vector3d p(i % 37, i / 37 % 41, i / (37 * 41));
+        const Eigen::Vector3d x(0.4, 0, 0), y(0, 0.4, 0), z(0, 0, 0.4);
+        test_meshes::append(
+            mesh, {{p, p + x, p + y, p + z}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+    }
+    return mesh;
+}
+
+const LargeMesh kMeshes[] = {
+    {"TenMillionTriangles", [] { return test_meshes::torus(3200, 1600).mesh; }},
+    {"KernelAsLargeAsTheMesh", [] { return test_meshes::torus(800, 400).mesh; }, 3},
+    {"KernelOfAThousandMeshes", [] { return test_meshes::torus(800, 400).mesh; }, 3000},
+    {"MillionTrianglesAtOneVertex", [] { return test_meshes::star(1000000, false); }},
+    {"MillionVerticesAtOnePlaceOfASurface", [] { return test_meshes::star(1000000, true); }},
+    {"MillionVerticesAtOnePoint", [] { return million_at(1); }, 0, true},
+    {"MillionVerticesAtTwoPoints", [] { return million_at(2); }, 0, true},
+    {"MillionVerticesOnALine", [] { return million_at(1000000); }, 0, true},
+    {"HundredThousandTrianglesOnOneEdge", [] { return test_meshes::book(100000); }},
+    {"HundredThousandTimesTheSameFace", [] { return test_meshes::one_face_often(100000); }},
+    {"HundredThousandPieces", [] { return tetrahedra(100000); }},
+};
+
+class Large : public testing::TestWithParam<const LargeMesh*> {
+protected:
+    void SetUp() override {
+        if (!std::getenv("LAPLACIAN_LINES_LARGE"))
+            GTEST_SKIP() << "LAPLACIAN_LINES_LARGE=1 runs it";
+    }
+    void tell(const char* what) {
+        const auto now = std::chrono::steady_clock::now();
+        std::cout << "    " << what << ": " << std::chrono::duration<double>(now - last_).count()
+                  << " s\n";
+        last_ = now;
+    }
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+TEST_P(Large, MeshIsDoneOrRefused) {
+    const TriangleMesh mesh = GetParam()->make();
+    PrecomputeOptions options;
+    options.kernel_size = GetParam()->kernel_size;
+    tell("generated");
+    try {
+        const Field field = precompute(mesh, options);
+        tell("precompute()");
+        EXPECT_EQ(wild::complaint(mesh, field), "");
+        const LineExtractor extractor(mesh, field);
+        tell("LineExtractor");
+        LineSet lines;
+        ExtractionScratch scratch;
+        const View view = View::perspective(field.scale.diagonal * Eigen::Vector3d(1, 2, 1.5));
+        LineStyle style;
+        style.creases = true;
+        for (const char* what : {"extract() at first", "extract()"}) {
+            extractor.extract(view, style, scratch, lines);
+            tell(what);
+        }
+        EXPECT_EQ(wild::complaint(lines), "");
+        EXPECT_FALSE(GetParam()->refused);
+    } catch (const Error& error) {
+        tell(error.what());
+        EXPECT_TRUE(GetParam()->refused) << error.what();
+    }
+}
+
+std::vector<const LargeMesh*> large_meshes() {
+    std::vector<const LargeMesh*> list;
+    for (const LargeMesh& mesh : kMeshes)
+        list.push_back(&mesh);
+    return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, Large, testing::ValuesIn(large_meshes()),
+                         [](const auto& info) { return info.param->name; });
+
+// ---- sums that would take too long are refused before they begin ----
+
+std::string refusal(const TriangleMesh& mesh, const PrecomputeOptions& options) {
+    try {
+        precompute(mesh, options);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::TooCostly) << error.what();
+        return error.what();
+    }
+    return "not refused";
+}
+
+TEST(EndlessSum, IsRefusedWithWhatToDo) {
+    // All vertices are within a few mean edges of each other.
+    const TriangleMesh star = test_meshes::star(800000, false);
+    PrecomputeOptions bilateral, balls;
+    bilateral.normal_smoothing = NormalSmoothing::Bilateral;
+    balls.gradient_estimator = GradientEstimator::LeastSquares;
+    EXPECT_NE(refusal(star, bilateral).find("Normal Smoothing"), std::string::npos);
+    EXPECT_NE(refusal(star, balls).find("Gradient Radius"), std::string::npos);
+}
+
+TEST(EndlessSum, OfGaussiansGoesByTheGrid) {
+    const TriangleMesh star = test_meshes::star(400000, false);
+    EXPECT_EQ(wild::complaint(star, precompute(star)), "");
+}
+
+}  // namespace

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// No mesh, no option and no eye crashes the core or gets anything but finite results, or an error
+// that says what to do.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "helpers.h"
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/precompute.h"
+#include "wild_case.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using test_meshes::TestMesh;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::vector<const TestMesh*> every_mesh() {
+    std::vector<const TestMesh*> meshes = test_meshes::meshes_with(0);
+    for (const TestMesh& mesh : test_meshes::wild_meshes())
+        meshes.push_back(&mesh);
+    return meshes;
+}
+
+class WildMesh : public testing::TestWithParam<const TestMesh*> {
+protected:
+    const TriangleMesh& mesh() const { return GetParam()->mesh; }
+    bool unusable() const { return GetParam()->has(test_meshes::kUnusable); }
+};
+
+TEST_P(WildMesh, IsRefusedWithAReasonOrHasAFiniteField) {
+    if (!unusable()) {
+        EXPECT_EQ(wild::complaint(mesh(), precompute(mesh())), "");
+        return;
+    }
+    try {
+        precompute(mesh());
+        ADD_FAILURE() << "not refused";
+    } catch (const Error& error) {
+        EXPECT_TRUE(error.code() == ErrorCode::EmptyMesh || error.code() == ErrorCode::InvalidMesh);
+        EXPECT_GT(std::string(error.what()).size(), 30u);
+    }
+}
+
+TEST_P(WildMesh, WhatIsLeftOutIsCountedAndZero) {
+    if (unusable()) return;
+    const Field field = precompute(mesh());
+    std::size_t not_finite = 0, zeros = 0;
+    for (std::size_t v = 0; v < mesh().positions.size(); ++v) {
+        not_finite += !mesh().positions[v].allFinite();
+        const bool is_zero = field.kernel_sizes[v] == 0;
+        zeros += is_zero;
+        if (!is_zero) continue;
+        EXPECT_TRUE(field.normals[v].isZero() && field.laplacian_normals[v].isZero());
+        EXPECT_TRUE(helpers::matrix(field.shape_operators[v]).isZero());
+    }
+    EXPECT_EQ(field.report.non_finite_vertices, not_finite);
+    EXPECT_EQ(field.report.non_finite_vertices + field.report.unreferenced_vertices, zeros);
+    EXPECT_EQ(GetParam()->has(test_meshes::kDirty), zeros > 0);
+}
+
+std::vector<View> usual_and_odd_views(const TriangleMesh& mesh, const FieldScale& scale) {
+    std::vector<View> views;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& p : mesh.positions)
+        if (p.allFinite()) centre = p;
+    views.push_back(View::perspective(centre));  // on a vertex
+    for (double distance : {1e-12, 1e-3, 0.1, 0.5, 3.0, 1e3, 1e12})
+        for (const Eigen::Vector3d& side :
+             {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0.3, -0.5, -0.2)})
+            views.push_back(View::perspective(centre + distance * scale.diagonal * side));
+    for (int axis = 0; axis < 3; ++axis)
+        for (double side : {-1.0, 1.0, 1e-300, 1e300})
+            views.push_back(View::orthographic(side * Eigen::Vector3d::Unit(axis)));
+    views.push_back({centre, -1});
+    views.push_back({centre, 1e-280});
+    views.push_back({{1, 2, 3}, 0, Eigen::Vector3d(0, 1, 1e-200)});
+    return views;
+}
+
+TEST_P(WildMesh, LinesAreFiniteFromAnyEye) {
+    if (unusable()) return;
+    const Field field = precompute(mesh());
+    const LineExtractor extractor(mesh(), field);
+    LineStyle everything;
+    everything.creases = true;
+    everything.detail = 100;
+    LineStyle silhouettes = everything;
+    silhouettes.mesh_silhouettes = silhouettes.exact_point_light = true;
+    for (const View& view : usual_and_odd_views(mesh(), field.scale))
+        for (const LineStyle& style : {everything, silhouettes, helpers::all_crossings()})
+            EXPECT_EQ(wild::complaint(helpers::extract(extractor, view, style)), "")
+                << view.eye.transpose() << ", " << view.w;
+    const View view = View::perspective({3 * field.scale.diagonal, 0, 0});
+    const LineVisibility visibility(mesh(), field.scale);
+    EXPECT_EQ(wild::complaint(
+                  visibility.visible_parts(view, helpers::extract(extractor, view, everything))),
+              "");
+}
+
+TEST_P(WildMesh, EyesThatAreNotFiniteAreRefused) {
+    if (unusable()) return;
+    const LineExtractor extractor(mesh(), precompute(mesh()));
+    for (double bad : {kNaN, kInfinity, -kInfinity})
+        for (int axis = 0; axis < 3; ++axis)
+            for (double w : {0.0, 1.0}) {
+                View view{{1, 2, 3}, w};
+                view.eye[axis] = bad;
+                EXPECT_THROW(helpers::extract(extractor, view, {}), Error);
+            }
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, WildMesh, testing::ValuesIn(every_mesh()),
+                         [](const auto& info) { return info.param->name; });
+
+// ---- random input; what the fuzzers of tests/fuzz found ----
+
+std::string run_both(const std::vector<std::uint8_t>& bytes) {
+    test_meshes::Choices first(bytes), second(bytes);
+    return wild::precompute_case(first) + wild::extract_case(second);
+}
+
+TEST(WildInput, OfRandomBytes) {
+    for (unsigned seed = 0; seed < 300; ++seed)
+        ASSERT_EQ(run_both(test_meshes::random_bytes(seed, 16 << seed % 6)), "") << "seed " << seed;
+}
+
+TEST(WildInput, ThatOnceDidHarm) {
+    std::size_t count = 0;
+    for (const auto& file : std::filesystem::directory_iterator(FOUND_BY_FUZZERS)) {
+        std::ifstream in(file.path(), std::ios::binary);
+        const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
+        EXPECT_EQ(run_both(bytes), "") << file.path();
+        ++count;
+    }
+    EXPECT_GT(count, 0u);
+}
+
+}  // namespace

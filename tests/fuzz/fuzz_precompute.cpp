@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <cstdlib>
+
+#include "wild_case.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    test_meshes::Choices choices(bytes, size);
+    const std::string found = wild::precompute_case(choices);
+    if (found.empty()) return 0;
+    std::fprintf(stderr, "precompute: %s\n", found.c_str());
+    std::abort();
+}

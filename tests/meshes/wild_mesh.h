@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "choices.h"
+#include "laplacian_lines/triangle_mesh.h"
+
+namespace test_meshes {
+
+/// A number that some code may not expect: not finite, huge, tiny, or of any bits at all.
+double odd_number(Choices& choices);
+
+/// A mesh of up to a few hundred triangles with nothing right about it, or only one thing wrong: a
+/// form, and damages one after the other. Indices may be out of range if `bad_indices`.
+laplacian_lines::TriangleMesh wild_mesh(Choices& choices, bool bad_indices = false);
+
+}  // namespace test_meshes

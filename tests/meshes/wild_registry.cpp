@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The meshes that nobody wants, and that programs are given all the same.
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "registry.h"
+#include "wild_mesh.h"
+
+namespace test_meshes {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TriangleMesh small_torus() {
+    return torus(24, 12, 0.2).mesh;
+}
+
+TriangleMesh moved(double scale, const Eigen::Vector3d& offset) {
+    TriangleMesh mesh = small_torus();
+    for (Eigen::Vector3d& p : mesh.positions)
+        p = scale * p + offset;
+    return mesh;
+}
+
+TriangleMesh squeezed(double x, double y) {
+    TriangleMesh mesh = small_torus();
+    for (Eigen::Vector3d& p : mesh.positions)
+        p = {x * p.x(), y * p.y(), p.z()};
+    return mesh;
+}
+
+/// A cloud of points on a line, at two points or at one, with triangles between them.
+TriangleMesh without_area(int places) {
+    TriangleMesh mesh;
+    for (int i = 0; i < 300; ++i)
+        mesh.positions.push_back(Eigen::Vector3d(1, 2, 3) * (i % places) / 7);
+    for (std::uint32_t i = 0; i + 2 < 300; ++i)
+        mesh.triangles.push_back({i, i + 1, i + 2});
+    return mesh;
+}
+
+/// A second torus that is but one point, beside the first.
+TriangleMesh collapsed_component() {
+    TriangleMesh mesh = small_torus(), point = mesh;
+    for (Eigen::Vector3d& p : point.positions)
+        p = {3, 0, 0};
+    append(mesh, point);
+    return mesh;
+}
+
+TriangleMesh crossing_tori() {
+    TriangleMesh mesh = small_torus(), other = mesh;
+    for (Eigen::Vector3d& p : other.positions)
+        p = {p.z() + 0.3, p.x(), p.y()};
+    append(mesh, other);
+    return mesh;
+}
+
+/// Two spheres that share one vertex; a vertex without triangles is left.
+TriangleMesh kissing_spheres() {
+    TriangleMesh mesh = icosphere(2), other = mesh;
+    const Eigen::Vector3d top = mesh.positions[0];
+    const auto first = std::uint32_t(mesh.positions.size());
+    for (Eigen::Vector3d& p : other.positions)
+        p = 2 * top - p;
+    append(mesh, other);
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t)
+            if (v == first) v = 0;
+    return mesh;
+}
+
+TriangleMesh reversed_sphere() {
+    TriangleMesh mesh = icosphere(3);
+    flip_triangles(mesh, 1);
+    return mesh;
+}
+
+TriangleMesh nested_spheres() {
+    TriangleMesh mesh = icosphere(3), inner = reversed_sphere();
+    for (Eigen::Vector3d& p : inner.positions)
+        p *= 0.99;
+    append(mesh, inner);
+    return mesh;
+}
+
+/// Tetrahedra far from each other.
+TriangleMesh scattered_tetrahedra(int count) {
+    TriangleMesh mesh;
+    std::mt19937 random(3);
+    const auto unit = [&] { return double(random()) / double(std::mt19937::max()); };
+    for (int i = 0; i < count; ++i) {
+        const double x = unit(), y = unit(), z = unit();
+        const Eigen::Vector3d p = 50 * Eigen::Vector3d(x, y, z);
+        append(mesh, {{p, p + Eigen::Vector3d(0.3, 0, 0), p + Eigen::Vector3d(0, 0.3, 0),
+                       p + Eigen::Vector3d(0, 0, 0.3)},
+                      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+    }
+    return mesh;
+}
+
+void add_shapes(std::vector<TestMesh>& meshes) {
+    const auto add = [&](const char* name, unsigned tags, TriangleMesh mesh) {
+        meshes.push_back({name, tags, std::move(mesh), {}});
+    };
+    add("needles", 0, squeezed(1e-9, 1));
+    add("slivers", 0, squeezed(1e-6, 1e-6));
+    add("flat", 0, squeezed(0, 1));
+    add("collapsed_component", kDirty, collapsed_component());
+    add("crossing_tori", kComponents, crossing_tori());
+    add("kissing_spheres", kNonManifold | kDirty, kissing_spheres());
+    add("reversed_sphere", kClosed, reversed_sphere());
+    add("nested_spheres", kComponents, nested_spheres());
+    add("scattered_tetrahedra", kComponents, scattered_tetrahedra(3000));
+    add("cut_apart", kComponents, cut_apart(small_torus()));
+    add("star", 0, star(3000, false));
+    add("cut_star", kComponents, star(3000, true));
+    add("book", kNonManifold, book(3000));
+    add("one_face_often", kNonManifold, one_face_often(3000));
+    add("far_away", 0, moved(1, {1e6, -1e6, 1e6}));
+    add("huge", 0, moved(1e8, Eigen::Vector3d::Zero()));
+    add("tiny", 0, moved(1e-8, Eigen::Vector3d::Zero()));
+    add("tiny_and_far", 0, moved(1e-3, {1e6, 0, 0}));
+    add("empty", kUnusable, {});
+    add("point_cloud", kUnusable, {small_torus().positions, {}});
+    add("on_a_line", kUnusable, without_area(300));
+    add("at_two_points", kUnusable, without_area(2));
+    add("at_one_point", kUnusable, without_area(1));
+    add("index_out_of_range", kUnusable, {small_torus().positions, {{0, 1, 2}, {3, 4, 1u << 31}}});
+    add("beyond_all_sizes", kUnusable, moved(1e200, Eigen::Vector3d::Zero()));
+    add("below_all_sizes", kUnusable, moved(1e-200, Eigen::Vector3d::Zero()));
+}
+
+/// A coordinate of the first, a middle or the last vertex that is not finite; all; none left.
+void add_not_finite(std::vector<TestMesh>& meshes) {
+    const TriangleMesh clean = small_torus();
+    const std::size_t last = clean.positions.size() - 1;
+    for (std::size_t vertex : {std::size_t(0), last / 2, last})
+        for (int axis = 0; axis < 3; ++axis)
+            for (double value : {kNaN, kInfinity, -kInfinity}) {
+                TestMesh mesh{"not_finite_" + std::to_string(meshes.size()), kDirty, clean, {}};
+                mesh.mesh.positions[vertex][axis] = value;
+                meshes.push_back(mesh);
+            }
+    TestMesh none{"all_not_finite", kUnusable, clean, {}};
+    for (std::size_t v = 0; v <= last; ++v)
+        none.mesh.positions[v][int(v % 3)] = v % 2 ? kNaN : kInfinity;
+    meshes.push_back(none);
+}
+
+}  // namespace
+
+TriangleMesh star(int triangles, bool cut) {
+    TriangleMesh mesh;
+    const auto count = std::uint32_t(triangles);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double angle = 6.283185307179586 * i / count;
+        mesh.positions.push_back({std::cos(angle), std::sin(angle), 0.1 * std::sin(5 * angle)});
+    }
+    for (std::uint32_t i = 0; i < (cut ? count : 1); ++i)
+        mesh.positions.push_back({0, 0, 0.5});
+    for (std::uint32_t i = 0; i < count; ++i)
+        mesh.triangles.push_back({count + (cut ? i : 0), i, (i + 1) % count});
+    return mesh;
+}
+
+TriangleMesh book(int pages) {
+    TriangleMesh mesh{{{0, 0, -1}, {0, 0, 1}}, {}};
+    for (int i = 0; i < pages; ++i) {
+        const double angle = 3.0 * i / pages;
+        mesh.positions.push_back({std::cos(angle), std::sin(angle), 0});
+        mesh.triangles.push_back({0, 1, std::uint32_t(i + 2)});
+    }
+    return mesh;
+}
+
+TriangleMesh one_face_often(int times) {
+    TriangleMesh mesh = small_torus();
+    const Triangle t = mesh.triangles[100];
+    for (int i = 0; i < times; ++i)
+        mesh.triangles.push_back(i % 2 ? t : Triangle{t[1], t[0], t[2]});
+    return mesh;
+}
+
+const std::vector<TestMesh>& wild_meshes() {
+    static const std::vector<TestMesh> meshes = [] {
+        std::vector<TestMesh> list;
+        add_shapes(list);
+        add_not_finite(list);
+        return list;
+    }();
+    return meshes;
+}
+
+}  // namespace test_meshes
