@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "laplacian_lines/precompute.h"
 
+#include <algorithm>
+
 #include "belkin_laplacian.h"
 #include "cotangent_laplacian.h"
 #include "kernel_sizes.h"
@@ -14,6 +16,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr int kTensorSmoothingPasses = 2;
+constexpr double kLargestFloat = 1e38;
 constexpr double kFitCost = 20;  // of a pair of vertices in a fit, in those of a direct sum
 
 // About the part of the whole time at which each step ends, with the default options.
@@ -25,6 +28,11 @@ double global_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& op
     return options.normal_smoothing == NormalSmoothing::None
                ? 0
                : options.normal_sigma * mesh.mean_edge;
+}
+
+/// Within their range, which tiny kernels on tiny meshes exceed.
+float to_float(double x) {
+    return float(std::clamp(x, -kLargestFloat, kLargestFloat));
 }
 
 /// In the input's units.
@@ -64,10 +72,11 @@ public:
         for_each_element(mesh_.size(), [&](std::size_t i) {
             const std::uint32_t v = mesh_.original_vertex[i];
             field.normals[v] = normals_[i].cast<float>();
-            field.laplacian_normals[v] = (laplacian_[i] / d / d).cast<float>();
+            const auto by_d = [d](double x) { return to_float(x / d); };
+            field.laplacian_normals[v] = (laplacian_[i] / d / d).unaryExpr(&to_float);
             const SymmetricTensor& s = shape_operators_[i];
-            field.shape_operators[v] = {float(s.xx / d), float(s.yy / d), float(s.zz / d),
-                                        float(s.yz / d), float(s.xz / d), float(s.xy / d)};
+            field.shape_operators[v] = {by_d(s.xx), by_d(s.yy), by_d(s.zz),
+                                        by_d(s.yz), by_d(s.xz), by_d(s.xy)};
             field.kernel_sizes[v] = float(relative_sizes_[i] * kernel_size_ * d);
         });
         field.scale = scale_of(mesh_, options_);

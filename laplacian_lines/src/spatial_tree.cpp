@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spatial_tree.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "affordable_threads.h"
 
 namespace laplacian_lines {
 namespace {
@@ -133,7 +137,8 @@ public:
         order_.resize(count);
         tree_.leaves_.resize(leaves);
         tree_.nodes_.resize(2 * leaves - 1);
-#pragma omp parallel if (count > kTaskSize)
+        const int threads = count > kTaskSize ? affordable_threads(omp_get_max_threads()) : 1;
+#pragma omp parallel num_threads(threads) if (threads > 1)
 #pragma omp single
         build(0, 0, 0, count);
     }

@@ -37,7 +37,7 @@ double direct_cost(const SpatialTree& tree, RadiusAt radius_at) {
                           [&](const SpatialTree::Leaf&) { ++pairs; });
         ++sampled;
     }
-    return kPerLeafPair * (kernel.quick ? kQuick : 1) * pairs * double(leaves.size()) / sampled;
+    return kPerLeafPair * pairs * double(leaves.size()) / sampled;
 }
 
 double grid_cost(const PreparedMesh& mesh, const GaussianKernel& kernel,
@@ -68,7 +68,8 @@ double grid_cost(const PreparedMesh& mesh, const GaussianKernel& kernel,
 SummationCosts summation_costs(const PreparedMesh& mesh, const SpatialTree& tree,
                                const GaussianKernel& kernel, const GridResolution& resolution) {
     const auto radius = [&](std::uint32_t v) { return kernel.cutoff * kernel.kernel_sizes[v]; };
-    return {direct_cost(tree, radius), grid_cost(mesh, kernel, resolution)};
+    const double speed = kernel.quick ? kQuick : 1;
+    return {speed * direct_cost(tree, radius), grid_cost(mesh, kernel, resolution)};
 }
 
 double pairs_cost(const SpatialTree& tree, double radius) {
