@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kCutoffInSigma = 3;
 constexpr double kDegree = 3.14159265358979323846 / 180;
-constexpr double kAccuracy = 1e-3;  // of a sum on the grid
+constexpr double kLeastSigma = 1e-7;  // in D; no vertex has a neighbour as near as that
+constexpr double kAccuracy = 1e-3;    // of a sum on the grid
 // The grid leaves no tails out, so its sums are a little different; they are for meshes on which
 // the direct sum takes much longer: many vertices within a few mean edges.
 constexpr double kGridAdvantage = 8;
@@ -35,7 +36,7 @@ void smooth_normals(const PreparedMesh& mesh, const SpatialTree& tree,
                     const std::vector<float>& relative_sizes, double sigma,
                     const PrecomputeOptions& options, const StageProgress& stage,
                     std::vector<Eigen::Vector3d>& normals) {
-    if (options.normal_smoothing == NormalSmoothing::None || !(sigma > 0)) return;
+    if (options.normal_smoothing == NormalSmoothing::None || !(sigma > kLeastSigma)) return;
     GaussianKernel kernel;
     kernel.kernel_sizes = relative_sizes;
     for (float& size : kernel.kernel_sizes)
