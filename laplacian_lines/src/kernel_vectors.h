@@ -172,7 +172,7 @@ public:
 private:
     friend class CornerLookup;
 #if defined(__AVX2__)
-    VertexBits sets_[kSignSets];
+    VertexBits sets_[kSignSets] = {};
 #else
     alignas(16) std::uint8_t bits_[kClusterVertices] = {};  // bit `which` of each vertex's byte
 #endif
