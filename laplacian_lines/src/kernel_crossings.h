@@ -144,7 +144,9 @@ static inline void weigh_contours(const LineRules& rules, const float eye[4], Cr
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Towards v = towards(eye, m, i);
         const Floats product = v.x * load(m.gx + i) + v.y * load(m.gy + i) + v.z * load(m.gz + i);
-        const Floats concavity = -product / (square_root(v.squared) * load(m.gradient + i));
+        const Floats distance = square_root(v.squared);
+        const Floats gradient = load(m.gradient + i) + LineRules::kFlat * distance;
+        const Floats concavity = -product / (distance * gradient);
         store(m.opacity + i, 1 - clamp01(concavity / rules.concave_thinning));  // 1 for NaN
     }
 }

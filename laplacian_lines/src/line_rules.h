@@ -30,6 +30,7 @@ struct LineRules {
     /// view vector v and −∇(n·v) = −Sv. Contours are hidden there by the surface before them, but
     /// not by much, so that parts of a wide stroke would be seen.
     float concave_thinning = 0;
+    static constexpr float kFlat = 0.1f;  ///< ‖∇I‖·D; where it is less, signs are those of noise
     float fading = 0;             ///< full opacity at (1 + fading) times a threshold
     int smoothing_passes = 0;     ///< of the positions, each with the weights 1-2-1
     float end_length = 0;         ///< over which open ends fade, D

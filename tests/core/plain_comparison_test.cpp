@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, PlainComparison, testing::ValuesIn(test_meshes:
 bool same_points(const LinePoint* a, const LinePoint* b, std::uint32_t count, bool closed,
                  double diagonal) {
     const auto same = [&](const LinePoint& p, const LinePoint& q) {
-        return (p.position - q.position).norm() <= 2e-6 * diagonal &&
+        return (p.position - q.position).norm() <= 5e-6 * diagonal &&
                std::abs(p.gradient - q.gradient) <= 1e-4f * (1 + q.gradient) &&
                std::abs(p.weight - q.weight) <= 1e-3f && std::abs(p.opacity - q.opacity) <= 1e-3f;
     };
@@ -75,7 +75,10 @@ void expect_plain_lines(const LineSet& lines, std::vector<PlainLine> plain, doub
         EXPECT_TRUE(take(plain, line, lines.points.data() + line.first, diagonal))
             << "no such line of " << line.count << " points";
     for (const PlainLine& line : plain)
-        EXPECT_TRUE(line.uncertain) << "missing: a line of " << line.polyline.count << " points";
+        EXPECT_TRUE(line.uncertain)
+            << "missing: a line of " << line.polyline.count << " points, kind "
+            << int(line.polyline.kind) << ", length " << line.polyline.length << ", strength "
+            << line.polyline.strength << ", slope " << line.polyline.slope;
 }
 
 /// Around the mesh, near its surface and inside it; some with a light elsewhere.
@@ -138,14 +141,18 @@ TEST_P(PlainComparison, GivesTheSameLinesWhereFunctionsVanishAtVertices) {
             if (field.normals[v].isZero()) continue;
             field.laplacian_normals[v] = {0, 0, float(random() % 5) - 2};
             field.normals[v] = {0, 0, float(random() % 3) - 1};
+            // On a symmetric mesh S l may be exactly along a line, and rounding would decide.
+            field.shape_operators[v].xz += float(random() % 100) / 1e4f;
+            field.shape_operators[v].yz += float(random() % 100) / 1e4f;
         }
         const LineExtractor extractor(mesh(), field);
         const View view = View::orthographic(Eigen::Vector3d::UnitZ());
-        for (const auto& [name, style] : styles())
+        for (const auto& [name, style] : styles()) {
             expect_plain_lines(helpers::extract(extractor, view, style),
                                reference::extract_plainly(mesh(), field, view, style),
                                field.scale.diagonal);
-        if (HasFailure()) FAIL() << "round " << round;
+            if (HasFailure()) FAIL() << "round " << round << ", " << name;
+        }
     }
 }
 

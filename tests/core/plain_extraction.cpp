@@ -136,7 +136,9 @@ private:
         c.opacity = 1;
         c.accepted = true;
         if (contour) {
-            const float concavity = -dot(l, c.gradient) / (std::sqrt(dot(l, l)) * c.gradient_norm);
+            const float distance = std::sqrt(dot(l, l));
+            const float gradient = c.gradient_norm + LineRules::kFlat * distance;
+            const float concavity = -dot(l, c.gradient) / (distance * gradient);
             if (concavity > 0) c.opacity = 1 - std::min(concavity / rules.concave_thinning, 1.f);
             return c;
         }

@@ -6,6 +6,11 @@
 DRIVE_SECONDS=${RANDOM_SECONDS:-3000}
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
+[[ $(meshlab_version) == 2020.* || -n ${RANDOM_SEEDS:-} ]] || {
+    say "skipped: in newer versions some redraws come later than this test expects; set RANDOM_SEEDS to try"
+    exit 77
+}
+
 # ply NAME VERTICES FACES: an ASCII file with the vertices and faces on stdin
 ply() {
     printf 'ply\nformat ascii 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n' "$2"
