@@ -116,7 +116,7 @@ fuzz() {
 }
 
 check_all() {
-    build_checks "$1" meshlab_plugins core_tests out_of_memory fuzz_precompute fuzz_extract
+    build_checks "$1" core_tests out_of_memory fuzz_precompute fuzz_extract
     check_statically "$1"
     run_sanitized "$1"
     check_coverage "$1"
