@@ -65,7 +65,7 @@ QStringList compute(Table& t) {
 
 QStringList polylines(Table& t) {
     if (!t.hasMesh() || t.now.layers.size() >= kMostLayers) return {};
-    return t.filter("Create Laplacian Lines Polylines", randomPolylineSettings(t.dice));
+    return t.filter("Generate Laplacian Lines Polylines", randomPolylineSettings(t.dice));
 }
 
 QStringList deleteFaces(Table& t) {
