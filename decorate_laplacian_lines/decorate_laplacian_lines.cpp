@@ -15,6 +15,10 @@ namespace {
 
 const QString title = "Laplacian Lines";
 
+/// Vertices and faces of meshes that are compared with those of the lines in every redraw, half a
+/// millisecond; larger ones as often as the cache asks for it.
+constexpr int most_elements_always_compared = 300000;
+
 meshlab_host::DecorationDescription description() {
     return {"DecorateLaplacianLines", title,
             "Draws Laplacian lines: the zero crossings of the illumination's Laplacian, with the "
@@ -128,7 +132,8 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
 bool DecorateLaplacianLines::areCurrent(const PreparedLines& lines, const MeshModel& mesh,
                                         GLArea* view) {
     if (!meshlab_host::sameCounts(lines.key.stamp, mesh.cm)) return false;
-    return !cache_.isCheckDue(view, mesh.id()) ||
+    const bool takes_no_time = mesh.cm.vn + mesh.cm.fn <= most_elements_always_compared;
+    return !(takes_no_time || cache_.isCheckDue(view, mesh.id())) ||
            meshlab_host::geometryStamp(mesh.cm) == lines.key.stamp;
 }
 
