@@ -3,8 +3,9 @@
 # Without enough memory, the filter and the decoration say so, the mesh stays as it is, and MeshLab goes on.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
-[[ $(meshlab_version) == 2020.* ]] || {
-    say "skipped: newer versions cannot draw their own window with as little memory as this test leaves"
+# Qt itself now and then fails to paint MeshLab's window with so little memory, in newer versions always.
+[[ -n ${OUT_OF_MEMORY:-} ]] || {
+    say "skipped: set OUT_OF_MEMORY=1 to run it"
     exit 77
 }
 
