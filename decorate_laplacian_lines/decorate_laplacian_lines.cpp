@@ -15,10 +15,6 @@ namespace {
 
 const QString title = "Laplacian Lines";
 
-/// Vertices and faces of meshes that are compared with those of the lines in every redraw, half a
-/// millisecond; larger ones as often as the cache asks for it.
-constexpr int most_elements_always_compared = 300000;
-
 meshlab_host::DecorationDescription description() {
     return {"DecorateLaplacianLines", title,
             "Draws Laplacian lines: the zero crossings of the illumination's Laplacian, with the "
@@ -91,7 +87,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     RedrawClock clock;
     try {
         PreparedLinesPointer lines = cache_.at(view, mesh.id());
-        if (!lines || !areCurrent(*lines, mesh, view)) lines = demandLines(mesh, view);
+        if (!lines || !areCurrent(*lines, mesh, view, painter)) lines = demandLines(mesh, view);
         refusal = lines->failure;
         if (refusal.isEmpty()) text = drawLines(mesh, *lines, parameters, view, painter, clock);
         complaints_.erase({&log, mesh.id()});
@@ -130,10 +126,10 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
 }
 
 bool DecorateLaplacianLines::areCurrent(const PreparedLines& lines, const MeshModel& mesh,
-                                        GLArea* view) {
+                                        GLArea* view, QPainter* painter) {
     if (!meshlab_host::sameCounts(lines.key.stamp, mesh.cm)) return false;
-    const bool takes_no_time = mesh.cm.vn + mesh.cm.fn <= most_elements_always_compared;
-    return !(takes_no_time || cache_.isCheckDue(view, mesh.id())) ||
+    const Eigen::Matrix4d modelview = meshlab_host::cameraFromGl().modelview;
+    return !cache_.isCheckDue(view, mesh.id(), modelview, widgetOf(painter)) ||
            meshlab_host::geometryStamp(mesh.cm) == lines.key.stamp;
 }
 

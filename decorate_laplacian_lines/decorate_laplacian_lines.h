@@ -46,8 +46,9 @@ protected:
 private:
     /// Lines of the mesh's present geometry, found or prepared, and assigned to the view.
     PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view);
-    /// Whether lines still belong to the mesh; the whole geometry is compared only now and then.
-    bool areCurrent(const PreparedLines& lines, const MeshModel& mesh, GLArea* view);
+    /// Whether lines still belong to the mesh, as far as this is looked at while the camera moves.
+    bool areCurrent(const PreparedLines& lines, const MeshModel& mesh, GLArea* view,
+                    QPainter* painter);
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
                       const RichParameterList& parameters, GLArea* view, QPainter* painter,

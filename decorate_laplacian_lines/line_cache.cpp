@@ -5,12 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-namespace {
-
-constexpr qint64 milliseconds_between_checks = 250;
-
-}  // namespace
-
 PreparedLinesPointer LineCache::find(const meshlab_host::FieldKey& key) const {
     const auto found = known_.find(key);
     return found == known_.end() ? nullptr : found->second.lock();
@@ -27,16 +21,12 @@ void LineCache::assign(View view, int mesh, PreparedLinesPointer lines) {
     Use& use = uses_[{view, mesh}];
     use.lines = std::move(lines);
     use.turn = turn_;
-    use.since_check.start();
     endTurnSoon();
 }
 
-bool LineCache::isCheckDue(View view, int mesh) {
+bool LineCache::isCheckDue(View view, int mesh, const Eigen::Matrix4d& modelview, QWidget* widget) {
     const auto found = uses_.find({view, mesh});
-    if (found == uses_.end() || found->second.since_check.elapsed() < milliseconds_between_checks)
-        return false;
-    found->second.since_check.start();
-    return true;
+    return found == uses_.end() || found->second.check.isDue(modelview, widget);
 }
 
 void LineCache::release(View view, int mesh) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <map>
 #include <memory>
 #include <set>
 #include <vector>
 
+#include "geometry_check.h"
 #include "prepared_lines.h"
 
 /// Who uses which prepared lines. Lines are found by content, so that two views, or two layers with
@@ -25,9 +25,9 @@ public:
     PreparedLinesPointer at(View view, int mesh) const;
     void assign(View view, int mesh, PreparedLinesPointer lines);
 
-    /// Whether it is time to compare the whole geometry again, which is too slow for every redraw;
-    /// true now and then. Edit tools can move vertices without MeshLab telling decorations.
-    bool isCheckDue(View view, int mesh);
+    /// Whether the geometry of a mesh with lines has to be compared with theirs in this redraw, of
+    /// `widget`, with this modelview matrix.
+    bool isCheckDue(View view, int mesh, const Eigen::Matrix4d& modelview, QWidget* widget);
 
     void release(View view, int mesh);
     void releaseView(View view);
@@ -43,7 +43,7 @@ private:
     struct Use {
         PreparedLinesPointer lines;
         unsigned turn;  ///< of the event loop, when they were assigned
-        QElapsedTimer since_check;
+        GeometryCheck check;
     };
     using Uses = std::map<User, Use>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "affordable_threads.h"
+#include "laplacian_lines/affordable_threads.h"
 
 #include <algorithm>
 #include <cstddef>

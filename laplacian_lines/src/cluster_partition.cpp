@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "affordable_threads.h"
 #include "cluster_data.h"
+#include "laplacian_lines/affordable_threads.h"
 #include "parallel.h"
 
 namespace laplacian_lines {

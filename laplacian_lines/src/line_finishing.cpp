@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "affordable_threads.h"
 #include "cluster_kernels.h"
+#include "laplacian_lines/affordable_threads.h"
 
 namespace laplacian_lines {
 namespace {

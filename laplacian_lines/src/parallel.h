@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <exception>
 
-#include "affordable_threads.h"
+#include "laplacian_lines/affordable_threads.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/progress.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "affordable_threads.h"
+#include "laplacian_lines/affordable_threads.h"
 
 namespace laplacian_lines {
 namespace {

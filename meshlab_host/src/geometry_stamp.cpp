@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/geometry_stamp.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cstring>
 #include <vector>
 
+#include "laplacian_lines/affordable_threads.h"
 #include "meshlab_host/mesh_conversion.h"
 
 namespace meshlab_host {
@@ -65,7 +68,9 @@ std::uint64_t hashInBlocks(const Elements& elements, std::size_t live, std::uint
         return slot;
     };
     if (elements.size() == live) {
-#pragma omp parallel for
+        const int threads =
+            hashes.size() > 1 ? laplacian_lines::affordable_threads(omp_get_max_threads()) : 1;
+#pragma omp parallel for num_threads(threads) if (threads > 1)
         for (std::size_t number = 0; number < hashes.size(); ++number)
             hashBlock(number, number * block);
     } else {

@@ -95,6 +95,7 @@ QString DrawingWatch::summary() const {
 }
 
 void DrawingWatch::drawingBegins(const MeshModel& mesh) {
+    latest_problems_.clear();
     glGetError();  // somebody else's
     gl_state_ = contextText() + glStateText();
     mesh_state_ = meshText(mesh);
@@ -141,7 +142,8 @@ void DrawingWatch::justify(const MeshModel& mesh, const RichParameterList& param
 }
 
 void DrawingWatch::complain(const MeshModel& mesh, const QString& what) {
-    problems_ << QString("layer %1, %2: %3").arg(mesh.id()).arg(mesh.label(), what);
+    latest_problems_ << QString("layer %1, %2: %3").arg(mesh.id()).arg(mesh.label(), what);
+    problems_ << latest_problems_.last();
 }
 
 }  // namespace driver

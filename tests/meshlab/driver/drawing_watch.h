@@ -20,6 +20,8 @@ public:
 
     /// What was wrong since the last call.
     QStringList takeProblems();
+    /// Whether there was a drawing since takeDrawn(), and nothing wrong in the latest one.
+    bool endsWell() const { return !drawn_.empty() && latest_problems_.isEmpty(); }
     /// Meshes drawn since the last call, by id, with the reason if they were drawn without lines.
     std::map<int, QString> takeDrawn();
     /// For people: how much was looked at since the beginning.
@@ -40,7 +42,7 @@ private:
 
     CoreLines core_;
     QString gl_state_, mesh_state_;  ///< when the drawing began
-    QStringList problems_;
+    QStringList problems_, latest_problems_;
     std::map<int, QString> drawn_;
     int comparisons_ = 0, refusals_ = 0;
     long lines_ = 0;

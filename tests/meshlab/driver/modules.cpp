@@ -13,6 +13,7 @@ CommandTable allCommands() {
     addLogCommands(table);
     addMemoryCommands(table);
     addProbeCommands(table);
+    addWatchCommands(table);
     return table;
 }
 

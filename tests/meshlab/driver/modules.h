@@ -16,6 +16,7 @@ void addPictureCommands(CommandTable& table);  // picture_commands.cpp
 void addLogCommands(CommandTable& table);      // log_commands.cpp
 void addMemoryCommands(CommandTable& table);   // memory_commands.cpp
 void addProbeCommands(CommandTable& table);    // probe_commands.cpp
+void addWatchCommands(CommandTable& table);    // watch_commands.cpp
 
 CommandTable allCommands();
 

@@ -41,6 +41,7 @@ void Runner::addOwnCommands() {
         "time-limit", [this](const Command& c) {  // seconds, for each of the lines that follow
             m_watchdog.setLimit(std::chrono::milliseconds(qint64(1000 * c.number(0))));
         });
+    m_table.addSimple("together", [this](const Command& c) { together(c); });
     m_table.addSimple("quit", [](const Command&) { endProcess(0); });
     m_table.add(
         "random-actions", [this](const Command& c) { return randomActions(c); }, Place::Everywhere);
@@ -114,6 +115,15 @@ Outcome Runner::sleep(const Command& command) {
     if (m_sleeping.elapsed() < command.number(0)) return Outcome::Retry;
     m_sleeping.invalidate();
     return Outcome::Done;
+}
+
+// COMMAND ; COMMAND...
+void Runner::together(const Command& command) {
+    for (const QString& text : command.rest.split(" ; ")) {
+        const Command part = parseLine(text.trimmed());
+        if (m_table.find(part.name).handler(part) == Outcome::Retry)
+            throw CommandError(part.name + " takes longer");
+    }
 }
 
 // SEED COUNT FILE...

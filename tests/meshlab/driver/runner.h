@@ -24,6 +24,7 @@ private:
     void addOwnCommands();
     void checkNames() const;
     Outcome sleep(const Command& command);
+    void together(const Command& command);
     Outcome randomActions(const Command& command);
 
     QVector<Command> m_script;

@@ -12,7 +12,7 @@ struct Situation {
     int documents = 0;
     int views = 0;                         ///< of the current document
     std::vector<const MeshModel*> layers;  ///< of the current document
-    const MeshModel* current = nullptr;    ///< layer, null if there is none
+    MeshModel* current = nullptr;          ///< layer, null if there is none
     bool has_lines = false;                ///< the decoration of the current layer is on
 };
 Situation presentSituation();
