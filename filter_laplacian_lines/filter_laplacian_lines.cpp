@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_laplacian_lines.h"
 
-#include "compute_filter.h"
-#include "polyline_filter.h"
-
-namespace {
-
-meshlab_host::FilterList filters() {
-    meshlab_host::FilterList result;
-    result.push_back(std::make_unique<ComputeFilter>());
-    result.push_back(std::make_unique<PolylineFilter>());
-    return result;
-}
-
-}  // namespace
+#include "filter_list.h"
 
 FilterLaplacianLines::FilterLaplacianLines()
-    : FilterPluginBase("FilterLaplacianLines", filters()) {}
+    : FilterPluginBase("FilterLaplacianLines", makeFilters()) {}
 
 MESHLAB_PLUGIN_NAME_EXPORTER(FilterLaplacianLines)

@@ -2,28 +2,20 @@
 // The filters as a host calls them: progress that rises to its end, and a callback that cancels.
 #include <gtest/gtest.h>
 
-#include "compute_filter.h"
+#include "filter_list.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_attributes.h"
-#include "meshlab_host/filter_plugin_base.h"
 #include "meshlab_host/mesh_conversion.h"
-#include "polyline_filter.h"
 #include "registry.h"
 
 namespace {
 
-meshlab_host::FilterList filters() {
-    meshlab_host::FilterList result;
-    result.push_back(std::make_unique<ComputeFilter>());
-    result.push_back(std::make_unique<PolylineFilter>());
-    return result;
-}
 enum FilterNumber { Compute, Polylines };
 
 /// The plugin as MeshLab sees it.
 class Plugin : public meshlab_host::FilterPluginBase {
 public:
-    Plugin() : FilterPluginBase("TestedFilters", filters()) {}
+    Plugin() : FilterPluginBase("TestedFilters", makeFilters()) {}
 
     RichParameterList defaults(FilterNumber filter, MeshDocument& document) {
         QAction* action = actionOf(filter);

@@ -9,6 +9,7 @@
 #   move_layer SETTING...  prints the commands that give the current layer a transformation
 #   serve ARGS...    runs meshlabserver ARGS..., its exit code in $SERVER_CODE, its output in $WORK/log
 #   write_script FILE [KEY=VALUE...]  a script for it, the example with other values
+#   refuse_settings REASON [KEY=VALUE...]  meshlabserver refuses the example with other values, for this reason
 #   expect_text FILE REGEX        expect_picture FILE WxH       expect_same_picture FILE FILE PIXELS
 #   red_pixels FILE               how much of the lines' red a picture has
 #   small_torus FILE              a mesh
@@ -131,6 +132,18 @@ write_script() {
         edits+=(-e "s/\(name=\"${setting%%=*}\" [^>]* value=\"\)[^\"]*/\1${setting#*=}/")
     done
     sed "${edits[@]}" -e '' "$EXAMPLE" >"$file"
+}
+
+# refuse_settings REASON [KEY=VALUE...]: for torus.ply; no file is left behind, which would hold the mesh without result
+refuse_settings() {
+    local reason=$1
+    shift
+    write_script script.mlx "$@"
+    rm -f "$WORK/none.ply"
+    serve -i torus.ply -s script.mlx -o none.ply
+    ((SERVER_CODE != 0)) || fail "the script with $* was accepted"
+    expect_text "$WORK/log" "$reason"
+    [[ ! -e $WORK/none.ply ]] || fail "the script with $* wrote a mesh"
 }
 
 expect_text() {

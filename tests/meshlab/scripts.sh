@@ -15,16 +15,6 @@ accept() {
     [[ -s $WORK/out.ply ]] || fail "the script with $* wrote no mesh"
 }
 
-# refuse KEY=VALUE REASON: one that does not, and leaves no mesh behind
-refuse() {
-    write_script script.mlx "$1"
-    rm -f "$WORK/out.ply"
-    serve -i torus.ply -s script.mlx -o out.ply
-    ((SERVER_CODE != 0)) || fail "the script with $1 was accepted"
-    expect_text "$WORK/log" "$2"
-    [[ ! -e $WORK/out.ply ]] || fail "the script with $1 wrote a mesh"
-}
-
 small_torus "$WORK/torus.ply"
 accept
 expect_text "$WORK/log" 'Laplacian lines: 1200 vertices, 2400 triangles'
@@ -41,12 +31,12 @@ accept normal_weighting=1 normal_smoothing=0
 expect_text "$WORK/log" 'Normal Weighting: Angle, Normal Smoothing: None'
 cmp -s "$WORK/out.ply" "$WORK/all.ply" || fail "the mesh depends on the parameters"
 
-refuse accuracy=5 '"Accuracy" is 5\. It has to be between 1e-06 and 0\.1'
-refuse accuracy=nan '"Accuracy" is nan\. It has to be between 1e-06 and 0\.1'
-refuse kernel_size=-1 '"Kernel Size" is -1\. It has to be at least 0'
-refuse kernel_size=inf '"Kernel Size" is inf'
-refuse laplace_operator=2 '"Laplace Operator" is 2\. It has to be one of 0 \(Heat Kernel \(Belkin\)\), 1 \(Cotangent\)'
-refuse normal_smoothing=-1 '"Normal Smoothing" is -1\. It has to be one of 0 \(None\), 1 \(Gaussian\), 2 \(Bilateral\)'
-refuse normal_sigma=101 '"Normal Smoothing Sigma" is 101\. It has to be between 0 and 100'
-refuse bilateral_angle=0 '"Bilateral Angle" is 0\. It has to be between 0\.1 and 180'
-refuse gradient_radius=0.5 '"Gradient Radius" is 0\.5\. It has to be between 1 and 100'
+refuse_settings '"Accuracy" is 5\. It has to be between 1e-06 and 0\.1' accuracy=5
+refuse_settings '"Accuracy" is nan\. It has to be between 1e-06 and 0\.1' accuracy=nan
+refuse_settings '"Kernel Size" is -1\. It has to be at least 0' kernel_size=-1
+refuse_settings '"Kernel Size" is inf' kernel_size=inf
+refuse_settings '"Laplace Operator" is 2\. It has to be one of 0 \(Heat Kernel \(Belkin\)\), 1 \(Cotangent\)' laplace_operator=2
+refuse_settings '"Normal Smoothing" is -1\. It has to be one of 0 \(None\), 1 \(Gaussian\), 2 \(Bilateral\)' normal_smoothing=-1
+refuse_settings '"Normal Smoothing Sigma" is 101\. It has to be between 0 and 100' normal_sigma=101
+refuse_settings '"Bilateral Angle" is 0\. It has to be between 0\.1 and 180' bilateral_angle=0
+refuse_settings '"Gradient Radius" is 0\.5\. It has to be between 1 and 100' gradient_radius=0.5

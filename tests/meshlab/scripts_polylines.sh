@@ -15,18 +15,6 @@ accept() {
     [[ -s $WORK/$file ]] || fail "the script with $* wrote no $file"
 }
 
-# refuse REASON KEY=VALUE...: and leaves no file behind, which would hold the surface
-refuse() {
-    local reason=$1
-    shift
-    write_script script.mlx "$@"
-    rm -f "$WORK/none.ply"
-    serve -i torus.ply -s script.mlx -o none.ply
-    ((SERVER_CODE != 0)) || fail "the script with $* was accepted"
-    expect_text "$WORK/log" "$reason"
-    [[ ! -e $WORK/none.ply ]] || fail "the script with $* wrote a mesh"
-}
-
 # place NAME X Y Z: gives the example's point other coordinates from now on
 place() {
     sed -E "s/(name=\"$1\" [^>]*) x=\"[^>]*\"\/>/\1 x=\"$2\" y=\"$3\" z=\"$4\"\/>/" "$EXAMPLE" >"$WORK/changed.mlx"
@@ -64,14 +52,14 @@ place viewpoint 5 1 1
 accept other.ply
 expect_text "$WORK/log" 'perspective, from the viewpoint 5 1 1'
 
-refuse 'There is no window with a current view\. Set "View" to 1 \(Perspective\)' view=0
-refuse '"View" is 3\. It has to be one of 0 ' view=3
-refuse '"Detail" is 101\. It has to be between 0 and 100' detail=101
-refuse 'No lines are seen from there, so no layer was created' laplacian_lines=false ridges=false borders=false contours=false
+refuse_settings 'There is no window with a current view\. Set "View" to 1 \(Perspective\)' view=0
+refuse_settings '"View" is 3\. It has to be one of 0 ' view=3
+refuse_settings '"Detail" is 101\. It has to be between 0 and 100' detail=101
+refuse_settings 'No lines are seen from there, so no layer was created' laplacian_lines=false ridges=false borders=false contours=false
 place viewpoint 1 0 0
-refuse 'The viewpoint is inside the surface'
+refuse_settings 'The viewpoint is inside the surface'
 place viewpoint nan 0 0
-refuse '"Viewpoint" has to be three finite numbers'
+refuse_settings '"Viewpoint" has to be three finite numbers'
 place viewpoint 5 1 1
 place light_direction 0 0 0
-refuse '"Light Direction" is 0 0 0, which is no direction' light=1 view=2
+refuse_settings '"Light Direction" is 0 0 0, which is no direction' light=1 view=2
