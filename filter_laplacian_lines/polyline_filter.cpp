@@ -22,8 +22,8 @@ using meshlab_host::CurrentView;
 
 namespace {
 
-/// Of the whole work, when hidden parts of lines are left out.
-constexpr double field_share = 0.8;
+// What is done of the work when each step has ended, the last of which leaves out hidden parts.
+constexpr double field_share = 0.7, sight_share = 0.8, extractor_share = 0.9, lines_share = 0.92;
 
 /// What the filter needs of a layer, copied: the layer may go while the progress bar runs the event
 /// loop.
@@ -86,18 +86,21 @@ View viewOf(const Eye& eye, const PolylineParameters& chosen, const Eigen::Matri
 
 LineSet extract(const Source& source, const laplacian_lines::Field& field, const View& view,
                 const PolylineParameters& chosen, vcg::CallBackPos* progress) {
+    meshlab_host::beginStep(progress, field_share, "Preparing what hides lines");
     const laplacian_lines::LineVisibility visibility(source.triangles, field.scale);
     if (view.w != 0 && visibility.encloses(view.eye / view.w))
         throw Error(ErrorCode::InvalidOption,
                     "The viewpoint is inside the surface. Move it outside, or choose an "
                     "orthographic view.");
+    meshlab_host::beginStep(progress, sight_share, "Preparing the extraction of lines");
+    const laplacian_lines::LineExtractor extractor(source.triangles, field);
+    meshlab_host::beginStep(progress, extractor_share, "Extracting lines");
     laplacian_lines::ExtractionScratch scratch;
     LineSet lines;
-    laplacian_lines::LineExtractor(source.triangles, field)
-        .extract(view, chosen.style, scratch, lines);
+    extractor.extract(view, chosen.style, scratch, lines);
     if (chosen.visible_only)
         lines =
-            visibility.visible_parts(view, lines, meshlab_host::progressTo(progress, field_share));
+            visibility.visible_parts(view, lines, meshlab_host::progressTo(progress, lines_share));
     if (lines.lines.empty())
         throw Error(ErrorCode::InvalidOption,
                     "No lines are seen from there, so no layer was created. Take another view, "
@@ -153,8 +156,9 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     const View view = viewOf(eye, chosen, source.layer);
     const laplacian_lines::Field field = meshlab_host::demandField(
         mesh.cm, source.triangles, source.name, meshlab_host::fieldSource(mesh.cm), run.say,
-        meshlab_host::progressTo(run.progress, 0, chosen.visible_only ? field_share : 1));
+        meshlab_host::progressTo(run.progress, 0, field_share));
     const LineSet lines = extract(source, field, view, chosen, run.progress);
+    meshlab_host::beginStep(run.progress, 1, "Adding a layer");
     addLayer(lines, source, field, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")
                 .arg(source.name, kindsInWords(lines))

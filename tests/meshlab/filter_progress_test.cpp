@@ -2,6 +2,8 @@
 // The filters as a host calls them: progress that rises to its end, and a callback that cancels.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "filter_list.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_attributes.h"
@@ -138,6 +140,18 @@ TEST_P(FilterProgress, RisesFromTheBeginningToTheEnd) {
     EXPECT_GE(record.percents.front(), 0);
     EXPECT_LE(record.percents.front(), 10);
     EXPECT_EQ(record.percents.back(), 100);
+}
+
+TEST_P(FilterProgress, MovesWithEachStepOfAnyWork) {
+    ASSERT_EQ(run(never).toStdString(), "");
+    const std::set<int> from_the_mesh(record.percents.begin(), record.percents.end());
+    EXPECT_GE(from_the_mesh.size(), 20u);
+    document.setCurrentMesh(0);  // not the lines
+    const RichParameterList list = plugin.defaults(Compute, document);
+    ASSERT_EQ(plugin.apply(Compute, document, list, nullptr).toStdString(), "");
+    ASSERT_EQ(run(never).toStdString(), "");
+    const std::set<int> from_its_attributes(record.percents.begin(), record.percents.end());
+    EXPECT_GE(from_its_attributes.size(), 5u);
 }
 
 TEST_P(FilterProgress, StopsAtOnceAndLeavesNothingBehind) {

@@ -3,6 +3,7 @@
 
 #include <wrap/callback.h>
 
+#include "laplacian_lines/error.h"
 #include "laplacian_lines/progress.h"
 
 namespace meshlab_host {
@@ -16,6 +17,14 @@ inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback, double b
     return [=](double done, const char* stage) {
         return callback(int(100 * (begin + (end - begin) * done)), stage);
     };
+}
+
+/// Tells MeshLab's callback, which may be null, that a step begins after `done` (0..1) of the work.
+/// @throws laplacian_lines::Error(Cancelled)
+inline void beginStep(vcg::CallBackPos* callback, double done, const char* step) {
+    if (callback && !callback(int(100 * done), step))
+        throw laplacian_lines::Error(laplacian_lines::ErrorCode::Cancelled,
+                                     "Cancelled; the mesh was not changed.");
 }
 
 }  // namespace meshlab_host
