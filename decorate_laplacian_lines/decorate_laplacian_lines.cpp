@@ -52,6 +52,10 @@ QWidget* widgetOf(QPainter* painter) {
     return painter ? dynamic_cast<QWidget*>(painter->device()) : nullptr;
 }
 
+QString refusalLine(const MeshModel& mesh, const QString& reason) {
+    return QString("%1: %2: %3").arg(title, mesh.label(), reason);
+}
+
 void throwIf(const std::string& failure) {
     if (!failure.empty()) throw std::runtime_error(failure);
 }
@@ -72,7 +76,7 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GL
     try {
         const PreparedLinesPointer lines = demandLines(mesh, view);
         if (lines->failure.isEmpty()) return true;
-        say(QString("%1: %2: %3").arg(title, mesh.label(), lines->failure));
+        say(refusalLine(mesh, lines->failure));
     } catch (const std::exception& error) {
         say(title + ": " + QString::fromUtf8(error.what()));
     }
@@ -90,11 +94,13 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
         if (!lines || !areCurrent(*lines, mesh, view, painter)) lines = demandLines(mesh, view);
         refusal = lines->failure;
         if (refusal.isEmpty()) text = drawLines(mesh, *lines, parameters, view, painter, clock);
-        complaints_.erase({&log, mesh.id()});
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
-        complain(mesh, log, refusal);
     }
+    if (refusal.isEmpty())
+        complaints_.erase({&log, mesh.id()});
+    else
+        complain(mesh, log, refusal);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
     emit drawingEnds(mesh, parameters, refusal.isEmpty() ? &lines_ : nullptr, refusal);
@@ -205,7 +211,8 @@ void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream& 
     QString& last = complaints_[{&log, mesh.id()}];
     if (text == last) return;
     last = text;
-    say(QString("%1: %2: %3").arg(title, mesh.label(), text));
+    const QString line = refusalLine(mesh, text);
+    if (!meshlab_host::endsWith(log, line)) say(line);  // start() may have said it, but where?
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DecorateLaplacianLines)
