@@ -12,7 +12,7 @@ times() {
     done
 }
 
-# What is prepared for the lines of this torus takes 1 MB: one that is lost at each toggle would make 40 MB. MeshLab
+# What is prepared for the lines of this torus takes 1 MB: one that is lost at each toggle would make 50 MB. MeshLab
 # keeps 3 MB at each run of any filter; ours must not keep more than one of its own.
 small_torus "$WORK/torus.ply"
 drive <<END
@@ -21,7 +21,7 @@ open torus.ply
 size 500x400
 $(times 10 "check Laplacian Lines on" "check Laplacian Lines off")
 note-memory
-$(times 40 "check Laplacian Lines on" "check Laplacian Lines off")
+$(times 50 "check Laplacian Lines on" "check Laplacian Lines off")
 expect-memory-growth 6
 check Laplacian Lines on
 trigger Compute Laplacian Lines

@@ -27,7 +27,7 @@ public:
 private:
     void run(const QString& line);
     void check();
-    void checkThatCurrentLayerIsDrawn(const std::map<int, QString>& drawn) const;
+    bool isCurrentLayerDrawn(const std::map<int, QString>& drawn) const;
     void checkThatLogHas(const QString& refusal) const;
     void conclude() const;
 
@@ -38,6 +38,7 @@ private:
     DrawingWatch watch_;
     QStringList pending_;  ///< lines of the action that is going on
     int left_;
+    int checks_left_ = 0;  ///< until the view of the action that is over has to show its lines
     int lines_ = 0, impossible_ = 0;
 };
 

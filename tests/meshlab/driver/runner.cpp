@@ -11,7 +11,7 @@ namespace {
 constexpr std::chrono::seconds defaultLimit(60);
 constexpr int betweenCommands = 60;  // ms, so that MeshLab's own queued events run first
 constexpr int betweenRetries = 50;
-constexpr int betweenActions = 20;  // thousands of them
+constexpr int betweenActions = 5;  // thousands of them
 
 QString describe(const Command& command) {
     return QString("line %1: %2 %3").arg(command.line).arg(command.name, command.rest).trimmed();

@@ -11,7 +11,7 @@ namespace driver {
 /// What a user may do next, at random.
 class UserActions {
 public:
-    /// `meshes`: files that can be opened
+    /// `meshes`: files that can be opened; beside them there has to be a project, scene.mlp
     UserActions(unsigned seed, QStringList meshes) : dice_(seed), meshes_(std::move(meshes)) {}
 
     /// As lines of a driver's script.

@@ -5,6 +5,7 @@
 #include <QFocusEvent>
 #include <QMdiArea>
 #include <QTreeWidget>
+#include "box_answerer.h"
 #include "camera.h"
 #include "gui.h"
 #include "modules.h"
@@ -126,6 +127,18 @@ void deleteLayer(const Command& command) {
     requireAction("Delete Current Mesh")->trigger();
 }
 
+/// As users do, while the views have yet to be redrawn. Ends the process, or the time limit does.
+Outcome leave(const Command&) {
+    static bool is_closed = false;
+    if (is_closed) return Outcome::Retry;
+    const BoxAnswerer boxes;
+    for (QGLWidget* shown : visibleViews())
+        shown->update();
+    is_closed = requireMainWindow()->close();
+    if (!is_closed) throw CommandError("MeshLab's window does not close");
+    return Outcome::Retry;
+}
+
 }  // namespace
 
 void addWindowCommands(CommandTable& table) {
@@ -140,6 +153,7 @@ void addWindowCommands(CommandTable& table) {
     table.addSimple("look", [](const Command& c) { lookFrom(c); });
     table.addSimple("orbit", [](const Command& c) { orbit(c); });
     table.addSimple("slot", invokeSlot);
+    table.add("leave", leave, Place::Everywhere);
     table.addSimple("select-layer", [](const Command& c) { clickLayer(c, Name); });
     table.addSimple("show-layer", [](const Command& c) { clickLayer(c, Eye); });
     table.addSimple("delete-layer", deleteLayer);
