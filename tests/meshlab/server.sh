@@ -72,3 +72,25 @@ cmp "$WORK/again.ply" "$WORK/first.ply" || fail "the project's mesh is another o
 serve -d filters.txt
 expect_text "$WORK/filters.txt" '^Compute Laplacian Lines$'
 expect_text "$WORK/filters.txt" '^    gradient_radius \(RichFloat\): Gradient Radius$'
+
+# serve_within KB ARGS...: with so much address space
+serve_within() {
+    ulimit -Sv "$1"
+    serve "${@:2}"
+    ulimit -Sv unlimited
+}
+
+# What a small mesh needs, within 8 MB, is not enough for a large one: it says so and writes nothing.
+least=0 enough=8388608
+while ((enough - least > 8192)); do
+    middle=$(((least + enough) / 2))
+    serve_within $middle -i torus.ply -s "$EXAMPLE" -o small.ply
+    if ((SERVER_CODE == 0)); then enough=$middle; else least=$middle; fi
+done
+write_bumpy_torus 600 400 >"$WORK/large.ply"
+for more in 8192 32768 65536 98304; do
+    serve_within $((enough + more)) -i large.ply -s "$EXAMPLE" -o none.ply
+    ((SERVER_CODE == 1)) || fail "$more KB more than a small mesh needs: it ended with $SERVER_CODE"
+    grep -qi 'not enough memory' "$WORK/log" || fail "$more KB more than a small mesh needs: it does not say why it fails"
+    [[ ! -e $WORK/none.ply ]] || fail "$more KB more than a small mesh needs: it wrote a mesh"
+done
