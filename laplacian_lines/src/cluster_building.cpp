@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cluster_building.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "cluster_sides.h"
-#include "parallel.h"
-
 #include "convexity.h"
+#include "parallel.h"
 
 namespace laplacian_lines {
 namespace {
@@ -40,22 +42,35 @@ VertexRecord make_record(const LocalVertex& v) {
             {{s.xx, s.xy, s.xz, n.x()}, {s.xy, s.yy, s.yz, n.y()}, {s.xz, s.yz, s.zz, n.z()}}};
 }
 
-/// Writes centre and radius of a ball around a member of the values to four arrays, one float
-/// each, `stride` apart. It is the ball around the bounding box's centre.
-void write_ball(const std::vector<LocalVertex>& values, Eigen::Vector3d LocalVertex::*member,
-                float* out, std::size_t stride) {
-    Eigen::Vector3d low = values[0].*member, high = low;
+/// A box with the axes of the vectors' covariance: about the smallest one.
+struct VectorBox {
+    Eigen::Vector3d centre;
+    Eigen::Matrix3d half_axes;  ///< columns
+};
+VectorBox enclose_normals(const std::vector<LocalVertex>& values) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (const LocalVertex& v : values) {
-        low = low.cwiseMin(v.*member);
-        high = high.cwiseMax(v.*member);
+        sum += v.normal;
+        squares += v.normal * v.normal.transpose();
     }
-    const Eigen::Vector3f centre = (low / 2 + high / 2).cast<float>();
-    double radius = 0;
+    const double n = double(values.size());
+    const Eigen::Matrix3d covariance = squares / n - sum * sum.transpose() / (n * n);
+    const Eigen::Matrix3d axes =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
+    Eigen::Vector3d low = axes.transpose() * values[0].normal, high = low;
+    for (const LocalVertex& v : values) {
+        low = low.cwiseMin(axes.transpose() * v.normal);
+        high = high.cwiseMax(axes.transpose() * v.normal);
+    }
+    return {axes * (low + high) / 2, axes * ((high - low) / 2).asDiagonal()};
+}
+
+Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
+    Eigen::AlignedBox3d box;
     for (const LocalVertex& v : values)
-        radius = std::max(radius, (v.*member - centre.cast<double>()).norm());
-    for (std::size_t k = 0; k < 3; ++k)
-        out[k * stride] = centre[Eigen::Index(k)];
-    out[3 * stride] = float(radius);
+        box.extend(v.position);
+    return box.center().cast<float>().cast<double>();  // as it will be known
 }
 
 }  // namespace
@@ -199,12 +214,27 @@ void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
 }
 
 void ClusterBuilder::write_bounds(std::size_t c, const Values& values) {
-    const std::size_t stride = data_.padded_cluster_count();
-    float* out = data_.bounds.data() + c;
-    for (auto member : {&LocalVertex::position, &LocalVertex::normal, &LocalVertex::laplacian}) {
-        write_ball(values, member, out, stride);
-        out += 4 * stride;
+    const Eigen::Vector3d centre = centre_of(values);
+    const VectorBox normals = enclose_normals(values);
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (const LocalVertex& v : values) {
+        const double height = v.normal.dot(v.position - centre);
+        low = std::min(low, height);
+        high = std::max(high, height);
     }
+    float* out = data_.bounds.data() + c;
+    const auto write = [&](double number) {
+        *out = float(number);
+        out += data_.padded_cluster_count();
+    };
+    for (const auto& vector : {centre, normals.centre})
+        for (const double x : vector)
+            write(x);
+    for (const auto& axis : normals.half_axes.colwise())
+        for (const double x : axis)
+            write(x);
+    write((low + high) / 2);
+    write((high - low) / 2);
 }
 
 }  // namespace laplacian_lines

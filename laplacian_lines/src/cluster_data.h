@@ -76,21 +76,29 @@ static inline ClusterLayout cluster_layout(const Cluster& c) {
     return {forms, corners, triangles, records, records + c.vertex_count * sizeof(VertexRecord)};
 }
 
+/// Bounds of n·(e − w p) over the vertices of clusters, one array for each number. With the centre
+/// of the cluster c, n is within normal ± axes[0] ± axes[1] ± axes[2], and n·(p − c) is within
+/// height ± height_range.
+struct FacingBounds {
+    static constexpr unsigned kNumbers = 17;
+    const float* centre[3];
+    const float* normal[3];
+    const float* axes[3][3];
+    const float *height, *height_range;
+};
+
 /// All clusters, without their ownership.
 struct ClusterStore {
     const unsigned char* memory;
     const Cluster* clusters;
     const std::uint32_t* border_edges;  ///< numbers of edges over the whole mesh
-
-    // What is known of whole clusters, one array for each number.
-    const float* centre[3];  ///< a ball around the positions
-    const float* radius;
-    const float* normal[3];  ///< a ball around the normals
-    const float* normal_radius;
-    const float* laplacian[3];  ///< a ball around Δn·D²
-    const float* laplacian_radius;
+    FacingBounds facing;
 };
 
+/// All memory as records, to be indexed in units of them.
+static inline const VertexRecord* records_of(const ClusterStore& store) {
+    return reinterpret_cast<const VertexRecord*>(store.memory);
+}
 static inline const unsigned char* memory_of(const ClusterStore& store, const Cluster& cluster) {
     return store.memory + cluster.first_line * std::size_t(kCacheLine);
 }

@@ -52,9 +52,17 @@ struct StripOutput {
 };
 
 constexpr unsigned kBatch = 16;  ///< clusters that are worked on together
-constexpr unsigned kStripsOfBatch = kBatch * kClusterTriangles;
+constexpr unsigned kBatchVertices = kBatch * kClusterVertices;
+constexpr unsigned kBatchTriangles = kBatch * kClusterTriangles;
+constexpr unsigned kStripsOfBatch = kBatchTriangles;
 constexpr unsigned kPointsOfBatch = 2 * kStripsOfBatch;
-constexpr unsigned kClusterCrossings = 2 * kClusterTriangles;  ///< of one function, at most
+
+/// A cluster that can hold a line, and what has to be known of it.
+struct KeptCluster {
+    std::uint32_t number;
+    bool test_facing;     ///< n·l may be negative somewhere
+    bool test_laplacian;  ///< ΔI may change its sign where lines are wanted
+};
 
 /// A triangle in which a function changes its sign. The crossing where the line leaves lies
 /// between vertices exit[0], where the function is negative, and exit[1]; likewise where it enters.
@@ -65,35 +73,52 @@ struct ActiveTriangle {
     std::uint8_t number;
 };
 
-/// A cluster of a batch after its signs are known.
-struct SignedCluster {
-    const Cluster* cluster;
-    alignas(64) float values[2][kClusterVertices];  ///< ΔI and n·l, by StripKind
-    unsigned count[2];
-    alignas(64) ActiveTriangle active[2][kClusterTriangles];
+// Arrays below are longer than what they can hold, so that whole vectors may be read and written,
+// and so that their beginnings differ in cache sets.
+
+/// The active triangles of one function in a batch, cluster by cluster.
+struct ActiveTriangles {
+    static constexpr unsigned kPlaces = kBatchTriangles + 48;
+    unsigned count;
+    std::uint8_t slot[kPlaces];  ///< of its cluster
+    std::uint8_t number[kPlaces];
+    std::uint8_t negative[kPlaces];  ///< a bit for each corner
+    alignas(64) ActiveTriangle triangles[kPlaces];
 };
 
-/// Crossings of one function in one cluster. Arrays are longer than kClusterCrossings, so that
-/// whole vectors may be read and written, and so that their beginnings differ in cache sets.
+/// Clusters that are worked on together, each in a slot.
+struct Batch {
+    unsigned count;
+    const Cluster* clusters[kBatch];
+    const ClusterTriangle* triangles[kBatch];
+    std::uint32_t first_record[kBatch];           ///< in the store's memory, units of VertexRecord
+    alignas(64) float values[2][kBatchVertices];  ///< ΔI and n·l by StripKind, slot by slot
+    ActiveTriangles active[2];
+};
+
+/// Crossings of one function in a batch.
 struct CrossingMemory {
-    static constexpr unsigned kPlaces = kClusterCrossings + 48;
-    alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends, negative first
+    static constexpr unsigned kPlaces = 2 * kBatchTriangles + 48;
+    std::uint16_t ends[kPlaces][2];                    ///< negative first: places in Batch::values
+    std::uint32_t records[kPlaces][2];                 ///< of the ends, as Batch::first_record
+    alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends
     alignas(64) float share[kPlaces];                  ///< of the positive end, 0..1
     alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye, n·light
     alignas(64) float x[kPlaces], y[kPlaces], z[kPlaces];
     alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];
     alignas(64) float gradient[kPlaces], opacity[kPlaces];
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
+    std::uint64_t seen[kPlaces / 64 + 1];      ///< likewise; a segment needs one such end
     alignas(64) float points[kPlaces][4];  ///< with ‖∇I‖ in the last place, as in StripPoint
     alignas(64) float gradients[kPlaces][4];
-    alignas(64) std::uint8_t ends[kPlaces][2];
 };
 
-/// Segments of one function in one cluster.
+/// Segments of one function in a batch.
 struct SegmentMemory {
-    static constexpr unsigned kPlaces = kClusterTriangles + 80;
-    std::uint8_t triangle[kPlaces];  ///< place in SignedCluster::active, where the end is
-    std::uint16_t begin[kPlaces];    ///< crossing
+    static constexpr unsigned kPlaces = kBatchTriangles + 80;
+    static constexpr std::uint16_t kNone = 0xffff;
+    std::uint16_t triangle[kPlaces];  ///< place in ActiveTriangles, and of the crossing at the end
+    std::uint16_t begin[kPlaces];     ///< crossing
     alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];  ///< sum of the ends' gradients
     alignas(64) float ux[kPlaces], uy[kPlaces], uz[kPlaces];  ///< first to second corner
     alignas(64) float vx[kPlaces], vy[kPlaces], vz[kPlaces];  ///< first to third corner
@@ -101,12 +126,14 @@ struct SegmentMemory {
     alignas(64) float scale[kPlaces];                         ///< sum of slope_scale
     alignas(64) float slope[kPlaces];                         ///< < 0: refused
     alignas(64) float sums[kPlaces][4];  ///< length, strength, slope times length, slope
-    std::uint8_t segment_of_triangle[256], next[kPlaces];
+    std::uint16_t next[kPlaces];         ///< segment, or kNone
+    /// What lies in a cluster's triangle: a place of the above or of ActiveTriangles, or kNone.
+    alignas(64) std::uint16_t in_triangle[kBatch][256];
 };
 
 /// What the kernels work in; one for each thread.
 struct KernelMemory {
-    SignedCluster clusters[kBatch];
+    Batch batch;
     CrossingMemory crossings;
     SegmentMemory segments;
 };
@@ -136,11 +163,10 @@ struct ClusterKernels {
     /// Of the clusters [begin, end), a multiple of kFormGroup apart from the end of all, writes to
     /// `kept` those that can hold a line and returns their number.
     std::size_t (*cull)(const ClusterStore&, const ExtractionTask&, std::size_t begin,
-                        std::size_t end, std::uint32_t* kept);
+                        std::size_t end, KeptCluster* kept);
     /// Finds the strips of up to kBatch clusters; outputs by StripKind.
-    void (*extract_strips)(const ClusterStore&, const ExtractionTask&,
-                           const std::uint32_t* clusters, std::size_t count, KernelMemory&,
-                           StripOutput outputs[2]);
+    void (*extract_strips)(const ClusterStore&, const ExtractionTask&, const KeptCluster* clusters,
+                           std::size_t count, KernelMemory&, StripOutput outputs[2]);
     /// Appends the points of a strip to a line's columns at a place, as `weight` their slopes.
     /// Reads up to kPointMargin points more.
     void (*append_points)(const StripPoint* points, std::uint32_t count, const LineColumns& columns,

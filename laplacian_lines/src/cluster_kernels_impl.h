@@ -12,31 +12,46 @@
 namespace laplacian_lines {
 namespace KERNEL_NAMESPACE {
 
-/// Reads the first part of a cluster, which find_active() goes through, once. Caches fetch many
-/// lines at a time only if nothing waits for the first of them.
-static inline void touch(const ClusterStore& store, const Cluster& cluster) {
-    const unsigned char* memory = memory_of(store, cluster);
-    const std::size_t bytes = cluster_layout(cluster).triangles;
+/// Reads memory once. Caches fetch many lines at a time only if nothing waits for the first of
+/// them.
+static inline void touch(const unsigned char* begin, const unsigned char* end) {
     unsigned char sum = 0;
-    for (std::size_t i = 0; i < bytes; i += kCacheLine)
-        sum = (unsigned char)(sum ^ memory[i]);
+    for (; begin < end; begin += kCacheLine)
+        sum = (unsigned char)(sum ^ *begin);
     asm volatile("" : : "r"(sum));
 }
 
+/// Reads what find_active() will go through.
+static inline void touch(const ClusterStore& store, const KeptCluster& kept) {
+    const Cluster& cluster = store.clusters[kept.number];
+    const unsigned char* memory = memory_of(store, cluster);
+    const ClusterLayout layout = cluster_layout(cluster);
+    if (kept.test_facing) touch(memory, memory + layout.laplacians);
+    if (kept.test_laplacian) touch(memory + layout.laplacians, memory + layout.corners);
+    touch(memory + layout.corners, memory + layout.triangles);
+}
+
 static void extract_strips(const ClusterStore& store, const ExtractionTask& task,
-                           const std::uint32_t* clusters, std::size_t count, KernelMemory& memory,
+                           const KeptCluster* clusters, std::size_t count, KernelMemory& memory,
                            StripOutput outputs[2]) {
-    for (std::size_t i = 0; i < count; ++i)
-        touch(store, store.clusters[clusters[i]]);
-    unsigned used = 0;
+    Batch& batch = memory.batch;
+    batch.count = unsigned(count);
     for (std::size_t i = 0; i < count; ++i) {
-        SignedCluster& signs = memory.clusters[used];
-        signs.cluster = &store.clusters[clusters[i]];
-        used += find_active(memory_of(store, *signs.cluster), task, signs);
+        const Cluster& cluster = store.clusters[clusters[i].number];
+        const ClusterLayout layout = cluster_layout(cluster);
+        batch.clusters[i] = &cluster;
+        batch.triangles[i] =
+            reinterpret_cast<const ClusterTriangle*>(memory_of(store, cluster) + layout.triangles);
+        batch.first_record[i] =
+            cluster.first_line + std::uint32_t(layout.records / sizeof(VertexRecord));
+        touch(store, clusters[i]);
     }
-    for (unsigned i = 0; i < used; ++i)
-        for (StripKind kind : {kLaplacianStrips, kContourStrips})
-            find_strips(store, task, memory.clusters[i], kind, memory, outputs[kind]);
+    find_active(store, task, clusters, batch);
+    const std::uint32_t begins[2] = {outputs[0].strip_count, outputs[1].strip_count};
+    for (StripKind kind : {kLaplacianStrips, kContourStrips})
+        find_strips(store, task, kind, memory, outputs[kind]);
+    for (StripKind kind : {kLaplacianStrips, kContourStrips})
+        name_edges(store, begins[kind], outputs[kind]);
 }
 
 }  // namespace KERNEL_NAMESPACE

@@ -16,7 +16,6 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::size_t kBounds = 12;          // arrays about whole clusters
 constexpr std::size_t kHugePage = 2u << 20;  // bytes; clusters are read in no order of addresses
 
 template <class T>
@@ -40,7 +39,7 @@ void ExtractorData::allocate(std::size_t bytes) {
 #endif
     std::memset(memory_of_clusters.get() + bytes, 0, size - bytes);
     bytes_of_clusters = size;
-    bounds.assign(kBounds * padded_cluster_count(), 0);
+    bounds.assign(FacingBounds::kNumbers * padded_cluster_count(), 0);
 }
 
 std::size_t ExtractorData::padded_cluster_count() const {
@@ -52,12 +51,13 @@ ClusterStore ExtractorData::store() const {
     return {memory_of_clusters.get(),
             clusters.data(),
             border_edges.data(),
-            {array(0), array(1), array(2)},
-            array(3),
-            {array(4), array(5), array(6)},
-            array(7),
-            {array(8), array(9), array(10)},
-            array(11)};
+            {{array(0), array(1), array(2)},
+             {array(3), array(4), array(5)},
+             {{array(6), array(7), array(8)},
+              {array(9), array(10), array(11)},
+              {array(12), array(13), array(14)}},
+             array(15),
+             array(16)}};
 }
 
 std::size_t ExtractorData::memory() const {

@@ -61,8 +61,9 @@ static inline void find_points(const VertexRecord* records, const float eye_of_l
     for (std::size_t i = 0; i < count; i += 4) {
         Float4 points[4], gradients[4];
         for (unsigned k = 0; k < 4; ++k) {
-            const EdgePoint found = find_point(records[m.ends[i + k][0]], records[m.ends[i + k][1]],
-                                               m.share[i + k], light, w);
+            const EdgePoint found =
+                find_point(records[m.records[i + k][0]], records[m.records[i + k][1]],
+                           m.share[i + k], light, w);
             points[k] = found.position;
             store4(m.gradients[i + k], gradients[k] = found.gradient);
         }
@@ -87,7 +88,8 @@ static inline void find_facing(const VertexRecord* records, const float eye[4], 
     const Float4 e = {eye[0], eye[1], eye[2], 0}, w = splat(eye[3]);
     for (std::size_t i = 0; i < count; ++i)
         m.facing[i] =
-            find_point(records[m.ends[i][0]], records[m.ends[i][1]], m.share[i], e, w).gradient[3];
+            find_point(records[m.records[i][0]], records[m.records[i][1]], m.share[i], e, w)
+                .gradient[3];
 }
 
 /// From crossings [i, i + kLanes) to an eye or light, and the square of the distance.
@@ -98,6 +100,14 @@ static inline Towards towards(const float eye[4], const CrossingMemory& m, std::
     const Floats x = eye[0] - eye[3] * load(m.x + i), y = eye[1] - eye[3] * load(m.y + i),
                  z = eye[2] - eye[3] * load(m.z + i);
     return {x, y, z, x * x + y * y + z * z};
+}
+
+/// Bits [i, i + kLanes) of a set that is written from its begin on.
+static inline void set_bits(std::uint64_t* set, std::size_t i, std::uint64_t bits) {
+    if (i % 64 == 0)
+        set[i / 64] = bits;
+    else
+        set[i / 64] |= bits << i % 64;
 }
 
 /// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
@@ -130,11 +140,7 @@ static inline void test_crossings(const LineRules& rules, const ExtractionTask& 
             accepted &= concavity > least;  // not so for NaN: nothing to see from above
         }
         store(m.opacity + i, opacity);
-        const std::uint64_t bits = bits_of(accepted);
-        if (i % 64 == 0)
-            m.accepted[i / 64] = bits;
-        else
-            m.accepted[i / 64] |= bits << i % 64;
+        set_bits(m.accepted, i, bits_of(accepted));
     }
 }
 
@@ -147,25 +153,33 @@ static inline void weigh_contours(const LineRules& rules, const float eye[4], Cr
         const Floats distance = square_root(v.squared);
         const Floats gradient = load(m.gradient + i) + LineRules::kFlat * distance;
         const Floats concavity = -product / (distance * gradient);
-        store(m.opacity + i, 1 - clamp01(concavity / rules.concave_thinning));  // 1 for NaN
+        const Floats opacity = 1 - clamp01(concavity / rules.concave_thinning);  // 1 for NaN
+        store(m.opacity + i, opacity);
+        set_bits(m.seen, i, bits_of(opacity > 0));
     }
 }
 
 /// Computes crossings [0, count) of one function from their ends. As all functions above, it
 /// writes to whole vectors of places.
-static inline void find_crossings(const VertexRecord* records, const ExtractionTask& task,
-                                  const SignedCluster& signs, StripKind kind, CrossingMemory& m,
+static inline void find_crossings(const ClusterStore& store, const ExtractionTask& task,
+                                  const Batch& batch, StripKind kind, CrossingMemory& m,
                                   std::size_t count) {
-    for (std::size_t i = count; i < count + kLanes; ++i)  // something valid
+    const VertexRecord* records = records_of(store);
+    for (std::size_t i = count; i < count + kLanes; ++i) {  // something valid
         m.ends[i][0] = m.ends[i][1] = 0;
-    find_shares(signs.values[kind], m, count);
+        m.records[i][0] = m.records[i][1] = batch.first_record[0];
+    }
+    find_shares(batch.values[kind], m, count);
     find_points(records, kind == kContourStrips ? task.eye : task.light, m, count);
+    const std::size_t bytes = (count / 64 + 1) * sizeof(std::uint64_t);
     if (kind == kContourStrips) {
+        __builtin_memset(m.accepted, -1, bytes);
         weigh_contours(task.rules[kind], task.eye, m, count);
         return;
     }
     if (!task.light_at_eye) find_facing(records, task.eye, m, count);
     test_crossings(task.rules[kind], task, task.light_at_eye ? m.lit : m.facing, m, count);
+    __builtin_memset(m.seen, -1, bytes);
 }
 
 }  // namespace KERNEL_NAMESPACE

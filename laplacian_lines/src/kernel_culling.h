@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Leaves out whole clusters by bounds of n·l and ΔI.
+// Leaves out whole clusters by bounds of n·l.
 // Included once by each of the files cluster_kernels_*.cpp.
 #pragma once
 
@@ -15,55 +15,59 @@ namespace KERNEL_NAMESPACE {
 /// More than rounding does to a sum of products of about 1 with what it is a factor of.
 constexpr float kRoundingMargin = 1e-5f;
 
-/// Bounds of v·(e − w p) for v and p in balls, as middle and half range.
-struct FormBounds {
-    float middle[kFormGroup], range[kFormGroup];
+struct Rows {
+    Floats x, y, z;
 };
-static inline void bound_forms(const float* const vector[3], const float* vector_radius,
-                               const ClusterStore& store, const float eye[4], std::size_t first,
-                               FormBounds& bounds) {
-    for (unsigned i = 0; i < kFormGroup; ++i) {
+
+/// Bounds of n·(e − w p) over the vertices of kFormGroup clusters.
+struct FacingRange {
+    alignas(kCacheLine) float low[kFormGroup], high[kFormGroup];
+};
+static inline FacingRange bound_facing(const FacingBounds& bounds, const float eye[4],
+                                       std::size_t first) {
+    const float ex = eye[0], ey = eye[1], ez = eye[2], w = eye[3];
+    const float summed =
+        __builtin_fabsf(ex) + __builtin_fabsf(ey) + __builtin_fabsf(ez) + __builtin_fabsf(w);
+    FacingRange range;
+    for (unsigned i = 0; i < kFormGroup; i += kLanes) {
         const std::size_t c = first + i;
-        const float x = eye[0] - eye[3] * store.centre[0][c],
-                    y = eye[1] - eye[3] * store.centre[1][c],
-                    z = eye[2] - eye[3] * store.centre[2][c];
-        const float vx = vector[0][c], vy = vector[1][c], vz = vector[2][c];
-        const float distance = __builtin_sqrtf(x * x + y * y + z * z);
-        const float size = __builtin_sqrtf(vx * vx + vy * vy + vz * vz);
-        const float reach = eye[3] * store.radius[c], spread = vector_radius[c];
-        bounds.middle[i] = vx * x + vy * y + vz * z;
-        // The forms are summed from e and v·p, which may be larger than what is left of them.
-        const float summed =
-            __builtin_fabsf(eye[0]) + __builtin_fabsf(eye[1]) + __builtin_fabsf(eye[2]) + eye[3];
-        bounds.range[i] = spread * (distance + reach) + size * reach +
-                          kRoundingMargin * (size + spread) * (summed + distance + reach);
+        const auto row = [&](const float* const vector[3]) {
+            return Rows{load_anywhere(vector[0] + c), load_anywhere(vector[1] + c),
+                        load_anywhere(vector[2] + c)};
+        };
+        const Rows centre = row(bounds.centre), n = row(bounds.normal);
+        const Floats x = ex - w * centre.x, y = ey - w * centre.y, z = ez - w * centre.z;
+        const auto towards = [&](const Rows& v) { return v.x * x + v.y * y + v.z * z; };
+        Floats reach = w * load_anywhere(bounds.height_range + c);
+        Floats size = absolute(n.x) + absolute(n.y) + absolute(n.z);
+        for (const auto& axis : bounds.axes) {
+            const Rows a = row(axis);
+            reach += absolute(towards(a));
+            size += absolute(a.x) + absolute(a.y) + absolute(a.z);
+        }
+        // The forms are summed from e and n·p, which may be larger than what is left of them.
+        reach += kRoundingMargin * size * summed;
+        const Floats middle = towards(n) - w * load_anywhere(bounds.height + c);
+        store(range.low + i, middle - reach);
+        store(range.high + i, middle + reach);
     }
+    return range;
 }
 
 static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, std::size_t begin,
-                        std::size_t end, std::uint32_t* kept) {
-    // The exact light's term has no bounds.
-    const bool bounded = !task.exact_point_light;
+                        std::size_t end, KeptCluster* kept) {
+    const float least = task.least_scaled_facing;
     std::size_t count = 0;
     for (std::size_t first = begin; first < end; first += kFormGroup) {
-        FormBounds facing, laplacian;
-        bound_forms(store.normal, store.normal_radius, store, task.eye, first, facing);
-        bound_forms(store.laplacian, store.laplacian_radius, store, task.light, first, laplacian);
-        std::uint8_t keep[kFormGroup];
-        for (unsigned i = 0; i < kFormGroup; ++i) {
-            const float low = facing.middle[i] - facing.range[i],
-                        high = facing.middle[i] + facing.range[i];
+        const FacingRange facing = bound_facing(store.facing, task.eye, first);
+        for (unsigned i = 0; i < kFormGroup && first + i < end; ++i) {
+            const float low = facing.low[i], high = facing.high[i];
             // Refused by what is certain, so that nothing is where numbers are out of range.
             const bool contour = task.wanted[kContourStrips] & !(low >= 0) & !(high < 0);
-            const bool changes = !(laplacian.middle[i] - laplacian.range[i] >= 0) &
-                                 !(laplacian.middle[i] + laplacian.range[i] < 0);
-            const bool line = task.wanted[kLaplacianStrips] & (changes | !bounded) &
-                              !(high < task.least_scaled_facing);
-            keep[i] = contour | line;
-        }
-        for (std::size_t c = first; c < first + kFormGroup && c < end; ++c) {
-            kept[count] = std::uint32_t(c);
-            count += keep[c - first];
+            const bool laplacian = task.wanted[kLaplacianStrips] & !(high < least);
+            const bool front = (low >= 0) & (low >= least);
+            kept[count] = {std::uint32_t(first + i), !front, laplacian};
+            count += contour | laplacian;
         }
     }
     return count;

@@ -95,6 +95,8 @@ static inline void smooth_taper(std::size_t count, bool closed, float*& column, 
 /// the opacity of the line as a whole.
 static inline void taper(const LineRules& rules, std::size_t count, bool closed, float whole,
                          LineColumns& c) {
+    const auto last = std::ptrdiff_t(count) - 1;
+    const float first_opacity = c.opacity[0], last_opacity = c.opacity[last];
     slopes_to_means(count, closed, c.weight, c.spare);
     float* slopes = c.spare;
     const float range = rules.segment_slope * rules.fading;
@@ -107,9 +109,9 @@ static inline void taper(const LineRules& rules, std::size_t count, bool closed,
     smooth_taper(count, closed, c.weight, c.spare);
     smooth_taper(count, closed, c.opacity, c.spare);
     if (!closed && rules.end_length > 0) {
-        const auto last = std::ptrdiff_t(count) - 1;
-        fade_end(c, 0, last, 1, rules.end_length);
-        fade_end(c, last, 0, -1, rules.end_length);
+        // Where nothing is seen of the end itself, the line has faded before.
+        if (first_opacity > 0) fade_end(c, 0, last, 1, rules.end_length);
+        if (last_opacity > 0) fade_end(c, last, 0, -1, rules.end_length);
     }
 }
 

@@ -8,33 +8,38 @@
 namespace laplacian_lines {
 namespace KERNEL_NAMESPACE {
 
-/// Lists the crossings of a cluster's active triangles. A triangle owns the crossing where its line
+/// Lists the crossings of a batch's active triangles. A triangle owns the crossing where its line
 /// leaves, which gets the triangle's place; the one where the line enters is that of the triangle
 /// before, or one of its own if that one is elsewhere. Returns the number of crossings.
-static inline unsigned list_crossings(const ActiveTriangle* active, unsigned count,
-                                      CrossingMemory& m, SegmentMemory& s) {
-    // Places in `active` by the triangles' numbers; all others are kNoNeighbour.
-    std::uint8_t* place = s.segment_of_triangle;
-    __builtin_memset(place, kNoNeighbour, sizeof(s.segment_of_triangle));
-    for (unsigned i = 0; i < count; ++i) {
-        place[active[i].number] = std::uint8_t(i);
-        m.ends[i][0] = active[i].exit[0];
-        m.ends[i][1] = active[i].exit[1];
+static inline unsigned list_crossings(const Batch& batch, StripKind kind, CrossingMemory& m,
+                                      SegmentMemory& s) {
+    const ActiveTriangles& active = batch.active[kind];
+    const auto list = [&](unsigned crossing, unsigned slot, const std::uint8_t ends[2]) {
+        for (unsigned k = 0; k < 2; ++k) {
+            m.ends[crossing][k] = std::uint16_t(slot * kClusterVertices + ends[k]);
+            m.records[crossing][k] = batch.first_record[slot] + ends[k];
+        }
+    };
+    __builtin_memset(s.in_triangle, -1, batch.count * sizeof(s.in_triangle[0]));
+    for (unsigned i = 0; i < active.count; ++i) {
+        const ActiveTriangle& triangle = active.triangles[i];
+        s.in_triangle[active.slot[i]][triangle.number] = std::uint16_t(i);
+        list(i, active.slot[i], triangle.exit);
     }
-    unsigned crossings = count;
-    for (unsigned i = 0; i < count; ++i) {  // without branches, which would be guessed wrong
-        const unsigned previous = place[active[i].previous];
-        const bool own = previous == kNoNeighbour;
-        m.ends[crossings][0] = active[i].entry[0];
-        m.ends[crossings][1] = active[i].entry[1];
-        s.triangle[i] = std::uint8_t(i);
+    unsigned crossings = active.count;
+    for (unsigned i = 0; i < active.count; ++i) {  // without branches, which would be guessed wrong
+        const ActiveTriangle& triangle = active.triangles[i];
+        const unsigned previous = s.in_triangle[active.slot[i]][triangle.previous];
+        const bool own = previous == SegmentMemory::kNone;
+        list(crossings, active.slot[i], triangle.entry);
         s.begin[i] = std::uint16_t(own ? crossings : previous);
         crossings += own;
     }
     return crossings;
 }
 
-/// Leaves out segments with a refused crossing; returns how many are left.
+/// Leaves out segments with a refused crossing or between two unseen ones; returns how many are
+/// left.
 static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, unsigned count) {
     unsigned kept = 0;
     for (unsigned first = 0; first < count; first += 64) {
@@ -42,9 +47,10 @@ static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, 
         if (count - first < 64) ends &= ~(~std::uint64_t(0) << (count - first));
         for (; ends; ends &= ends - 1) {
             const unsigned i = first + unsigned(__builtin_ctzll(ends)), begin = s.begin[i];
-            s.triangle[kept] = std::uint8_t(i);
+            s.triangle[kept] = std::uint16_t(i);
             s.begin[kept] = std::uint16_t(begin);
-            kept += m.accepted[begin / 64] >> begin % 64 & 1;
+            const std::uint64_t seen = m.seen[i / 64] >> i % 64 | m.seen[begin / 64] >> begin % 64;
+            kept += m.accepted[begin / 64] >> begin % 64 & seen & 1;
         }
     }
     for (unsigned i = kept; i < kept + kLanes; ++i)  // something valid
@@ -76,13 +82,16 @@ static inline void measure_segments(const CrossingMemory& m, SegmentMemory& s, s
 }
 
 /// Collects what test_segments() needs as columns.
-static inline void collect_corners(const VertexRecord* records, const SignedCluster& signs,
+static inline void collect_corners(const ClusterStore& store, const Batch& batch,
                                    const CrossingMemory& m, SegmentMemory& s, unsigned count) {
-    const float* values = signs.values[kLaplacianStrips];
+    const ActiveTriangles& active = batch.active[kLaplacianStrips];
     for (unsigned i = 0; i < count; i += 4) {
         Float4 u[4], v[4], g[4];
         for (unsigned k = 0; k < 4; ++k) {
-            const ActiveTriangle& t = signs.active[kLaplacianStrips][s.triangle[i + k]];
+            const unsigned place = s.triangle[i + k], slot = active.slot[place];
+            const ActiveTriangle& t = active.triangles[place];
+            const VertexRecord* records = records_of(store) + batch.first_record[slot];
+            const float* values = batch.values[kLaplacianStrips] + slot * kClusterVertices;
             const Float4 a = load4(records[t.exit[0]].position),
                          b = load4(records[t.exit[1]].position),
                          c = load4(records[t.third].position);

@@ -95,76 +95,117 @@ static inline void write_active(const ClusterTriangle& triangle, unsigned negati
 #endif
 }
 
-/// Appends the triangles of a mask to a list.
-static inline unsigned list_active(std::uint64_t mask, const std::uint64_t negative[3],
-                                   const ClusterTriangle* triangles, const VertexRecord* records,
-                                   ActiveTriangle* active, unsigned count) {
+/// Appends the triangles of a mask, which is for those from number `first` on, and asks for them.
+static inline void list_mixed(std::uint64_t mask, const std::uint64_t negative[3], unsigned slot,
+                              unsigned first, const ClusterTriangle* triangles,
+                              ActiveTriangles& active) {
+    unsigned count = active.count;
     for (; mask; mask &= mask - 1) {
-        const int i = __builtin_ctzll(mask);
-        const auto corners = unsigned((negative[0] >> i & 1) | (negative[1] >> i & 1) << 1 |
-                                      (negative[2] >> i & 1) << 2);
-        ActiveTriangle& a = active[count++];
-        write_active(triangles[i], corners, a);
-        __builtin_prefetch(&records[a.exit[0]]);
-        __builtin_prefetch(&records[a.exit[1]]);
+        const auto i = unsigned(__builtin_ctzll(mask));
+        __builtin_prefetch(&triangles[first + i]);
+        active.slot[count] = std::uint8_t(slot);
+        active.number[count] = std::uint8_t(first + i);
+        active.negative[count] = std::uint8_t((negative[0] >> i & 1) | (negative[1] >> i & 1) << 1 |
+                                              (negative[2] >> i & 1) << 2);
+        ++count;
     }
-    return count;
+    active.count = count;
 }
 
-/// Fills in values and active triangles of a cluster. Returns whether there are any of these.
-static inline bool find_active(const unsigned char* memory, const ExtractionTask& task,
-                               SignedCluster& signs) {
-    const Cluster& cluster = *signs.cluster;
+/// Which signs a cluster has, of those that decide about its triangles.
+struct ClusterSigns {
+    VertexSigns vertices;
+    bool mixed[2];  ///< by StripKind
+    bool any_away;
+};
+
+/// Fills in the values of the cluster in a slot.
+static inline ClusterSigns find_signs(const unsigned char* memory, const ExtractionTask& task,
+                                      const KeptCluster& kept, unsigned slot, Batch& batch) {
+    const Cluster& cluster = *batch.clusters[slot];
     const ClusterLayout layout = cluster_layout(cluster);
-    const auto* records = reinterpret_cast<const VertexRecord*>(memory + layout.records);
     const unsigned groups = form_groups(cluster);
-    signs.count[0] = signs.count[1] = 0;
-
-    float* facing = signs.values[kContourStrips];
-    evaluate(reinterpret_cast<const float*>(memory), groups, task.eye, facing);
-    const BelowBound contour = below(facing, groups, 0);
-    const BelowBound away = below(facing, groups, task.least_scaled_facing);
-    const bool mixed_contour = task.wanted[kContourStrips] && contour.any && !contour.all;
-
-    float* values = signs.values[kLaplacianStrips];
-    BelowBound laplacian;
-    if (task.wanted[kLaplacianStrips] && !away.all) {
+    BelowBound contour, away, laplacian;
+    away.all = contour.all = false;
+    if (kept.test_facing) {
+        float* facing = batch.values[kContourStrips] + slot * kClusterVertices;
+        evaluate(reinterpret_cast<const float*>(memory), groups, task.eye, facing);
+        contour = below(facing, groups, 0);
+        away = task.least_scaled_facing == 0 ? contour
+                                             : below(facing, groups, task.least_scaled_facing);
+    }
+    if (kept.test_laplacian && !away.all) {
+        float* values = batch.values[kLaplacianStrips] + slot * kClusterVertices;
         evaluate(reinterpret_cast<const float*>(memory + layout.laplacians), groups, task.light,
                  values);
-        if (task.exact_point_light) subtract_traces(records, cluster, task.light[3], values);
+        if (task.exact_point_light)
+            subtract_traces(reinterpret_cast<const VertexRecord*>(memory + layout.records), cluster,
+                            task.light[3], values);
         laplacian = below(values, groups, 0);
     }
-    const bool mixed_laplacian = laplacian.any && !laplacian.all;
-    if (!mixed_contour && !mixed_laplacian) return false;
+    ClusterSigns signs;
+    signs.mixed[kContourStrips] = task.wanted[kContourStrips] && contour.any && !contour.all;
+    signs.mixed[kLaplacianStrips] = laplacian.any && !laplacian.all;
+    signs.any_away = away.any;
+    if (signs.mixed[kContourStrips]) signs.vertices.set(kContourStrips, contour.bits);
+    if (signs.mixed[kLaplacianStrips]) {
+        signs.vertices.set(kLaplacianStrips, laplacian.bits);
+        if (away.any) signs.vertices.set(kAwaySet, away.bits);
+    }
+    return signs;
+}
 
-    VertexSigns vertices;
-    if (mixed_contour) vertices.set(kContourStrips, contour.bits);
-    if (mixed_laplacian) vertices.set(kLaplacianStrips, laplacian.bits);
-    if (mixed_laplacian && away.any) vertices.set(kAwaySet, away.bits);
-    const unsigned char* corners = memory + layout.corners;
-    const auto* triangles = reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles);
-    for (unsigned g = 0; g < mask_groups(cluster); ++g) {
-        const CornerLookup lookup[3] = {{corners, vertices},
-                                        {corners + kMaskGroup, vertices},
-                                        {corners + 2 * kMaskGroup, vertices}};
+/// Appends the triangles of the cluster in a slot in which a function changes its sign.
+static inline void find_mixed(const unsigned char* memory, const ExtractionTask& task,
+                              const ClusterSigns& signs, unsigned slot, Batch& batch) {
+    const Cluster& cluster = *batch.clusters[slot];
+    const unsigned char* corners = memory + cluster_layout(cluster).corners;
+    for (unsigned g = 0; g < mask_groups(cluster); ++g, corners += 3 * kMaskGroup) {
+        const CornerLookup lookup[3] = {{corners, signs.vertices},
+                                        {corners + kMaskGroup, signs.vertices},
+                                        {corners + 2 * kMaskGroup, signs.vertices}};
         const auto list = [&](StripKind kind, std::uint64_t unwanted) {
             const std::uint64_t n[3] = {lookup[0](kind), lookup[1](kind), lookup[2](kind)};
             const std::uint64_t mixed = ((n[0] ^ n[1]) | (n[0] ^ n[2])) & ~unwanted;
-            signs.count[kind] =
-                list_active(mixed, n, triangles, records, signs.active[kind], signs.count[kind]);
+            list_mixed(mixed, n, slot, g * kMaskGroup, batch.triangles[slot], batch.active[kind]);
         };
-        if (mixed_contour) list(kContourStrips, 0);
-        if (mixed_laplacian) {
+        if (signs.mixed[kContourStrips]) list(kContourStrips, 0);
+        if (signs.mixed[kLaplacianStrips]) {
             const bool leave_out = task.rules[kLaplacianStrips].leave_out_convex;
             const std::uint64_t convex = leave_out ? cluster.convex[g] : 0;
             const std::uint64_t all_away =
-                away.any ? lookup[0](kAwaySet) & lookup[1](kAwaySet) & lookup[2](kAwaySet) : 0;
+                signs.any_away ? lookup[0](kAwaySet) & lookup[1](kAwaySet) & lookup[2](kAwaySet)
+                               : 0;
             list(kLaplacianStrips, convex | all_away);
         }
-        corners += 3 * kMaskGroup;
-        triangles += kMaskGroup;
     }
-    return signs.count[0] + signs.count[1] > 0;
+}
+
+/// Reads the listed triangles and asks for the records of their crossings.
+static inline void read_active(const ClusterStore& store, const Batch& batch,
+                               ActiveTriangles& active) {
+    for (unsigned i = 0; i < active.count; ++i) {
+        const unsigned slot = active.slot[i];
+        ActiveTriangle& triangle = active.triangles[i];
+        write_active(batch.triangles[slot][active.number[i]], active.negative[i], triangle);
+        const VertexRecord* records = records_of(store) + batch.first_record[slot];
+        __builtin_prefetch(&records[triangle.exit[0]]);
+        __builtin_prefetch(&records[triangle.exit[1]]);
+        __builtin_prefetch(&records[triangle.third]);
+    }
+}
+
+/// Fills in values and active triangles of a batch.
+static inline void find_active(const ClusterStore& store, const ExtractionTask& task,
+                               const KeptCluster* kept, Batch& batch) {
+    batch.active[0].count = batch.active[1].count = 0;
+    for (unsigned slot = 0; slot < batch.count; ++slot) {
+        const unsigned char* memory = memory_of(store, *batch.clusters[slot]);
+        const ClusterSigns signs = find_signs(memory, task, kept[slot], slot, batch);
+        if (signs.mixed[0] || signs.mixed[1]) find_mixed(memory, task, signs, slot, batch);
+    }
+    for (ActiveTriangles& active : batch.active)
+        read_active(store, batch, active);
 }
 
 }  // namespace KERNEL_NAMESPACE

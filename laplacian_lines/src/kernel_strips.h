@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chains the segments of a cluster to strips.
+// Chains the segments of a batch to strips.
 // Included once by each of the files cluster_kernels_*.cpp.
 #pragma once
 
@@ -10,49 +10,52 @@ namespace KERNEL_NAMESPACE {
 
 class StripWriter {
 public:
-    StripWriter(const ClusterStore& store, const SignedCluster& signs, StripKind kind,
+    StripWriter(const ClusterStore& store, const Batch& batch, StripKind kind,
                 const CrossingMemory& crossings, SegmentMemory& segments, unsigned count,
                 StripOutput& output)
-        : cluster_(*signs.cluster),
-          border_edges_(store.border_edges + signs.cluster->first_border_edge),
-          active_(signs.active[kind]),
+        : border_edges_(store.border_edges),
+          batch_(batch),
+          active_(batch.active[kind]),
           crossings_(crossings),
           segments_(segments),
           count_(count),
           output_(output) {}
 
-    /// `listed`: segment_of_triangle is that of list_crossings(), since no segment was left out.
-    void write_all(bool listed) {
-        link(listed);
+    void write_all() {
+        link();
         unsigned written = 0;
         for (unsigned i = 0; i < count_; ++i)
-            if (previous(i) == kNoNeighbour) written += write(i);
+            if (is_first(i)) written += write(i);
         if (written < count_) write_loops();
     }
 
 private:
-    void link(bool listed) {
-        std::uint8_t* segment = segments_.segment_of_triangle;
-        if (!listed) {
-            __builtin_memset(segment, kNoNeighbour, sizeof(segments_.segment_of_triangle));
-            for (unsigned i = 0; i < count_; ++i)
-                segment[triangle(i).number] = std::uint8_t(i);
-        }
+    void link() {
+        __builtin_memset(segments_.in_triangle, -1,
+                         batch_.count * sizeof(segments_.in_triangle[0]));
         for (unsigned i = 0; i < count_; ++i)
-            segments_.next[i] = segment[triangle(i).successor];
+            segments_.in_triangle[slot(i)][triangle(i).number] = std::uint16_t(i);
+        for (unsigned i = 0; i < count_; ++i)
+            segments_.next[i] = segments_.in_triangle[slot(i)][triangle(i).successor];
     }
 
+    unsigned slot(unsigned segment) const { return active_.slot[segments_.triangle[segment]]; }
     const ActiveTriangle& triangle(unsigned segment) const {
-        return active_[segments_.triangle[segment]];
+        return active_.triangles[segments_.triangle[segment]];
     }
-    unsigned previous(unsigned segment) const {
-        return segments_.segment_of_triangle[triangle(segment).previous];
+    bool is_first(unsigned segment) const {
+        return segments_.in_triangle[slot(segment)][triangle(segment).previous] ==
+               SegmentMemory::kNone;
     }
 
-    /// The edge of the mesh behind a neighbour's number, if it leads out of the cluster.
-    std::uint32_t edge_to_elsewhere(unsigned neighbour) const {
-        const bool leads_out = neighbour >= cluster_.triangle_count && neighbour != kNoNeighbour;
-        return leads_out ? border_edges_[neighbour - cluster_.triangle_count] : Strip::kNoEdge;
+    /// The place in border_edges of the edge behind the number of a segment's neighbour, if it
+    /// leads out of the cluster. For name_edges(), since what lies there has to be waited for.
+    std::uint32_t edge_to_elsewhere(unsigned segment, unsigned neighbour) const {
+        const Cluster& cluster = *batch_.clusters[slot(segment)];
+        const bool leads_out = neighbour >= cluster.triangle_count && neighbour != kNoNeighbour;
+        const std::uint32_t place = cluster.first_border_edge + neighbour - cluster.triangle_count;
+        __builtin_prefetch(&border_edges_[leads_out ? place : 0]);
+        return leads_out ? place : Strip::kNoEdge;
     }
 
     void add_point(unsigned crossing, float slope) {
@@ -66,16 +69,16 @@ private:
     unsigned write(unsigned first) {
         Strip& strip = output_.strips[output_.strip_count++];
         strip.first_point = output_.point_count;
-        strip.edges[0] = edge_to_elsewhere(triangle(first).previous);
+        strip.edges[0] = edge_to_elsewhere(first, triangle(first).previous);
         add_point(segments_.begin[first], 0);
         Float4 sums = {0, 0, 0, 0};
         unsigned last = first;
-        for (unsigned i = first; i != kNoNeighbour; i = segments_.next[i]) {
+        for (unsigned i = first; i != SegmentMemory::kNone; i = segments_.next[i]) {
             add_point(segments_.triangle[i], segments_.slope[i]);
             sums += load4(segments_.sums[i]);
             last = i;
         }
-        strip.edges[1] = edge_to_elsewhere(triangle(last).successor);
+        strip.edges[1] = edge_to_elsewhere(last, triangle(last).successor);
         strip.point_count = output_.point_count - strip.first_point;
         strip.length = sums[0];
         strip.strength = sums[1];
@@ -83,60 +86,62 @@ private:
         return strip.point_count - 1;
     }
 
-    /// What no strip has yet are lines that close within the cluster.
+    /// What no strip has yet are lines that close within a cluster.
     void write_loops() {
-        std::uint8_t written[kClusterTriangles] = {};
+        std::uint8_t written[kBatchTriangles];
+        __builtin_memset(written, 0, count_);
         for (unsigned i = 0; i < count_; ++i)
-            if (previous(i) == kNoNeighbour)
-                for (unsigned j = i; j != kNoNeighbour; j = segments_.next[j])
+            if (is_first(i))
+                for (unsigned j = i; j != SegmentMemory::kNone; j = segments_.next[j])
                     written[j] = 1;
         for (unsigned i = 0; i < count_; ++i) {
             if (written[i]) continue;
             unsigned last = i;
             for (written[i] = 1; segments_.next[last] != i; written[last] = 1)
                 last = segments_.next[last];
-            segments_.next[last] = kNoNeighbour;  // cut open
+            segments_.next[last] = SegmentMemory::kNone;  // cut open
             Strip& strip = output_.strips[output_.strip_count];
             write(i);
             strip.edges[0] = strip.edges[1] = Strip::kClosed;
         }
     }
 
-    const Cluster& cluster_;
     const std::uint32_t* border_edges_;
-    const ActiveTriangle* active_;
+    const Batch& batch_;
+    const ActiveTriangles& active_;
     const CrossingMemory& crossings_;
     SegmentMemory& segments_;
     const unsigned count_;
     StripOutput& output_;
 };
 
-/// Appends the strips of one function in one cluster.
+/// Makes edges of places in border_edges, in strips from `begin` on.
+static inline void name_edges(const ClusterStore& store, std::uint32_t begin,
+                              const StripOutput& output) {
+    for (std::uint32_t i = begin; i < output.strip_count; ++i)
+        for (std::uint32_t& edge : output.strips[i].edges)
+            if (edge < Strip::kClosed) edge = store.border_edges[edge];
+}
+
+/// Appends the strips of one function in a batch, their edges for name_edges().
 static inline void find_strips(const ClusterStore& store, const ExtractionTask& task,
-                               const SignedCluster& signs, StripKind kind, KernelMemory& memory,
-                               StripOutput& output) {
-    if (signs.count[kind] == 0) return;
-    const Cluster& cluster = *signs.cluster;
-    const auto* records = reinterpret_cast<const VertexRecord*>(memory_of(store, cluster) +
-                                                                cluster_layout(cluster).records);
+                               StripKind kind, KernelMemory& memory, StripOutput& output) {
+    const Batch& batch = memory.batch;
+    if (batch.active[kind].count == 0) return;
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
-    const unsigned crossings = list_crossings(signs.active[kind], signs.count[kind], m, s);
-    find_crossings(records, task, signs, kind, m, crossings);
-    unsigned count = signs.count[kind];
+    find_crossings(store, task, batch, kind, m, list_crossings(batch, kind, m, s));
+    unsigned count = keep_accepted(m, s, batch.active[kind].count);
+    if (count == 0) return;
     if (task.rules[kind].use_slope) {
-        count = keep_accepted(m, s, count);
-        if (count == 0) return;
-        collect_corners(records, signs, m, s, count);
+        collect_corners(store, batch, m, s, count);
         test_segments(task.rules[kind], s, count);
         count = keep_steep(s, count);
-    } else {  // all are kept, also by find_crossings()
+    } else {
         __builtin_memset(s.slope, 0, whole_vectors(count) * sizeof(float));
-        for (unsigned i = count; i < count + kLanes; ++i)  // something valid
-            s.triangle[i] = s.begin[i] = 0;
     }
     measure_segments(m, s, count);
-    StripWriter(store, signs, kind, m, s, count, output).write_all(!task.rules[kind].use_slope);
+    StripWriter(store, batch, kind, m, s, count, output).write_all();
 }
 
 }  // namespace KERNEL_NAMESPACE

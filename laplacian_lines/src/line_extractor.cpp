@@ -88,9 +88,12 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     task.wanted[kContourStrips] = style.contours && !style.mesh_silhouettes;
     task.rules[kLaplacianStrips] = laplacian_rules(style);
     // Lines of another light follow no contours.
-    if (view.light) task.rules[kLaplacianStrips].contour_clearance = 0;
+    if (view.light) follow_no_contours(task.rules[kLaplacianStrips]);
     task.rules[kContourStrips] = contour_rules(style);
-    task.least_scaled_facing = least_scaled_facing(task.rules[kLaplacianStrips].least_facing, eye);
+    task.least_scaled_facing =
+        task.rules[kLaplacianStrips].leave_out_away
+            ? 0
+            : least_scaled_facing(task.rules[kLaplacianStrips].least_facing, eye);
     return task;
 }
 

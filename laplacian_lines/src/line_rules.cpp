@@ -37,7 +37,13 @@ LineRules laplacian_rules(const LineStyle& s) {
     rules.smoothing_passes = smoothing_passes(s.line_smoothing);
     rules.end_length = float(s.end_length);
     rules.contour_clearance = s.contours ? float(s.contour_clearance) : 0;
+    rules.leave_out_away = rules.contour_clearance > 0;
     return rules;
+}
+
+void follow_no_contours(LineRules& rules) {
+    rules.contour_clearance = 0;
+    rules.leave_out_away = false;
 }
 
 LineRules contour_rules(const LineStyle& s) {
@@ -45,6 +51,7 @@ LineRules contour_rules(const LineStyle& s) {
     rules.kind = LineKind::Contour;
     rules.least_length = float(s.shortest_contour);
     rules.concave_thinning = 0.1f;
+    rules.leave_out_unseen = true;
     rules.smoothing_passes = smoothing_passes(s.line_smoothing);
     return rules;
 }

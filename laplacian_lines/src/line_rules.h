@@ -22,6 +22,11 @@ struct LineRules {
     /// Nothing in triangles with is_convex() at all corners, where concave_only would accept
     /// crossings at most near n ∥ l, the middle of the lit side.
     bool leave_out_convex = false;
+    /// Nothing in triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
+    bool leave_out_away = false;
+    /// Nothing between two crossings of no opacity. Sums over whole lines jump where this begins to
+    /// part a line, so it is for lines that do not fade by them.
+    bool leave_out_unseen = false;
     bool use_slope = false;  ///< false: no slopes are computed or tested, nor tell the width
     float segment_slope = 0, line_slope = 0, full_slope = 1;
     float least_strength = kAnything;
@@ -31,13 +36,15 @@ struct LineRules {
     /// not by much, so that parts of a wide stroke would be seen.
     float concave_thinning = 0;
     static constexpr float kFlat = 0.1f;  ///< ‖∇I‖·D; where it is less, signs are those of noise
-    float fading = 0;             ///< full opacity at (1 + fading) times a threshold
-    int smoothing_passes = 0;     ///< of the positions, each with the weights 1-2-1
-    float end_length = 0;         ///< over which open ends fade, D
-    float contour_clearance = 0;  ///< lines nearer to a contour fade out, D in the picture
+    float fading = 0;                     ///< full opacity at (1 + fading) times a threshold
+    int smoothing_passes = 0;             ///< of the positions, each with the weights 1-2-1
+    float end_length = 0;                 ///< over which open ends fade, D
+    float contour_clearance = 0;          ///< lines nearer to a contour fade out, D in the picture
 };
 
 LineRules laplacian_rules(const LineStyle& style);
+/// For a light that is not at the eye.
+void follow_no_contours(LineRules& rules);
 LineRules contour_rules(const LineStyle& style);
 
 /// How many passes of smoothing with 1-2-1 have this standard deviation.

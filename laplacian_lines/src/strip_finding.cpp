@@ -23,8 +23,8 @@ void reserve_batch(ThreadStrips& s) {
         s.points.resize(s.point_count + s.point_count / 2 + kPointsOfBatch + kPointMargin);
 }
 
-void find_batch(const ClusterStore& store, const ExtractionTask& task,
-                const std::uint32_t* clusters, std::size_t count, FindingThread& thread) {
+void find_batch(const ClusterStore& store, const ExtractionTask& task, const KeptCluster* clusters,
+                std::size_t count, FindingThread& thread) {
     StripOutput outputs[2];
     for (unsigned kind = 0; kind < 2; ++kind) {
         ThreadStrips& s = thread.strips[kind];

@@ -18,8 +18,8 @@ struct ThreadStrips {
 
 struct FindingThread {
     std::unique_ptr<KernelMemory> kernel;
-    std::vector<std::uint32_t> kept;  // clusters
-    ThreadStrips strips[2];           // by StripKind
+    std::vector<KeptCluster> kept;
+    ThreadStrips strips[2];  // by StripKind
 };
 
 /// The strips of successive clusters, all found by one thread.

@@ -178,6 +178,7 @@ private:
         const Crossing& end = crossing(rules, below, above);
         const Crossing& begin = crossing(rules, entry_below, entry_above);
         if (!begin.accepted || !end.accepted) return;
+        if (rules.leave_out_unseen && !(begin.opacity > 0 || end.opacity > 0)) return;
         float slope = 0;
         if (rules.use_slope) {
             const Vertex &a = vertices_[below], &b = vertices_[above], &c = vertices_[third];
@@ -187,6 +188,9 @@ private:
             const Eigen::Vector3f steepest = fu * v.cross(n) + fv * n.cross(u);
             if (rules.leave_out_convex && is_convex(a.shape_operator) &&
                 is_convex(b.shape_operator) && is_convex(c.shape_operator))
+                return;
+            if (rules.leave_out_away && a.illumination < 0 && b.illumination < 0 &&
+                c.illumination < 0)
                 return;
             slope = std::sqrt(dot(steepest, steepest)) / dot(n, n) *
                     ((a.slope_scale + b.slope_scale + c.slope_scale) / 3);
@@ -288,7 +292,7 @@ std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& fi
     PlainExtraction extraction(mesh, field, view, style);
     std::vector<PlainLine> lines;
     LineRules rules = laplacian_rules(style);
-    if (view.light) rules.contour_clearance = 0;
+    if (view.light) follow_no_contours(rules);
     if (style.laplacian_lines) extraction.extract(rules, &Vertex::laplacian, lines);
     if (style.contours) extraction.extract(contour_rules(style), &Vertex::illumination, lines);
     return lines;

@@ -55,7 +55,7 @@ void slopes_to_means(const Polyline& line, LinePoint* points) {
 }
 
 /// Lets open ends run out over `length`.
-void fade_ends(const Polyline& line, float length, LinePoint* points) {
+void fade_ends(const Polyline& line, float length, const bool ends_unseen[2], LinePoint* points) {
     if (line.closed || !(length > 0)) return;
     const auto fade = [&](LinePoint* from, LinePoint* to, int step) {
         float distance = 0;
@@ -68,8 +68,8 @@ void fade_ends(const Polyline& line, float length, LinePoint* points) {
         }
     };
     LinePoint* last = points + line.count - 1;
-    fade(points, last, 1);
-    fade(last, points, -1);
+    if (!ends_unseen[0]) fade(points, last, 1);
+    if (!ends_unseen[1]) fade(last, points, -1);
 }
 
 void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points) {
@@ -83,6 +83,7 @@ void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points)
         return;
     }
     slopes_to_means(line, points);
+    const bool ends_unseen[2] = {points[0].opacity == 0, points[line.count - 1].opacity == 0};
     // A line that only just passes the tests on whole lines is hardly seen, so that it does not
     // jump into the picture when the view turns a little further.
     const float whole = std::min({above(line.slope, rules.line_slope, rules.fading),
@@ -97,7 +98,7 @@ void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points)
         smooth_line(line, points, &LinePoint::weight, LineEnd::Repeated);
         smooth_line(line, points, &LinePoint::opacity, LineEnd::Repeated);
     }
-    fade_ends(line, rules.end_length, points);
+    fade_ends(line, rules.end_length, ends_unseen, points);
 }
 
 }  // namespace
