@@ -4,41 +4,11 @@
 #include <omp.h>
 
 #include <atomic>
-#include <cstdlib>
-#include <new>
 #include <thread>
 
+#include "allocation_hook.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-
-namespace {
-std::atomic<std::size_t> allocations{0};
-}
-
-// Counts every allocation of this program.
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    ++allocations;
-    const std::size_t step = static_cast<std::size_t>(alignment);
-    if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
-}
 
 namespace {
 
@@ -172,10 +142,10 @@ TEST_F(Extraction, AllocatesNothingInTheSteadyState) {
                     extractor_.extract(view, style, scratch, lines);
             };
             turn();
-            const std::size_t before = allocations;
+            const std::size_t before = allocation_hook::count();
             for (int i = 0; i < 3; ++i)  // threads share the work differently each time
                 turn();
-            EXPECT_EQ(allocations, before) << threads << " threads";
+            EXPECT_EQ(allocation_hook::count(), before) << threads << " threads";
             EXPECT_GT(before, 0u);
         }
     omp_set_num_threads(threads_before);

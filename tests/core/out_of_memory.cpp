@@ -5,60 +5,15 @@
 //   out_of_memory MEGABYTES      limits the address space
 #include <sys/resource.h>
 
-#include <atomic>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <new>
 #include <string>
 
+#include "allocation_hook.h"
 #include "helpers.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
-
-namespace {
-
-constexpr long kNever = -1;
-std::atomic<long> allocations_left{kNever};  // until one fails
-std::atomic<bool> fail_for_good{false};
-
-void count_allocation() {
-    if (allocations_left == kNever) return;
-    const long left = allocations_left.fetch_sub(1);
-    if (left == 0) {
-        allocations_left = fail_for_good ? 0 : kNever;
-        throw std::bad_alloc();
-    }
-}
-
-void* checked(void* memory) {
-    if (!memory) throw std::bad_alloc();
-    return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    count_allocation();
-    return checked(std::malloc(size ? size : 1));
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    count_allocation();
-    const std::size_t step = static_cast<std::size_t>(alignment);
-    return checked(std::aligned_alloc(step, (size + step - 1) / step * step));
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
-}
 
 namespace {
 
@@ -88,16 +43,14 @@ int fail_every_allocation(const PrecomputeOptions& options) {
     const LineSet expected = all_of_it(mesh, options, scratch);
     long number = 0, failed = 0;
     for (bool finished = false; !finished; number += 1 + number / 64) {
-        fail_for_good = number % 2 != 0;
         ExtractionScratch once_failed;
-        allocations_left = number;
+        allocation_hook::fail_after(number, number % 2 != 0);
         try {
             all_of_it(mesh, options, once_failed);
-            finished = allocations_left != kNever;
-            allocations_left = kNever;
+            finished = !allocation_hook::stop_failing();
             if (!finished) return fail("a failed allocation went unnoticed", number);
         } catch (const std::bad_alloc&) {
-            allocations_left = kNever;
+            allocation_hook::stop_failing();
             ++failed;
         }
         if (!helpers::same_lines(expected, all_of_it(mesh, options, once_failed)))
