@@ -204,4 +204,30 @@ std::string extract_case(Choices& choices) {
     }
 }
 
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes joined(Bytes first, const Bytes& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+}  // namespace
+
+Bytes precompute_seed(const TriangleMesh& mesh) {
+    return joined({0}, test_meshes::wild_mesh_bytes(mesh));
+}
+
+Bytes precompute_seed(const TriangleMesh& mesh, unsigned changed_option) {
+    const std::uint8_t row = std::uint8_t(changed_option), end = changed_option % 2;
+    return joined({1, row, end}, test_meshes::wild_mesh_bytes(mesh));
+}
+
+Bytes extract_seed(const TriangleMesh& mesh, unsigned seed) {
+    const std::uint8_t field_of_mesh = 0;
+    return joined(joined({field_of_mesh}, test_meshes::wild_mesh_bytes(mesh)),
+                  test_meshes::random_bytes(seed, 100));
+}
+
 }  // namespace wild

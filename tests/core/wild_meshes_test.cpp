@@ -8,11 +8,13 @@
 #include <fstream>
 #include <limits>
 
+#include "byte_mesh.h"
 #include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
 #include "wild_case.h"
+#include "wild_mesh.h"
 
 namespace {
 
@@ -119,6 +121,50 @@ TEST_P(WildMesh, EyesThatAreNotFiniteAreRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Registry, WildMesh, testing::ValuesIn(every_mesh()),
                          [](const auto& info) { return info.param->name; });
+
+// ---- where the fuzzers start ----
+
+TEST(ByteMesh, IsReadAsWritten) {
+    const TriangleMesh mesh =
+        test_meshes::torus(15, 17, 0.2).mesh;  // as many vertices as there can be
+    const std::vector<std::uint8_t> bytes = test_meshes::wild_mesh_bytes(mesh);
+    test_meshes::Choices choices(bytes);
+    const TriangleMesh read = test_meshes::wild_mesh(choices);
+    EXPECT_TRUE(choices.exhausted());
+    ASSERT_EQ(read.positions.size(), mesh.positions.size());
+    EXPECT_EQ(read.triangles.size(), mesh.triangles.size());
+    EXPECT_EQ(read.triangles, mesh.triangles);
+    const double scale = measure_scale(read).diagonal / measure_scale(mesh).diagonal;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        EXPECT_LT(((read.positions[v] - read.positions[0]) -
+                   scale * (mesh.positions[v] - mesh.positions[0]))
+                      .norm(),
+                  0.01);
+}
+
+TEST(ByteMesh, KeepsWhatFits) {
+    for (const TestMesh* mesh : every_mesh()) {
+        const std::vector<std::uint8_t> bytes = test_meshes::byte_mesh(mesh->mesh);
+        test_meshes::Choices choices(bytes);
+        const TriangleMesh read = test_meshes::read_byte_mesh(choices);
+        EXPECT_TRUE(choices.exhausted()) << *mesh;
+        const std::size_t in_range =
+            mesh->name == "index_out_of_range" ? 1 : mesh->mesh.triangles.size();
+        EXPECT_GE(read.triangles.size(), std::min<std::size_t>(in_range, 80)) << *mesh;
+    }
+}
+
+TEST(WildInput, OfEveryMesh) {
+    unsigned number = 0;
+    for (const TestMesh* mesh : every_mesh()) {
+        const auto plain = wild::precompute_seed(mesh->mesh);
+        const auto other = wild::precompute_seed(mesh->mesh, number);
+        const auto views = wild::extract_seed(mesh->mesh, number++);
+        test_meshes::Choices first(plain), second(other), third(views);
+        EXPECT_EQ(wild::precompute_case(first) + wild::precompute_case(second), "") << *mesh;
+        EXPECT_EQ(wild::extract_case(third), "") << *mesh;
+    }
+}
 
 // ---- random input; what the fuzzers of tests/fuzz found ----
 

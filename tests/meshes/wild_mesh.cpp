@@ -5,12 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "byte_mesh.h"
 #include "generators.h"
 
 namespace test_meshes {
 namespace {
 
 using Limits = std::numeric_limits<double>;
+
+constexpr std::uint8_t kFirstByteMesh = 240;  // below, the last digit tells the form
 
 Eigen::Vector3d small_point(Choices& choices) {
     const double x = choices.byte(), y = choices.byte(), z = choices.byte();
@@ -33,7 +36,9 @@ TriangleMesh soup(Choices& choices) {
 }
 
 TriangleMesh form(Choices& choices) {
-    switch (choices.below(10)) {
+    const unsigned form = choices.byte();
+    if (form >= kFirstByteMesh) return read_byte_mesh(choices);
+    switch (form % 10) {
         case 0:
             return soup(choices);
         case 1:
@@ -204,6 +209,13 @@ double odd_number(Choices& choices) {
     constexpr unsigned kCount = sizeof(kOdd) / sizeof(kOdd[0]);
     const unsigned choice = choices.below(kCount + 1);
     return choice < kCount ? kOdd[choice] : choices.any_double();
+}
+
+std::vector<std::uint8_t> wild_mesh_bytes(const TriangleMesh& mesh) {
+    std::vector<std::uint8_t> bytes = byte_mesh(mesh);
+    bytes.insert(bytes.begin(), kFirstByteMesh);
+    bytes.push_back(0);  // no damage
+    return bytes;
 }
 
 TriangleMesh wild_mesh(Choices& choices, bool bad_indices) {

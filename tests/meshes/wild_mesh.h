@@ -13,4 +13,7 @@ double odd_number(Choices& choices);
 /// form, and damages one after the other. Indices may be out of range if `bad_indices`.
 laplacian_lines::TriangleMesh wild_mesh(Choices& choices, bool bad_indices = false);
 
+/// Bytes that wild_mesh() makes this mesh of, as far as byte_mesh() holds it.
+std::vector<std::uint8_t> wild_mesh_bytes(const laplacian_lines::TriangleMesh& mesh);
+
 }  // namespace test_meshes
