@@ -15,7 +15,10 @@ endfunction()
 function(add_loadable_plugin name)
   add_library(${name} MODULE ${ARGN})
   target_link_libraries(${name} PRIVATE MeshLab::common)
-  target_link_options(${name} PRIVATE -Wl,--no-undefined -Wl,--as-needed)
+  target_link_options(${name} PRIVATE -Wl,--as-needed)
+  if(NOT LAPLACIAN_LINES_SANITIZE) # the program that loads it brings the sanitizers' library
+    target_link_options(${name} PRIVATE -Wl,--no-undefined)
+  endif()
   set_target_properties(${name} PROPERTIES
     AUTOMOC ON
     SKIP_BUILD_RPATH ON # MeshLab has loaded its library before any plugin; another of that name must not come in

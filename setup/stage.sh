@@ -52,10 +52,12 @@ add_plugins() {
 }
 
 # stage_program STAGE NAME: from 2022.02 on, MeshLab would also load the plugins that the user has added: give it
-# another folder to look for them. Its OpenGL needs an X display, also on Wayland.
+# another folder to look for them. Its OpenGL needs an X display, also on Wayland. Plugins that are compiled with
+# sanitizers need their library, $SANITIZER_LIBRARY, in the program.
 stage_program() {
     write_program "$1/bin/$2" <<-END
 		#!/bin/sh
+		${SANITIZER_LIBRARY:+export LD_PRELOAD=$SANITIZER_LIBRARY}
 		XDG_DATA_HOME=$(printf %q "$1/system/data") QT_QPA_PLATFORM=xcb exec $(printf %q "$1/system/bin/$2") "\$@"
 	END
 }

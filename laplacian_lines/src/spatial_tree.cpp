@@ -117,7 +117,7 @@ void order_leaf(Item* begin, Item* end) {
 
 }  // namespace
 
-SpatialTree::FloatBox::FloatBox(const Eigen::AlignedBox3d& box) : low{}, high{} {
+SpatialTree::FloatBox::FloatBox(const Eigen::AlignedBox3d& box) {
     for (int axis = 0; axis < 3; ++axis) {
         low[axis] = std::nextafter(float(box.min()[axis]), -HUGE_VALF);
         high[axis] = std::nextafter(float(box.max()[axis]), HUGE_VALF);

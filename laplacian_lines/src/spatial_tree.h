@@ -45,7 +45,7 @@ private:
             return gap[0] + gap[1] + gap[2];
         }
 
-        Float4 low, high;  // the last of each is 0
+        Float4 low{}, high{};  // the last of each is 0
     };
     struct Node {
         FloatBox box;

@@ -3,6 +3,9 @@
 #include <unistd.h>
 #include <cstdio>
 
+// Of the leak sanitizer, which is only there in a MeshLab with sanitized plugins.
+extern "C" int __lsan_do_recoverable_leak_check() __attribute__((weak));
+
 namespace driver {
 
 void say(const std::string& text) {
@@ -17,6 +20,7 @@ void endWithError(const std::string& why) {
 
 void endProcess(int exitCode) {
     std::fflush(nullptr);
+    if (__lsan_do_recoverable_leak_check) __lsan_do_recoverable_leak_check();
     _exit(exitCode);
 }
 
