@@ -22,8 +22,13 @@ QStringList polylines(Table& t) {
     return t.filter("Generate Laplacian Lines Polylines", randomPolylineSettings(t.dice));
 }
 
+/// Where faces know their neighbours, MeshLab's own assertions end it when some are deleted.
+bool mayLoseFaces(Table& t) {
+    return t.faces() > 0 && !t.now.current->cm.face.IsFFAdjacencyEnabled();
+}
+
 QStringList deleteFaces(Table& t) {
-    if (t.faces() == 0) return {};
+    if (!mayLoseFaces(t)) return {};
     QStringList lines =
         t.filter("Conditional Face Selection", {"boolean function = x0 > " + t.number(-1.5, 1.5)});
     if (t.dice.oneIn(8)) return t.filter("Delete ALL Faces");
@@ -64,11 +69,9 @@ QStringList subdivide(Table& t) {
             "set Edge Threshold (abs and %) = 1%", "apply", "close"};
 }
 
-/// MeshLab's own assertions end it when it simplifies others: degenerate ones, and those that have
-/// lost faces since their neighbours were found.
+/// They also end it when it simplifies meshes with degenerate faces.
 bool isSound(const CMeshO& mesh) {
     constexpr double least_area = 1e-8, largest = 1e4;
-    if (mesh.face.IsFFAdjacencyEnabled()) return false;
     for (const CFaceO& face : mesh.face) {
         if (face.IsD()) continue;
         if (!(vcg::DoubleArea(face) > least_area)) return false;
@@ -79,7 +82,7 @@ bool isSound(const CMeshO& mesh) {
 }
 
 QStringList simplify(Table& t) {
-    if (t.faces() == 0 || !isSound(t.now.current->cm)) return {};
+    if (!mayLoseFaces(t) || !isSound(t.now.current->cm)) return {};
     return t.filter("Simplification: Quadric Edge Collapse Decimation",
                     {QString("Target number of faces = %1").arg(t.dice.below(t.faces() + 1))});
 }
@@ -103,7 +106,8 @@ QStringList freeze(Table& t) {
 
 // From 2022.02 on, a hidden layer is then called visible and yet not drawn.
 QStringList reload(Table& t) {
-    return t.hasMesh() && t.now.current->isVisible() ? QStringList{"trigger Reload"} : QStringList();
+    return t.hasMesh() && t.now.current->isVisible() ? QStringList{"trigger Reload"}
+                                                     : QStringList();
 }
 
 }  // namespace

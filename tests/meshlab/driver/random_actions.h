@@ -27,8 +27,8 @@ public:
 private:
     void run(const QString& line);
     void check();
-    bool isCurrentLayerDrawn(const std::map<int, QString>& drawn) const;
-    void checkThatLogHas(const QString& refusal) const;
+    /// Empty if nothing is.
+    QString whatIsMissing(const std::map<int, QString>& drawn) const;
     void conclude() const;
 
     UserActions actions_;
