@@ -21,29 +21,8 @@ constexpr std::uint32_t kChunk = 512;  // points that are worked on at once
 struct Chunk {
     std::uint32_t column;
     const std::uint32_t *begin, *end;
-    LineMask lines[8];  // by part of the box, see for_each_line(): those it spreads to
+    LineMask lines[8];  // by part of the box, see clear_lines(): those it spreads to
 };
-
-template <class Real>
-void set_weights(const Eigen::Vector3d& in_cells, SpreadWeights<Real>& weights) {
-    for (int axis = 0; axis < 3; ++axis) {
-        double cubic[4];
-        cubic_spline(in_cells[axis] - int(in_cells[axis]), cubic);
-        std::copy(cubic, cubic + 4, weights.values[axis]);
-    }
-}
-
-template <class Real>
-void set_weights(const Eigen::Vector3d& in_cells, InterpolationWeights<Real>& weights) {
-    for (int axis = 0; axis < 3; ++axis) {
-        double cubic[4], quartic[5], derivatives[5];
-        const double t = in_cells[axis] - int(in_cells[axis]);
-        cubic_spline(t, cubic);
-        quartic_spline(t, cubic, quartic, derivatives);
-        std::copy(quartic, quartic + 5, weights.values[axis]);
-        std::copy(derivatives, derivatives + 5, weights.derivatives[axis]);
-    }
-}
 
 /// Blocks that the convolution of the band's largest kernel reaches to either side.
 int reach(const SizeBand& band, const GridGeometry& grid, const GridResolution& resolution) {
@@ -111,25 +90,17 @@ private:
         }
     }
 
-    /// The point in cells, and the first node it reaches inside the box of its block.
-    std::size_t locate(std::uint32_t point, Eigen::Vector3d& p) const {
-        p = grid_.in_cells(mesh_.positions[point]);
-        const auto in_block = [&](int axis) { return std::size_t(int(p[axis]) - 2) % kBlock; };
-        return (in_block(2) * kBox + in_block(1)) * kBox + in_block(0);
-    }
-
-    std::size_t locate(std::uint32_t point, SpreadWeights<Real>& weights) const {
-        Eigen::Vector3d p;
-        const std::size_t corner = locate(point, p);
-        set_weights(p, weights);
-        return corner + (kBox + 1) * kBox + 1;  // the cubic splines' first node is the second one
-    }
-
-    std::size_t locate(std::uint32_t point, InterpolationWeights<Real>& weights) const {
-        Eigen::Vector3d p;
-        const std::size_t corner = locate(point, p);
-        set_weights(p, weights);
-        return corner;
+    /// The point's place in its cell, and the first node it reaches inside the box of its block.
+    std::size_t locate(std::uint32_t point, CellPlace& place) const {
+        const Eigen::Vector3d p = grid_.in_cells(mesh_.positions[point]);
+        std::size_t node = 0;
+        for (int axis = 2; axis >= 0; --axis) {
+            const int cell = int(p[axis]);
+            place.t[axis] = p[axis] - cell;
+            node = node * kBox + std::size_t(cell - 2) % kBlock;
+        }
+        place.t[3] = 0;
+        return node;
     }
 
     void spread_points(int layer) {
@@ -142,27 +113,27 @@ private:
             s.first_chunk[c] += s.first_chunk[c - 1];
         s.boxes.grow(s.chunks.size() * kBoxNodes);
         in_parallel<NoScratch>(s.chunks.size(), [&](std::size_t i, NoScratch&) {
-            spread_chunk(s.chunks[i], s.boxes.get() + i * kBoxNodes);
+            Chunk& chunk = s.chunks[i];
+            spread_chunk(chunk, points_.first_nodes(block(layer, chunk.column)),
+                         s.boxes.get() + i * kBoxNodes);
         });
     }
 
-    void spread_chunk(Chunk& chunk, Node* box) const {
+    void spread_chunk(Chunk& chunk, BlockMask first_nodes, Node* box) const {
         BlockMask nodes[8] = {};
-        for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p)
-            kSpreadNodes.visit_parts(grid_.first_node(mesh_.positions[*p]),
-                                     [&](int part, BlockMask mask) { nodes[part] |= mask; });
+        kSpreadNodes.visit_all(first_nodes, [&](int part, BlockMask mask) { nodes[part] |= mask; });
         for (int part = 0; part < 8; ++part) {
             chunk.lines[part] = lines_of(nodes[part], 0);
-            for_each_line(part, chunk.lines[part], [&](int in_box, int) {
-                std::memset(static_cast<void*>(box + in_box), 0, sizeof(Node) * kBlock);
-            });
+            clear_lines(part, chunk.lines[part], box);
         }
+        // The cubic splines' first node is the second one.
+        Node* const second = box + (kBox + 1) * kBox + 1;
         for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p) {
-            SpreadWeights<Real> weights;
+            CellPlace place;
             Node value;
             set_moments(mesh_.masses[*p], normals_[*p], value);
-            const std::size_t corner = locate(*p, weights);
-            spread(value, weights, box + corner);
+            const std::size_t corner = locate(*p, place);
+            spread(value, place, second + corner);
         }
     }
 
@@ -183,9 +154,7 @@ private:
                 const SpreadLayer& s = spread_[(layer - (part >> 2)) % 2];
                 for (std::uint32_t c = s.first_chunk[column - step];
                      c < s.first_chunk[column - step + 1]; ++c)
-                    for_each_line(part, s.chunks[c].lines[part], [&](int in_box, int in_block) {
-                        add_line(s.boxes.get() + c * kBoxNodes + in_box, nodes + in_block);
-                    });
+                    add_lines(part, s.chunks[c].lines[part], s.boxes.get() + c * kBoxNodes, nodes);
             }
         });
     }
@@ -197,11 +166,7 @@ private:
                                       std::size_t(grid_.blocks[0]) * std::size_t(part >> 1 & 1);
             if (other >= grid_.columns()) continue;
             const Layer& z = level.result(layer + (part >> 2));
-            const Node* nodes = z.block(other);
-            for_each_line(part, lines_of(z.mask(other), 0), [&](int in_box, int in_block) {
-                std::memcpy(static_cast<void*>(box + in_box), nodes + in_block,
-                            sizeof(Node) * kBlock);
-            });
+            copy_lines(part, lines_of(z.mask(other), 0), z.block(other), box);
         }
     }
 
@@ -218,14 +183,14 @@ private:
     }
 
     void write(std::uint32_t p, const Node* boxes) const {
-        InterpolationWeights<Real> splines;
-        const std::size_t corner = locate(p, splines);
+        CellPlace place;
+        const std::size_t corner = locate(p, place);
         ContractedMoments total{0, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
         double weights[SizeBand::kMaxNodes];
         band_.weights(kernel_.kernel_sizes[p], weights);
         for (std::size_t j = 0; j < levels_.size(); ++j) {
             PointSums<Real, Groups> sums;
-            interpolate(boxes + j * kBoxNodes + corner, splines, sums);
+            interpolate(boxes + j * kBoxNodes + corner, place, sums);
             const ContractedMoments at = contract(sums, normals_[p]);
             // The Gaussian's derivative is (q − p)/(2h) times it.
             const double size = band_.nodes()[j], to_moment = 2 * size * size / grid_.cell;

@@ -2,6 +2,7 @@
 #include "grid_kernels.h"
 
 #include "simd_clones.h"
+#include "spline_kernel.h"
 
 namespace laplacian_lines {
 namespace {
@@ -34,49 +35,79 @@ struct Vectors {
     }
 };
 
+typedef double Places __attribute__((vector_size(32)));  // along x, y, z
+
+/// B-splines of a point, by node and axis.
+template <class Real, int Count>
+struct Splines {
+    typedef Real Axes __attribute__((vector_size(4 * sizeof(Real))));
+    Axes at[Count];
+
+    LAPLACIAN_LINES_INLINE void set(const Places* values) {
+        for (int k = 0; k < Count; ++k)
+            at[k] = __builtin_convertvector(values[k], Axes);
+    }
+};
+
 template <class Real, int Groups>
-LAPLACIAN_LINES_INLINE void spread_any(const GridNode<Real, Groups>& value,
-                                       const SpreadWeights<Real>& w,
+LAPLACIAN_LINES_INLINE void spread_any(const GridNode<Real, Groups>& value, const CellPlace& place,
                                        GridNode<Real, Groups>* corner) {
     using V = Vectors<Real, Groups>;
+    Places cubic[4];
+    cubic_spline(*reinterpret_cast<const Places*>(place.t), cubic);
+    Splines<Real, 4> w;
+    w.set(cubic);
     typename V::Lane v[V::kCount];
     for (int i = 0; i < V::kCount; ++i)
         v[i] = V::get(value.moments, i);
     for (int z = 0; z < 4; ++z)
         for (int y = 0; y < 4; ++y) {
-            const Real weight = w.values[2][z] * w.values[1][y];
+            const Real weight = w.at[z][2] * w.at[y][1];
             GridNode<Real, Groups>* row = corner + (z * kBox + y) * kBox;
-            for (int x = 0; x < 4; ++x)
-                for (int i = 0; i < V::kCount; ++i)
-                    V::get(row[x].moments, i) += (weight * w.values[0][x]) * v[i];
+            for (int i = 0; i < V::kCount; ++i) {
+                const typename V::Lane weighted = weight * v[i];
+                for (int x = 0; x < 4; ++x)
+                    V::get(row[x].moments, i) += w.at[x][0] * weighted;
+            }
         }
 }
 
 template <class Real, int Groups>
 LAPLACIAN_LINES_INLINE void interpolate_any(const GridNode<Real, Groups>* corner,
-                                            const InterpolationWeights<Real>& w,
-                                            PointSums<Real, Groups>& sums) {
+                                            const CellPlace& place, PointSums<Real, Groups>& sums) {
     using V = Vectors<Real, Groups>;
     using Lane = typename V::Lane;
+    const Places t = *reinterpret_cast<const Places*>(place.t);
+    Places cubic[4], quartic[5], derivatives[5];
+    cubic_spline(t, cubic);
+    quartic_spline(t, cubic, quartic, derivatives);
+    Splines<Real, 5> w, d;
+    w.set(quartic);
+    d.set(derivatives);
     for (int i = 0; i < V::kCount; ++i) {
         const bool first = i < V::kFirst;
         Lane value{}, dx{}, dy{}, dz{};
-        for (int z = 0; z < 5; ++z)
+        for (int z = 0; z < 5; ++z) {
+            Lane plane{}, plane_dx{}, plane_dy{};
             for (int y = 0; y < 5; ++y) {
                 const GridNode<Real, Groups>* row = corner + (z * kBox + y) * kBox;
-                Lane r{}, d{};
+                Lane line{}, line_dx{};
                 for (int x = 0; x < 5; ++x) {
                     const Lane g = V::get(row[x].moments, i);
-                    r += w.values[0][x] * g;
-                    if (first) d += w.derivatives[0][x] * g;
+                    line += w.at[x][0] * g;
+                    if (first) line_dx += d.at[x][0] * g;
                 }
-                const Real weight = w.values[1][y] * w.values[2][z];
-                value += weight * r;
+                plane += w.at[y][1] * line;
                 if (!first) continue;
-                dx += weight * d;
-                dy += (w.derivatives[1][y] * w.values[2][z]) * r;
-                dz += (w.values[1][y] * w.derivatives[2][z]) * r;
+                plane_dx += w.at[y][1] * line_dx;
+                plane_dy += d.at[y][1] * line;
             }
+            value += w.at[z][2] * plane;
+            if (!first) continue;
+            dx += w.at[z][2] * plane_dx;
+            dy += w.at[z][2] * plane_dy;
+            dz += d.at[z][2] * plane;
+        }
         V::get(sums.moments, i) = value;
         if (!first) continue;
         V::get(sums.derivatives[0], i) = dx;
@@ -85,12 +116,48 @@ LAPLACIAN_LINES_INLINE void interpolate_any(const GridNode<Real, Groups>* corner
     }
 }
 
+/// Calls visit(node of the box, node of the block), each the first of the four of a line.
+template <class Visit>
+LAPLACIAN_LINES_INLINE void for_each_line(int part, unsigned lines, Visit visit) {
+    const int first = (((part >> 2) * kBox + (part >> 1 & 1)) * kBox + (part & 1)) * kBlock;
+    for (; lines; lines &= lines - 1) {
+        const int line = __builtin_ctz(lines);
+        visit(first + (line / kBlock * kBox + line % kBlock) * kBox, line * kBlock);
+    }
+}
+
 template <class Real, int Groups>
-LAPLACIAN_LINES_INLINE void add_line_any(const GridNode<Real, Groups>* from,
-                                         GridNode<Real, Groups>* to) {
+LAPLACIAN_LINES_INLINE void clear_lines_any(int part, LineMask lines, GridNode<Real, Groups>* box) {
     using V = Vectors<Real, Groups>;
-    for (int i = 0; i < kBlock * V::kCount; ++i)
-        V::get(to->moments, i) += V::get(from->moments, i);
+    for_each_line(
+        part, lines, [&](int in_box, int) __attribute__((always_inline)) {
+            for (int i = 0; i < kBlock * V::kCount; ++i)
+                V::get(box[in_box].moments, i) = typename V::Lane{};
+        });
+}
+
+template <class Real, int Groups>
+LAPLACIAN_LINES_INLINE void copy_lines_any(int part, LineMask lines,
+                                           const GridNode<Real, Groups>* block,
+                                           GridNode<Real, Groups>* box) {
+    using V = Vectors<Real, Groups>;
+    for_each_line(
+        part, lines, [&](int in_box, int in_block) __attribute__((always_inline)) {
+            for (int i = 0; i < kBlock * V::kCount; ++i)
+                V::get(box[in_box].moments, i) = V::get(block[in_block].moments, i);
+        });
+}
+
+template <class Real, int Groups>
+LAPLACIAN_LINES_INLINE void add_lines_any(int part, LineMask lines,
+                                          const GridNode<Real, Groups>* box,
+                                          GridNode<Real, Groups>* block) {
+    using V = Vectors<Real, Groups>;
+    for_each_line(
+        part, lines, [&](int in_box, int in_block) __attribute__((always_inline)) {
+            for (int i = 0; i < kBlock * V::kCount; ++i)
+                V::get(block[in_block].moments, i) += V::get(box[in_box].moments, i);
+        });
 }
 
 LAPLACIAN_LINES_INLINE int line_begin(int axis, int line) {
@@ -99,72 +166,60 @@ LAPLACIAN_LINES_INLINE int line_begin(int axis, int line) {
 
 template <class Real, int Groups>
 LAPLACIAN_LINES_INLINE void convolve_any(const ConvolutionInput<Real, Groups>& input,
-                                         std::uint16_t lines, GridNode<Real, Groups>* output) {
+                                         LineMask lines, GridNode<Real, Groups>* output) {
     using V = Vectors<Real, Groups>;
     using Lane = typename V::Lane;
     const int stride = input.axis == 0 ? 1 : input.axis == 1 ? 4 : 16;
     for (int line = 0; line < 16; ++line) {
         const int begin = line_begin(input.axis, line);
-        for (int i = 0; i < V::kCount; ++i) {
-            Lane sum[kBlock]{};
-            for (int b = 0; b < (lines >> line & 1 ? input.count : 0); ++b) {
-                if (!(input.lines[b] >> line & 1)) continue;
-                const GridNode<Real, Groups>* in = input.blocks[b] + begin;
-                const Real* taps = input.taps + kBlock * (b - input.count / 2);
-                for (int k = 0; k < kBlock; ++k) {
+        Lane sum[V::kCount][kBlock]{};
+        for (int b = 0; b < (lines >> line & 1 ? input.count : 0); ++b) {
+            if (!(input.lines[b] >> line & 1)) continue;
+            const GridNode<Real, Groups>* in = input.blocks[b] + begin;
+            const Real* taps = input.taps + kBlock * (b - input.count / 2);
+            for (int k = 0; k < kBlock; ++k)
+                for (int i = 0; i < V::kCount; ++i) {
                     const Lane g = V::get(in[k * stride].moments, i);
                     for (int j = 0; j < kBlock; ++j)
-                        sum[j] += taps[k - j] * g;
+                        sum[i][j] += taps[k - j] * g;
                 }
-            }
-            for (int j = 0; j < kBlock; ++j)
-                V::get(output[begin + j * stride].moments, i) = sum[j];
         }
+        for (int j = 0; j < kBlock; ++j)
+            for (int i = 0; i < V::kCount; ++i)
+                V::get(output[begin + j * stride].moments, i) = sum[i][j];
     }
 }
 
 }  // namespace
 
-// Clones cannot be templates.
-#define LAPLACIAN_LINES_GRID_KERNELS(Real, Groups)                                               \
-    LAPLACIAN_LINES_CLONES void spread_##Real##Groups(const GridNode<Real, Groups>& value,       \
-                                                      const SpreadWeights<Real>& weights,        \
-                                                      GridNode<Real, Groups>* corner) {          \
-        spread_any(value, weights, corner);                                                      \
-    }                                                                                            \
-    LAPLACIAN_LINES_CLONES void interpolate_##Real##Groups(                                      \
-        const GridNode<Real, Groups>* corner, const InterpolationWeights<Real>& weights,         \
-        PointSums<Real, Groups>& sums) {                                                         \
-        interpolate_any(corner, weights, sums);                                                  \
-    }                                                                                            \
-    LAPLACIAN_LINES_CLONES void convolve_##Real##Groups(                                         \
-        const ConvolutionInput<Real, Groups>& input, std::uint16_t lines,                        \
-        GridNode<Real, Groups>* output) {                                                        \
-        convolve_any(input, lines, output);                                                      \
-    }                                                                                            \
-    LAPLACIAN_LINES_CLONES void add_line_##Real##Groups(const GridNode<Real, Groups>* from,      \
-                                                        GridNode<Real, Groups>* to) {            \
-        add_line_any(from, to);                                                                  \
-    }                                                                                            \
-    template <>                                                                                  \
-    void add_line(const GridNode<Real, Groups>* from, GridNode<Real, Groups>* to) {              \
-        add_line_##Real##Groups(from, to);                                                       \
-    }                                                                                            \
-    template <>                                                                                  \
-    void spread(const GridNode<Real, Groups>& value, const SpreadWeights<Real>& weights,         \
-                GridNode<Real, Groups>* corner) {                                                \
-        spread_##Real##Groups(value, weights, corner);                                           \
-    }                                                                                            \
-    template <>                                                                                  \
-    void interpolate(const GridNode<Real, Groups>* corner,                                       \
-                     const InterpolationWeights<Real>& weights, PointSums<Real, Groups>& sums) { \
-        interpolate_##Real##Groups(corner, weights, sums);                                       \
-    }                                                                                            \
-    template <>                                                                                  \
-    void convolve(const ConvolutionInput<Real, Groups>& input, std::uint16_t lines,              \
-                  GridNode<Real, Groups>* output) {                                              \
-        convolve_##Real##Groups(input, lines, output);                                           \
+// Clones cannot be templates. The parameters come last, since they hold commas.
+#define LAPLACIAN_LINES_GRID_KERNEL(name, Real, Groups, arguments, ...) \
+    LAPLACIAN_LINES_CLONES void name##_##Real##Groups(__VA_ARGS__) {    \
+        name##_any arguments;                                           \
+    }                                                                   \
+    template <>                                                         \
+    void name(__VA_ARGS__) {                                            \
+        name##_##Real##Groups arguments;                                \
     }
+
+#define LAPLACIAN_LINES_GRID_KERNELS(Real, Groups)                                             \
+    LAPLACIAN_LINES_GRID_KERNEL(spread, Real, Groups, (value, place, corner),                  \
+                                const GridNode<Real, Groups>& value, const CellPlace& place,   \
+                                GridNode<Real, Groups>* corner)                                \
+    LAPLACIAN_LINES_GRID_KERNEL(interpolate, Real, Groups, (corner, place, sums),              \
+                                const GridNode<Real, Groups>* corner, const CellPlace& place,  \
+                                PointSums<Real, Groups>& sums)                                 \
+    LAPLACIAN_LINES_GRID_KERNEL(clear_lines, Real, Groups, (part, lines, box), int part,       \
+                                LineMask lines, GridNode<Real, Groups>* box)                   \
+    LAPLACIAN_LINES_GRID_KERNEL(copy_lines, Real, Groups, (part, lines, block, box), int part, \
+                                LineMask lines, const GridNode<Real, Groups>* block,           \
+                                GridNode<Real, Groups>* box)                                   \
+    LAPLACIAN_LINES_GRID_KERNEL(add_lines, Real, Groups, (part, lines, box, block), int part,  \
+                                LineMask lines, const GridNode<Real, Groups>* box,             \
+                                GridNode<Real, Groups>* block)                                 \
+    LAPLACIAN_LINES_GRID_KERNEL(convolve, Real, Groups, (input, lines, output),                \
+                                const ConvolutionInput<Real, Groups>& input, LineMask lines,   \
+                                GridNode<Real, Groups>* output)
 
 LAPLACIAN_LINES_GRID_KERNELS(float, 1)
 LAPLACIAN_LINES_GRID_KERNELS(float, 2)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include "block_lines.h"
 
 namespace laplacian_lines {
 
@@ -17,17 +17,9 @@ struct alignas(64) GridNode {
     Real moments[Groups * kMoments];
 };
 
-/// A point's cubic B-splines along x, y and z.
-template <class Real>
-struct SpreadWeights {
-    Real values[3][4];
-};
-
-/// A point's quartic B-splines and their derivatives along x, y and z.
-template <class Real>
-struct InterpolationWeights {
-    Real values[3][5];
-    Real derivatives[3][5];
+/// Where a point lies within its cell, 0..1 along x, y and z; the fourth is not used.
+struct alignas(32) CellPlace {
+    double t[4];
 };
 
 /// Sums interpolated at a point, and the derivatives (in cells) of the first group.
@@ -37,27 +29,39 @@ struct alignas(64) PointSums {
     Real derivatives[3][kMoments];
 };
 
-/// Adds `value` times the point's weights to the 4 x 4 x 4 nodes from `corner` on, inside a box of
-/// kBox nodes along each side. Like the others here: runs with the widest vectors the processor
-/// has; for Real = float and double, Groups = 1 and 2.
+/// Adds `value` times the point's cubic B-splines to the 4 x 4 x 4 nodes from `corner` on, inside a
+/// box of kBox nodes along each side. Like the others here: runs with the widest vectors the
+/// processor has; for Real = float and double, Groups = 1 and 2.
 template <class Real, int Groups>
-void spread(const GridNode<Real, Groups>& value, const SpreadWeights<Real>& weights,
+void spread(const GridNode<Real, Groups>& value, const CellPlace& place,
             GridNode<Real, Groups>* corner);
 
-/// What the 5 x 5 x 5 nodes from `corner` on, inside such a box, give at the point.
+/// What the 5 x 5 x 5 nodes from `corner` on, inside such a box, give at the point by quartic
+/// B-splines.
 template <class Real, int Groups>
-void interpolate(const GridNode<Real, Groups>* corner, const InterpolationWeights<Real>& weights,
+void interpolate(const GridNode<Real, Groups>* corner, const CellPlace& place,
                  PointSums<Real, Groups>& sums);
 
-/// Adds four nodes to four others.
+// The box that the points of one block reach overlaps eight blocks; bits 0, 1 and 2 of `part`: the
+// next block along x, y and z. These run over lines along x, four nodes each, of one part.
 template <class Real, int Groups>
-void add_line(const GridNode<Real, Groups>* from, GridNode<Real, Groups>* to);
+void clear_lines(int part, LineMask lines, GridNode<Real, Groups>* box);
+
+/// Copies from a block to its part of a box.
+template <class Real, int Groups>
+void copy_lines(int part, LineMask lines, const GridNode<Real, Groups>* block,
+                GridNode<Real, Groups>* box);
+
+/// Adds a part of a box to its block.
+template <class Real, int Groups>
+void add_lines(int part, LineMask lines, const GridNode<Real, Groups>* box,
+               GridNode<Real, Groups>* block);
 
 /// Blocks that a convolution along one axis reads: `count` in a row, the output in their middle.
 template <class Real, int Groups>
 struct ConvolutionInput {
     const GridNode<Real, Groups>* const* blocks;  ///< null: all zero
-    const std::uint16_t* lines;  ///< by block: bits of the lines along the axis that are not zero
+    const LineMask* lines;  ///< by block: bits of the lines along the axis that are not zero
     int count;
     const Real* taps;  ///< taps[d]: from node i to i − d; valid for |d| <= 4 (count / 2) + 3
     int axis;
@@ -66,7 +70,7 @@ struct ConvolutionInput {
 /// Computes the lines of a block whose bits are set, and zeroes the others. Line l along x holds
 /// the nodes from 4l; along y from 16 (l / 4) + l % 4; along z from l.
 template <class Real, int Groups>
-void convolve(const ConvolutionInput<Real, Groups>& input, std::uint16_t lines,
+void convolve(const ConvolutionInput<Real, Groups>& input, LineMask lines,
               GridNode<Real, Groups>* output);
 
 }  // namespace laplacian_lines

@@ -66,15 +66,4 @@ private:
     NodeBuffer<Node> nodes_;
 };
 
-/// The box that the points of one block reach overlaps eight blocks; bits 0, 1 and 2 of `part`: the
-/// next block along x, y and z. Calls visit(node of the box, node of the block), each the first of
-/// the four of a line along x, for the lines given.
-template <class Visit>
-void for_each_line(int part, LineMask lines, Visit visit) {
-    const int first = (((part >> 2) * kBox + (part >> 1 & 1)) * kBox + (part & 1)) * kBlock;
-    for (int line = 0; line < 16; ++line)
-        if (lines >> line & 1)
-            visit(first + (line / kBlock * kBox + line % kBlock) * kBox, line * kBlock);
-}
-
 }  // namespace laplacian_lines

@@ -29,11 +29,8 @@ std::vector<BlockMask> reached_nodes(const GridGeometry& grid, const ReachedNode
     const std::size_t row = std::size_t(grid.blocks[0]);
     for_each_element(first_nodes.size(), [&](std::size_t block) {
         BlockMask parts[8] = {};
-        int bit = 0;
-        for (BlockMask first = first_nodes[block]; first; first >>= 1, ++bit)
-            if (first & 1)
-                reached.visit_parts({bit % kBlock, bit / kBlock % kBlock, bit / (kBlock * kBlock)},
-                                    [&](int part, BlockMask mask) { parts[part] |= mask; });
+        reached.visit_all(first_nodes[block],
+                          [&](int part, BlockMask mask) { parts[part] |= mask; });
         for (int part = 0; part < 8; ++part) {
             if (!parts[part]) continue;
             BlockMask& other =

@@ -26,7 +26,7 @@ struct GridGeometry {
     }
     /// The first of these nodes.
     Eigen::Array3i first_node(const Eigen::Vector3d& p) const {
-        return in_cells(p).array().floor().cast<int>() - 2;
+        return in_cells(p).array().cast<int>() - 2;  // none is negative
     }
     std::size_t columns() const { return std::size_t(blocks[0]) * std::size_t(blocks[1]); }
     double block_count() const { return double(blocks[0]) * blocks[1] * blocks[2]; }
@@ -43,7 +43,8 @@ class ReachedNodes {
 public:
     ReachedNodes(int offset, int count);
 
-    /// `first`: the point's first node. Calls visit(part, nodes), see for_each_line().
+    /// `first`: the point's first node. Calls visit(part, nodes) for those of
+    /// each block that the box overlaps, see clear_lines().
     template <class Visit>
     void visit_parts(const Eigen::Array3i& first, Visit visit) const {
         const auto& x = masks_[0][first.x() % kBlock];
@@ -52,6 +53,14 @@ public:
         for (int part = 0; part < 8; ++part)
             if (const BlockMask mask = x[part & 1] & y[part >> 1 & 1] & z[part >> 2])
                 visit(part, mask);
+    }
+
+    /// The same for all points whose first nodes are those of one block.
+    template <class Visit>
+    void visit_all(BlockMask first_nodes, Visit visit) const {
+        for (int bit = 0; first_nodes; first_nodes >>= 1, ++bit)
+            if (first_nodes & 1)
+                visit_parts({bit % kBlock, bit / kBlock % kBlock, bit / (kBlock * kBlock)}, visit);
     }
 
 private:
@@ -75,6 +84,8 @@ public:
     /// Nodes that some point, or some target, reaches: one mask for each block.
     const std::vector<BlockMask>& source_nodes() const { return source_nodes_; }
     const std::vector<BlockMask>& target_nodes() const { return target_nodes_; }
+    /// The first nodes that the points of a block reach.
+    BlockMask first_nodes(std::size_t block) const { return first_nodes_[block]; }
     const std::uint32_t* begin(std::size_t block) const { return order_.data() + starts_[block]; }
     const std::uint32_t* end(std::size_t block) const { return order_.data() + starts_[block + 1]; }
 

@@ -28,6 +28,8 @@ enum {
     kXYYZ,
     kXYZZ
 };
+// Where an odd number of factors of a moment of degree 3 is the same, that axis; 3: none.
+constexpr int kOddAxis[kCubic] = {0, 1, 2, 1, 2, 0, 2, 0, 1, 3};
 // Moments of degree 4 that are x, y and z times those of degree 3.
 constexpr int kTimes[3][kCubic] = {
     {kXXXX, kXYYY, kXZZZ, kXXXY, kXXXZ, kXXYY, kXYYZ, kXXZZ, kXYZZ, kXXYZ},
@@ -41,19 +43,6 @@ void cubic_monomials(const Vector& n, double cubic[kCubic]) {
                                    x * yy, yy * z, x * zz, y * zz, x * y * z};
     for (int i = 0; i < kCubic; ++i)
         cubic[i] = values[i];
-}
-
-/// Moments of degree 2 from those of degree 4.
-template <class Real>
-Eigen::Matrix3d second_moments(const Real* t) {
-    Eigen::Matrix3d m;
-    m(0, 0) = double(t[kXXXX]) + t[kXXYY] + t[kXXZZ];
-    m(1, 1) = double(t[kXXYY]) + t[kYYYY] + t[kYYZZ];
-    m(2, 2) = double(t[kXXZZ]) + t[kYYZZ] + t[kZZZZ];
-    m(0, 1) = m(1, 0) = double(t[kXXXY]) + t[kXYYY] + t[kXYZZ];
-    m(0, 2) = m(2, 0) = double(t[kXXXZ]) + t[kXYYZ] + t[kXZZZ];
-    m(1, 2) = m(2, 1) = double(t[kXXYZ]) + t[kYYYZ] + t[kYZZZ];
-    return m;
 }
 
 template <class Real>
@@ -94,22 +83,23 @@ ContractedMoments contract(const PointSums<Real, Groups>& sums, const Eigen::Vec
                                 sums.derivatives[2][0])};
     else {
         // w(c) = 1/2 + 3/4 c - 1/4 c^3, each power of c = n_q·n_p a contraction of moments with
-        // n_p.
-        double cubic[kCubic], weights[kFirstCubic + kCubic];
+        // n_p; c n_q = c n_q |n_q|² is one of degree 4 as well.
+        double cubic[kCubic], weights[kFirstCubic + kCubic], normal_weights[kCubic];
+        const double linear[4] = {0.75 * n.x(), 0.75 * n.y(), 0.75 * n.z(), 0};
         cubic_monomials(n, cubic);
         weights[0] = 0.5;
         for (int axis = 0; axis < 3; ++axis)
-            weights[1 + axis] = 0.75 * n[axis];
+            weights[1 + axis] = linear[axis];
         for (int i = 0; i < kCubic; ++i) {
-            cubic[i] *= -0.25 * kEntries[i];
-            weights[kFirstCubic + i] = cubic[i];
+            weights[kFirstCubic + i] = -0.25 * kEntries[i] * cubic[i];
+            normal_weights[i] = weights[kFirstCubic + i] + linear[kOddAxis[i]];
         }
         ContractedMoments result;
         result.mass = dot(weights, t, kFirstCubic + kCubic);
-        result.normal = 0.5 * first + 0.75 * (second_moments(t + kMoments) * n);
         for (int axis = 0; axis < 3; ++axis) {
+            result.normal[axis] = 0.5 * first[axis];
             for (int i = 0; i < kCubic; ++i)
-                result.normal[axis] += cubic[i] * double(t[kMoments + kTimes[axis][i]]);
+                result.normal[axis] += normal_weights[i] * double(t[kMoments + kTimes[axis][i]]);
             result.gradient[axis] = dot(weights, sums.derivatives[axis], kFirstCubic + kCubic);
         }
         return result;

@@ -18,24 +18,26 @@ struct GridResolution {
 /// cancel but for about this part of them, so the grid has to be finer.
 GridResolution grid_resolution(double accuracy, double roughness);
 
-/// Cubic B-splines of a point at 0 <= t < 1 from the second of four nodes.
-inline void cubic_spline(double t, double weights[4]) {
-    const double s = 1 - t;
-    weights[0] = s * s * s / 6;
-    weights[1] = (t * t * (3 * t - 6) + 4) / 6;
-    weights[2] = (s * s * (3 * s - 6) + 4) / 6;
-    weights[3] = t * t * t / 6;
+/// Cubic B-splines of a point at 0 <= t < 1 from the second of four nodes. T: numbers or vectors.
+template <class T>
+inline __attribute__((always_inline)) void cubic_spline(T t, T weights[4]) {
+    const T s = 1. - t;
+    weights[0] = s * s * s * (1 / 6.);
+    weights[1] = (t * t * (3. * t - 6.) + 4.) * (1 / 6.);
+    weights[2] = (s * s * (3. * s - 6.) + 4.) * (1 / 6.);
+    weights[3] = t * t * t * (1 / 6.);
 }
 
 /// Quartic B-splines, and their derivatives, of the same point at five nodes that lie half way
 /// between those of the cubic ones, the first half a cell before the first of those. From the
 /// cubic ones by the recursions of C. de Boor, "A Practical Guide to Splines", chapters IX and X.
-inline void quartic_spline(double t, const double cubic[4], double weights[5],
-                           double derivatives[5]) {
+template <class T>
+inline __attribute__((always_inline)) void quartic_spline(T t, const T cubic[4], T weights[5],
+                                                          T derivatives[5]) {
     for (int k = 0; k < 5; ++k) {
-        const double x = t - 0.5 - (k - 2);  // from node k
-        const double left = k > 0 ? cubic[k - 1] : 0, right = k < 4 ? cubic[k] : 0;
-        weights[k] = ((2.5 + x) * left + (2.5 - x) * right) / 4;
+        const T x = t - (k - 1.5);  // from node k
+        const T left = k > 0 ? cubic[k - 1] : T{}, right = k < 4 ? cubic[k] : T{};
+        weights[k] = ((2.5 + x) * left + (2.5 - x) * right) * 0.25;
         derivatives[k] = left - right;
     }
 }
