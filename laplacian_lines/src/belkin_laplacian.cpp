@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "gaussian_grid.h"
+#include "large_array.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kQuickAccuracy = 0.5e-3;  // far above the error of quick Gaussians
+constexpr double kQuickAccuracy = 0.5e-3;  // from which on quick Gaussians may add their error
 // Less of the kernel than this is on the surface only at the tip of a border's corner.
 constexpr double kLeastKernelMass = 0.2;
 
@@ -20,9 +21,9 @@ double tail(double u) {
 
 /// Root mean square of √h|S|.
 double roughness(const std::vector<float>& kernel_sizes, const ShapeOperators& shape_operators) {
-    double sum = 0;
-    for (std::size_t i = 0; i < kernel_sizes.size(); ++i)
-        sum += double(kernel_sizes[i]) * kernel_sizes[i] * shape_operators[i].squaredNorm();
+    const double sum = sum_of(kernel_sizes.size(), [&](std::size_t i) {
+        return double(kernel_sizes[i]) * kernel_sizes[i] * shape_operators[i].squaredNorm();
+    });
     return std::sqrt(sum / double(kernel_sizes.size()));
 }
 
@@ -40,8 +41,8 @@ double belkin_cutoff(double accuracy) {
 GaussianKernel belkin_kernel(const std::vector<float>& kernel_sizes, const BelkinOptions& options) {
     GaussianKernel kernel;
     kernel.kernel_sizes = kernel_sizes;
-    kernel.cutoff = belkin_cutoff(options.accuracy);
     kernel.quick = options.accuracy >= kQuickAccuracy;
+    kernel.cutoff = belkin_cutoff(options.accuracy - (kernel.quick ? kQuickError : 0));
     kernel.facing = options.skip_opposite_sheet;
     return kernel;
 }
@@ -67,7 +68,7 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
                                       : gaussian_sums(mesh, tree, normals, kernel, stage);
     // The cut-off tail of a second moment is known, so its mean effect can be taken out.
     const double kept = on_grid ? 1 : 1 - tail(kernel.cutoff * kernel.cutoff / 4);
-    std::vector<Eigen::Vector3d> laplacian(mesh.size());
+    std::vector<Eigen::Vector3d> laplacian = large_array<Eigen::Vector3d>(mesh.size());
     for_each_element(laplacian.size(), [&](std::size_t i) {
         const double h = double(kernel_sizes[i]) * kernel_sizes[i];
         const double factor = 1 / (4 * kPi * h * h * kept);

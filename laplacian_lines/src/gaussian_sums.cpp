@@ -5,30 +5,39 @@
 #include <cmath>
 
 #include "gaussian_sums_simd.h"
+#include "large_array.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr double kLog2E = 1.4426950408889634;
+constexpr float kLeastLog2Mass = -100;  // nothing beside the others
 
 static_assert(SourceLeaf::kSize == SpatialTree::kLeafSize);
 
-GaussianSource source(const Eigen::Vector3d& position, double mass, const Eigen::Vector3d& normal) {
+/// All but the mass.
+GaussianSource source(const Eigen::Vector3d& position, const Eigen::Vector3d& normal) {
     const Eigen::Vector3f p = position.cast<float>(), n = normal.cast<float>();
-    return {p.x(), p.y(), p.z(), float(mass), n.x(), n.y(), n.z(), 0};
+    return {p.x(), p.y(), p.z(), 0, n.x(), n.y(), n.z(), 0};
+}
+
+float mean_mass(const PreparedMesh& mesh) {
+    return float(sum_of(mesh.size(), [&](std::size_t v) { return mesh.masses[v]; }) /
+                 double(mesh.size()));
 }
 
 /// All vertices, by the leaves of the tree.
 std::vector<SourceLeaf> pack_sources(const PreparedMesh& mesh, const SpatialTree& tree,
-                                     const std::vector<Eigen::Vector3d>& normals) {
-    std::vector<SourceLeaf> packed(tree.leaves().size());
+                                     const std::vector<Eigen::Vector3d>& normals, float unit_mass) {
+    std::vector<SourceLeaf> packed = large_array<SourceLeaf>(tree.leaves().size());
     in_parallel<NoScratch>(packed.size(), [&](std::size_t i, NoScratch&) {
         const SpatialTree::Leaf& leaf = tree.leaves()[i];
         SourceLeaf& to = packed[i];
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
             const std::size_t k = v - leaf.begin;
-            to.sources[k] =
-                source(mesh.positions[v] - leaf.box.center(), mesh.masses[v], normals[v]);
+            to.sources[k] = source(mesh.positions[v] - leaf.box.center(), normals[v]);
+            to.sources[k].log2_mass =
+                std::max(std::log2(float(mesh.masses[v]) / unit_mass), kLeastLog2Mass);
             to.x[k] = to.sources[k].x, to.y[k] = to.sources[k].y, to.z[k] = to.sources[k].z;
         }
     });
@@ -40,18 +49,31 @@ class LeafSum {
 public:
     LeafSum(const PreparedMesh& mesh, const SpatialTree& tree,
             const std::vector<Eigen::Vector3d>& normals, const GaussianKernel& kernel,
-            const SpatialTree::Leaf& leaf)
+            float unit_mass, const SpatialTree::Leaf& leaf)
         : mesh_(mesh),
           tree_(tree),
           normals_(normals),
           kernel_(kernel),
+          unit_mass_(unit_mass),
           leaf_(leaf),
           centre_(leaf.box.center()) {
         mean_normal_.setZero();
+        float smallest = kernel.kernel_sizes[leaf.begin], largest = smallest;
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
-            radius_ = std::max(radius_, kernel.cutoff * kernel.kernel_sizes[v]);
-            mean_normal_ += normals[v] / double(leaf.end - leaf.begin);
+            smallest = std::min(smallest, kernel.kernel_sizes[v]);
+            largest = std::max(largest, kernel.kernel_sizes[v]);
+            mean_normal_ += normals[v];
         }
+        radius_ = kernel.cutoff * largest;
+        mean_normal_ /= double(leaf.end - leaf.begin);
+        quick_ = kernel.quick && leaf.box.diagonal().norm() <= 2 * kQuickRadius * smallest;
+    }
+
+    void sum(std::uint32_t begin, const std::vector<GaussianSource>& sources, std::size_t count,
+             GaussianSums& sums) const {
+        GaussianLaneSums lanes;
+        (quick_ ? sum_quickly : sum_gaussians)(targets(begin), sources.data(), count, lanes);
+        write(lanes, begin, sums);
     }
 
     std::size_t collect_sources(const std::vector<SourceLeaf>& packed,
@@ -63,12 +85,13 @@ public:
             if (sources.size() < count + others) sources.resize(2 * (count + others));
             count += laplacian_lines::collect_sources(
                 packed[std::size_t(&other - tree_.leaves().data())], others,
-                source(other.box.center() - centre_, 0, -mean_normal_), half_size.data(),
+                source(other.box.center() - centre_, -mean_normal_), half_size.data(),
                 float(radius_ * radius_), &sources[count]);
         });
         return count;
     }
 
+private:
     GaussianTargets targets(std::uint32_t begin) const {
         GaussianTargets t;
         for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
@@ -82,6 +105,8 @@ public:
             t.exponent[lane] = float(-kLog2E / (4 * size * size));
         }
         Eigen::Map<Eigen::Vector3f>(t.mean_normal) = mean_normal_.cast<float>();
+        t.log2_cutoff = float(-kLog2E * kernel_.cutoff * kernel_.cutoff / 4);
+        t.unit_mass = unit_mass_;
         t.normal_exponent = float(-kLog2E * kernel_.normal_falloff);
         t.facing = kernel_.facing ? 1.f : 0.f;
         return t;
@@ -97,14 +122,15 @@ public:
         }
     }
 
-private:
     const PreparedMesh& mesh_;
     const SpatialTree& tree_;
     const std::vector<Eigen::Vector3d>& normals_;
     const GaussianKernel& kernel_;
+    const float unit_mass_;
     const SpatialTree::Leaf& leaf_;
     Eigen::Vector3d centre_, mean_normal_;
-    double radius_ = 0;
+    double radius_;
+    bool quick_;
 };
 
 }  // namespace
@@ -113,18 +139,15 @@ GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const std::vector<Eigen::Vector3d>& normals,
                            const GaussianKernel& kernel, const StageProgress& stage) {
     GaussianSums sums(mesh.size());
-    const std::vector<SourceLeaf> packed = pack_sources(mesh, tree, normals);
+    const float unit_mass = mean_mass(mesh);
+    const std::vector<SourceLeaf> packed = pack_sources(mesh, tree, normals, unit_mass);
     using Sources = std::vector<GaussianSource>;
-    const auto sum = kernel.quick ? sum_quickly : sum_gaussians;
     parallel_for<Sources>(packed.size(), stage, [&](std::size_t i, Sources& sources) {
         const SpatialTree::Leaf& leaf = tree.leaves()[i];
-        const LeafSum leaf_sum(mesh, tree, normals, kernel, leaf);
+        const LeafSum leaf_sum(mesh, tree, normals, kernel, unit_mass, leaf);
         const std::size_t count = leaf_sum.collect_sources(packed, sources);
-        for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kLanes) {
-            GaussianLaneSums lanes;
-            sum(leaf_sum.targets(begin), sources.data(), count, lanes);
-            leaf_sum.write(lanes, begin, sums);
-        }
+        for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kLanes)
+            leaf_sum.sum(begin, sources, count, sums);
     });
     return sums;
 }

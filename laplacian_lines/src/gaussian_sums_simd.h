@@ -10,7 +10,10 @@ constexpr std::size_t kLanes = 16;  ///< targets that are summed at once
 /// A vertex that others sum over. Positions are relative to the group's centre, normals to the
 /// group's mean normal: sums of small numbers lose less to rounding.
 struct alignas(32) GaussianSource {
-    float x, y, z, mass, nx, ny, nz, unused;
+    float x, y, z;
+    float log2_mass;  ///< of the mass in GaussianTargets::unit_mass
+    float nx, ny, nz;
+    float squared;  ///< x² + y² + z², of collected sources only
 };
 
 /// A leaf of the tree as sources, positions relative to its centre, normals as they are.
@@ -33,6 +36,8 @@ struct GaussianTargets {
     alignas(64) float squared_cutoff[kLanes];
     alignas(64) float exponent[kLanes];  ///< −log2(e)/(4h): exp2(exponent·|q−p|²)
     float normal_exponent;  ///< −log2(e) falloff: exp2(normal_exponent·|n_q−n_p|²)
+    float log2_cutoff;      ///< exponent·squared_cutoff, the same for all
+    float unit_mass;
     float mean_normal[3];
     float facing;  ///< 1: times facing_weight(n_q·n_p); 0: not
 };
@@ -47,8 +52,10 @@ struct GaussianLaneSums {
 void sum_gaussians(const GaussianTargets& targets, const GaussianSource* sources,
                    std::size_t source_count, GaussianLaneSums& sums);
 
-/// The same to a relative accuracy of 4e-5, without normal_exponent and up to a cutoff of 18 √h.
+/// The same with errors of kQuickError, without normal_exponent, for targets whose distance
+/// from the group's centre is at most kQuickRadius √h.
 void sum_quickly(const GaussianTargets& targets, const GaussianSource* sources,
                  std::size_t source_count, GaussianLaneSums& sums);
+constexpr double kQuickRadius = 8;
 
 }  // namespace laplacian_lines

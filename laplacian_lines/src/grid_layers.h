@@ -8,6 +8,7 @@
 
 #include "block_lines.h"
 #include "grid_kernels.h"
+#include "large_array.h"
 
 namespace laplacian_lines {
 
@@ -21,6 +22,7 @@ public:
             size_ = count + count / 4;
             nodes_.reset(static_cast<Node*>(
                 ::operator new(size_ * sizeof(Node), std::align_val_t(alignof(Node)))));
+            advise_huge_pages(nodes_.get(), size_ * sizeof(Node));
         }
         return nodes_.get();
     }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "bounding_box.h"
 #include "grid_kernels.h"
 #include "parallel.h"
 
@@ -71,9 +72,8 @@ ReachedNodes::ReachedNodes(int offset, int count) {
 
 GridGeometry::GridGeometry(const std::vector<Eigen::Vector3d>& points, double cell)
     : cell(cell), per_cell(1 / cell) {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : points)
-        box.extend(p);
+    const Eigen::AlignedBox3d box = bounding_box(
+        points.size(), [&](std::size_t i) -> const Eigen::Vector3d& { return points[i]; });
     // Half a cell more than the points reach, for rounding.
     origin = box.min() - Eigen::Vector3d::Constant(2.5 * cell);
     // Layers across the longest axis are small, and few of them are in memory.

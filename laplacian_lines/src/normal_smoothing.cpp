@@ -46,9 +46,10 @@ void smooth_normals(const PreparedMesh& mesh, const SpatialTree& tree,
         kernel.normal_falloff =
             0.5 / std::pow(2 * std::sin(options.bilateral_angle * kDegree / 2), 2);
     const GaussianSums sums = smoothing_sums(mesh, tree, normals, kernel, stage);
-    for (std::size_t i = 0; i < normals.size(); ++i)
+    for_each_element(normals.size(), [&](std::size_t i) {
         normals[i] = (double(sums.mass[i]) * normals[i] + sums.normal_difference[i].cast<double>())
                          .stableNormalized();
+    });
 }
 
 }  // namespace laplacian_lines

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <vector>
 
 #include "laplacian_lines/affordable_threads.h"
 #include "laplacian_lines/error.h"
@@ -112,6 +113,31 @@ void for_each_element(std::size_t count, Body body) {
         for (std::size_t i = begin; i < end; ++i)
             body(i);
     });
+}
+
+/// Joins value(begin, end) of the blocks to `start` in their order, so that the number of threads
+/// cannot change the result.
+template <class T, class Value, class Join>
+T join_blocks(std::size_t count, T start, Value value, Join join) {
+    std::vector<T> values(block_count(count));
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        values[begin / kBlockElements] = value(begin, end);
+    });
+    for (const T& of_block : values)
+        start = join(start, of_block);
+    return start;
+}
+
+/// Σ value_of(i) of all elements.
+template <class ValueOf>
+double sum_of(std::size_t count, ValueOf value_of) {
+    const auto sum = [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            sum += value_of(i);
+        return sum;
+    };
+    return join_blocks(count, 0., sum, [](double a, double b) { return a + b; });
 }
 
 }  // namespace laplacian_lines

@@ -6,6 +6,7 @@
 #include "belkin_laplacian.h"
 #include "cotangent_laplacian.h"
 #include "kernel_sizes.h"
+#include "large_array.h"
 #include "normal_smoothing.h"
 #include "prepared_mesh.h"
 #include "shape_operators.h"
@@ -64,10 +65,11 @@ public:
     /// Back to the input's order and units.
     Field result(std::size_t vertex_count) const {
         Field field;
-        field.normals.assign(vertex_count, Eigen::Vector3f::Zero());
-        field.laplacian_normals.assign(vertex_count, Eigen::Vector3f::Zero());
-        field.shape_operators.assign(vertex_count, ShapeOperator{});
-        field.kernel_sizes.assign(vertex_count, 0.f);
+        const Eigen::Vector3f zero = Eigen::Vector3f::Zero();
+        field.normals = large_array(vertex_count, zero);
+        field.laplacian_normals = large_array(vertex_count, zero);
+        field.shape_operators = large_array<ShapeOperator>(vertex_count);
+        field.kernel_sizes = large_array(vertex_count, 0.f);
         const double d = mesh_.diagonal;
         for_each_element(mesh_.size(), [&](std::size_t i) {
             const std::uint32_t v = mesh_.original_vertex[i];

@@ -6,7 +6,9 @@
 #include <sstream>
 #include <string>
 
+#include "bounding_box.h"
 #include "laplacian_lines/error.h"
+#include "large_array.h"
 #include "parallel.h"
 
 namespace laplacian_lines {
@@ -19,9 +21,14 @@ constexpr double kLeastSine = 1e-12;
 // number range.
 constexpr double kLeastDiagonal = 1e-15, kLargestDiagonal = 1e15;
 
+// Squares of lengths in this range are far from the ends of the range of numbers, and so are their
+// squares.
+constexpr double kLeastPlain = 1e-60, kLargestPlain = 1e60;
+
 using Positions = std::vector<Eigen::Vector3d>;
 
-bool is_degenerate(const Positions& positions, const Triangle& t) {
+/// For any coordinates.
+bool is_degenerate_at_any_scale(const Positions& positions, const Triangle& t) {
     const Eigen::Vector3d &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
     if (!a.allFinite() || !b.allFinite() || !c.allFinite()) return true;
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
@@ -30,13 +37,31 @@ bool is_degenerate(const Positions& positions, const Triangle& t) {
     return !(u.cross(v).norm() > kLeastSine);
 }
 
+bool is_degenerate(const Positions& positions, const Triangle& t) {
+    const Eigen::Vector3d u = positions[t[1]] - positions[t[0]],
+                          v = positions[t[2]] - positions[t[0]];
+    const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = (v - u).squaredNorm();
+    const double sum = uu + vv + ww;
+    if (!(sum > kLeastPlain && sum < kLargestPlain))  // also if one is not finite
+        return is_degenerate_at_any_scale(positions, t);
+    const double least = kLeastSine * std::max({uu, vv, ww});
+    return !(u.cross(v).squaredNorm() > least * least);
+}
+
 void check_indices(const TriangleMesh& mesh) {
-    for (const Triangle& t : mesh.triangles)
-        for (std::uint32_t v : t)
-            if (v >= mesh.positions.size())
-                throw Error(ErrorCode::InvalidMesh,
-                            "A triangle uses vertex " + std::to_string(v) + ", but the mesh has " +
-                                std::to_string(mesh.positions.size()) + " vertices.");
+    const auto is_wrong = [&](const Triangle& t) {
+        return std::max({t[0], t[1], t[2]}) >= mesh.positions.size();
+    };
+    const double wrong = sum_of(mesh.triangles.size(), [&](std::size_t t) {
+        return is_wrong(mesh.triangles[t]) ? 1. : 0.;
+    });
+    if (wrong == 0) return;
+    const Triangle& t = *std::find_if(mesh.triangles.begin(), mesh.triangles.end(), is_wrong);
+    const std::uint32_t v = *std::find_if(
+        t.begin(), t.end(), [&](std::uint32_t v) { return v >= mesh.positions.size(); });
+    throw Error(ErrorCode::InvalidMesh, "A triangle uses vertex " + std::to_string(v) +
+                                            ", but the mesh has " +
+                                            std::to_string(mesh.positions.size()) + " vertices.");
 }
 
 /// In blocks, each of which first counts what it keeps.
@@ -52,7 +77,7 @@ std::vector<Triangle> usable_triangles(const Positions& positions,
     });
     for (std::size_t b = 1; b < kept.size(); ++b)
         kept[b] += kept[b - 1];
-    std::vector<Triangle> usable(kept.back());
+    std::vector<Triangle> usable = large_array<Triangle>(kept.back());
     in_blocks(count, [&](std::size_t begin, std::size_t end) {
         std::size_t place = kept[begin / kBlockElements];
         for (std::size_t t = begin; t < end; ++t)
@@ -75,34 +100,58 @@ bool drop_lost_triangles(PreparedMesh& prepared) {
         for (std::uint32_t& v : t)
             v = prepared.original_vertex[v];
     prepared.triangles.swap(usable);
-    prepared.positions.clear();
-    prepared.original_vertex.clear();
-    prepared.report.non_finite_vertices = prepared.report.unreferenced_vertices = 0;
     return true;
+}
+
+struct VertexCounts {
+    std::size_t used = 0, non_finite = 0, unreferenced = 0;
+
+    void add(const VertexCounts& other) {
+        used += other.used, non_finite += other.non_finite, unreferenced += other.unreferenced;
+    }
+};
+
+/// Of each block of vertices, given which are used, those before it; of all at the end.
+std::vector<VertexCounts> count_vertices(const Positions& positions,
+                                         const std::vector<std::uint32_t>& number) {
+    std::vector<VertexCounts> counts(block_count(positions.size()) + 1);
+    in_blocks(positions.size(), [&](std::size_t begin, std::size_t end) {
+        VertexCounts& of_block = counts[begin / kBlockElements + 1];
+        for (std::size_t v = begin; v < end; ++v)
+            ++(!positions[v].allFinite() ? of_block.non_finite
+               : number[v] == kUnused    ? of_block.unreferenced
+                                         : of_block.used);
+    });
+    for (std::size_t b = 1; b < counts.size(); ++b)
+        counts[b].add(counts[b - 1]);
+    return counts;
 }
 
 /// Numbers the vertices that triangles use and rewrites the triangles' indices.
 void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
-    std::vector<std::uint32_t> number(mesh.positions.size(), kUnused);
-    for (const Triangle& t : prepared.triangles)
-        for (std::uint32_t v : t)
+    std::vector<std::uint32_t> number = large_array(mesh.positions.size(), kUnused);
+    for_each_element(prepared.triangles.size(), [&](std::size_t t) {
+        for (std::uint32_t v : prepared.triangles[t]) {
+#pragma omp atomic write
             number[v] = 0;
-    prepared.original_vertex.reserve(number.size());
-    for (std::uint32_t v = 0; v < number.size(); ++v) {
-        if (!mesh.positions[v].allFinite())
-            ++prepared.report.non_finite_vertices;
-        else if (number[v] == kUnused)
-            ++prepared.report.unreferenced_vertices;
-        else {
-            number[v] = std::uint32_t(prepared.original_vertex.size());
-            prepared.original_vertex.push_back(v);
         }
-    }
+    });
+    const std::vector<VertexCounts> counts = count_vertices(mesh.positions, number);
+    prepared.report.non_finite_vertices = counts.back().non_finite;
+    prepared.report.unreferenced_vertices = counts.back().unreferenced;
+    prepared.original_vertex = large_array<std::uint32_t>(counts.back().used);
+    in_blocks(number.size(), [&](std::size_t begin, std::size_t end) {
+        std::size_t next = counts[begin / kBlockElements].used;
+        for (std::size_t v = begin; v < end; ++v) {
+            if (number[v] == kUnused) continue;
+            number[v] = std::uint32_t(next);
+            prepared.original_vertex[next++] = std::uint32_t(v);
+        }
+    });
     if (prepared.original_vertex.size() == number.size()) return;
-    in_blocks(prepared.triangles.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t)
-            for (std::uint32_t& v : prepared.triangles[t])
-                v = number[v];
+    for_each_element(prepared.triangles.size(), [&](std::size_t t) {
+        for (std::uint32_t& v : prepared.triangles[t])
+            v = number[v];
     });
 }
 
@@ -117,56 +166,27 @@ void check_size(double diagonal) {
 
 void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
     const std::vector<std::uint32_t>& original = prepared.original_vertex;
-    Eigen::Vector3d low = mesh.positions[original[0]], high = low;
-    for (std::uint32_t v : original) {
-        low = low.cwiseMin(mesh.positions[v]);
-        high = high.cwiseMax(mesh.positions[v]);
-    }
+    const Eigen::AlignedBox3d box = bounding_box(
+        original.size(),
+        [&](std::size_t i) -> const Eigen::Vector3d& { return mesh.positions[original[i]]; });
+    const Eigen::Vector3d &low = box.min(), &high = box.max();
     prepared.centre = low / 2 + high / 2;
     prepared.diagonal = (high - low).stableNorm();
     check_size(prepared.diagonal);
-    prepared.positions.resize(original.size());
-    in_blocks(original.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            prepared.positions[i] =
-                (mesh.positions[original[i]] - prepared.centre) / prepared.diagonal;
+    prepared.positions = large_array<Eigen::Vector3d>(original.size());
+    for_each_element(original.size(), [&](std::size_t i) {
+        prepared.positions[i] = (mesh.positions[original[i]] - prepared.centre) / prepared.diagonal;
     });
 }
 
-void measure(PreparedMesh& mesh) {
-    mesh.masses.assign(mesh.size(), 0);
-    double edges = 0;
-    for (const Triangle& t : mesh.triangles) {
-        const double third_of_area = area_vector(mesh, t).norm() / 6;
-        for (int k = 0; k < 3; ++k) {
-            mesh.masses[t[k]] += third_of_area;
-            edges += (mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]]).norm();
-        }
-    }
-    mesh.mean_edge = edges / double(3 * mesh.triangles.size());
-}
-
-/// Sorts triangles by their smallest vertex, which becomes the first.
-void sort_triangles(PreparedMesh& mesh) {
-    std::vector<std::uint32_t> place(mesh.size() + 1, 0);
-    for (Triangle& t : mesh.triangles) {
-        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-        ++place[t[0] + 1];
-    }
-    for (std::size_t v = 1; v < place.size(); ++v)
-        place[v] += place[v - 1];
-    std::vector<Triangle> sorted(mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles)
-        sorted[place[t[0]]++] = t;
-    mesh.triangles.swap(sorted);
-}
-
-template <class T>
-void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-    std::vector<T> permuted(values.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        permuted[i] = values[order[i]];
-    values.swap(permuted);
+double mean_edge(const PreparedMesh& mesh) {
+    const double edges = sum_of(mesh.triangles.size(), [&](std::size_t i) {
+        const Triangle& t = mesh.triangles[i];
+        const Eigen::Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
+                              &c = mesh.positions[t[2]];
+        return (b - a).norm() + (c - b).norm() + (a - c).norm();
+    });
+    return edges / double(3 * mesh.triangles.size());
 }
 
 }  // namespace
@@ -192,24 +212,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh) {
 
 PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
     PreparedMesh prepared = prepare_geometry(mesh);
-    measure(prepared);
+    prepared.mean_edge = mean_edge(prepared);
     return prepared;
-}
-
-SpatialTree sort_in_space(PreparedMesh& mesh) {
-    std::vector<std::uint32_t> order;
-    SpatialTree tree(mesh.positions, order);
-    std::vector<std::uint32_t> place(order.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-        place[order[i]] = i;
-    permute(mesh.positions, order);
-    permute(mesh.masses, order);
-    permute(mesh.original_vertex, order);
-    for (Triangle& t : mesh.triangles)
-        for (std::uint32_t& v : t)
-            v = place[v];
-    sort_triangles(mesh);
-    return tree;
 }
 
 }  // namespace laplacian_lines

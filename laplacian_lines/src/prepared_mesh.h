@@ -14,10 +14,10 @@ namespace laplacian_lines {
 /// centred at the origin, without degenerate triangles, non-finite or unreferenced vertices. All
 /// computation happens here, so results do not depend on the input's scale and offset.
 struct PreparedMesh {
-    std::vector<Eigen::Vector3d> positions;            ///< [N], local
-    std::vector<Triangle> triangles;                   ///< indices into positions
-    std::vector<double> masses;                        ///< [N], a third of the incident area
-    std::vector<std::uint32_t> original_vertex;        ///< [N] -> index in the input
+    std::vector<Eigen::Vector3d> positions;      ///< [N], local
+    std::vector<Triangle> triangles;             ///< indices into positions
+    std::vector<double> masses;                  ///< [N], a third of the incident area; once sorted
+    std::vector<std::uint32_t> original_vertex;  ///< [N] -> index in the input
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, input units
     double diagonal = 0;                               ///< D, input units
     double mean_edge = 0;                              ///< ē, local
@@ -29,12 +29,12 @@ struct PreparedMesh {
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
 PreparedMesh prepare_mesh(const TriangleMesh& mesh);
 
-/// The same without masses and mean edge.
+/// The same without the mean edge.
 PreparedMesh prepare_geometry(const TriangleMesh& mesh);
 
 /// Reorders vertices and triangles so that neighbours in space are neighbours in memory. The
 /// cyclic order of each triangle's corners is kept. Vertices are then the points of the returned
-/// tree in its order.
+/// tree in its order. Sets the masses.
 SpatialTree sort_in_space(PreparedMesh& mesh);
 
 /// Twice the area of a triangle times its unit normal.

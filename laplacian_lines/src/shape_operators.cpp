@@ -4,61 +4,87 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "large_array.h"
+#include "triangle_tensors.h"
+
 namespace laplacian_lines {
 namespace {
 
-/// A symmetric tensor in the plane of a triangle with unit normal n.
-struct TriangleTensor {
-    Eigen::Vector3d n, t, b;  // orthonormal
-    double tt, tb, bb;
+/// Sums of the tensors of a range's triangles at its vertices.
+class TriangleFits {
+public:
+    TriangleFits(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
+                 const VertexRanges::Range& range, ShapeOperators& sums,
+                 std::vector<double>& weights)
+        : mesh_(mesh), normals_(normals), range_(range), sums_(sums), weights_(weights) {}
 
-    bool finite() const { return std::isfinite(tt + tb + bb); }
-
-    /// Adds `weight` times the tensor turned, with its plane, from n to the unit normal m; false
-    /// for opposite normals, where no turn is the shortest.
-    bool add_turned_to(const Eigen::Vector3d& m, double weight, SymmetricTensor& sum) const {
-        const double cosine = n.dot(m);
-        if (!(cosine > -0.999)) return false;
-        const Eigen::Vector3d middle = (n + m) / (1 + cosine);
-        const Eigen::Vector3d u = t - t.dot(m) * middle, v = b - b.dot(m) * middle;
-        sum.add_product(weight * u, tt / 2 * u + tb * v);
-        sum.add_product(weight * v, bb / 2 * v);
-        return true;
+    void add(const Triangle& t) {
+        for (int k = 0; k < 3; ++k)
+            for (int axis = 0; axis < 3; ++axis) {
+                batch_.positions[k][axis][count_] = mesh_.positions[t[k]][axis];
+                batch_.normals[k][axis][count_] = normals_[t[k]][axis];
+            }
+        triangles_[count_] = &t;
+        if (++count_ == TriangleBatch::kSize) flush();
     }
+
+    void flush() {
+        fit_tensors(batch_, fitted_);
+        for (int lane = 0; lane < count_; ++lane)
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t v = (*triangles_[lane])[k];
+                if (!range_.holds(v) || !fitted_.has(k, lane)) continue;
+                const auto& entries = fitted_.tensors[k];
+                SymmetricTensor& sum = sums_[v];
+                sum.xx += entries[TensorBatch::kXX][lane],
+                    sum.yy += entries[TensorBatch::kYY][lane];
+                sum.zz += entries[TensorBatch::kZZ][lane],
+                    sum.yz += entries[TensorBatch::kYZ][lane];
+                sum.xz += entries[TensorBatch::kXZ][lane],
+                    sum.xy += entries[TensorBatch::kXY][lane];
+                weights_[v] += fitted_.weights[lane];
+            }
+        count_ = 0;
+    }
+
+private:
+    const PreparedMesh& mesh_;
+    const std::vector<Eigen::Vector3d>& normals_;
+    const VertexRanges::Range& range_;
+    ShapeOperators& sums_;
+    std::vector<double>& weights_;
+    TriangleBatch batch_ = {};
+    TensorBatch fitted_;
+    const Triangle* triangles_[TriangleBatch::kSize];
+    int count_ = 0;
 };
 
-/// The symmetric 2x2 matrix that best takes each edge to the change of the normal along it
-/// (Rusinkiewicz 2004, section 3).
-TriangleTensor fit_triangle(const Eigen::Vector3d edges[3], const Eigen::Vector3d changes[3],
-                            const Eigen::Vector3d& face_normal, double twice_area) {
-    TriangleTensor tensor{face_normal, edges[0].normalized(), {}, 0, 0, 0};
-    tensor.b = face_normal.cross(tensor.t);
-    double uu = 0, uv = 0, vv = 0, ru = 0, rm = 0, rv = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double u = edges[k].dot(tensor.t), v = edges[k].dot(tensor.b);
-        const double du = changes[k].dot(tensor.t), dv = changes[k].dot(tensor.b);
-        uu += u * u, uv += u * v, vv += v * v;
-        ru += du * u, rm += du * v + dv * u, rv += dv * v;
+/// Calls add(vertex, sum, count) with the sums of the tensors of each corner's neighbours in the
+/// triangle, without those across an edge whose normals turn by more than a right angle: they are
+/// tensors of another side.
+template <class Add>
+void add_neighbours(const Triangle& t, const std::vector<Eigen::Vector3d>& normals,
+                    const ShapeOperators& operators, Add add) {
+    const auto sum = [](SymmetricTensor a, const SymmetricTensor& b) {
+        a.add(b, 1);
+        return a;
+    };
+    const SymmetricTensor* const tensors[3] = {&operators[t[0]], &operators[t[1]],
+                                               &operators[t[2]]};
+    const Eigen::Vector3d* const n[3] = {&normals[t[0]], &normals[t[1]], &normals[t[2]]};
+    bool joined[3];  // edge k: corners k and k + 1
+    for (int k = 0; k < 3; ++k)
+        joined[k] = n[k]->dot(*n[(k + 1) % 3]) > 0;
+    if (joined[0] && joined[1] && joined[2]) {
+        for (int k = 0; k < 3; ++k)
+            add(t[k], sum(*tensors[(k + 1) % 3], *tensors[(k + 2) % 3]), 2);
+        return;
     }
-    // Normal equations with the rows (uu, uv, 0), (uv, uu + vv, uv), (0, uv, vv), by cofactors.
-    // uu·vv − uv² is the sum of the squared products of two edges: no cancellation in slivers.
-    const double squares = 3 * twice_area * twice_area;
-    const double scale = 1 / ((uu + vv) * squares);
-    tensor.tt = scale * ((vv * vv + squares) * ru - uv * vv * rm + uv * uv * rv);
-    tensor.tb = scale * (uu * vv * rm - uv * (vv * ru + uu * rv));
-    tensor.bb = scale * ((uu * uu + squares) * rv - uv * uu * rm + uv * uv * ru);
-    return tensor;
-}
-
-TriangleTensor fit_triangle(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
-                            const Triangle& t, const Eigen::Vector3d& area, double twice_area) {
-    Eigen::Vector3d edges[3], changes[3];
     for (int k = 0; k < 3; ++k) {
-        const std::uint32_t from = t[(k + 1) % 3], to = t[(k + 2) % 3];
-        edges[k] = mesh.positions[to] - mesh.positions[from];
-        changes[k] = normals[to] - normals[from];
+        if (!joined[k]) continue;
+        add(t[k], *tensors[(k + 1) % 3], 1);
+        add(t[(k + 1) % 3], *tensors[k], 1);
     }
-    return fit_triangle(edges, changes, area / twice_area, twice_area);
 }
 
 }  // namespace
@@ -66,18 +92,14 @@ TriangleTensor fit_triangle(const PreparedMesh& mesh, const std::vector<Eigen::V
 ShapeOperators fit_triangles(const PreparedMesh& mesh, const VertexRanges& ranges,
                              const std::vector<Eigen::Vector3d>& normals,
                              const StageProgress& stage) {
-    ShapeOperators sums(mesh.size());
-    std::vector<double> weights(mesh.size(), 0);
+    ShapeOperators sums = large_array<SymmetricTensor>(mesh.size());
+    std::vector<double> weights = large_array(mesh.size(), 0.);
     ranges.for_each(stage, [&](const VertexRanges::Range& range) {
-        range.for_each_triangle([&](const Triangle& t) {
-            const Eigen::Vector3d area = area_vector(mesh, t);
-            const double weight = area.norm();
-            const TriangleTensor tensor = fit_triangle(mesh, normals, t, area, weight);
-            if (!tensor.finite()) return;  // a sliver whose fit has no solution
-            for (std::uint32_t v : t)
-                if (range.holds(v) && tensor.add_turned_to(normals[v], weight, sums[v]))
-                    weights[v] += weight;
-        });
+        range.prefetch(mesh.positions);
+        range.prefetch(normals);
+        TriangleFits fits(mesh, normals, range, sums, weights);
+        range.for_each_triangle([&](const Triangle& t) { fits.add(t); });
+        fits.flush();
         for (std::uint32_t v = range.begin(); v < range.end(); ++v) {
             if (!(weights[v] > 0)) continue;
             sums[v].scale(1 / weights[v]);
@@ -118,27 +140,23 @@ ShapeOperators fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
 void smooth_over_one_rings(const PreparedMesh& mesh, const VertexRanges& ranges,
                            const std::vector<Eigen::Vector3d>& normals, int passes,
                            const StageProgress& stage, ShapeOperators& operators) {
-    ShapeOperators smoothed(mesh.size());
+    ShapeOperators smoothed = large_array<SymmetricTensor>(mesh.size());
     std::vector<int> counts(mesh.size());
     for (int pass = 0; pass < passes; ++pass) {
         const StageProgress part =
             stage.part(double(pass) / double(passes), double(pass + 1) / double(passes));
         ranges.for_each(part, [&](const VertexRanges::Range& range) {
+            range.prefetch(operators);
+            range.prefetch(normals);
             for (std::uint32_t v = range.begin(); v < range.end(); ++v)
                 smoothed[v] = {}, counts[v] = 0;
-            const auto add = [&](std::uint32_t to, std::uint32_t from) {
+            const auto add = [&](std::uint32_t to, const SymmetricTensor& sum, int count) {
                 if (!range.holds(to)) return;
-                smoothed[to].add(operators[from], 1);
-                ++counts[to];
+                smoothed[to].add(sum, 1);
+                counts[to] += count;
             };
-            range.for_each_triangle([&](const Triangle& t) {
-                for (int k = 0; k < 3; ++k) {
-                    const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-                    if (normals[a].dot(normals[b]) <= 0) continue;  // the tensor of another side
-                    add(a, b);
-                    add(b, a);
-                }
-            });
+            range.for_each_triangle(
+                [&](const Triangle& t) { add_neighbours(t, normals, operators, add); });
             for (std::uint32_t v = range.begin(); v < range.end(); ++v) {
                 SymmetricTensor mean = operators[v];
                 if (counts[v] > 0) {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounding_box.h"
 #include "laplacian_lines/affordable_threads.h"
+#include "large_array.h"
 
 namespace laplacian_lines {
 namespace {
@@ -29,16 +31,15 @@ struct alignas(16) Item {
 };
 
 std::vector<Item> make_items(const std::vector<Eigen::Vector3d>& points) {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : points)
-        box.extend(p);
+    const Eigen::AlignedBox3d box = bounding_box(
+        points.size(), [&](std::size_t i) -> const Eigen::Vector3d& { return points[i]; });
     const double size = box.sizes().maxCoeff(), steps = size > 0 ? 2147483647 / size : 0;
-    std::vector<Item> items(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<Item> items = large_array<Item>(points.size());
+    for_each_element(points.size(), [&](std::size_t i) {
         const Eigen::Vector3d p = steps * (points[i] - box.min());
         items[i] = {{std::int32_t(p.x()), std::int32_t(p.y()), std::int32_t(p.z())},
                     std::int32_t(i)};
-    }
+    });
     return items;
 }
 

@@ -15,9 +15,9 @@ namespace {
 
 // Measured on a processor with AVX-512; the ratios are much the same with AVX2.
 constexpr double kPerLeafPair = 0.45;  // 32 x 32 pairs, of which many are beyond the cutoff
-constexpr double kQuick = 0.54;        // times that cost, with quick Gaussians
-constexpr double kPerVertex = 0.32;    // to spread and to interpolate
-constexpr double kPerNode = 0.13;      // one tap for every cell of the surface's area
+constexpr double kQuick = 0.52;        // times that cost, with quick Gaussians
+constexpr double kPerVertex = 0.26;    // to spread and to interpolate
+constexpr double kPerNode = 0.135;     // one tap for every cell of the surface's area
 constexpr double kDoubles = 2.2;       // times the cost of floats
 constexpr double kOneGroup = 0.6;      // times the cost of two groups of moments
 constexpr std::size_t kSampledLeaves = 64;

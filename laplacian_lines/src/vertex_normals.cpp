@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "large_array.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -24,9 +26,11 @@ double corner_weight(NormalWeighting weighting, const Eigen::Vector3d& u, const 
 
 std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, const VertexRanges& ranges,
                                             NormalWeighting weighting, const StageProgress& stage) {
-    std::vector<Eigen::Vector3d> normals(mesh.size(), Eigen::Vector3d::Zero());
+    std::vector<Eigen::Vector3d> normals =
+        large_array<Eigen::Vector3d>(mesh.size(), Eigen::Vector3d::Zero());
     std::vector<std::uint32_t> any_triangle(mesh.size(), 0);
     ranges.for_each(stage, [&](const VertexRanges::Range& range) {
+        range.prefetch(mesh.positions);
         range.for_each_triangle([&](const Triangle& t) {
             const Eigen::Vector3d area = area_vector(mesh, t);
             const double twice_area = area.norm();
