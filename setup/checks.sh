@@ -7,11 +7,13 @@ SANITIZERS=address,undefined,float-cast-overflow
 CHECK_TARGETS=(core_tests out_of_memory fuzz_precompute fuzz_extract write_seeds
     filter_laplacian_lines decorate_laplacian_lines) # the plugins for clang's warnings
 LEAST_COVERAGE=95 # percent of the core's lines
-# Tests of accuracy, of many meshes or options, and of many threads take minutes under sanitizers. Others run the code
-# that they run, and check_threads sees the threads.
-SLOW_UNDER_SANITIZERS=('*WithAnyOptions*' 'Convergence*' 'RealModel*' 'Models/*' 'ExactPointLight.*'
-    'SummationChoice.FollowsThePredictedCost' 'EndlessSum.*' 'Borders.CorrectionHelpsMoreOnFinerMeshes'
-    'Determinism.*' '*.DoNotDependOnTheNumberOfThreads' '*.DoesNotDependOnTheNumberOfThreads')
+# Tests of accuracy, of many meshes or options, and of many threads take minutes under sanitizers. Others run the same
+# code.
+SLOW_UNDER_SANITIZERS=('*WithAnyOptions*' '*Converge*' '*Guarantee*' 'RealModel*' 'Models/*' 'Meshes/PlainComparison*'
+    '*TorusLines*' '*Monotone*' '*Large*'
+    'ExactPointLight.*' 'SummationChoice.FollowsThePredictedCost' 'EndlessSum.*'
+    'Borders.CorrectionHelpsMoreOnFinerMeshes' 'Determinism.*' '*.DoNotDependOnTheNumberOfThreads'
+    '*.DoesNotDependOnTheNumberOfThreads')
 FUZZ_PARTS=(precompute extract)
 FUZZ_SECONDS=150
 
