@@ -108,7 +108,6 @@ struct CrossingMemory {
     alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];
     alignas(64) float gradient[kPlaces], opacity[kPlaces];
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
-    std::uint64_t seen[kPlaces / 64 + 1];      ///< likewise; a segment needs one such end
     alignas(64) float points[kPlaces][4];  ///< with ‖∇I‖ in the last place, as in StripPoint
     alignas(64) float gradients[kPlaces][4];
 };

@@ -71,7 +71,7 @@ public:
 
     void sum(std::uint32_t begin, const std::vector<GaussianSource>& sources, std::size_t count,
              GaussianSums& sums) const {
-        GaussianLaneSums lanes;
+        GaussianLaneSums lanes = {};
         (quick_ ? sum_quickly : sum_gaussians)(targets(begin), sources.data(), count, lanes);
         write(lanes, begin, sums);
     }

@@ -102,14 +102,6 @@ static inline Towards towards(const float eye[4], const CrossingMemory& m, std::
     return {x, y, z, x * x + y * y + z * z};
 }
 
-/// Bits [i, i + kLanes) of a set that is written from its begin on.
-static inline void set_bits(std::uint64_t* set, std::size_t i, std::uint64_t bits) {
-    if (i % 64 == 0)
-        set[i / 64] = bits;
-    else
-        set[i / 64] |= bits << i % 64;
-}
-
 /// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
 /// fading near contours, and concavity. `facing` is n·eye.
 static inline void test_crossings(const LineRules& rules, const ExtractionTask& task,
@@ -140,7 +132,11 @@ static inline void test_crossings(const LineRules& rules, const ExtractionTask& 
             accepted &= concavity > least;  // not so for NaN: nothing to see from above
         }
         store(m.opacity + i, opacity);
-        set_bits(m.accepted, i, bits_of(accepted));
+        const std::uint64_t bits = bits_of(accepted);
+        if (i % 64 == 0)
+            m.accepted[i / 64] = bits;
+        else
+            m.accepted[i / 64] |= bits << i % 64;
     }
 }
 
@@ -153,9 +149,7 @@ static inline void weigh_contours(const LineRules& rules, const float eye[4], Cr
         const Floats distance = square_root(v.squared);
         const Floats gradient = load(m.gradient + i) + LineRules::kFlat * distance;
         const Floats concavity = -product / (distance * gradient);
-        const Floats opacity = 1 - clamp01(concavity / rules.concave_thinning);  // 1 for NaN
-        store(m.opacity + i, opacity);
-        set_bits(m.seen, i, bits_of(opacity > 0));
+        store(m.opacity + i, 1 - clamp01(concavity / rules.concave_thinning));  // 1 for NaN
     }
 }
 
@@ -171,15 +165,12 @@ static inline void find_crossings(const ClusterStore& store, const ExtractionTas
     }
     find_shares(batch.values[kind], m, count);
     find_points(records, kind == kContourStrips ? task.eye : task.light, m, count);
-    const std::size_t bytes = (count / 64 + 1) * sizeof(std::uint64_t);
     if (kind == kContourStrips) {
-        __builtin_memset(m.accepted, -1, bytes);
         weigh_contours(task.rules[kind], task.eye, m, count);
         return;
     }
     if (!task.light_at_eye) find_facing(records, task.eye, m, count);
     test_crossings(task.rules[kind], task, task.light_at_eye ? m.lit : m.facing, m, count);
-    __builtin_memset(m.seen, -1, bytes);
 }
 
 }  // namespace KERNEL_NAMESPACE

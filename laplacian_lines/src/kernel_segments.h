@@ -38,8 +38,7 @@ static inline unsigned list_crossings(const Batch& batch, StripKind kind, Crossi
     return crossings;
 }
 
-/// Leaves out segments with a refused crossing or between two unseen ones; returns how many are
-/// left.
+/// Leaves out segments with a refused crossing; returns how many are left.
 static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, unsigned count) {
     unsigned kept = 0;
     for (unsigned first = 0; first < count; first += 64) {
@@ -49,13 +48,21 @@ static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, 
             const unsigned i = first + unsigned(__builtin_ctzll(ends)), begin = s.begin[i];
             s.triangle[kept] = std::uint16_t(i);
             s.begin[kept] = std::uint16_t(begin);
-            const std::uint64_t seen = m.seen[i / 64] >> i % 64 | m.seen[begin / 64] >> begin % 64;
-            kept += m.accepted[begin / 64] >> begin % 64 & seen & 1;
+            kept += m.accepted[begin / 64] >> begin % 64 & 1;
         }
     }
     for (unsigned i = kept; i < kept + kLanes; ++i)  // something valid
         s.triangle[i] = s.begin[i] = 0;
     return kept;
+}
+
+/// Keeps all segments; the counterpart of keep_accepted().
+static inline unsigned keep_all(SegmentMemory& s, unsigned count) {
+    for (unsigned i = 0; i < count; ++i)
+        s.triangle[i] = std::uint16_t(i);
+    for (unsigned i = count; i < count + kLanes; ++i)  // something valid
+        s.triangle[i] = s.begin[i] = 0;
+    return count;
 }
 
 /// Lengths and strengths (Eq. 4) of segments [0, count), whose slopes are known.

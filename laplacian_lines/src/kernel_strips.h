@@ -131,13 +131,15 @@ static inline void find_strips(const ClusterStore& store, const ExtractionTask& 
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
     find_crossings(store, task, batch, kind, m, list_crossings(batch, kind, m, s));
-    unsigned count = keep_accepted(m, s, batch.active[kind].count);
-    if (count == 0) return;
+    unsigned count = batch.active[kind].count;
     if (task.rules[kind].use_slope) {
+        count = keep_accepted(m, s, count);
+        if (count == 0) return;
         collect_corners(store, batch, m, s, count);
         test_segments(task.rules[kind], s, count);
         count = keep_steep(s, count);
     } else {
+        count = keep_all(s, count);
         __builtin_memset(s.slope, 0, whole_vectors(count) * sizeof(float));
     }
     measure_segments(m, s, count);

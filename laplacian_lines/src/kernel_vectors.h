@@ -21,8 +21,6 @@ constexpr unsigned kLanes = 8;
 constexpr unsigned kLanes = 4;
 #endif
 
-constexpr unsigned kAllLanes = (1u << kLanes) - 1;  ///< a bit for each
-
 /// `count` rounded up to whole vectors: loops over so many places need no code for a rest, which
 /// would run more often than that for whole vectors, since clusters hold short lists.
 static inline std::size_t whole_vectors(std::size_t count) {

@@ -51,7 +51,6 @@ LineRules contour_rules(const LineStyle& s) {
     rules.kind = LineKind::Contour;
     rules.least_length = float(s.shortest_contour);
     rules.concave_thinning = 0.1f;
-    rules.leave_out_unseen = true;
     rules.smoothing_passes = smoothing_passes(s.line_smoothing);
     return rules;
 }

@@ -24,9 +24,6 @@ struct LineRules {
     bool leave_out_convex = false;
     /// Nothing in triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
     bool leave_out_away = false;
-    /// Nothing between two crossings of no opacity. Sums over whole lines jump where this begins to
-    /// part a line, so it is for lines that do not fade by them.
-    bool leave_out_unseen = false;
     bool use_slope = false;  ///< false: no slopes are computed or tested, nor tell the width
     float segment_slope = 0, line_slope = 0, full_slope = 1;
     float least_strength = kAnything;

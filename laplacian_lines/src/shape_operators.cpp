@@ -54,8 +54,8 @@ private:
     ShapeOperators& sums_;
     std::vector<double>& weights_;
     TriangleBatch batch_ = {};
-    TensorBatch fitted_;
-    const Triangle* triangles_[TriangleBatch::kSize];
+    TensorBatch fitted_ = {};
+    const Triangle* triangles_[TriangleBatch::kSize] = {};
     int count_ = 0;
 };
 

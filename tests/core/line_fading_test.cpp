@@ -89,7 +89,7 @@ float expected_contour_weight(const Eigen::Vector3d& p, const Eigen::Vector3d& v
     return float(std::clamp(1 + v.dot(sv) / (sv.norm() * v.norm()) / 0.1, 0., 1.));
 }
 
-/// The surface hides them there, but only just. Where nothing is left of them, lines end.
+/// The surface hides them there, but only just.
 TEST(Fading, ContoursThinOutWhereTheSurfaceIsConcaveAlongTheView) {
     const auto torus = test_meshes::torus(300, 150);
     const Field field = precompute(torus.mesh);
@@ -97,20 +97,15 @@ TEST(Fading, ContoursThinOutWhereTheSurfaceIsConcaveAlongTheView) {
     const Eigen::Vector3d direction = Eigen::Vector3d(0, -2, 1).normalized();
     const LineSet set =
         helpers::extract(extractor, View::orthographic(direction), helpers::all_contours());
-    std::size_t thin = 0, full = 0, unseen = 0, open = 0;
+    std::size_t thin = 0, full = 0;
     for (const LinePoint& point : set.points) {
         const float expected = expected_contour_weight(point.position.cast<double>(), direction);
         EXPECT_NEAR(point.weight, expected, 0.2);  // along the line it is smoothed
         EXPECT_EQ(point.opacity, 1);
-        thin += point.weight < 0.5;
+        thin += point.weight == 0;
         full += point.weight == 1;
-        unseen += expected == 0;
     }
-    for (const Polyline& line : set.lines)
-        open += !line.closed;
-    EXPECT_GE(open, 2u);
-    EXPECT_GE(thin, 2 * open);        // at all ends
-    EXPECT_LE(unseen, 2 * 2 * open);  // the ends, as far as float and analytic signs agree
+    EXPECT_GT(thin, set.points.size() / 20);
     EXPECT_GT(full, set.points.size() / 2);
 }
 

@@ -178,7 +178,6 @@ private:
         const Crossing& end = crossing(rules, below, above);
         const Crossing& begin = crossing(rules, entry_below, entry_above);
         if (!begin.accepted || !end.accepted) return;
-        if (rules.leave_out_unseen && !(begin.opacity > 0 || end.opacity > 0)) return;
         float slope = 0;
         if (rules.use_slope) {
             const Vertex &a = vertices_[below], &b = vertices_[above], &c = vertices_[third];
