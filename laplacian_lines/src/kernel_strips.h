@@ -31,8 +31,7 @@ public:
 
 private:
     void link() {
-        __builtin_memset(segments_.in_triangle, -1,
-                         batch_.count * sizeof(segments_.in_triangle[0]));
+        empty_triangles(batch_, segments_);
         for (unsigned i = 0; i < count_; ++i)
             segments_.in_triangle[slot(i)][triangle(i).number] = std::uint16_t(i);
         for (unsigned i = 0; i < count_; ++i)

@@ -187,7 +187,7 @@ TEST(Progress, MovesThroughAllStepsOfALargerMesh) {
           "Estimating curvature tensors", "Computing the Laplacian of the normals"})
         EXPECT_GE(calls[stage], 1) << stage;
     EXPECT_GE(calls["Computing the Laplacian of the normals"], 20);
-    EXPECT_LE(largest_step, 0.16);  // the mesh is prepared in one step
+    EXPECT_LE(largest_step, 0.2);  // the mesh is prepared in one step; threads finish together
     RecordProperty("longest_silence_in_seconds", std::to_string(longest_silence));
 }
 

@@ -115,6 +115,7 @@ TEST(Ridges, FadeBesideContours) {
     for (const bool contours : {true, false}) {
         LineStyle style = only_ridges();
         style.contours = contours;
+        style.contour_clearance = LineStyle().contour_clearance;
         std::size_t upright = 0, others = 0;
         const LineSet set = helpers::extract(extractor, above, style);
         for (const Polyline& line : set.lines)
