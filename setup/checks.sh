@@ -4,8 +4,6 @@
 
 CHECK_PACKAGES=(clang libclang-rt-dev llvm libomp-dev cppcheck)
 SANITIZERS=address,undefined,float-cast-overflow
-CHECK_TARGETS=(core_tests out_of_memory fuzz_precompute fuzz_extract write_seeds
-    filter_laplacian_lines decorate_laplacian_lines) # the plugins for clang's warnings
 LEAST_COVERAGE=95 # percent of the core's lines
 # Tests of accuracy, of many meshes or options, and of many threads take minutes under sanitizers. Others run the same
 # code.
@@ -13,7 +11,7 @@ SLOW_UNDER_SANITIZERS=('*WithAnyOptions*' '*Converge*' '*Guarantee*' 'RealModel*
     '*TorusLines*' '*Monotone*' '*Large*'
     'ExactPointLight.*' 'SummationChoice.FollowsThePredictedCost' 'EndlessSum.*'
     'Borders.CorrectionHelpsMoreOnFinerMeshes' 'Determinism.*' '*.DoNotDependOnTheNumberOfThreads'
-    '*.DoesNotDependOnTheNumberOfThreads')
+    '*.DoesNotDependOnTheNumberOfThreads' '*FiniteFromAnyEye/book' '*FiniteFromAnyEye/cut_star')
 FUZZ_PARTS=(precompute extract)
 FUZZ_SECONDS=150
 
@@ -71,11 +69,15 @@ in_parallel() {
     return "$failed"
 }
 
-# run_shard FOLDER NUMBER: a part of the core's tests
+# run_shard CHECKOUT NUMBER: a part of the core's tests. OpenMP's library loses some memory of its own at times. With two
+# places of each allocation kept, malloc and its caller, only what the library itself has asked for is suppressed.
 run_shard() {
-    local folder=$1
+    local folder
+    folder=$(checks_folder "$1")
     GTEST_TOTAL_SHARDS=$(nproc) GTEST_SHARD_INDEX=$2 OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive \
-        ASAN_OPTIONS=allocator_may_return_null=1 LLVM_PROFILE_FILE="$folder/profile/%m-$2.profraw" \
+        ASAN_OPTIONS=allocator_may_return_null=1:malloc_context_size=2 \
+        LSAN_OPTIONS="suppressions=$1/setup/leak_suppressions.txt:print_suppressions=0" \
+        LLVM_PROFILE_FILE="$folder/profile/%m-$2.profraw" \
         quietly "$folder/shard$2.log" "$folder/tests/core/core_tests" --gtest_brief=1 \
         --gtest_filter="-$(IFS=: && printf '%s' "${SLOW_UNDER_SANITIZERS[*]}")"
 }
@@ -85,12 +87,12 @@ check_sanitized() {
     folder=$(checks_folder "$1")
     rm -rf "$folder/profile"
     say "running the core's tests under sanitizers"
-    in_parallel run_shard "$folder" -- $(seq 0 $(($(nproc) - 1))) ||
+    in_parallel run_shard "$1" -- $(seq 0 $(($(nproc) - 1))) ||
         fail "a test failed under sanitizers; the logs are $folder/shard*.log"
     LLVM_PROFILE_FILE="$folder/profile/%m-memory.profraw" OMP_NUM_THREADS=3 OMP_WAIT_POLICY=passive \
         quietly "$folder/memory.log" "$folder/tests/core/out_of_memory" allocations ||
         fail "running out of memory was not survived; the log is $folder/memory.log"
-    awk '/tests? ran/ { sum += $2 } END { print sum + 1 " tests" }' "$folder"/shard*.log
+    awk '/test suites? ran/ { sum += $2 } END { print sum + 1 " tests" }' "$folder"/shard*.log
 }
 
 # Lines of laplacian_lines/ that check_sanitized has run.
@@ -158,7 +160,7 @@ fuzz_alone() {
 # run_checks CHECKOUT CONCLUDE: calls CONCLUDE NAME EXIT_CODE REMARK after each
 run_checks() {
     run_check "$@" "static analysis" check_statically || true
-    run_check "$@" "clang's warnings" build_checks "${CHECK_TARGETS[@]}" || return 0
+    run_check "$@" "clang's warnings" build_checks || return 0
     run_check "$@" "sanitizers" check_sanitized || true
     run_check "$@" "coverage of the core" check_coverage || true
     run_check "$@" "fuzzing" check_by_fuzzing || true

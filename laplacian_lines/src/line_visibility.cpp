@@ -2,6 +2,7 @@
 #include "laplacian_lines/line_visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "line_parts.h"
@@ -17,34 +18,35 @@ constexpr double kSpacing = 0.004;
 // does not hide it.
 constexpr double kToSide = 0.0015;
 
-/// Whether a place on a line is seen from the eye.
+/// Whether a place on a line is seen from the eye. For one line and one thread.
 class Sight {
 public:
     Sight(const RayCaster& caster, const View& view, double clearance, double to_side)
         : caster_(caster), view_(view), clearance_(clearance), to_side_(to_side) {}
 
-    bool reaches(const Eigen::Vector3d& point, const Eigen::Vector3d& tangent) const {
+    bool reaches(const Eigen::Vector3d& point, const Eigen::Vector3d& tangent) {
         const Eigen::Vector3d to_eye = view_.eye - view_.w * point;
         const double distance = to_eye.norm();
         if (!(distance > 0)) return true;
-        if (is_clear(point)) return true;
+        if (is_clear(point, hints_[0])) return true;
         if (to_side_ == 0) return false;
         const Eigen::Vector3d side = to_eye.cross(tangent).stableNormalized() * to_side_;
-        return is_clear(point + side) || is_clear(point - side);
+        return is_clear(point + side, hints_[1]) || is_clear(point - side, hints_[2]);
     }
 
 private:
-    bool is_clear(const Eigen::Vector3d& point) const {
+    bool is_clear(const Eigen::Vector3d& point, RayCaster::Hint& hint) {
         const Eigen::Vector3d to_eye = view_.eye - view_.w * point;
         const Eigen::Vector3d direction = to_eye.normalized();
         const double length = view_.w == 0 ? std::numeric_limits<double>::infinity()
                                            : to_eye.norm() / std::abs(view_.w) - clearance_;
-        return length <= 0 || !caster_.is_hit({point + clearance_ * direction, direction, length});
+        return length <= 0 || !caster_.is_hit({point + clearance_ * direction, direction, length}, hint);
     }
 
     const RayCaster& caster_;
     const View& view_;
     double clearance_, to_side_;
+    std::array<RayCaster::Hint, 3> hints_;  // on the line, and to its sides
 };
 
 }  // namespace
@@ -60,7 +62,7 @@ struct LineVisibility::Data {
             clearance = std::max(clearance, kContourSightClearance * scale.mean_edge);
             to_side = kToSide * scale.diagonal;
         }
-        const Sight sight(caster, view, clearance, to_side);
+        Sight sight(caster, view, clearance, to_side);
         const LinePoint* points = lines.points.data() + line.first;
         const auto is_seen = [&](const LinePlace& place) {
             const Eigen::Vector3f tangent =

@@ -59,17 +59,19 @@ public:
 
     bool intersectObject(int triangle) {
         const Corners& t = triangles_[std::size_t(triangle)];
-        hit_ = meets(ray_, t.a, t.b, t.c);
-        return hit_;
+        if (!meets(ray_, t.a, t.b, t.c)) return false;
+        met_ = triangle;
+        return true;
     }
 
-    bool hit() const { return hit_; }
+    /// The triangle that was met, -1 if none.
+    int met() const { return met_; }
 
 private:
     const Ray& ray_;
     Eigen::Vector3d inverse_;
     const std::vector<Corners>& triangles_;
-    bool hit_ = false;
+    int met_ = -1;
 };
 
 RayCaster::RayCaster(const TriangleMesh& mesh) {
@@ -91,11 +93,13 @@ RayCaster::RayCaster(const TriangleMesh& mesh) {
     tree_.init(indices.begin(), indices.end(), boxes.begin(), boxes.end());
 }
 
-bool RayCaster::is_hit(const Ray& ray) const {
+bool RayCaster::is_hit(const Ray& ray, Hint& hint) const {
     if (triangles_.empty()) return false;
     Query query(ray, triangles_);
+    if (hint.triangle >= 0 && query.intersectObject(hint.triangle)) return true;
     Eigen::BVIntersect(tree_, query);
-    return query.hit();
+    if (query.met() >= 0) hint.triangle = query.met();
+    return query.met() >= 0;
 }
 
 double RayCaster::winding_number(const Eigen::Vector3d& point) const {

@@ -22,9 +22,14 @@ class RayCaster {
 public:
     explicit RayCaster(const TriangleMesh& mesh);
 
+    /// What rays near each other tell about the next one: the triangle that the last one met.
+    struct Hint {
+        int triangle = -1;
+    };
+
     /// Whether any triangle meets the ray, edges and corners included. A triangle that contains the
-    /// ray does not count.
-    bool is_hit(const Ray& ray) const;
+    /// ray does not count. The hint saves time and does not change the answer.
+    bool is_hit(const Ray& ray, Hint& hint) const;
 
     /// The sum of the solid angles of all triangles at a point, over 4π; +1 inside a closed surface
     /// that faces outwards.

@@ -18,7 +18,6 @@ using Eigen::Vector3f;
 using test_meshes::AnalyticMesh;
 using test_meshes::SurfacePoint;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLarge = 1, kSmall = 0.4;  // radii of the torus
 
 std::vector<Vector3f> true_normals(const AnalyticMesh& surface) {
