@@ -14,11 +14,12 @@ GeometryCheck::GeometryCheck() : redraw_(std::make_unique<QTimer>()) {
     since_check_.start();
 }
 
-bool GeometryCheck::isDue(const Eigen::Matrix4d& modelview, QWidget* widget) {
-    const bool has_moved = modelview_ && *modelview_ != modelview;
+bool GeometryCheck::isDue(const Eigen::Matrix4d& modelview, unsigned presses, QWidget* widget) {
+    const bool only_moved = modelview_ && *modelview_ != modelview && presses == presses_;
     modelview_ = modelview;
+    presses_ = presses;
     const qint64 wait = milliseconds_between_checks - since_check_.elapsed();
-    if (!widget || !has_moved || wait <= 0) {
+    if (!widget || !only_moved || wait <= 0) {
         redraw_->stop();
         since_check_.start();
         return true;

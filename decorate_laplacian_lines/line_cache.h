@@ -9,6 +9,7 @@
 
 #include "geometry_check.h"
 #include "prepared_lines.h"
+#include "press_count.h"
 
 /// Who uses which prepared lines. Lines are found by content, so that two views, or two layers with
 /// the same geometry, share them, and they live as long as someone uses them. MeshLab ends and
@@ -57,6 +58,7 @@ private:
     std::map<meshlab_host::FieldKey, std::weak_ptr<const PreparedLines>> known_;
     std::vector<PreparedLinesPointer> retired_;
     std::set<View> unsure_views_;
+    PressCount presses_;
     unsigned turn_ = 0;
     bool turn_end_is_due_ = false;
     QObject receiver_;  ///< of the end of the turn; destroyed first

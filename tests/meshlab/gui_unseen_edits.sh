@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Edit tools move vertices without telling decorations: the redraw that follows shows the lines of the new shape, and if
-# the camera moves at the same moment, one that comes by itself does.
+# Edit tools move vertices without telling decorations: the redraw that follows shows the lines of the new shape. If the
+# camera moves before it, without a key or button between, one that comes by itself does.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
 small_torus "$WORK/small.ply"
@@ -17,6 +17,8 @@ check Laplacian Lines on
 watch-drawings
 # the first redraw takes long: what it has to show is computed
 together redraw ; redraw ; stretch 1.2 ; redraw ; expect-true-drawings
+# a key or button tells that the camera may not be all that has moved
+together redraw ; stretch 1.1 ; press-key ; look 1 4 3 0 0 0 ; redraw ; expect-true-drawings
 time-limit 15
 together redraw ; stretch 0.8 ; look 0 2 5 0 0 0 ; forget-drawings
 await-true-drawing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands are described in README.md.
 #include <QApplication>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <algorithm>
@@ -83,6 +84,13 @@ void wheel(const Command& command) {
     turnWheel(command.number(0), modifiersNamed(command.wordOr(1, "")));
 }
 
+void pressKey(const Command&) {
+    for (QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease}) {
+        QKeyEvent event(type, Qt::Key_F24, Qt::NoModifier);
+        QApplication::sendEvent(requireView(), &event);
+    }
+}
+
 /// The part of the view that shows other than the background, the colour of its corner, in its
 /// pixels; empty when nothing does.
 QRect drawnPart(const QImage& picture) {
@@ -149,6 +157,7 @@ void addMouseCommands(CommandTable& table) {
     table.addSimple("move", [](const Command& c) { sendOne(QEvent::MouseMove, c); });
     table.addSimple("release", [](const Command& c) { sendOne(QEvent::MouseButtonRelease, c); });
     table.addSimple("wheel", wheel);
+    table.addSimple("press-key", pressKey);
     table.addSimple("fill-view", fillView);
 }
 
