@@ -23,7 +23,7 @@ using meshlab_host::CurrentView;
 namespace {
 
 // What is done of the work when each step has ended, the last of which leaves out hidden parts.
-constexpr double field_share = 0.7, sight_share = 0.8, extractor_share = 0.9, lines_share = 0.92;
+constexpr double field_share = 0.5, sight_share = 0.7, extractor_share = 0.85, lines_share = 0.87;
 
 /// What the filter needs of a layer, copied: the layer may go while the progress bar runs the event
 /// loop.
@@ -86,14 +86,15 @@ View viewOf(const Eye& eye, const PolylineParameters& chosen, const Eigen::Matri
 
 LineSet extract(const Source& source, const laplacian_lines::Field& field, const View& view,
                 const PolylineParameters& chosen, vcg::CallBackPos* progress) {
-    meshlab_host::beginStep(progress, field_share, "Preparing what hides lines");
-    const laplacian_lines::LineVisibility visibility(source.triangles, field.scale);
+    const laplacian_lines::LineVisibility visibility(
+        source.triangles, field.scale,
+        meshlab_host::progressTo(progress, field_share, sight_share));
     if (view.w != 0 && visibility.encloses(view.eye / view.w))
         throw Error(ErrorCode::InvalidOption,
                     "The viewpoint is inside the surface. Move it outside, or choose an "
                     "orthographic view.");
-    meshlab_host::beginStep(progress, sight_share, "Preparing the extraction of lines");
-    const laplacian_lines::LineExtractor extractor(source.triangles, field);
+    const laplacian_lines::LineExtractor extractor(
+        source.triangles, field, meshlab_host::progressTo(progress, sight_share, extractor_share));
     meshlab_host::beginStep(progress, extractor_share, "Extracting lines");
     laplacian_lines::ExtractionScratch scratch;
     LineSet lines;

@@ -15,6 +15,9 @@
 namespace laplacian_lines {
 namespace {
 
+// About the part of the whole time at which each step ends.
+constexpr double kPartitioned = 0.4, kLinked = 0.6, kLaidOut = 0.65;
+
 /// Writes a vector v at p as the linear form of place i.
 void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eigen::Vector3d& p) {
     float* place = forms + i / kFormGroup * 4 * kFormGroup + i % kFormGroup;
@@ -76,15 +79,18 @@ Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
 }  // namespace
 
 ClusterBuilder::ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data)
-    : mesh_(mesh), field_(field), data_(data), partition_(partition(mesh)) {
-    data_.border_edge_count = link_clusters(mesh, partition_);
-    data_.vertex_count = std::uint32_t(mesh.size());
-}
+    : mesh_(mesh), field_(field), data_(data) {}
 
-void ClusterBuilder::build() {
+void ClusterBuilder::build(const StageProgress& stage) {
+    stage.report(0);
+    partition_ = partition(mesh_);
+    stage.report(kPartitioned);
+    data_.border_edge_count = link_clusters(mesh_, partition_);
+    data_.vertex_count = std::uint32_t(mesh_.size());
+    stage.report(kLinked);
     data_.allocate(lay_out());
-    in_parallel<Values>(partition_.ranges.size(),
-                        [&](std::size_t c, Values& values) { write_cluster(c, values); });
+    parallel_for<Values>(partition_.ranges.size(), stage.part(kLaidOut, 1),
+                         [&](std::size_t c, Values& values) { write_cluster(c, values); });
 }
 
 std::size_t ClusterBuilder::lay_out() {

@@ -3,6 +3,7 @@
 
 #include "cluster_partition.h"
 #include "extractor_data.h"
+#include "parallel.h"
 
 namespace laplacian_lines {
 
@@ -19,7 +20,7 @@ class ClusterBuilder {
 public:
     ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data);
 
-    void build();
+    void build(const StageProgress& stage);
 
 private:
     using Values = std::vector<LocalVertex>;  // of a cluster's vertices

@@ -16,6 +16,7 @@
 namespace laplacian_lines {
 namespace {
 
+constexpr double kPrepared = 0.1;            // about the part of the whole time that it takes
 constexpr std::size_t kHugePage = 2u << 20;  // bytes; clusters are read in no order of addresses
 
 template <class T>
@@ -82,17 +83,20 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
     return placed;
 }
 
-ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field) {
+ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
+                                   const Progress& progress) {
     const std::size_t n = mesh.positions.size();
     if (field.normals.size() != n || field.laplacian_normals.size() != n ||
         field.shape_operators.size() != n || field.kernel_sizes.size() != n)
         throw Error(ErrorCode::FieldMismatch,
                     "The Laplacian lines field belongs to another mesh; compute it again.");
+    const StageProgress stage(progress, 0, 1, "Preparing the extraction of lines");
+    stage.report(0);
     const PreparedMesh prepared = prepare_geometry(mesh);
     ExtractorData data;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
-    ClusterBuilder(prepared, field, data).build();
+    ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
     return data;
 }
 

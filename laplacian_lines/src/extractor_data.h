@@ -8,6 +8,7 @@
 
 #include "cluster_data.h"
 #include "laplacian_lines/field.h"
+#include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
 
 namespace laplacian_lines {
@@ -30,7 +31,8 @@ struct ExtractorData {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     double diagonal = 1;                               ///< D, mesh units
 
-    /// Memory for the clusters, aligned to cache lines, for the builder to fill, and for their bounds.
+    /// Memory for the clusters, aligned to cache lines, for the builder to fill, and for their
+    /// bounds.
     /// @throws std::bad_alloc
     void allocate(std::size_t bytes);
     std::size_t padded_cluster_count() const;  ///< to whole groups of kFormGroup
@@ -48,7 +50,8 @@ struct PlacedCluster {
 };
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
 
-/// @throws Error: FieldMismatch, InvalidMesh, EmptyMesh.
-ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field);
+/// @throws Error: FieldMismatch, InvalidMesh, EmptyMesh, Cancelled.
+ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
+                                   const Progress& progress = {});
 
 }  // namespace laplacian_lines

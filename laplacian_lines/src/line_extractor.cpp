@@ -32,8 +32,8 @@ ExtractionScratch::~ExtractionScratch() = default;
 ExtractionScratch::ExtractionScratch(ExtractionScratch&&) noexcept = default;
 ExtractionScratch& ExtractionScratch::operator=(ExtractionScratch&&) noexcept = default;
 
-LineExtractor::LineExtractor(const TriangleMesh& mesh, const Field& field)
-    : data_(std::make_unique<const Data>(build_extractor_data(mesh, field))) {}
+LineExtractor::LineExtractor(const TriangleMesh& mesh, const Field& field, const Progress& progress)
+    : data_(std::make_unique<const Data>(build_extractor_data(mesh, field, progress))) {}
 LineExtractor::~LineExtractor() = default;
 LineExtractor::LineExtractor(LineExtractor&&) noexcept = default;
 LineExtractor& LineExtractor::operator=(LineExtractor&&) noexcept = default;

@@ -78,8 +78,10 @@ struct LineVisibility::Data {
     }
 };
 
-LineVisibility::LineVisibility(const TriangleMesh& mesh, const FieldScale& scale)
-    : data_(std::make_unique<const Data>(Data{RayCaster(mesh), scale})) {}
+LineVisibility::LineVisibility(const TriangleMesh& mesh, const FieldScale& scale,
+                               const Progress& progress)
+    : data_(std::make_unique<const Data>(
+          Data{RayCaster(mesh, {progress, 0, 1, "Preparing what hides lines"}), scale})) {}
 LineVisibility::~LineVisibility() = default;
 LineVisibility::LineVisibility(LineVisibility&&) noexcept = default;
 LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "laplacian_lines/error.h"
 
@@ -12,6 +11,7 @@ namespace {
 
 // Rays through an edge must not slip between its triangles, whatever the rounding.
 constexpr double kOverlap = 1e-10;
+constexpr double kListed = 0.2;  // about the part of the building's time that the triangles take
 
 /// T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
 bool meets(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -39,13 +39,13 @@ double solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
 
 }  // namespace
 
-/// What Eigen's tree asks: which boxes to look into, and whether to stop at an object.
+/// What the tree asks: which boxes to look into, and whether to stop at an object.
 class RayCaster::Query {
 public:
     Query(const Ray& ray, const std::vector<Corners>& triangles)
         : ray_(ray), inverse_(ray.direction.cwiseInverse()), triangles_(triangles) {}
 
-    bool intersectVolume(const Tree::Volume& box) const {
+    bool intersectVolume(const BoxTree::Box& box) const {
         double enter = 0, leave = ray_.length;
         for (int axis = 0; axis < 3; ++axis) {
             const double a = (box.min()[axis] - ray_.origin[axis]) * inverse_[axis];
@@ -74,8 +74,9 @@ private:
     int met_ = -1;
 };
 
-RayCaster::RayCaster(const TriangleMesh& mesh) {
-    std::vector<Tree::Volume> boxes;
+RayCaster::RayCaster(const TriangleMesh& mesh, const StageProgress& stage) {
+    stage.report(0);
+    std::vector<BoxTree::Box> boxes;
     triangles_.reserve(mesh.triangles.size());
     boxes.reserve(mesh.triangles.size());
     for (const Triangle& triangle : mesh.triangles) {
@@ -86,18 +87,17 @@ RayCaster::RayCaster(const TriangleMesh& mesh) {
                                  mesh.positions[triangle[2]]};
         if (!corners.a.allFinite() || !corners.b.allFinite() || !corners.c.allFinite()) continue;
         triangles_.push_back(corners);
-        boxes.emplace_back(Tree::Volume(corners.a).extend(corners.b).extend(corners.c));
+        boxes.push_back(BoxTree::Box(corners.a).extend(corners.b).extend(corners.c));
     }
-    std::vector<int> indices(triangles_.size());
-    std::iota(indices.begin(), indices.end(), 0);
-    tree_.init(indices.begin(), indices.end(), boxes.begin(), boxes.end());
+    tree_ = BoxTree(boxes, stage.part(kListed, 1));
+    stage.report(1);
 }
 
 bool RayCaster::is_hit(const Ray& ray, Hint& hint) const {
     if (triangles_.empty()) return false;
     Query query(ray, triangles_);
     if (hint.triangle >= 0 && query.intersectObject(hint.triangle)) return true;
-    Eigen::BVIntersect(tree_, query);
+    tree_.visit(query);
     if (query.met() >= 0) hint.triangle = query.met();
     return query.met() >= 0;
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Geometry>
-#include <unsupported/Eigen/BVH>
 #include <vector>
 
+#include "box_tree.h"
 #include "laplacian_lines/triangle_mesh.h"
 
 namespace laplacian_lines {
@@ -16,11 +15,12 @@ struct Ray {
     double length;              ///< may be infinite
 };
 
-/// Finds out whether rays meet the triangles of a mesh, by Eigen's tree of boxes. Triangles with
+/// Finds out whether rays meet the triangles of a mesh, by a tree of boxes. Triangles with
 /// corners that are not finite are left out. Thread-safe.
 class RayCaster {
 public:
-    explicit RayCaster(const TriangleMesh& mesh);
+    /// @throws Error: InvalidMesh, Cancelled.
+    RayCaster(const TriangleMesh& mesh, const StageProgress& stage);
 
     /// What rays near each other tell about the next one: the triangle that the last one met.
     struct Hint {
@@ -39,11 +39,10 @@ private:
     struct Corners {
         Eigen::Vector3d a, b, c;
     };
-    using Tree = Eigen::KdBVH<double, 3, int>;
     class Query;
 
     std::vector<Corners> triangles_;
-    Tree tree_;
+    BoxTree tree_;
 };
 
 }  // namespace laplacian_lines

@@ -6,6 +6,7 @@
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_set.h"
 #include "laplacian_lines/line_style.h"
+#include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
 
@@ -35,8 +36,9 @@ private:
 class LineExtractor {
 public:
     /// Values of the field that are not finite count as zero.
-    /// @throws Error(FieldMismatch) if the field has another number of vertices, InvalidMesh.
-    LineExtractor(const TriangleMesh& mesh, const Field& field);
+    /// @throws Error(FieldMismatch) if the field has another number of vertices, InvalidMesh,
+    /// Cancelled.
+    LineExtractor(const TriangleMesh& mesh, const Field& field, const Progress& progress = {});
     ~LineExtractor();
     LineExtractor(LineExtractor&&) noexcept;
     LineExtractor& operator=(LineExtractor&&) noexcept;

@@ -22,8 +22,9 @@ constexpr double kContourSightClearance = 1.5;
 class LineVisibility {
 public:
     /// `scale` is that of the mesh's field.
-    /// @throws Error(InvalidMesh) if a triangle names a vertex that does not exist.
-    LineVisibility(const TriangleMesh& mesh, const FieldScale& scale);
+    /// @throws Error(InvalidMesh) if a triangle names a vertex that does not exist, Cancelled.
+    LineVisibility(const TriangleMesh& mesh, const FieldScale& scale,
+                   const Progress& progress = {});
     ~LineVisibility();
     LineVisibility(LineVisibility&&) noexcept;
     LineVisibility& operator=(LineVisibility&&) noexcept;
