@@ -52,10 +52,6 @@ QWidget* widgetOf(QPainter* painter) {
     return painter ? dynamic_cast<QWidget*>(painter->device()) : nullptr;
 }
 
-QString refusalLine(const MeshModel& mesh, const QString& reason) {
-    return QString("%1: %2: %3").arg(title, mesh.label(), reason);
-}
-
 void throwIf(const std::string& failure) {
     if (!failure.empty()) throw std::runtime_error(failure);
 }
@@ -73,13 +69,14 @@ void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
 }
 
 bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GLArea* view) {
+    QString refusal;
     try {
-        const PreparedLinesPointer lines = demandLines(mesh, view);
-        if (lines->failure.isEmpty()) return true;
-        say(refusalLine(mesh, lines->failure));
+        refusal = demandLines(mesh, view)->failure;
     } catch (const std::exception& error) {
-        say(title + ": " + QString::fromUtf8(error.what()));
+        refusal = QString::fromUtf8(error.what());
     }
+    if (refusal.isEmpty()) return true;
+    complain(mesh, meshlab_host::documentLog(mesh), refusal);
     return false;
 }
 
@@ -99,8 +96,8 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     }
     if (refusal.isEmpty())
         complaints_.erase({&log, mesh.id()});
-    else
-        complain(mesh, log, refusal);
+    else if (complaints_[{&log, mesh.id()}] != refusal)
+        complain(mesh, &log, refusal);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
     emit drawingEnds(mesh, parameters, refusal.isEmpty() ? &lines_ : nullptr, refusal);
@@ -206,13 +203,10 @@ void DecorateLaplacianLines::paint(const std::vector<SurfaceLayer>& layers,
                                         depths, buffers_));
 }
 
-void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream& log,
-                                      const QString& text) {
-    QString& last = complaints_[{&log, mesh.id()}];
-    if (text == last) return;
-    last = text;
-    const QString line = refusalLine(mesh, text);
-    if (!meshlab_host::endsWith(log, line)) say(line);  // start() may have said it, but where?
+void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream* log,
+                                      const QString& refusal) {
+    say(QString("%1: %2: %3").arg(title, mesh.label(), refusal));
+    complaints_[{log, mesh.id()}] = refusal;
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DecorateLaplacianLines)

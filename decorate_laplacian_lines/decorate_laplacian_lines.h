@@ -61,8 +61,8 @@ private:
     /// reaches over the outline of its own.
     void paint(const std::vector<SurfaceLayer>& layers, const SurfaceAppearance& appearance,
                const meshlab_host::CameraMatrices& camera, const DepthTexture& depths);
-    /// Adds a complaint to the log, but not at every redraw.
-    void complain(const MeshModel& mesh, const GLLogStream& log, const QString& text);
+    /// Adds why a mesh has no lines to its document's log, which is `log`.
+    void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
     LineCache cache_;
     ViewLayers view_layers_;
@@ -75,6 +75,7 @@ private:
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_;
     bool shows_statistics_ = false;
-    /// By a document's log and mesh, since its lines were last drawn.
+    /// What has been said, by a document's log and mesh, since its lines were last drawn: once, not
+    /// at every redraw.
     std::map<std::pair<const GLLogStream*, int>, QString> complaints_;
 };

@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "meshlab_host/log.h"
+
 namespace meshlab_host {
 namespace {
 
@@ -33,9 +35,12 @@ void DecoratePluginBase::say(const QString& line) {
 
 bool DecoratePluginBase::startDecorate(ActionPointer, MeshModel& mesh,
                                        const RichParameterList* parameters, GLArea* view) {
-    if (exists(mesh)) return start(mesh, parameters ? *parameters : RichParameterList(), view);
-    meshGone(view);
-    return false;
+    if (!exists(mesh)) {
+        meshGone(view);
+        return false;
+    }
+    if (GLLogStream* log = documentLog(mesh)) setLog(log);  // MeshLab may have set another, or none
+    return start(mesh, parameters ? *parameters : RichParameterList(), view);
 }
 
 void DecoratePluginBase::decorateMesh(ActionPointer, MeshModel& mesh,

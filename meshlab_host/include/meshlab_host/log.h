@@ -4,14 +4,13 @@
 #include <QString>
 
 class GLLogStream;
+class MeshModel;
 
 namespace meshlab_host {
 
-/// Adds a line to the document's log (layer dialog, meshlabserver's output). GUI thread only.
-void writeLog(GLLogStream& log, const QString& line);
-
-/// Whether this is one of the latest lines of the log.
-bool endsWith(const GLLogStream& log, const QString& line);
+/// The log of the document of `mesh`, the one that is handed to whoever draws it. Null if the
+/// document cannot be found, as in programs without MeshLab's GUI. GUI thread only.
+GLLogStream* documentLog(const MeshModel& mesh);
 
 /// Shows text in the corner of the view until the next redraw. `mesh` is printed only where two
 /// boxes have the same title. GUI thread only, while drawing.
