@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The GUI's tests with plugins that are compiled with sanitizers, in an ordinary MeshLab.
 
-SANITIZED_TESTS=(gui_filter gui_edits gui_documents) # without any named
+SANITIZED_TESTS=(gui_filter gui_edits gui_documents gui_memory gui_random_actions) # without any named
+SANITIZED_SECONDS=900 # for one test: MeshLab is slower, and looking for leaks takes its time
 
 # A leak of MeshLab, Qt or OpenGL is not ours: only those count that a function of our plugins has allocated.
 leaks_of_plugins() {
@@ -9,6 +10,8 @@ leaks_of_plugins() {
 }
 
 # test_sanitized CHECKOUT REGEX...
+# malloc_context_size: what allocates, and who calls it. MeshLab and Qt are compiled without frame pointers, so whatever
+# seems to be farther up is not; the sanitizer would search all libraries for each of thousands of such addresses.
 test_sanitized() {
     local checkout=$1 folder reports regex code=0
     shift
@@ -21,8 +24,10 @@ test_sanitized() {
     regex=$(IFS='|' && printf '%s' "$*")
     say "running the tests under sanitizers"
     SANITIZER_LIBRARY=$(clang -print-file-name="libclang_rt.asan-$(uname -m).so") LLVM_PROFILE_FILE=/dev/null \
-        ASAN_OPTIONS="log_path=$reports/of:detect_leaks=1:stack_trace_format='    #%n %f %S %M'" \
-        UBSAN_OPTIONS="log_path=$reports/of:print_stacktrace=1" LSAN_OPTIONS=exitcode=0:use_tls=0 \
+        DRIVE_SECONDS=$SANITIZED_SECONDS RANDOM_SEEDS=${RANDOM_SEEDS:-3} \
+        ASAN_OPTIONS="log_path=$reports/of:detect_leaks=1:malloc_context_size=2:stack_trace_format='    #%n %f %S %M'" \
+        UBSAN_OPTIONS="log_path=$reports/of:print_stacktrace=1" \
+        LSAN_OPTIONS="exitcode=0:use_tls=0:print_suppressions=0:suppressions=$checkout/setup/leak_suppressions.txt" \
         ctest --test-dir "$folder" --label-regex meshlab --tests-regex "$regex" --output-on-failure || code=$?
     find "$reports" -type f -exec grep -qE 'ERROR: AddressSanitizer|runtime error' {} \; -exec head -n 40 {} \; >&2
     find "$reports" -type f -exec cat {} + | leaks_of_plugins >"$folder/leaks.txt"
@@ -31,4 +36,5 @@ test_sanitized() {
         fail "memory was lost; all of it is in $folder/leaks.txt"
     fi
     ((code == 0)) || fail "a test failed; the sanitizers' reports are in $reports"
+    [[ -n $(find "$reports" -type f) ]] || fail "the sanitizers have not looked for leaks: there is no report"
 }

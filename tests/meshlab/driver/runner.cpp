@@ -42,7 +42,10 @@ void Runner::addOwnCommands() {
             m_watchdog.setLimit(std::chrono::milliseconds(qint64(1000 * c.number(0))));
         });
     m_table.addSimple("together", [this](const Command& c) { together(c); });
-    m_table.addSimple("quit", [](const Command&) { endProcess(0); });
+    m_table.addSimple("quit", [this](const Command&) {
+        m_watchdog.rest();  // looking for leaks takes as long as it takes
+        endProcess(0);
+    });
     m_table.add(
         "random-actions", [this](const Command& c) { return randomActions(c); }, Place::Everywhere);
 }
