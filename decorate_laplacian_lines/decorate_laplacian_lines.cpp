@@ -52,6 +52,10 @@ QWidget* widgetOf(QPainter* painter) {
     return painter ? dynamic_cast<QWidget*>(painter->device()) : nullptr;
 }
 
+QString refusalLine(const MeshModel& mesh, const QString& refusal) {
+    return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
+}
+
 void throwIf(const std::string& failure) {
     if (!failure.empty()) throw std::runtime_error(failure);
 }
@@ -96,7 +100,8 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     }
     if (refusal.isEmpty())
         complaints_.erase({&log, mesh.id()});
-    else if (complaints_[{&log, mesh.id()}] != refusal)
+    else if (complaints_[{&log, mesh.id()}] != refusal ||
+             !meshlab_host::hasLine(log, refusalLine(mesh, refusal)))
         complain(mesh, &log, refusal);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
@@ -205,7 +210,7 @@ void DecorateLaplacianLines::paint(const std::vector<SurfaceLayer>& layers,
 
 void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream* log,
                                       const QString& refusal) {
-    say(QString("%1: %2: %3").arg(title, mesh.label(), refusal));
+    say(refusalLine(mesh, refusal));
     complaints_[{log, mesh.id()}] = refusal;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/log.h"
 
+#include <algorithm>
+
 #include "scene.h"
 
 namespace meshlab_host {
@@ -8,6 +10,12 @@ namespace meshlab_host {
 GLLogStream* documentLog(const MeshModel& mesh) {
     MLSceneGLSharedDataContext* scene = sceneOf(mesh);
     return scene ? &scene->meshDoc().Log : nullptr;
+}
+
+bool hasLine(const GLLogStream& log, const QString& line) {
+    const auto& lines = log.logStringList();
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const auto& entry) { return entry.second == line; });
 }
 
 void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text) {

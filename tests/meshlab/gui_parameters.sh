@@ -108,6 +108,17 @@ $(refuse "Least Facing" 1.5 -0.15 '"Least Facing" is 1.5\. It has to be between 
 # and again, because it was all right in between
 $(refuse "Gradient Threshold t" -1 0.8 '("Gradient Threshold t" is -1\.(.*\n)*.*){2}')
 $(refuse "Gradient Threshold t" nan 0.8 '"Gradient Threshold t" is nan\. It has to be between 0 and')
+
+# and again, because a filter's preview takes what was said since its dialog opened out of the log
+trigger Laplacian Smooth
+setdeco Gradient Threshold t = -3
+expect-log "Gradient Threshold t" is -3\.
+set Preview = on
+expect-log "Gradient Threshold t" is -3\.
+set Preview = off
+close
+setdeco Gradient Threshold t = 0.8
+expect-lines
 END
 
 # a line takes its width in the picture; contours and faint lines their own

@@ -12,6 +12,9 @@ namespace meshlab_host {
 /// document cannot be found, as in programs without MeshLab's GUI. GUI thread only.
 GLLogStream* documentLog(const MeshModel& mesh);
 
+/// Whether the log has this line. Previews of filters take lines out of it again.
+bool hasLine(const GLLogStream& log, const QString& line);
+
 /// Shows text in the corner of the view until the next redraw. `mesh` is printed only where two
 /// boxes have the same title. GUI thread only, while drawing.
 void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text);
