@@ -30,11 +30,12 @@ cat >"$WORK/scene.mlp" <<'END'
 </MeshLabProject>
 END
 
+# a view can be split if both halves are larger than 400 pixels
 for seed in ${RANDOM_SEEDS:-1 2}; do
     drive <<END
 wait
 open torus.ply
-size 500x400
+size 820x820
 check Laplacian Lines on
 random-actions $seed ${RANDOM_ACTIONS:-60} torus.ply ring.ply torus.ply pyramid.ply points.ply
 leave

@@ -49,7 +49,6 @@ const std::vector<UserAction>& viewActions();  ///< layers, views, cameras, docu
 QStringList toggleLines(Table& t);
 QStringList mendDecoration(Table& t);
 QStringList openMesh(Table& t);
-QStringList newProject(Table& t);
 QStringList leaveUselessLayer(Table& t);
 
 }  // namespace driver

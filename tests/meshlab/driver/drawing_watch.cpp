@@ -103,7 +103,7 @@ void DrawingWatch::drawingBegins(const MeshModel& mesh) {
 
 void DrawingWatch::drawingEnds(const MeshModel& mesh, const RichParameterList& parameters,
                                const LineSet* lines, const QString& refusal) {
-    drawn_[int(mesh.id())] = refusal;
+    drawn_[int(mesh.id())] = refusal.isEmpty() ? refusal : mesh.label() + ": " + refusal;
     const QString gl_change = firstDifference(gl_state_, contextText() + glStateText());
     if (!gl_change.isEmpty()) complain(mesh, "OpenGL's state: " + gl_change);
     const QString mesh_change = firstDifference(mesh_state_, meshText(mesh));

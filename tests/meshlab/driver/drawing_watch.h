@@ -22,7 +22,7 @@ public:
     QStringList takeProblems();
     /// Whether there was a drawing since takeDrawn(), and nothing wrong in the latest one.
     bool endsWell() const { return !drawn_.empty() && latest_problems_.isEmpty(); }
-    /// Meshes drawn since the last call, by id, with the reason if they were drawn without lines.
+    /// Meshes drawn since the last call, by id; with label and reason if drawn without lines.
     std::map<int, QString> takeDrawn();
     /// For people: how much was looked at since the beginning.
     QString summary() const;

@@ -3,8 +3,10 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDialog>
+#include <QHash>
 #include <QMdiArea>
 #include <QMessageBox>
+#include <QPointer>
 #include <algorithm>
 #include <cstring>
 #include "command_table.h"
@@ -21,9 +23,11 @@ bool isOfClass(const QObject* object, const char* className) {
 }  // namespace
 
 QMainWindow* mainWindow() {
+    static QPointer<QMainWindow> known;  // there are thousands of widgets after some time
+    if (known) return known;
     for (QWidget* widget : QApplication::topLevelWidgets())
-        if (isOfClass(widget, "MainWindow")) return qobject_cast<QMainWindow*>(widget);
-    return nullptr;
+        if (isOfClass(widget, "MainWindow")) known = qobject_cast<QMainWindow*>(widget);
+    return known;
 }
 
 QMainWindow* requireMainWindow() {
@@ -84,14 +88,29 @@ QString withoutMnemonic(QString text) {
     return text.remove('&').section('\t', 0, 0);
 }
 
+namespace {
+
+bool hasText(const QAction* action, const QString& text) {
+    return withoutMnemonic(action->text()) == text;
+}
+
+QAction* searchAction(const QString& text) {
+    for (QWidget* widget : QApplication::allWidgets())
+        for (QAction* action : widget->actions())
+            if (hasText(action, text)) return action;
+    return nullptr;
+}
+
+}  // namespace
+
 QAction* findAction(const QString& text) {
     // MeshLab enables actions as if by chance: a resized window can be split only after its menus
     // were updated
     QMetaObject::invokeMethod(requireMainWindow(), "updateMenus", Qt::DirectConnection);
-    for (QWidget* widget : QApplication::allWidgets())
-        for (QAction* action : widget->actions())
-            if (withoutMnemonic(action->text()) == text) return action;
-    return nullptr;
+    static QHash<QString, QPointer<QAction>> known;
+    QPointer<QAction>& action = known[text];
+    if (!action || !hasText(action, text)) action = searchAction(text);
+    return action;
 }
 
 QAction* requireAction(const QString& text) {

@@ -9,9 +9,19 @@
 #include "modules.h"
 
 namespace driver {
+namespace {
+
+/// MeshLab hides it when a document is closed, and writes no log while it is hidden.
+void showLayerDialog(QMainWindow* window) {
+    if (!childOfClass("LayerDialog"))
+        QMetaObject::invokeMethod(window, "showLayerDlg", Qt::DirectConnection, Q_ARG(bool, true));
+}
+
+}  // namespace
 
 QString logText() {
     QMainWindow* window = requireMainWindow();
+    showLayerDialog(window);
     QMetaObject::invokeMethod(window, "updateLayerDialog",
                               Qt::DirectConnection);  // it also refreshes the log panel
     if (const auto* panel = window->findChild<QPlainTextEdit*>("logPlainTextEdit"))

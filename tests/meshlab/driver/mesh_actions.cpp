@@ -51,6 +51,7 @@ QStringList deform(Table& t) {
 QStringList preview(Table& t) {
     if (t.faces() == 0) return {};
     QStringList lines{"trigger Laplacian Smooth", "set Smoothing steps = 2", "set Preview = on"};
+    if (t.dice.oneIn(3)) lines << changeDecoration(t);
     if (t.dice.oneIn(2)) lines << "set Smoothing steps = 5";
     if (t.dice.oneIn(2)) lines << "set Preview = off";
     if (t.dice.oneIn(2)) lines << "apply";
@@ -104,6 +105,11 @@ QStringList freeze(Table& t) {
     return t.hasMesh() ? t.filter("Matrix: Freeze Current Matrix") : QStringList();
 }
 
+// As edit tools do, without a word to decorations.
+QStringList edit(Table& t) {
+    return t.hasMesh() ? QStringList{"stretch " + t.number(0.8, 1.2)} : QStringList();
+}
+
 // From 2022.02 on, a hidden layer is then called visible and yet not drawn.
 QStringList reload(Table& t) {
     return t.hasMesh() && t.now.current->isVisible() ? QStringList{"trigger Reload"}
@@ -130,7 +136,7 @@ const std::vector<UserAction>& meshActions() {
     static const std::vector<UserAction> actions = {
         {6, toggleLines},   {12, changeDecoration}, {10, compute}, {5, polylines}, {4, deleteFaces},
         {4, deform},        {3, preview},           {4, smooth},   {3, subdivide}, {3, simplify},
-        {2, turnInsideOut}, {5, transform},         {3, freeze},   {4, reload},
+        {2, turnInsideOut}, {5, transform},         {3, freeze},   {4, reload},    {3, edit},
     };
     return actions;
 }

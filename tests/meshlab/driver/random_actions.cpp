@@ -8,13 +8,19 @@
 
 namespace driver {
 
-// The first redraws of a project's window may show nothing, and another project's log after one was
-// closed.
+// The first redraws of a project's window may show nothing.
 constexpr int kMostChecks = 100;
+
+// A line that fails as often tests nothing.
+constexpr int kEnoughTries = 6;
 
 RandomActions::RandomActions(unsigned seed, int count, const QStringList& meshes,
                              const CommandTable& table, Announce announce)
-    : actions_(seed, meshes), table_(table), announce_(std::move(announce)), left_(count) {
+    : actions_(seed, meshes),
+      table_(table),
+      announce_(std::move(announce)),
+      left_(count),
+      checks_left_(kMostChecks) {
     if (meshes.isEmpty()) throw CommandError("say which meshes to open");
 }
 
@@ -30,7 +36,7 @@ bool RandomActions::step() {
         return false;
     }
     --left_;
-    pending_ = actions_.next(presentSituation());
+    pending_ = actions_.next(now_);
     return true;
 }
 
@@ -38,6 +44,7 @@ bool RandomActions::step() {
 // ends a user's.
 void RandomActions::run(const QString& line) {
     ++lines_;
+    ++tries_[line].all;
     announce_(line);
     const Command command = parseLine(line);
     try {
@@ -45,6 +52,7 @@ void RandomActions::run(const QString& line) {
     } catch (const CommandError& why) {
         say(std::string("# not possible: ") + why.what());
         ++impossible_;
+        ++tries_[line].failed;
         pending_.clear();
     }
 }
@@ -58,6 +66,7 @@ void RandomActions::check() {
     const std::map<int, QString> drawn = watch_.takeDrawn();
     const QStringList problems = watch_.takeProblems();
     if (!problems.isEmpty()) throw CommandError(problems.join("; "));
+    now_ = presentSituation();
     const QString missing = whatIsMissing(drawn);
     if (missing.isEmpty())
         checks_left_ = 0;
@@ -66,12 +75,12 @@ void RandomActions::check() {
 }
 
 QString RandomActions::whatIsMissing(const std::map<int, QString>& drawn) const {
-    const Situation now = presentSituation();
-    if (now.has_lines && now.current->isVisible() && !drawn.count(int(now.current->id())))
+    if (now_.has_lines && now_.current->isVisible() && !drawn.count(int(now_.current->id())))
         return "the decoration is on, but nothing is drawn";
     for (const auto& [mesh, refusal] : drawn)
         if (!refusal.isEmpty() && !logText().contains(refusal))
-            return "the log does not say why there are no lines: " + refusal;
+            return "the log does not say why there are no lines: " + refusal + "\nit says:\n" +
+                   logText();
     return {};
 }
 
@@ -82,6 +91,9 @@ void RandomActions::conclude() const {
             .arg(watch_.summary())
             .toStdString());
     if (watch_.comparisons() == 0) throw CommandError("no lines were ever drawn");
+    for (const auto& [line, tries] : tries_)
+        if (tries.all >= kEnoughTries && tries.failed == tries.all)
+            throw CommandError(line + " was never possible");
 }
 
 }  // namespace driver

@@ -37,9 +37,14 @@ private:
     BoxAnswerer boxes_;
     DrawingWatch watch_;
     QStringList pending_;  ///< lines of the action that is going on
+    Situation now_;        ///< when the view was looked at last
     int left_;
-    int checks_left_ = 0;  ///< until the view of the action that is over has to show its lines
+    int checks_left_;  ///< until the view of the action that is over has to show its lines
     int lines_ = 0, impossible_ = 0;
+    struct Tries {
+        int all = 0, failed = 0;
+    };
+    std::map<QString, Tries> tries_;
 };
 
 }  // namespace driver

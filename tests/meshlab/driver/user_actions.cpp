@@ -27,7 +27,6 @@ const UserAction& byWeight(Dice& dice) {
 
 QStringList UserActions::next(const Situation& situation) {
     Table table{dice_, situation, meshes_, to_mend_};
-    if (situation.documents == 0) return newProject(table);
     // little can be done without faces, without lines, or with lines that are refused
     QStringList lines;
     if (table.faces() == 0 && dice_.oneIn(3)) lines = leaveUselessLayer(table);
