@@ -81,6 +81,11 @@ expect-views 2
 view 0
 trigger Close current view
 expect-views 1
+# what was said in the document that is left
+trigger New Empty Project...
+open torus.ply
+trigger Close Project
+expect-log Smoothed
 END
 expect_picture "$WORK/normals.png" 500x400
 expect_picture "$WORK/tiled.png" 1000x800
