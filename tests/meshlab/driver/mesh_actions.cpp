@@ -22,9 +22,11 @@ QStringList polylines(Table& t) {
     return t.filter("Generate Laplacian Lines Polylines", randomPolylineSettings(t.dice));
 }
 
-/// Where faces know their neighbours, MeshLab's own assertions end it when some are deleted.
+/// Where faces know their neighbours, or vertices their faces, MeshLab's own assertions may end it
+/// when some are deleted.
 bool mayLoseFaces(Table& t) {
-    return t.faces() > 0 && !t.now.current->cm.face.IsFFAdjacencyEnabled();
+    return t.faces() > 0 && !t.now.current->cm.face.IsFFAdjacencyEnabled() &&
+           !t.now.current->cm.vert.IsVFAdjacencyEnabled();
 }
 
 QStringList deleteFaces(Table& t) {
