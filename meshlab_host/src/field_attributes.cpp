@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/field_attributes.h"
 
-#include <algorithm>
-
 #include "attribute_names.h"
 #include "attributes.h"
+#include "hash.h"
 #include "laplacian_lines/error.h"
 #include "meshlab_host/mesh_conversion.h"
 
@@ -35,11 +34,18 @@ Columns findColumns(const CMeshO& mesh) {
             findVertexColumn<Scalarm>(mesh, kernel_size_attribute)};
 }
 
-/// Whether MeshLab has emptied the columns: 2025.07 does so when it reloads a file, and keeps the
-/// record. A field has a kernel size wherever it has values.
-bool emptied(const Columns& columns) {
-    const std::vector<Scalarm>& sizes = *columns.kernel_sizes;
-    return std::all_of(sizes.begin(), sizes.end(), [](Scalarm size) { return size == 0; });
+/// Of the values of all vertices that are not deleted.
+std::uint64_t contentHash(const CMeshO& mesh, const Columns& columns) {
+    Hash hash(3);
+    for (std::size_t slot = 0; slot < mesh.vert.size(); ++slot) {
+        if (mesh.vert[slot].IsD()) continue;
+        hash.add(pack((*columns.normals)[slot]));
+        hash.add(pack((*columns.laplacian_normals)[slot]));
+        hash.add(pack((*columns.shape_diagonals)[slot]));
+        hash.add(pack((*columns.shape_off_diagonals)[slot]));
+        hash.add(bits((*columns.kernel_sizes)[slot]));
+    }
+    return hash.value();
 }
 
 bool allNamesPresent(const CMeshO& mesh) {
@@ -131,8 +137,9 @@ FieldStatus fieldStatus(const CMeshO& mesh, const GeometryStamp& now) {
     const std::optional<FieldRecord> record = readFieldRecord(mesh);
     const Columns columns = findColumns(mesh);
     if (!record || !columns.complete()) return FieldStatus::WrongType;
-    if (emptied(columns)) return FieldStatus::Missing;
-    return record->stamp == now ? FieldStatus::Current : FieldStatus::Stale;
+    if (record->stamp != now) return FieldStatus::Stale;
+    return contentHash(mesh, columns) == record->content ? FieldStatus::Current
+                                                         : FieldStatus::Missing;
 }
 
 std::optional<Field> readField(const CMeshO& mesh, const GeometryStamp& now) {
@@ -165,6 +172,7 @@ void writeField(CMeshO& mesh, const Field& field, const laplacian_lines::Precomp
     fillColumns(mesh, field);
     FieldRecord record;
     record.stamp = stamp;
+    record.content = contentHash(mesh, findColumns(mesh));
     record.options = options;
     record.scale = field.scale;
     record.report = field.report;

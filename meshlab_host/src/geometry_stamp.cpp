@@ -4,50 +4,14 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
+#include "hash.h"
 #include "laplacian_lines/affordable_threads.h"
 #include "meshlab_host/mesh_conversion.h"
 
 namespace meshlab_host {
 namespace {
-
-/// A sum over 64-bit words, each mixed with its place, so that no word has to wait for the one
-/// before. Not for adversaries; one bit changed anywhere in a mesh is all it has to notice.
-class Hash {
-public:
-    explicit Hash(std::uint64_t seed) : place_(seed) {}
-
-    void add(std::uint64_t word) {
-        place_ += 0x9e3779b97f4a7c15u;
-        std::uint64_t mixed = (word ^ place_) * 0xbf58476d1ce4e5b9u;
-        mixed ^= mixed >> 32;
-        sum_ += mixed * 0x94d049bb133111ebu;
-    }
-    std::uint64_t value() const { return sum_; }
-
-private:
-    std::uint64_t place_, sum_ = 0;
-};
-
-template <class Scalar>
-std::uint64_t bits(Scalar value) {
-    std::uint64_t result = 0;
-    std::memcpy(&result, &value, sizeof value);
-    return result;
-}
-
-/// Three coordinates in one word. Each is spread by its own odd factor, so that swapping two of
-/// them or shifting a value from one to another shows.
-std::uint64_t pack(const Point3m& p) {
-    return bits(p[0]) * 0xd6e8feb86659fd93u + bits(p[1]) * 0xa0761d6478bd642fu +
-           bits(p[2]) * 0xe7037ed1a0b428dbu;
-}
-
-std::uint64_t pack(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
-    return a * 0xd6e8feb86659fd93u + b * 0xa0761d6478bd642fu + c * 0xe7037ed1a0b428dbu;
-}
 
 /// Hashes the elements that are not deleted: blocks of them, and then the results in their order.
 /// `add(element, hash)` adds one.

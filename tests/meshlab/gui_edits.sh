@@ -95,4 +95,17 @@ close
 expect-lines single_strokes=0
 trigger Reload
 expect-lines single_strokes=0 $(kept_on_reload normal_sigma=6)
+# but not when edits have left them in another order
+trigger Compute Laplacian Lines
+set Normal Smoothing Sigma = 6
+apply
+close
+trigger Conditional Face Selection
+set boolean function = x0 > 0.3
+apply
+close
+trigger Delete Selected Faces
+trigger Remove Unreferenced Vertices
+trigger Reload
+expect-lines single_strokes=0
 END

@@ -16,10 +16,13 @@ namespace meshlab_host {
 /// in the units of laplacian_lines::Field, and a per-mesh attribute ll_record. A field without its
 /// record does not count.
 struct FieldRecord {
-    static constexpr std::uint32_t current_layout = 1;
+    static constexpr std::uint32_t current_layout = 2;
 
     std::uint32_t layout = current_layout;
     GeometryStamp stamp;  ///< of the mesh that the field was computed from
+    /// A hash of the attributes' values. When a file is reloaded, MeshLab keeps the record and, in
+    /// whatever order edits have left them, the values, or empties them.
+    std::uint64_t content = 0;
     laplacian_lines::PrecomputeOptions options;
     laplacian_lines::FieldScale scale;
     laplacian_lines::MeshReport report;
@@ -27,7 +30,7 @@ struct FieldRecord {
 
 enum class FieldStatus {
     Current,
-    Missing,    ///< never computed, or MeshLab has dropped part of it
+    Missing,    ///< never computed, or MeshLab has dropped or mixed up part of it
     Stale,      ///< the mesh has changed since
     WrongType,  ///< somebody else's attribute has one of the names
 };
