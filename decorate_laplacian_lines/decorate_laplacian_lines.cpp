@@ -100,8 +100,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     }
     if (refusal.isEmpty())
         complaints_.erase({&log, mesh.id()});
-    else if (complaints_[{&log, mesh.id()}] != refusal ||
-             !meshlab_host::hasLine(log, refusalLine(mesh, refusal)))
+    else if (!isSaid(mesh, log, refusal))
         complain(mesh, &log, refusal);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
@@ -208,10 +207,18 @@ void DecorateLaplacianLines::paint(const std::vector<SurfaceLayer>& layers,
                                         depths, buffers_));
 }
 
+bool DecorateLaplacianLines::isSaid(const MeshModel& mesh, const GLLogStream& log,
+                                    const QString& refusal) const {
+    const auto last = complaints_.find({&log, mesh.id()});
+    if (last == complaints_.end() || last->second.refusal != refusal) return false;
+    return !last->second.is_kept || meshlab_host::hasLine(log, refusalLine(mesh, refusal));
+}
+
 void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream* log,
                                       const QString& refusal) {
-    say(refusalLine(mesh, refusal));
-    complaints_[{log, mesh.id()}] = refusal;
+    const QString line = refusalLine(mesh, refusal);
+    say(line);
+    complaints_[{log, mesh.id()}] = {refusal, log && meshlab_host::hasLine(*log, line)};
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DecorateLaplacianLines)

@@ -63,6 +63,8 @@ private:
                const meshlab_host::CameraMatrices& camera, const DepthTexture& depths);
     /// Adds why a mesh has no lines to its document's log, which is `log`.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
+    /// Whether the log's reader knows it: said before, and not taken out of the log since.
+    bool isSaid(const MeshModel& mesh, const GLLogStream& log, const QString& refusal) const;
 
     LineCache cache_;
     ViewLayers view_layers_;
@@ -75,7 +77,11 @@ private:
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_;
     bool shows_statistics_ = false;
+    struct Complaint {
+        QString refusal;
+        bool is_kept = false;  ///< by the log; some hosts show a line and forget it
+    };
     /// What has been said, by a document's log and mesh, since its lines were last drawn: once, not
     /// at every redraw.
-    std::map<std::pair<const GLLogStream*, int>, QString> complaints_;
+    std::map<std::pair<const GLLogStream*, int>, Complaint> complaints_;
 };
