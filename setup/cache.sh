@@ -5,6 +5,11 @@ cache_folder() {
     printf '%s\n' "${LAPLACIAN_LINES_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/laplacian-lines}"
 }
 
+# Where ccache keeps what was compiled.
+compiled_folder() {
+    printf '%s/ccache\n' "$(cache_folder)"
+}
+
 # publish_into FOLDER COMMAND ARGS...: run COMMAND ARGS... SCRATCH and rename SCRATCH to FOLDER when it succeeds,
 # so that an interrupted run never leaves half a folder that later runs would trust.
 publish_into() {

@@ -46,8 +46,8 @@ test_in_root() {
     shift 2
     ensure_root "${HOST_SUITE[$host]}" "$checkout" || return 1
     build=$checkout/build/host-$host
-    mkdir -p "$build"
-    binds=("ro:$checkout" "rw:$build" "ro:$(cache_folder)/headers")
+    mkdir -p "$build" "$(compiled_folder)"
+    binds=("ro:$checkout" "rw:$build" "ro:$(cache_folder)/headers" "rw:$(compiled_folder)")
     models=$(dirname "$checkout")/shared/models # scanned models that may lie beside the repository
     [[ ! -d $models ]] || binds+=("ro:$(readlink -f "$models")=$models")
     say "MeshLab $host in $ROOT"
