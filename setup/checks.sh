@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What tests alone do not see: warnings of another compiler, static analysis, sanitizers, coverage, fuzzing.
+# What tests alone do not see: warnings of another compiler, static analysis, sanitizers, coverage, fuzzing, and meshes
+# of millions of triangles.
 # Each check_... prints on stdout what is worth telling about its success.
 
 CHECK_PACKAGES=(clang libclang-rt-dev llvm libomp-dev cppcheck)
@@ -157,6 +158,19 @@ fuzz_alone() {
     fuzz "$1" "$2" "$(checks_folder "$1")/fuzz/corpus"
 }
 
+# The tests of meshes that take seconds and up to 2.2 GB.
+check_large_meshes() {
+    local build log
+    build=$(build_folder "$1") log=$(build_folder "$1")/large_meshes.log
+    ensure_packages "${CORE_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
+    configure "$1" -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON
+    compile "$1" core_tests
+    say "computing large meshes"
+    LAPLACIAN_LINES_LARGE=1 quietly "$log" "$build/tests/core/core_tests" --gtest_filter='Meshes/Large.*' ||
+        fail "a large mesh took too much time or memory, or was not refused; the log is $log"
+    awk '/PASSED/ { print $4 " meshes" }' "$log"
+}
+
 # run_checks CHECKOUT CONCLUDE: calls CONCLUDE NAME EXIT_CODE REMARK after each
 run_checks() {
     run_check "$@" "static analysis" check_statically || true
@@ -164,6 +178,7 @@ run_checks() {
     run_check "$@" "sanitizers" check_sanitized || true
     run_check "$@" "coverage of the core" check_coverage || true
     run_check "$@" "fuzzing" check_by_fuzzing || true
+    run_check "$@" "large meshes" check_large_meshes || true
 }
 
 # run_check CHECKOUT CONCLUDE NAME COMMAND ARGS...

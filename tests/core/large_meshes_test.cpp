@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
@@ -44,10 +45,20 @@ TriangleMesh tetrahedra(int count) {
     return mesh;
 }
 
+/// A bumpy torus; test_meshes::torus() would take longer to know the truth than we to compute it.
+TriangleMesh ring(int columns, int rows) {
+    return test_meshes::grid_mesh({columns, rows, true, true}, [](double u, double v) {
+        const double a = 2 * std::acos(-1) * u, b = 2 * std::acos(-1) * v;
+        const double thickness = 0.4 + 0.03 * std::sin(9 * a) * std::sin(4 * b);
+        const double radius = 1 + thickness * std::cos(b);
+        return Eigen::Vector3d(radius * std::cos(a), radius * std::sin(a), thickness * std::sin(b));
+    });
+}
+
 const LargeMesh kMeshes[] = {
-    {"TenMillionTriangles", [] { return test_meshes::torus(3200, 1600).mesh; }},
-    {"KernelAsLargeAsTheMesh", [] { return test_meshes::torus(800, 400).mesh; }, 3},
-    {"KernelOfAThousandMeshes", [] { return test_meshes::torus(800, 400).mesh; }, 3000},
+    {"TenMillionTriangles", [] { return ring(3200, 1600); }},
+    {"KernelAsLargeAsTheMesh", [] { return ring(800, 400); }, 3},
+    {"KernelOfAThousandMeshes", [] { return ring(800, 400); }, 3000},
     {"MillionTrianglesAtOneVertex", [] { return test_meshes::star(1000000, false); }},
     {"MillionVerticesAtOnePlaceOfASurface", [] { return test_meshes::star(1000000, true); }},
     {"MillionVerticesAtOnePoint", [] { return million_at(1); }, 0, true},
