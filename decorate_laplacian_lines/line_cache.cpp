@@ -26,8 +26,7 @@ void LineCache::assign(View view, int mesh, PreparedLinesPointer lines) {
 
 bool LineCache::isCheckDue(View view, int mesh, const Eigen::Matrix4d& modelview, QWidget* widget) {
     const auto found = uses_.find({view, mesh});
-    return found == uses_.end() ||
-           found->second.check.isDue(modelview, presses_.value(), widget);
+    return found == uses_.end() || found->second.check.isDue(modelview, presses_.value(), widget);
 }
 
 void LineCache::release(View view, int mesh) {

@@ -40,7 +40,8 @@ private:
         const Eigen::Vector3d direction = to_eye.normalized();
         const double length = view_.w == 0 ? std::numeric_limits<double>::infinity()
                                            : to_eye.norm() / std::abs(view_.w) - clearance_;
-        return length <= 0 || !caster_.is_hit({point + clearance_ * direction, direction, length}, hint);
+        return length <= 0 ||
+               !caster_.is_hit({point + clearance_ * direction, direction, length}, hint);
     }
 
     const RayCaster& caster_;
