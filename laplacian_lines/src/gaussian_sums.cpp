@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "gaussian_sums_simd.h"
 #include "large_array.h"
@@ -21,9 +22,10 @@ GaussianSource source(const Eigen::Vector3d& position, const Eigen::Vector3d& no
     return {p.x(), p.y(), p.z(), 0, n.x(), n.y(), n.z(), 0};
 }
 
+/// Positive, even if the areas are 0 as floats.
 float mean_mass(const PreparedMesh& mesh) {
-    return float(sum_of(mesh.size(), [&](std::size_t v) { return mesh.masses[v]; }) /
-                 double(mesh.size()));
+    const double sum = sum_of(mesh.size(), [&](std::size_t v) { return mesh.masses[v]; });
+    return std::max(float(sum / double(mesh.size())), std::numeric_limits<float>::min());
 }
 
 /// All vertices, by the leaves of the tree.

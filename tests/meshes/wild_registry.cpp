@@ -101,6 +101,18 @@ TriangleMesh scattered_tetrahedra(int count) {
     return mesh;
 }
 
+/// Triangles whose areas are 0 as floats, though not as doubles.
+TriangleMesh tiny_sheets_far_apart() {
+    TriangleMesh mesh, sheet = plane(4);
+    for (const double z : {0., 1.}) {
+        for (Eigen::Vector3d& p : sheet.positions)
+            p = {1e-24 * p.x(), 1e-24 * p.y(), z};
+        append(mesh, sheet);
+        sheet = plane(4);
+    }
+    return mesh;
+}
+
 void add_shapes(std::vector<TestMesh>& meshes) {
     const auto add = [&](const char* name, unsigned tags, TriangleMesh mesh) {
         meshes.push_back({name, tags, std::move(mesh), {}});
@@ -119,6 +131,7 @@ void add_shapes(std::vector<TestMesh>& meshes) {
     add("cut_star", kComponents, star(3000, true));
     add("book", kNonManifold, book(3000));
     add("one_face_often", kNonManifold, one_face_often(3000));
+    add("areas_below_floats", kComponents, tiny_sheets_far_apart());
     add("far_away", 0, moved(1, {1e6, -1e6, 1e6}));
     add("huge", 0, moved(1e8, Eigen::Vector3d::Zero()));
     add("tiny", 0, moved(1e-8, Eigen::Vector3d::Zero()));
