@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every ErrorCode, with a sentence for the user, and nothing changed.
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <chrono>
@@ -166,8 +167,11 @@ TEST(Progress, NeverFallsAndCoversEverything) {
     }
 }
 
+/// On one thread, since of several the one that reports may get little of the work.
 TEST(Progress, MovesThroughAllStepsOfALargerMesh) {
     const TriangleMesh mesh = test_meshes::torus(240, 120, 0.2).mesh;
+    const int threads_before = omp_get_max_threads();
+    omp_set_num_threads(1);
     using Clock = std::chrono::steady_clock;
     std::map<std::string, int> calls;
     double last = 0, largest_step = 0, longest_silence = 0;
@@ -182,12 +186,13 @@ TEST(Progress, MovesThroughAllStepsOfALargerMesh) {
         ++calls[stage];
         return true;
     });
+    omp_set_num_threads(threads_before);
     for (const char* stage :
          {"Preparing the mesh", "Sorting in space", "Computing normals", "Smoothing normals",
           "Estimating curvature tensors", "Computing the Laplacian of the normals"})
         EXPECT_GE(calls[stage], 1) << stage;
     EXPECT_GE(calls["Computing the Laplacian of the normals"], 20);
-    EXPECT_LE(largest_step, 0.2);  // the mesh is prepared in one step; threads finish together
+    EXPECT_LE(largest_step, 0.16);  // the mesh is prepared in one step
     RecordProperty("longest_silence_in_seconds", std::to_string(longest_silence));
 }
 

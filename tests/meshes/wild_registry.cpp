@@ -103,12 +103,12 @@ TriangleMesh scattered_tetrahedra(int count) {
 
 /// Triangles whose areas are 0 as floats, though not as doubles.
 TriangleMesh tiny_sheets_far_apart() {
-    TriangleMesh mesh, sheet = plane(4);
+    TriangleMesh mesh;
     for (const double z : {0., 1.}) {
+        TriangleMesh sheet = plane(4);
         for (Eigen::Vector3d& p : sheet.positions)
             p = {1e-24 * p.x(), 1e-24 * p.y(), z};
         append(mesh, sheet);
-        sheet = plane(4);
     }
     return mesh;
 }
