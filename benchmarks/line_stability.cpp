@@ -95,7 +95,7 @@ void print_detail(const char* file, const LineExtractor& extractor, const View& 
     ExtractionScratch scratch;
     LineSet lines;
     LineStyle style;
-    style.contours = false;
+    style.shows[LineKind::Contour] = false;
     std::printf("%s, lines by detail 0, 10, ... 100:", file);
     for (style.detail = 0; style.detail <= 100; style.detail += 10) {
         extractor.extract(view, style, scratch, lines);

@@ -33,10 +33,11 @@ LineStyle all_zeros(LineKind kind) {
     style.gradient_threshold = style.strength_threshold = 0;
     style.segment_slope = style.line_slope = style.line_smoothing = 0;
     style.shortest_line = style.shortest_contour = 0;
-    style.reject_phantoms = style.single_strokes = style.ridges = style.borders = false;
+    style.reject_phantoms = style.single_strokes = style.shows[LineKind::Ridge] =
+        style.shows[LineKind::Border] = false;
     style.least_facing = -1;
-    style.laplacian_lines = kind == LineKind::Laplacian;
-    style.contours = kind == LineKind::Contour;
+    style.shows[LineKind::Laplacian] = kind == LineKind::Laplacian;
+    style.shows[LineKind::Contour] = kind == LineKind::Contour;
     return style;
 }
 
@@ -51,7 +52,7 @@ Redraws::Redraws(const TriangleMesh& mesh, const Field& field)
       laplacian_(plain_, field.laplacian_normals),
       traced_(plain_, field.laplacian_normals),
       diagonal_(field.scale.diagonal) {
-    style_.ridges = style_.borders = false;
+    style_.shows[LineKind::Ridge] = style_.shows[LineKind::Border] = false;
     extractor_seconds_ =
         seconds([&] { extractor_ = std::make_unique<LineExtractor>(mesh, field); });
     curvature_seconds_ =

@@ -78,7 +78,8 @@ DecorationParameters readDecorationParameters(const RichParameterList& list) {
         }
     }
     // contours without width must not push other lines aside
-    if (result.appearance.contour_factor == 0) result.style.contours = false;
+    if (result.appearance.contour_factor == 0)
+        result.style.shows[laplacian_lines::LineKind::Contour] = false;
     putIntoEffect(result.drawing_style, result);
     return result;
 }

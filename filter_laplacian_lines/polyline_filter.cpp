@@ -2,6 +2,7 @@
 #include "polyline_filter.h"
 
 #include <QFileInfo>
+#include <array>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
@@ -109,19 +110,6 @@ LineSet extract(const Source& source, const laplacian_lines::Field& field, const
     return lines;
 }
 
-/// "12 Laplacian lines, 3 occluding contours": the kinds that there are.
-QString kindsInWords(const LineSet& lines) {
-    const char* const names[] = {"Laplacian lines", "occluding contours", "ridges", "borders",
-                                 "creases"};
-    std::size_t counts[std::size(names)] = {};
-    for (const auto& line : lines.lines)
-        ++counts[std::size_t(line.kind)];
-    QStringList parts;
-    for (std::size_t kind = 0; kind < std::size(names); ++kind)
-        if (counts[kind]) parts << QString("%1 %2").arg(counts[kind]).arg(names[kind]);
-    return parts.join(", ");
-}
-
 void addLayer(const LineSet& lines, const Source& source, const laplacian_lines::Field& field,
               MeshDocument& document) {
     const QString name = QFileInfo(source.name).completeBaseName() + "_laplacian_lines";
@@ -133,6 +121,17 @@ void addLayer(const LineSet& lines, const Source& source, const laplacian_lines:
 }
 
 }  // namespace
+
+QString kindsInWords(const LineSet& lines) {
+    std::array<std::size_t, laplacian_lines::line_kind_count> counts{};
+    for (const auto& line : lines.lines)
+        ++counts.at(std::size_t(line.kind));
+    QStringList parts;
+    for (const auto& kind : laplacian_lines::line_kinds)
+        if (const std::size_t count = counts[std::size_t(kind.kind)])
+            parts << QString("%1 %2").arg(count).arg(count == 1 ? kind.one : kind.many);
+    return parts.join(", ");
+}
 
 meshlab_host::FilterDescription PolylineFilter::description() const {
     meshlab_host::FilterDescription result;

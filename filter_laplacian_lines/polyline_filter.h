@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "laplacian_lines/line_set.h"
 #include "meshlab_host/filter.h"
 
 /// The lines of a mesh from one view, as a layer of polylines.
@@ -10,3 +11,7 @@ public:
     void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
     void run(const meshlab_host::FilterRun& run) const override;
 };
+
+/// "12 Laplacian lines, 1 ridge": how many there are of each kind, without those of which there are
+/// none.
+QString kindsInWords(const laplacian_lines::LineSet& lines);

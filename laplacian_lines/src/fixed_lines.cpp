@@ -67,7 +67,7 @@ void FixedLines::append_ridges(const ExtractorData& data, const LocalEye& eye,
     const float angle = float(std::pow(threshold_factor(style.detail), 0.125) * style.ridge_angle);
     const float fading = 0.4f * float(style.fading);
     // The contour of a rounded edge stays near its crest for long.
-    const float clearance = style.contours ? 4 * float(style.contour_clearance) : 0;
+    const float clearance = style.shows[LineKind::Contour] ? 4 * float(style.contour_clearance) : 0;
     const auto opacity_of = [&](std::size_t i) {
         const LinePoint& point = ridges.lines.points[i];
         const float opacity = angle_opacity(point.gradient, angle, fading);
@@ -88,12 +88,12 @@ void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const Li
                         LineSet& lines) {
     const float shortest = float(std::sqrt(threshold_factor(style.detail)) * style.shortest_line);
     const auto always = [](std::size_t) { return true; };
-    if (style.ridges) append_ridges(data, eye, style, shortest, lines);
-    if (style.borders)
+    if (style.shows[LineKind::Ridge]) append_ridges(data, eye, style, shortest, lines);
+    if (style.shows[LineKind::Border])
         append_lines(
             borders_.get([&] { return find_borders(data); }), {kPinhole * shortest, 0}, always,
             [](std::size_t) { return 1.f; }, lines);
-    if (style.creases) {
+    if (style.shows[LineKind::Crease]) {
         const LineSet& creases =
             creases_.get([&] { return find_creases(data, find_mesh_edges(rebuild_mesh(data))); });
         const float angle = float(style.crease_angle);

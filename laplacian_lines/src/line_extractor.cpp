@@ -84,8 +84,8 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     set_eye(light, task.light);
     task.light_at_eye = !view.light;
     task.exact_point_light = style.exact_point_light && light.w != 0;
-    task.wanted[kLaplacianStrips] = style.laplacian_lines;
-    task.wanted[kContourStrips] = style.contours && !style.mesh_silhouettes;
+    task.wanted[kLaplacianStrips] = style.shows[LineKind::Laplacian];
+    task.wanted[kContourStrips] = style.shows[LineKind::Contour] && !style.mesh_silhouettes;
     task.rules[kLaplacianStrips] = laplacian_rules(style);
     // Lines of another light follow no contours.
     if (view.light) follow_no_contours(task.rules[kLaplacianStrips]);
@@ -113,7 +113,7 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
     }
     finish_lines(*data_, memory.traced, memory.finishing, lines);
     data_->fixed_lines.append(*data_, eye, style, lines);
-    if (style.contours && style.mesh_silhouettes) {
+    if (style.shows[LineKind::Contour] && style.mesh_silhouettes) {
         LineRules rules = contour_rules(style);
         rules.smoothing_passes = 0;  // exact is what they are for
         append_silhouettes(*data_, data_->fixed_lines.mesh_edges(*data_), eye, rules,

@@ -36,7 +36,7 @@ LineRules laplacian_rules(const LineStyle& s) {
     rules.fading = float(s.fading);
     rules.smoothing_passes = smoothing_passes(s.line_smoothing);
     rules.end_length = float(s.end_length);
-    rules.contour_clearance = s.contours ? float(s.contour_clearance) : 0;
+    rules.contour_clearance = s.shows[LineKind::Contour] ? float(s.contour_clearance) : 0;
     rules.leave_out_away = rules.contour_clearance > 0;
     return rules;
 }

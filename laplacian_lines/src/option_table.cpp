@@ -89,28 +89,42 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
 
 namespace {
 
+/// The switch of a kind of lines.
+template <std::size_t Row>
+OptionDescription<LineStyle> kind_row() {
+    constexpr const LineKindDescription& kind = line_kinds[Row];
+    return {kind.key,
+            kind.label,
+            kind.help,
+            OptionKind::Boolean,
+            0,
+            1,
+            {},
+            [](const LineStyle& style) { return style.shows[line_kinds[Row].kind] ? 1. : 0.; },
+            [](LineStyle& style, double value) { style.shows[line_kinds[Row].kind] = value != 0; }};
+}
+
+template <std::size_t... Rows>
+std::vector<OptionDescription<LineStyle>> kind_rows(std::index_sequence<Rows...>) {
+    return {kind_row<Rows>()...};
+}
+
 /// What everybody uses of the style.
 std::vector<OptionDescription<LineStyle>> everyday_style_rows() {
     using S = LineStyle;
-    return {
+    std::vector<OptionDescription<LineStyle>> rows = {
         real<&S::detail>("detail", "Detail", 0, 100,
                          "More or fewer lines, 0 to 100: moves all thresholds together. 50 leaves "
                          "them as they are."),
-        boolean<&S::laplacian_lines>("laplacian_lines", "Laplacian Lines",
-                                     "Draw the Laplacian lines."),
-        boolean<&S::ridges>("ridges", "Ridges", "Draw convex edges of the form, sharp or rounded."),
-        boolean<&S::borders>("borders", "Borders", "Draw the borders of holes and open surfaces."),
-        boolean<&S::creases>("creases", "Creases",
-                             "Draw edges of the mesh at which triangles meet at an angle: for "
-                             "meshes of few triangles, such as those of CAD programs."),
-        boolean<&S::single_strokes>(
-            "single_strokes", "Single Strokes",
-            "Draw one line along a groove and at the foot of a form: only where the surface is "
-            "concave. Off: also the lines on the convex forms beside them, as in the paper, which "
-            "outline each groove and ridge twice."),
-        boolean<&S::contours>("contours", "Occluding Contours",
-                              "Draw the outlines: where the surface turns away from the eye."),
     };
+    for (auto& row : kind_rows(std::make_index_sequence<line_kind_count>()))
+        rows.push_back(std::move(row));
+    rows.push_back(boolean<&S::single_strokes>(
+        "single_strokes", "Single Strokes",
+        "Draw one line along a groove and at the foot of a form: only where the surface is "
+        "concave. Off: also the lines on the convex forms beside them, as in the paper, which "
+        "outline each groove and ridge twice."));
+    return rows;
 }
 
 std::vector<OptionDescription<LineStyle>> expert_style_rows() {

@@ -66,7 +66,7 @@ LineStyle all_crossings() {
     style.gradient_threshold = style.strength_threshold = 0;
     style.reject_phantoms = style.single_strokes = false;
     style.line_smoothing = 0;
-    style.ridges = style.borders = false;
+    style.shows[LineKind::Ridge] = style.shows[LineKind::Border] = false;
     style.segment_slope = style.line_slope = 0;
     style.shortest_line = style.shortest_contour = 0;
     style.least_facing = -1;
@@ -76,13 +76,13 @@ LineStyle all_crossings() {
 
 LineStyle all_laplacian_lines() {
     LineStyle style = all_crossings();
-    style.contours = false;
+    style.shows[LineKind::Contour] = false;
     return style;
 }
 
 LineStyle all_contours() {
     LineStyle style = all_crossings();
-    style.laplacian_lines = false;
+    style.shows[LineKind::Laplacian] = false;
     return style;
 }
 

@@ -99,7 +99,7 @@ TEST_P(Large, MeshIsDoneOrRefused) {
         ExtractionScratch scratch;
         const View view = View::perspective(field.scale.diagonal * Eigen::Vector3d(1, 2, 1.5));
         LineStyle style;
-        style.creases = true;
+        style.shows[LineKind::Crease] = true;
         for (const char* what : {"extract() at first", "extract()"}) {
             extractor.extract(view, style, scratch, lines);
             tell(what);

@@ -68,12 +68,12 @@ TEST(Fading, SparesTheNeighbourhoodOfContours) {
     made_up.facing = 0.2;
     const double distance = 0.2 * 0.2 / (2 * MadeUp::kDiagonal);
     LineStyle style = all_opaque();
-    style.contours = true;
+    style.shows[LineKind::Contour] = true;
     style.contour_clearance = distance / 0.75;  // half-way from fading to gone
     EXPECT_NEAR(middle_opacity(made_up.lines(style)), 0.5, 2e-2);
     style.contour_clearance = 2.1 * distance;
     EXPECT_EQ(middle_opacity(made_up.lines(style)), 0);
-    style.contours = false;  // nothing is doubled
+    style.shows[LineKind::Contour] = false;  // nothing is doubled
     EXPECT_EQ(middle_opacity(made_up.lines(style)), 1);
 }
 
@@ -115,7 +115,7 @@ TEST(Fading, LinesThatEndAtAContourDoNotFadeAgain) {
     const Field field = precompute(surface.mesh);
     const LineExtractor extractor(surface.mesh, field);
     LineStyle style = all_opaque();
-    style.contours = true;
+    style.shows[LineKind::Contour] = true;
     style.contour_clearance = 1e-3;
     style.end_length = 0.2;
     const LineSet set =

@@ -193,8 +193,8 @@ TEST(Kinds, AreDrawnAsAsked) {
     const View view = View::perspective({3, 2, 4});
     const auto count = [&](bool laplacian, bool contours, LineKind kind) {
         LineStyle style;
-        style.laplacian_lines = laplacian;
-        style.contours = contours;
+        style.shows[LineKind::Laplacian] = laplacian;
+        style.shows[LineKind::Contour] = contours;
         std::size_t n = 0;
         for (const Polyline& line : extract(extractor, view, style).lines)
             n += line.kind == kind;

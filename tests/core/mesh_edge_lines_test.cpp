@@ -19,26 +19,26 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 LineStyle nothing() {
     LineStyle style = helpers::all_crossings();
-    style.laplacian_lines = style.contours = false;
+    style.shows[LineKind::Laplacian] = style.shows[LineKind::Contour] = false;
     return style;
 }
 
 LineStyle borders() {
     LineStyle style = nothing();
-    style.borders = true;
+    style.shows[LineKind::Border] = true;
     return style;
 }
 
 LineStyle creases(double angle) {
     LineStyle style = nothing();
-    style.creases = true;
+    style.shows[LineKind::Crease] = true;
     style.crease_angle = angle;
     return style;
 }
 
 LineStyle silhouettes() {
     LineStyle style = nothing();
-    style.contours = style.mesh_silhouettes = true;
+    style.shows[LineKind::Contour] = style.mesh_silhouettes = true;
     return style;
 }
 
@@ -104,7 +104,7 @@ TEST(MeshEdgeLines, BordersAreWholeLinesOfTheOutline) {
     const LineSet lines = lines_of(test_meshes::mesh_named("plane").mesh, borders());
     ASSERT_EQ(lines.lines.size(), 1u);
     EXPECT_TRUE(lines.lines[0].closed);
-    EXPECT_TRUE(is_outline(lines.lines[0].kind));
+    EXPECT_TRUE(describe(lines.lines[0].kind).is_outline);
     EXPECT_EQ(lines.lines[0].kind, LineKind::Border);
     for (const LinePoint& p : lines.points)
         EXPECT_EQ(p.opacity * p.weight, 1);
@@ -156,7 +156,8 @@ TEST(MeshEdgeLines, SilhouettesAreBetweenFrontAndBack) {
 TEST(MeshEdgeLines, CanBeAskedForByManyThreads) {
     const TriangleMesh& mesh = test_meshes::mesh_named("half_torus").mesh;
     LineStyle style = creases(20);
-    style.ridges = style.borders = style.contours = style.mesh_silhouettes = true;
+    style.shows[LineKind::Ridge] = style.shows[LineKind::Border] = style.shows[LineKind::Contour] =
+        style.mesh_silhouettes = true;
     const Field field = precompute(mesh);
     const View view = View::perspective({3, 2, 4});
     const LineSet expected = helpers::extract(LineExtractor(mesh, field), view, style);

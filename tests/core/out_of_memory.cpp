@@ -27,7 +27,7 @@ LineSet all_of_it(const TriangleMesh& mesh, const PrecomputeOptions& options,
     const View view = View::perspective(field.scale.diagonal * Eigen::Vector3d(1, 2, 1.5));
     LineSet lines;
     LineStyle style;
-    style.creases = true;
+    style.shows[LineKind::Crease] = true;
     extractor.extract(view, style, scratch, lines);
     return LineVisibility(mesh, field.scale).visible_parts(view, lines);
 }

@@ -105,7 +105,7 @@ struct NamedStyle {
 /// The kinds of lines that are zeros of functions.
 std::vector<NamedStyle> styles() {
     LineStyle standard;
-    standard.ridges = standard.borders = false;
+    standard.shows[LineKind::Ridge] = standard.shows[LineKind::Border] = false;
     LineStyle all_strokes = standard;
     all_strokes.single_strokes = false;
     LineStyle exact = standard;

@@ -292,8 +292,9 @@ std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& fi
     std::vector<PlainLine> lines;
     LineRules rules = laplacian_rules(style);
     if (view.light) follow_no_contours(rules);
-    if (style.laplacian_lines) extraction.extract(rules, &Vertex::laplacian, lines);
-    if (style.contours) extraction.extract(contour_rules(style), &Vertex::illumination, lines);
+    if (style.shows[LineKind::Laplacian]) extraction.extract(rules, &Vertex::laplacian, lines);
+    if (style.shows[LineKind::Contour])
+        extraction.extract(contour_rules(style), &Vertex::illumination, lines);
     return lines;
 }
 

@@ -17,8 +17,8 @@ const View kView = View::perspective({3, 2, 4});
 
 LineStyle only_ridges() {
     LineStyle style = helpers::all_crossings();
-    style.laplacian_lines = style.contours = false;
-    style.ridges = true;
+    style.shows[LineKind::Laplacian] = style.shows[LineKind::Contour] = false;
+    style.shows[LineKind::Ridge] = true;
     style.fading = 0;
     style.ridge_angle = 20;
     return style;
@@ -61,7 +61,7 @@ TEST(Ridges, FollowTheMiddleOfRoundedEdges) {
     EXPECT_EQ(edges.size(), 12u);
     for (const Polyline& line : lines.lines) {
         EXPECT_EQ(line.kind, LineKind::Ridge);
-        EXPECT_FALSE(is_outline(line.kind));
+        EXPECT_FALSE(describe(line.kind).is_outline);
     }
 }
 
@@ -91,7 +91,7 @@ TEST(Ridges, NeedTheirAngle) {
     style.fading = 1;  // of which ridges take 0.4
     for (const LinePoint& p : ridges(rounded_cube(), style).points)
         EXPECT_NEAR(p.opacity, std::clamp(1.2 * p.gradient / angle / 0.4 - 2.5, 0., 1.), 1e-3);
-    style.ridges = false;
+    style.shows[LineKind::Ridge] = false;
     EXPECT_TRUE(ridges(rounded_cube(), style).lines.empty());
 }
 
@@ -114,7 +114,7 @@ TEST(Ridges, FadeBesideContours) {
     const View above = View::orthographic(Eigen::Vector3d::UnitZ());
     for (const bool contours : {true, false}) {
         LineStyle style = only_ridges();
-        style.contours = contours;
+        style.shows[LineKind::Contour] = contours;
         style.contour_clearance = LineStyle().contour_clearance;
         std::size_t upright = 0, others = 0;
         const LineSet set = helpers::extract(extractor, above, style);

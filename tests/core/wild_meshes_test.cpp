@@ -92,7 +92,7 @@ TEST_P(WildMesh, LinesAreFiniteFromAnyEye) {
     const Field field = precompute(mesh());
     const LineExtractor extractor(mesh(), field);
     LineStyle everything;
-    everything.creases = true;
+    everything.shows[LineKind::Crease] = true;
     everything.detail = 100;
     LineStyle silhouettes = everything;
     silhouettes.mesh_silhouettes = silhouettes.exact_point_light = true;

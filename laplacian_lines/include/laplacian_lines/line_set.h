@@ -5,20 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "laplacian_lines/line_kind.h"
+
 namespace laplacian_lines {
-
-enum class LineKind : std::uint32_t {
-    Laplacian,
-    Contour,  ///< where the surface turns away from the eye
-    Ridge,    ///< convex crest lines
-    Border,   ///< where the surface ends
-    Crease,   ///< edges of the mesh between triangles at an angle
-};
-
-/// Whether lines of the kind bound the form; the others describe what is inside.
-constexpr bool is_outline(LineKind kind) {
-    return kind == LineKind::Contour || kind == LineKind::Border;
-}
 
 /// A point of a line; plain floats in this order, so that an array of them can be uploaded as is.
 struct LinePoint {

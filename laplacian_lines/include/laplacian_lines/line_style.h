@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "laplacian_lines/line_kind.h"
+
 namespace laplacian_lines {
 
 /// Which zero crossings become lines. Every threshold is dimensionless, so that one style serves
@@ -43,19 +45,15 @@ struct LineStyle {
     /// Use the Laplacian of n·(e − p), ΔI = Δn·l − w tr S, instead of the paper's Δn·l. The two
     /// are the same for orthographic views.
     bool exact_point_light = false;
-    bool laplacian_lines = true;  ///< draw the zero crossings of ΔI
-    bool contours = true;         ///< draw the zero crossings of n·l
+    LineKindSet shows = LineKindSet::defaults();  ///< which kinds are drawn
     /// Contours along edges of the mesh, between a triangle that faces the eye and one that does
     /// not, instead of the smooth zero crossings of n·l.
     bool mesh_silhouettes = false;
     double shortest_contour = 0.005;  ///< least length of a contour or border, in D
-    /// Draw the crest lines of convex edges, sharp or rounded, which Laplacian lines do not convey.
-    bool ridges = true;
     /// Least angle, in degrees, by which the surface turns across a ridge within a kernel, 2 k₁ √h.
     double ridge_angle = 45;
-    bool borders = true;       ///< draw the edges where the surface ends
-    bool creases = false;      ///< draw edges of the mesh between triangles at an angle
-    double crease_angle = 60;  ///< least angle between their normals, degrees
+    /// Least angle between the normals of the triangles at a crease, degrees.
+    double crease_angle = 60;
 };
 
 /// What the style's detail multiplies thresholds by: 1 at 50, falling. Thresholds on lengths are

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace laplacian_lines {
+
+/// The number is what files hold: new kinds come last.
+enum class LineKind : std::uint32_t {
+    Laplacian,
+    Contour,  ///< where the surface turns away from the eye
+    Ridge,    ///< convex crest lines
+    Border,   ///< where the surface ends
+    Crease,   ///< edges of the mesh between triangles at an angle
+};
+
+/// What LinePoint::gradient is on lines of a kind.
+enum class LineGradient {
+    None,
+    Illumination,  ///< ‖∇I‖·D, dimensionless
+    Angle,         ///< by which the surface turns, degrees
+};
+
+/// All that is to be known of a kind outside of what finds its lines. Names are plain ASCII.
+struct LineKindDescription {
+    LineKind kind;
+    const char* key;    ///< identifier in scripts, stable between versions
+    const char* label;  ///< its switch in dialogs
+    const char* help;   ///< of the switch
+    const char* one;    ///< a line of this kind, within a sentence
+    const char* many;   ///< several
+    LineGradient gradient;
+    bool is_outline;       ///< bounds the form; the others describe what is inside
+    bool depends_on_view;  ///< otherwise only which parts are seen does
+    bool shown;            ///< by default
+    std::uint32_t color;   ///< by default, 0xRRGGBB
+    double width;          ///< by default, in widths of a Laplacian line of full weight
+};
+
+/// One row a kind, in the order of their numbers.
+inline constexpr std::array line_kinds = {
+    LineKindDescription{LineKind::Laplacian, "laplacian_lines", "Laplacian Lines",
+                        "Draw the Laplacian lines.", "Laplacian line", "Laplacian lines",
+                        LineGradient::Illumination, false, true, true, 0x000000, 1},
+    LineKindDescription{LineKind::Contour, "contours", "Occluding Contours",
+                        "Draw the outlines: where the surface turns away from the eye.",
+                        "occluding contour", "occluding contours", LineGradient::Illumination,
+                        true, true, true, 0x000000, 1.3},
+    LineKindDescription{LineKind::Ridge, "ridges", "Ridges",
+                        "Draw convex edges of the form, sharp or rounded.", "ridge", "ridges",
+                        LineGradient::Angle, false, false, true, 0x000000, 1},
+    LineKindDescription{LineKind::Border, "borders", "Borders",
+                        "Draw the borders of holes and open surfaces.", "border", "borders",
+                        LineGradient::None, true, false, true, 0x000000, 1.3},
+    LineKindDescription{LineKind::Crease, "creases", "Creases",
+                        "Draw edges of the mesh at which triangles meet at an angle: for meshes of "
+                        "few triangles, such as those of CAD programs.",
+                        "crease", "creases", LineGradient::Angle, false, false, false, 0x000000, 1},
+};
+inline constexpr std::size_t line_kind_count = line_kinds.size();
+
+constexpr const LineKindDescription& describe(LineKind kind) {
+    return line_kinds[static_cast<std::size_t>(kind)];
+}
+
+/// A switch for each kind.
+class LineKindSet {
+public:
+    /// None.
+    constexpr LineKindSet() = default;
+    /// Those that are shown by default.
+    static constexpr LineKindSet defaults() {
+        LineKindSet set;
+        for (const LineKindDescription& row : line_kinds)
+            set[row.kind] = row.shown;
+        return set;
+    }
+
+    constexpr bool& operator[](LineKind kind) { return switches_[static_cast<std::size_t>(kind)]; }
+    constexpr bool operator[](LineKind kind) const {
+        return switches_[static_cast<std::size_t>(kind)];
+    }
+
+private:
+    std::array<bool, line_kind_count> switches_{};
+};
+
+}  // namespace laplacian_lines
