@@ -8,10 +8,10 @@
 #include <map>
 #include <utility>
 
-#include "convexity.h"
-#include "line_rules.h"
+#include "mesh/prepared_mesh.h"
 #include "plain_finishing.h"
-#include "prepared_mesh.h"
+#include "rules/convexity.h"
+#include "rules/line_rules.h"
 
 namespace reference {
 
