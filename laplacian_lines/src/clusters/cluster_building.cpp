@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "clusters/cluster_sides.h"
@@ -17,6 +18,10 @@ namespace {
 
 // About the part of the whole time at which each step ends.
 constexpr double kPartitioned = 0.4, kLinked = 0.6, kLaidOut = 0.65;
+
+/// The vectors of the linear forms, by VertexForm.
+constexpr Eigen::Vector3d LocalVertex::*kForms[] = {&LocalVertex::normal, &LocalVertex::laplacian};
+static_assert(std::size(kForms) == kVertexFormCount, "a vector for each form");
 
 /// Writes a vector v at p as the linear form of place i.
 void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eigen::Vector3d& p) {
@@ -206,16 +211,15 @@ void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
                                     unsigned char* memory) const {
     const Cluster& cluster = data_.clusters[c];
     const ClusterLayout layout = cluster_layout(cluster);
-    auto* normals = reinterpret_cast<float*>(memory);
-    auto* laplacians = reinterpret_cast<float*>(memory + layout.laplacians);
     auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
     for (std::size_t i = 0; i < values.size(); ++i)
         records[i] = make_record(values[i]);
     // The places that are left over repeat the last vertex, which changes no "all" or "any".
     for (std::size_t i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
         const LocalVertex& v = values[std::min(i, values.size() - 1)];
-        write_form(normals, i, v.normal, v.position);
-        write_form(laplacians, i, v.laplacian, v.position);
+        for (unsigned form = 0; form < kVertexFormCount; ++form)
+            write_form(reinterpret_cast<float*>(memory + layout.forms[form]), i, v.*kForms[form],
+                       v.position);
     }
 }
 

@@ -21,6 +21,13 @@ constexpr std::uint8_t kNoNeighbour = 255;
 constexpr unsigned kFormGroup = 16;  ///< vertices whose linear forms lie together
 constexpr unsigned kMaskGroup = 64;  ///< triangles whose corners lie together
 
+/// Linear forms v·(e − w p) that are kept of each vertex.
+enum VertexForm : unsigned {
+    kFacingForm,     ///< v = n
+    kLaplacianForm,  ///< v = Δn·D²
+    kVertexFormCount
+};
+
 /// Position, shape operator and normal of a vertex in local coordinates x' = (x − centre)/D: one
 /// cache unit, as rows of four.
 struct VertexRecord {
@@ -42,8 +49,9 @@ struct ClusterTriangle {
 static_assert(sizeof(ClusterTriangle) == 8, "shuffled as 8 bytes");
 
 /// The memory of a cluster, from `first_unit` on, each part beginning a cache unit:
-///  - linear forms n·l of all vertices, then Δn·l·D²: for each kFormGroup vertices v.x of all,
-///    then v.y, v.z, and v·p,
+///  - the linear forms of all vertices, one VertexForm after the other: for each kFormGroup
+///  vertices
+///    v.x of all, then v.y, v.z, and v·p,
 ///  - corners as bytes for the sign tests: for each kMaskGroup triangles all first corners, then
 ///    all second, all third ones,
 ///  - ClusterTriangle of each triangle,
@@ -58,7 +66,7 @@ struct Cluster {
 
 /// Offsets of the parts, in bytes.
 struct ClusterLayout {
-    std::size_t laplacians, corners, triangles, records, end;
+    std::size_t forms[kVertexFormCount], corners, triangles, records, end;
 };
 
 static inline unsigned form_groups(const Cluster& c) {
@@ -68,13 +76,17 @@ static inline unsigned mask_groups(const Cluster& c) {
     return (c.triangle_count + kMaskGroup - 1) / kMaskGroup;
 }
 static inline ClusterLayout cluster_layout(const Cluster& c) {
-    const std::size_t forms = form_groups(c) * 4 * kFormGroup * sizeof(float);
-    const std::size_t corners = 2 * forms;
-    const std::size_t triangles = corners + mask_groups(c) * 3 * kMaskGroup;
-    const std::size_t records =
-        triangles +
+    const std::size_t size_of_form = form_groups(c) * 4 * kFormGroup * sizeof(float);
+    ClusterLayout layout;
+    for (unsigned form = 0; form < kVertexFormCount; ++form)
+        layout.forms[form] = form * size_of_form;
+    layout.corners = kVertexFormCount * size_of_form;
+    layout.triangles = layout.corners + mask_groups(c) * 3 * kMaskGroup;
+    layout.records =
+        layout.triangles +
         (c.triangle_count * sizeof(ClusterTriangle) + kCacheUnit - 1) / kCacheUnit * kCacheUnit;
-    return {forms, corners, triangles, records, records + c.vertex_count * sizeof(VertexRecord)};
+    layout.end = layout.records + c.vertex_count * sizeof(VertexRecord);
+    return layout;
 }
 
 /// Bounds of n·(e − w p) over the vertices of clusters, one array for each number. With the centre

@@ -77,7 +77,7 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
         placed.push_back({&cluster, vertices,
                           reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
                           reinterpret_cast<const VertexRecord*>(memory + layout.records),
-                          reinterpret_cast<const float*>(memory + layout.laplacians)});
+                          reinterpret_cast<const float*>(memory + layout.forms[kLaplacianForm])});
         vertices += cluster.vertex_count;
     }
     return placed;

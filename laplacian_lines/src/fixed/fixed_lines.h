@@ -1,48 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <mutex>
-
-#include "clusters/extractor_data.h"
-#include "clusters/local_eye.h"
-#include "fixed/mesh_edges.h"
-#include "fixed/ridges.h"
-#include "laplacian_lines/line_set.h"
-#include "laplacian_lines/line_style.h"
+#include "fixed/fixed_kinds.h"
+#include "system/on_demand.h"
 
 namespace laplacian_lines {
 
-/// A value that is computed when it is first asked for. Thread-safe.
-template <class Value>
-class OnDemand {
-public:
-    template <class Compute>
-    const Value& get(const Compute& compute) {
-        std::call_once(once_, [&] { value_ = compute(); });
-        return value_;
-    }
-
-private:
-    std::once_flag once_;
-    Value value_;
-};
-
-/// Lines that do not depend on the view, found when a style first shows them.
+/// Lines that do not depend on the view, found when a style first shows them. Thread-safe.
 class FixedLines {
 public:
-    /// Appends what the style shows of ridges, borders and creases. The eye matters only
-    /// for the nearness of contours, beside which ridges fade.
+    /// Appends what the style shows of them, kind after kind.
     void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines);
-    const MeshEdges& mesh_edges(const ExtractorData& data);
 
 private:
-    void append_ridges(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
-                       float shortest, LineSet& lines);
-
-    OnDemand<MeshEdges> mesh_edges_;
-    OnDemand<Ridges> ridges_;
-    OnDemand<LineSet> borders_, creases_;
+    std::array<OnDemand<std::unique_ptr<const FixedKindLines>>, kFixedKindCount> found_;
 };
 
 }  // namespace laplacian_lines

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed/ridges.h"
+// Convex crest lines. With e₁ the direction of the largest curvature and t = tr S, they are the
+// zeros of ∇t·e₁ at which ∇t falls along e₁; ∇t is the tangential part of Δn (Δn = −‖S‖² n + ∇t),
+// so the heat kernel makes them as robust as Laplacian lines. Only where one convex curvature
+// rules, k₁ > 2|k₂|, and the surface turns by at least kLeastRidgeAngle.
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -7,7 +10,10 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "fixed/fixed_kinds.h"
 #include "fixed/segment_tracing.h"
+#include "fixed/showing.h"
+#include "rules/contour_clearance.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -15,6 +21,21 @@ namespace {
 
 constexpr float kDegrees = 57.29577951308232f;
 constexpr float kDominance = 2;
+constexpr float kLeastRidgeAngle = 5;  // degrees; less is no edge to any eye
+
+/// All ridges of a surface, whatever the view.
+struct FoundRidges {
+    /// A point's `gradient` is the angle in degrees by which the surface turns across a kernel,
+    /// 2 k₁ √h; its opacity and weight are 1.
+    LineSet lines;
+    /// What tells how far a point is from a contour, by point.
+    struct Form {
+        Eigen::Vector3f normal;  ///< n, about unit
+        Eigen::Vector3f bend;    ///< k₁ e₁, local
+    };
+    std::vector<Form> forms;
+    std::vector<float> sharpest;  ///< the largest angle of a line's points, by line
+};
 
 /// The sharpest bend at a vertex.
 struct Bend {
@@ -56,7 +77,7 @@ struct Zero {
     std::uint64_t edge;  ///< the smaller vertex, then the larger one
     Eigen::Vector3f position;
     float angle;
-    Ridges::Form form;
+    FoundRidges::Form form;
 };
 
 /// A piece of a ridge in a triangle.
@@ -184,16 +205,15 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> crossing_of_edge_;
 };
 
-}  // namespace
-
-Ridges find_ridges(const ExtractorData& data) {
+/// The number of threads does not matter.
+FoundRidges find_ridges(const ExtractorData& data) {
     const std::vector<std::vector<Piece>> pieces = find_pieces(data);
     const RidgeGraph graph(pieces);
     LineRules rules;
     rules.kind = LineKind::Ridge;
     TracingMemory memory;
-    Ridges ridges;
-    trace_polylines(data, rules, graph.graph(), memory, ridges.lines);
+    FoundRidges ridges;
+    trace_segments(data, rules, graph.graph(), memory, ridges.lines);
     for (LinePoint& point : ridges.lines.points) {
         const Zero& zero = graph.zero(point);
         ridges.forms.push_back(zero.form);
@@ -208,5 +228,46 @@ Ridges find_ridges(const ExtractorData& data) {
     }
     return ridges;
 }
+
+class Ridges : public FixedKindLines {
+public:
+    explicit Ridges(FoundRidges found) : found_(std::move(found)) {}
+
+    void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
+                LineSet& lines) const override {
+        // Angles differ less than slopes do: the eighth root, and part of the fading.
+        const float angle =
+            float(std::pow(threshold_factor(style.detail), 0.125) * style.ridge_angle);
+        const float fading = 0.4f * float(style.fading);
+        // The contour of a rounded edge stays near its crest for long.
+        const float clearance =
+            style.shows[LineKind::Contour] ? 4 * float(style.contour_clearance) : 0;
+        const auto opacity_of = [&](std::size_t i) {
+            const LinePoint& point = found_.lines.points[i];
+            const float opacity = angle_opacity(point.gradient, angle, fading);
+            if (opacity == 0) return opacity;
+            const Eigen::Vector3f l = eye.towards(
+                ((point.position.cast<double>() - data.centre) / data.diagonal).cast<float>());
+            const FoundRidges::Form& form = found_.forms[i];
+            const float facing = std::abs(form.normal.dot(l));
+            const float gradient = std::abs(form.bend.dot(l));
+            return opacity * clearance_opacity(facing, std::max(gradient, 1e-6f), clearance);
+        };
+        append_lines(
+            found_.lines, {shortest_line(style), smoothing_passes(style.line_smoothing)},
+            [&](std::size_t line) { return found_.sharpest[line] >= angle; }, opacity_of, lines);
+    }
+
+private:
+    const FoundRidges found_;
+};
+
+std::unique_ptr<const FixedKindLines> find(const ExtractorData& data) {
+    return std::make_unique<const Ridges>(find_ridges(data));
+}
+
+}  // namespace
+
+const FixedKind ridges = {LineKind::Ridge, find};
 
 }  // namespace laplacian_lines

@@ -2,11 +2,11 @@
 #include "fixed/segment_tracing.h"
 
 #include "fixed/line_smoothing.h"
+#include "rules/line_acceptance.h"
+#include "system/chains.h"
 
 namespace laplacian_lines {
 namespace {
-
-constexpr std::uint32_t kNone = 0xffffffffu;
 
 std::uint32_t crossing_at(const CrossingGraph& graph, std::uint32_t half) {
     const Segment& s = graph.segments[half / 2];
@@ -14,8 +14,8 @@ std::uint32_t crossing_at(const CrossingGraph& graph, std::uint32_t half) {
 }
 
 void link_halves(const CrossingGraph& graph, TracingMemory& memory) {
-    memory.linked_half.assign(2 * graph.segments.size(), kNone);
-    memory.half_of_crossing.assign(graph.crossings.size(), kNone);
+    memory.linked_half.assign(2 * graph.segments.size(), kNoEnd);
+    memory.half_of_crossing.assign(graph.crossings.size(), kNoEnd);
     memory.degree.assign(graph.crossings.size(), 0);
     for (std::uint32_t half = 0; half < memory.linked_half.size(); ++half) {
         const std::uint32_t c = crossing_at(graph, half);
@@ -27,48 +27,43 @@ void link_halves(const CrossingGraph& graph, TracingMemory& memory) {
         } else if (degree == 2) {
             memory.linked_half[half] = first;
             memory.linked_half[first] = half;
-        } else if (memory.linked_half[first] != kNone) {  // a third segment: a junction
-            memory.linked_half[memory.linked_half[first]] = kNone;
-            memory.linked_half[first] = kNone;
+        } else if (memory.linked_half[first] != kNoEnd) {  // a third segment: a junction
+            memory.linked_half[memory.linked_half[first]] = kNoEnd;
+            memory.linked_half[first] = kNoEnd;
         }
     }
 }
 
-class Tracer {
+class SegmentTracer {
 public:
-    Tracer(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,
-           TracingMemory& memory, LineSet& lines)
+    SegmentTracer(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,
+                  TracingMemory& memory, LineSet& lines)
         : data_(data), rules_(rules), graph_(graph), memory_(memory), lines_(lines) {}
 
     void trace_all() {
         link_halves(graph_, memory_);
         memory_.visited.assign(graph_.segments.size(), 0);
-        // Begins before ends, so that lines keep the segments' direction; what is left are loops.
-        for (std::uint32_t offset : {0u, 1u})
-            for (std::uint32_t s = 0; s < graph_.segments.size(); ++s)
-                if (memory_.linked_half[2 * s + offset] == kNone) trace(2 * s + offset);
-        for (std::uint32_t s = 0; s < graph_.segments.size(); ++s)
-            trace(2 * s);
+        for_each_chain(
+            std::uint32_t(graph_.segments.size()),
+            [this](std::uint32_t half) { return memory_.linked_half[half]; },
+            [this](std::uint32_t half) { trace(half); });
     }
 
 private:
     /// Follows the line that starts at `half` and keeps it if the rules accept it.
     void trace(std::uint32_t half) {
         if (memory_.visited[half / 2]) return;
-        const std::uint32_t start = half;
         Polyline line;
         line.first = std::uint32_t(lines_.points.size());
         line.kind = rules_.kind;
         add_point(crossing_at(graph_, half), 0);
-        for (;;) {
-            const std::uint32_t s = half / 2;
-            memory_.visited[s] = 1;
-            add_segment(crossing_at(graph_, half), crossing_at(graph_, half ^ 1),
-                        graph_.segments[s].slope, line);
-            half = memory_.linked_half[half ^ 1];
-            if (half == kNone || half == start) break;
-        }
-        line.closed = half == start;
+        line.closed = follow_chain(
+            half, [this](std::uint32_t end) { return memory_.linked_half[end]; },
+            [&](std::uint32_t end) {
+                memory_.visited[end / 2] = 1;
+                add_segment(crossing_at(graph_, end), crossing_at(graph_, end ^ 1),
+                            graph_.segments[end / 2].slope, line);
+            });
         line.count = std::uint32_t(lines_.points.size()) - line.first;
         finish(line);
     }
@@ -90,7 +85,7 @@ private:
 
     void finish(Polyline& line) {
         line.slope = line.length > 0 ? line.slope / line.length : 0;
-        if (!accepts(line)) {
+        if (!accepts(rules_, line)) {
             lines_.points.resize(line.first);
             return;
         }
@@ -104,11 +99,6 @@ private:
         lines_.lines.push_back(line);
     }
 
-    bool accepts(const Polyline& line) const {
-        return line.length >= rules_.least_length && line.strength >= rules_.least_strength &&
-               (!rules_.use_slope || line.slope >= rules_.line_slope);
-    }
-
     const ExtractorData& data_;
     const LineRules& rules_;
     const CrossingGraph& graph_;
@@ -118,9 +108,9 @@ private:
 
 }  // namespace
 
-void trace_polylines(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,
-                     TracingMemory& memory, LineSet& lines) {
-    Tracer(data, rules, graph, memory, lines).trace_all();
+void trace_segments(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,
+                    TracingMemory& memory, LineSet& lines) {
+    SegmentTracer(data, rules, graph, memory, lines).trace_all();
 }
 
 }  // namespace laplacian_lines

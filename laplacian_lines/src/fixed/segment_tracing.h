@@ -10,7 +10,7 @@
 
 namespace laplacian_lines {
 
-/// Memory of trace_polylines(); keeps its capacity.
+/// Memory of trace_segments(); keeps its capacity.
 struct TracingMemory {
     /// A half is an end of a segment: 2·segment for its begin, 2·segment + 1 for its end.
     std::vector<std::uint32_t> linked_half;  ///< the half that continues, by half
@@ -23,7 +23,7 @@ struct TracingMemory {
 /// to `lines`. Works on any graph: a crossing where other than two segments meet (a border, a
 /// non-manifold edge) ends all lines there.
 /// Source: Zhang, He, Seah, step 3 (tracing) and Eq. 4 (strength).
-void trace_polylines(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,
-                     TracingMemory& memory, LineSet& lines);
+void trace_segments(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,
+                    TracingMemory& memory, LineSet& lines);
 
 }  // namespace laplacian_lines

@@ -7,15 +7,17 @@
 #include "clusters/extractor_data.h"
 #include "clusters/local_eye.h"
 #include "fixed/fixed_lines.h"
-#include "fixed/mesh_edge_lines.h"
 #include "laplacian_lines/error.h"
+#include "redraw/kinds/silhouettes.h"
+#include "redraw/kinds/strip_kinds.h"
 #include "redraw/line_finishing.h"
 
 namespace laplacian_lines {
 
 struct LineExtractor::Data : ExtractorData {
     explicit Data(ExtractorData&& data) : ExtractorData(std::move(data)) {}
-    mutable FixedLines fixed_lines;  // thread-safe
+    mutable FixedLines fixed_lines;          // thread-safe
+    mutable OnDemand<MeshEdges> mesh_edges;  // likewise
 };
 
 struct ExtractionScratch::Memory {
@@ -24,7 +26,6 @@ struct ExtractionScratch::Memory {
     TracedLines traced;
     FinishingMemory finishing;
     SilhouetteMemory silhouettes;
-    TracingMemory silhouette_tracing;
 };
 
 ExtractionScratch::ExtractionScratch() : memory_(std::make_unique<Memory>()) {}
@@ -84,16 +85,13 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     set_eye(light, task.light);
     task.light_at_eye = !view.light;
     task.exact_point_light = style.exact_point_light && light.w != 0;
-    task.wanted[kLaplacianStrips] = style.shows[LineKind::Laplacian];
-    task.wanted[kContourStrips] = style.shows[LineKind::Contour] && !style.mesh_silhouettes;
-    task.rules[kLaplacianStrips] = laplacian_rules(style);
-    // Lines of another light follow no contours.
-    if (view.light) follow_no_contours(task.rules[kLaplacianStrips]);
-    task.rules[kContourStrips] = contour_rules(style);
-    task.least_scaled_facing =
-        task.rules[kLaplacianStrips].leave_out_away
-            ? 0
-            : least_scaled_facing(task.rules[kLaplacianStrips].least_facing, eye);
+    for (unsigned number = 0; number < kStripKindCount; ++number) {
+        const StripKind& kind = *strip_kinds()[number];
+        const LineRules rules = kind.rules(style, task.light_at_eye);
+        const float least_facing =
+            rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
+        task.kinds[number] = {kind.is_wanted(style), least_facing, rules};
+    }
     return task;
 }
 
@@ -107,18 +105,13 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
     ExtractionScratch::Memory& memory = *scratch.memory_;
     find_strips(*data_, task, memory.found);
     memory.traced.clear();
-    for (StripKind kind : {kLaplacianStrips, kContourStrips}) {
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
         join_strips(memory.found, kind, data_->border_edge_count, memory.joining);
-        trace_lines(task.rules[kind], memory.joining.strips[kind], memory.traced);
+        trace_lines(task.kinds[kind].rules, memory.joining.strips[kind], memory.traced);
     }
     finish_lines(*data_, memory.traced, memory.finishing, lines);
     data_->fixed_lines.append(*data_, eye, style, lines);
-    if (style.shows[LineKind::Contour] && style.mesh_silhouettes) {
-        LineRules rules = contour_rules(style);
-        rules.smoothing_passes = 0;  // exact is what they are for
-        append_silhouettes(*data_, data_->fixed_lines.mesh_edges(*data_), eye, rules,
-                           memory.silhouettes, memory.silhouette_tracing, lines);
-    }
+    append_silhouettes(*data_, data_->mesh_edges, eye, style, memory.silhouettes, lines);
 }
 
 }  // namespace laplacian_lines

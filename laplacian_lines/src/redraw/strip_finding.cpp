@@ -25,14 +25,14 @@ void reserve_batch(ThreadStrips& s) {
 
 void find_batch(const ClusterStore& store, const ExtractionTask& task, const KeptCluster* clusters,
                 std::size_t count, FindingThread& thread) {
-    StripOutput outputs[2];
-    for (unsigned kind = 0; kind < 2; ++kind) {
+    StripOutput outputs[kStripKindCount];
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
         ThreadStrips& s = thread.strips[kind];
         reserve_batch(s);
         outputs[kind] = {s.strips.data(), s.points.data(), s.strip_count, s.point_count};
     }
     simd_functions().extract_strips(store, task, clusters, count, *thread.memory, outputs);
-    for (unsigned kind = 0; kind < 2; ++kind) {
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
         thread.strips[kind].strip_count = outputs[kind].strip_count;
         thread.strips[kind].point_count = outputs[kind].point_count;
     }
@@ -41,18 +41,18 @@ void find_batch(const ClusterStore& store, const ExtractionTask& task, const Kep
 void find_chunk(const ClusterStore& store, std::size_t cluster_count, const ExtractionTask& task,
                 std::size_t index, FindingThread& thread, ChunkOfStrips& chunk) {
     const std::size_t begin = index * kChunk, end = std::min(begin + kChunk, cluster_count);
-    for (unsigned kind = 0; kind < 2; ++kind)
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind)
         chunk.begin[kind] = thread.strips[kind].strip_count;
     const std::size_t kept = simd_functions().cull(store, task, begin, end, thread.kept.data());
     for (std::size_t i = 0; i < kept; i += kBatch)
         find_batch(store, task, &thread.kept[i], std::min<std::size_t>(kBatch, kept - i), thread);
-    for (unsigned kind = 0; kind < 2; ++kind)
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind)
         chunk.end[kind] = thread.strips[kind].strip_count;
 }
 
 /// Any thread may find any part of the strips next time; then none of them has to allocate.
 void even_out(FoundStrips& found) {
-    for (unsigned kind = 0; kind < 2; ++kind) {
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
         std::size_t strips = 0, points = 0;
         for (const FindingThread& thread : found.threads) {
             strips += thread.strips[kind].strip_count;

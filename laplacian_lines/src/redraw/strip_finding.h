@@ -19,13 +19,13 @@ struct ThreadStrips {
 struct FindingThread {
     std::unique_ptr<SimdMemory> memory;
     std::vector<KeptCluster> kept;
-    ThreadStrips strips[2];  // by StripKind
+    ThreadStrips strips[kStripKindCount];
 };
 
 /// The strips of successive clusters, all found by one thread.
 struct ChunkOfStrips {
     std::uint32_t thread;
-    std::uint32_t begin[2], end[2];  // by StripKind
+    std::uint32_t begin[kStripKindCount], end[kStripKindCount];
 };
 
 /// Strips in the order of the clusters: chunk after chunk. Keeps its memory.

@@ -6,7 +6,6 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::uint32_t kNone = JoinedStrip::kNone;
 constexpr std::uint32_t kStripsAhead = 8;
 
 /// Appends a strip and joins it to those that are there.
@@ -15,7 +14,7 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
     const std::uint32_t first_end = 2 * std::uint32_t(strips.size());
     strips.push_back({points + strip.first_point,
                       strip.point_count,
-                      {kNone, kNone},
+                      {kNoEnd, kNoEnd},
                       strip.length,
                       strip.strength,
                       strip.slope,
@@ -28,19 +27,19 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
             continue;
         }
         std::uint32_t& waiting = end_at_edge[edge];
-        if (waiting == kNone) {
+        if (waiting == kNoEnd) {
             waiting = end;
             continue;
         }
         strips.back().links[side] = waiting;
         strips[waiting / 2].links[waiting % 2] = end;
-        waiting = kNone;
+        waiting = kNoEnd;
     }
 }
 
 /// Asks for what lies at the edges of later strips, which are anywhere.
 template <class Visit>
-void for_each_strip(const FoundStrips& found, StripKind kind,
+void for_each_strip(const FoundStrips& found, unsigned kind,
                     const std::vector<std::uint32_t>& end_at_edge, Visit visit) {
     for (const ChunkOfStrips& chunk : found.chunks) {
         const ThreadStrips& thread = found.threads[chunk.thread].strips[kind];
@@ -55,10 +54,10 @@ void for_each_strip(const FoundStrips& found, StripKind kind,
 
 }  // namespace
 
-void join_strips(const FoundStrips& found, StripKind kind, std::uint32_t border_edge_count,
+void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_edge_count,
                  JoiningMemory& memory) {
     if (memory.in_use || memory.end_at_edge.size() < border_edge_count)
-        memory.end_at_edge.assign(border_edge_count, kNone);
+        memory.end_at_edge.assign(border_edge_count, kNoEnd);
     memory.in_use = true;
     memory.strips[kind].clear();
     for_each_strip(found, kind, memory.end_at_edge,
@@ -68,8 +67,8 @@ void join_strips(const FoundStrips& found, StripKind kind, std::uint32_t border_
     const JoinedStrip* joined = memory.strips[kind].data();
     for_each_strip(found, kind, memory.end_at_edge, [&](const Strip& strip, const StripPoint*) {
         for (int side : {0, 1})  // what still waits
-            if (joined->links[side] == kNone && strip.edges[side] < Strip::kClosed)
-                memory.end_at_edge[strip.edges[side]] = kNone;
+            if (joined->links[side] == kNoEnd && strip.edges[side] < Strip::kClosed)
+                memory.end_at_edge[strip.edges[side]] = kNoEnd;
         ++joined;
     });
     memory.in_use = false;

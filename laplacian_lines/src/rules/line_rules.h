@@ -7,7 +7,6 @@
 namespace laplacian_lines {
 
 enum class LineKind : std::uint32_t;
-struct LineStyle;
 
 /// What decides which zero crossings of a per-vertex function become lines, one for each kind.
 /// Without more ado, everything is kept and nothing fades.
@@ -38,11 +37,6 @@ struct LineRules {
     float end_length = 0;                 ///< over which open ends fade, D
     float contour_clearance = 0;          ///< lines nearer to a contour fade out, D in the picture
 };
-
-LineRules laplacian_rules(const LineStyle& style);
-/// For a light that is not at the eye.
-void follow_no_contours(LineRules& rules);
-LineRules contour_rules(const LineStyle& style);
 
 /// How many passes of smoothing with 1-2-1 have this standard deviation.
 int smoothing_passes(double deviation);

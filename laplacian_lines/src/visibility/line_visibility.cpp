@@ -59,7 +59,7 @@ struct LineVisibility::Data {
     /// The parts of one line that are seen.
     LineSet seen_parts(const View& view, const LineSet& lines, const Polyline& line) const {
         double clearance = kSightClearance * scale.diagonal, to_side = 0;
-        if (line.kind == LineKind::Contour) {
+        if (describe(line.kind).is_on_horizon) {
             clearance = std::max(clearance, kContourSightClearance * scale.mean_edge);
             to_side = kToSide * scale.diagonal;
         }

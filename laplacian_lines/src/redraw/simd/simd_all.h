@@ -4,9 +4,9 @@
 // copy that was compiled for a processor that is not there.
 #include <initializer_list>
 
+#include "redraw/simd/simd_active.h"
 #include "redraw/simd/simd_culling.h"
 #include "redraw/simd/simd_finishing.h"
-#include "redraw/simd/simd_signs.h"
 #include "redraw/simd/simd_strips.h"
 
 namespace laplacian_lines {
@@ -26,14 +26,20 @@ static inline void touch(const ClusterStore& store, const KeptCluster& kept) {
     const Cluster& cluster = store.clusters[kept.number];
     const unsigned char* memory = memory_of(store, cluster);
     const ClusterLayout layout = cluster_layout(cluster);
-    if (kept.test_facing) touch(memory, memory + layout.laplacians);
-    if (kept.test_laplacian) touch(memory + layout.laplacians, memory + layout.corners);
+    unsigned forms = kept.test_facing ? 1u << kFacingForm : 0;
+    for_each_kind([&](auto kind, unsigned number) {
+        if (kept.may_hold[number]) forms |= kind.kForms;
+    });
+    for (unsigned form = 0; form < kVertexFormCount; ++form)
+        if (forms >> form & 1)
+            touch(memory + layout.forms[form],
+                  memory + layout.forms[form] + layout.corners / kVertexFormCount);
     touch(memory + layout.corners, memory + layout.triangles);
 }
 
 static void extract_strips(const ClusterStore& store, const ExtractionTask& task,
                            const KeptCluster* clusters, std::size_t count, SimdMemory& memory,
-                           StripOutput outputs[2]) {
+                           StripOutput outputs[kStripKindCount]) {
     Batch& batch = memory.batch;
     batch.count = unsigned(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -47,11 +53,13 @@ static void extract_strips(const ClusterStore& store, const ExtractionTask& task
         touch(store, clusters[i]);
     }
     find_active(store, task, clusters, batch);
-    const std::uint32_t begins[2] = {outputs[0].strip_count, outputs[1].strip_count};
-    for (StripKind kind : {kLaplacianStrips, kContourStrips})
-        find_strips(store, task, kind, memory, outputs[kind]);
-    for (StripKind kind : {kLaplacianStrips, kContourStrips})
-        name_edges(store, begins[kind], outputs[kind]);
+    std::uint32_t begins[kStripKindCount];
+    for_each_kind([&](auto kind, unsigned number) {
+        begins[number] = outputs[number].strip_count;
+        find_strips<decltype(kind)>(store, task, number, memory, outputs[number]);
+    });
+    for (unsigned number = 0; number < kStripKindCount; ++number)
+        name_edges(store, begins[number], outputs[number]);
 }
 
 }  // namespace SIMD_NAMESPACE

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Zero crossings on edges and their tests: L. Zhang, Y. He, H. S. Seah, "Laplacian Lines for
+// Zero crossings on edges: L. Zhang, Y. He, H. S. Seah, "Laplacian Lines for
 // Real-Time Shape Illustration", step 2 of the extraction.
 // Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include <cfloat>
 
-#include "redraw/simd/simd_functions.h"
+#include "redraw/simd/simd_memory.h"
 #include "redraw/simd/simd_vectors.h"
 
 namespace laplacian_lines {
@@ -100,77 +100,6 @@ static inline Towards towards(const float eye[4], const CrossingMemory& m, std::
     const Floats x = eye[0] - eye[3] * load(m.x + i), y = eye[1] - eye[3] * load(m.y + i),
                  z = eye[2] - eye[3] * load(m.z + i);
     return {x, y, z, x * x + y * y + z * z};
-}
-
-/// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
-/// fading near contours, and concavity. `facing` is n·eye.
-static inline void test_crossings(const LineRules& rules, const ExtractionTask& task,
-                                  const float* facings, CrossingMemory& m, std::size_t count) {
-    const float least = -rules.fading / 4, range = rules.fading / 2 - least;
-    for (std::size_t i = 0; i < count; i += kLanes) {
-        const Floats facing = load(facings + i), gradient = load(m.gradient + i);
-        const Towards eye = towards(task.eye, m, i);
-        Ints accepted = (gradient >= rules.least_gradient) &
-                        (facing >= rules.least_facing * square_root(eye.squared));
-        Floats opacity = Floats{} + 1;
-        if (rules.contour_clearance > 0) {
-            // To first order the contour is I/‖∇I‖ away on the surface, which is seen at half the
-            // crossing's cosine on the way there.
-            const Floats distance = facing * absolute(facing) / (2 * gradient);
-            opacity = clamp01(2 * distance / rules.contour_clearance - 1);
-        }
-        if (rules.concave_only) {
-            // The cosine between −∇I and the tangential part w of the light vector l:
-            // −l·Sl/(‖w‖‖Sl‖), with ∇I = Sl.
-            const Towards light = task.light_at_eye ? eye : towards(task.light, m, i);
-            const Floats lit = load(m.lit + i);
-            const Floats tangential = square_root(at_least(light.squared - lit * lit, 0));
-            const Floats product =
-                light.x * load(m.gx + i) + light.y * load(m.gy + i) + light.z * load(m.gz + i);
-            const Floats concavity = -product / (tangential * gradient);
-            if (range > 0) opacity *= clamp01((concavity - least) / range);
-            accepted &= concavity > least;  // not so for NaN: nothing to see from above
-        }
-        store(m.opacity + i, opacity);
-        const std::uint64_t bits = bits_of(accepted);
-        if (i % 64 == 0)
-            m.accepted[i / 64] = bits;
-        else
-            m.accepted[i / 64] |= bits << i % 64;
-    }
-}
-
-/// Opacities of crossings of contours: 1, less where the surface is concave along the view.
-static inline void weigh_contours(const LineRules& rules, const float eye[4], CrossingMemory& m,
-                                  std::size_t count) {
-    for (std::size_t i = 0; i < count; i += kLanes) {
-        const Towards v = towards(eye, m, i);
-        const Floats product = v.x * load(m.gx + i) + v.y * load(m.gy + i) + v.z * load(m.gz + i);
-        const Floats distance = square_root(v.squared);
-        const Floats gradient = load(m.gradient + i) + LineRules::kFlat * distance;
-        const Floats concavity = -product / (distance * gradient);
-        store(m.opacity + i, 1 - clamp01(concavity / rules.concave_thinning));  // 1 for NaN
-    }
-}
-
-/// Computes crossings [0, count) of one function from their ends. As all functions above, it
-/// writes to whole vectors of places.
-static inline void find_crossings(const ClusterStore& store, const ExtractionTask& task,
-                                  const Batch& batch, StripKind kind, CrossingMemory& m,
-                                  std::size_t count) {
-    const VertexRecord* records = records_of(store);
-    for (std::size_t i = count; i < count + kLanes; ++i) {  // something valid
-        m.ends[i][0] = m.ends[i][1] = 0;
-        m.records[i][0] = m.records[i][1] = batch.first_record[0];
-    }
-    find_shares(batch.values[kind], m, count);
-    find_points(records, kind == kContourStrips ? task.eye : task.light, m, count);
-    if (kind == kContourStrips) {
-        weigh_contours(task.rules[kind], task.eye, m, count);
-        return;
-    }
-    if (!task.light_at_eye) find_facing(records, task.eye, m, count);
-    test_crossings(task.rules[kind], task, task.light_at_eye ? m.lit : m.facing, m, count);
 }
 
 }  // namespace SIMD_NAMESPACE

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "redraw/simd/simd_functions.h"
-#include "redraw/simd/simd_vectors.h"
+#include "redraw/simd/simd_kinds.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -56,18 +55,25 @@ static inline FacingRange bound_facing(const FacingBounds& bounds, const float e
 
 static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, std::size_t begin,
                         std::size_t end, KeptCluster* kept) {
-    const float least = task.least_scaled_facing;
     std::size_t count = 0;
     for (std::size_t first = begin; first < end; first += kFormGroup) {
         const FacingRange facing = bound_facing(store.facing, task.eye, first);
         for (unsigned i = 0; i < kFormGroup && first + i < end; ++i) {
             const float low = facing.low[i], high = facing.high[i];
+            KeptCluster& cluster = kept[count];
+            cluster.number = std::uint32_t(first + i);
+            bool any = false, front = low >= 0;
             // Refused by what is certain, so that nothing is where numbers are out of range.
-            const bool contour = task.wanted[kContourStrips] & !(low >= 0) & !(high < 0);
-            const bool laplacian = task.wanted[kLaplacianStrips] & !(high < least);
-            const bool front = (low >= 0) & (low >= least);
-            kept[count] = {std::uint32_t(first + i), !front, laplacian};
-            count += contour | laplacian;
+            for_each_kind([&](auto kind, unsigned number) {
+                const ExtractionTask::Wanted& wanted = task.kinds[number];
+                const bool may_hold =
+                    wanted.lines & kind.may_hold(wanted.least_scaled_facing, low, high);
+                cluster.may_hold[number] = may_hold;
+                any |= may_hold;
+                front &= low >= wanted.least_scaled_facing;
+            });
+            cluster.test_facing = !front;
+            count += any;
         }
     }
     return count;

@@ -23,9 +23,8 @@ static inline void empty_triangles(const Batch& batch, SegmentMemory& s) {
 /// Lists the crossings of a batch's active triangles. A triangle owns the crossing where its line
 /// leaves, which gets the triangle's place; the one where the line enters is that of the triangle
 /// before, or one of its own if that one is elsewhere. Returns the number of crossings.
-static inline unsigned list_crossings(const Batch& batch, StripKind kind, CrossingMemory& m,
-                                      SegmentMemory& s) {
-    const ActiveTriangles& active = batch.active[kind];
+static inline unsigned list_crossings(const Batch& batch, const ActiveTriangles& active,
+                                      CrossingMemory& m, SegmentMemory& s) {
     const auto list = [&](unsigned crossing, unsigned slot, const std::uint8_t ends[2]) {
         for (unsigned k = 0; k < 2; ++k) {
             m.ends[crossing][k] = std::uint16_t(slot * kClusterVertices + ends[k]);
@@ -102,15 +101,15 @@ static inline void measure_segments(const CrossingMemory& m, SegmentMemory& s, s
 
 /// Collects what test_segments() needs as columns.
 static inline void collect_corners(const ClusterStore& store, const Batch& batch,
+                                   const ActiveTriangles& active, const float* function,
                                    const CrossingMemory& m, SegmentMemory& s, unsigned count) {
-    const ActiveTriangles& active = batch.active[kLaplacianStrips];
     for (unsigned i = 0; i < count; i += 4) {
         Float4 u[4], v[4], g[4];
         for (unsigned k = 0; k < 4; ++k) {
             const unsigned place = s.triangle[i + k], slot = active.slot[place];
             const ActiveTriangle& t = active.triangles[place];
             const VertexRecord* records = records_of(store) + batch.first_record[slot];
-            const float* values = batch.values[kLaplacianStrips] + slot * kClusterVertices;
+            const float* values = function + slot * kClusterVertices;
             const Float4 a = load4(records[t.exit[0]].position),
                          b = load4(records[t.exit[1]].position),
                          c = load4(records[t.third].position);

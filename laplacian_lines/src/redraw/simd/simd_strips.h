@@ -3,6 +3,7 @@
 // Included once by each of the files simd_*.cpp.
 #pragma once
 
+#include "redraw/simd/simd_kinds.h"
 #include "redraw/simd/simd_segments.h"
 
 namespace laplacian_lines {
@@ -10,12 +11,12 @@ namespace SIMD_NAMESPACE {
 
 class StripWriter {
 public:
-    StripWriter(const ClusterStore& store, const Batch& batch, StripKind kind,
+    StripWriter(const ClusterStore& store, const Batch& batch, const ActiveTriangles& active,
                 const CrossingMemory& crossings, SegmentMemory& segments, unsigned count,
                 StripOutput& output)
         : border_edges_(store.border_edges),
           batch_(batch),
-          active_(batch.active[kind]),
+          active_(active),
           crossings_(crossings),
           segments_(segments),
           count_(count),
@@ -122,27 +123,46 @@ static inline void name_edges(const ClusterStore& store, std::uint32_t begin,
             if (edge < Strip::kClosed) edge = store.border_edges[edge];
 }
 
-/// Appends the strips of one function in a batch, their edges for name_edges().
-static inline void find_strips(const ClusterStore& store, const ExtractionTask& task,
-                               StripKind kind, SimdMemory& memory, StripOutput& output) {
+/// Computes crossings [0, count) of a kind from their ends. As the functions that it calls, it
+/// writes to whole vectors of places.
+template <class Kind>
+static inline void find_crossings(const ClusterStore& store, const ExtractionTask& task,
+                                  const Batch& batch, unsigned kind, CrossingMemory& m,
+                                  std::size_t count) {
+    const VertexRecord* records = records_of(store);
+    for (std::size_t i = count; i < count + kLanes; ++i) {  // something valid
+        m.ends[i][0] = m.ends[i][1] = 0;
+        m.records[i][0] = m.records[i][1] = batch.first_record[0];
+    }
+    find_shares(Kind::values(batch, kind), m, count);
+    find_points(records, Kind::source(task), m, count);
+    Kind::test(task.kinds[kind].rules, task, records, m, count);
+}
+
+/// Appends the strips of a kind in a batch, their edges for name_edges().
+template <class Kind>
+static inline void find_strips(const ClusterStore& store, const ExtractionTask& task, unsigned kind,
+                               SimdMemory& memory, StripOutput& output) {
     const Batch& batch = memory.batch;
-    if (batch.active[kind].count == 0) return;
+    const ActiveTriangles& active = batch.active[kind];
+    if (active.count == 0) return;
+    const LineRules& rules = task.kinds[kind].rules;
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
-    find_crossings(store, task, batch, kind, m, list_crossings(batch, kind, m, s));
-    unsigned count = batch.active[kind].count;
-    if (task.rules[kind].use_slope) {
+    find_crossings<Kind>(store, task, batch, kind, m, list_crossings(batch, active, m, s));
+    unsigned count = active.count;
+    if (rules.use_slope) {
         count = keep_accepted(m, s, count);
         if (count == 0) return;
-        collect_corners(store, batch, m, s, count);
-        test_segments(task.rules[kind], s, count);
+        collect_corners(store, batch, active, Kind::values(batch, kind), m, s, count);
+        test_segments(rules, s, count);
         count = keep_steep(s, count);
     } else {
         count = keep_all(s, count);
         __builtin_memset(s.slope, 0, whole_vectors(count) * sizeof(float));
     }
     measure_segments(m, s, count);
-    StripWriter(store, batch, kind, m, s, count, output).write_all();
+    StripWriter(store, batch, active, m, s, count, output).write_all();
 }
 
 }  // namespace SIMD_NAMESPACE

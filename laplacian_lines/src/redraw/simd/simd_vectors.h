@@ -164,7 +164,8 @@ struct alignas(16) VertexBits {
 };
 
 /// Up to kSignSets bits for each vertex of a cluster, for CornerLookup.
-constexpr unsigned kSignSets = 3;
+constexpr unsigned kSignSets = 4;
+static_assert(kSignSets <= 8, "a bit of a byte each");
 class VertexSigns {
 public:
     void set(unsigned which, const VertexBits& bits);
