@@ -1,17 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The plugins as packages, and a copy of the system to try them in.
+# A copy of the system to install packages in.
 
-# make_packages CHECKOUT
-make_packages() {
-    local packages package
-    packages=$(build_folder "$1")/packages
-    rm -rf "$packages"
-    say "making the packages"
-    compile "$1" package
-    for package in "$packages"/*.deb "$packages"/*.zip; do
-        say "$package"
-    done
-}
+require environment/obstacles
 
 # in_copy FOLDER SHARED... -- COMMAND...: runs COMMAND, as root, in a copy of the system that is gone when it ends, and
 # which keeps its changes in FOLDER's memory: an overlay. The folders SHARED and /tmp are the system's own; what else is

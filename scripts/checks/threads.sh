@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The core's threads under ThreadSanitizer.
 
+require checks/clang_build environment/build environment/messages
+
 THREADED_TESTS=('*NumberOfThreads*' '*ThreadsAtOnce*' '*ByManyThreads*' 'LineVisibility.AgreesWithTheExactTorus'
     'Progress.*' 'Cancelled.*' '*BuildingProgress.RisesFromZeroToOne*') # without any named
 

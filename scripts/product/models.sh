@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Meshes to show: the user's, or the Stanford dragon, or one of our own making when there is no network.
 
+require environment/cache environment/messages environment/packages
+
 check_mesh() {
     [[ -e $1 ]] || fail "there is no mesh $1"
     [[ -f $1 && -r $1 ]] || fail "the mesh $1 cannot be read"

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The folder from which MeshLab 2022.02 and later load plugins that a user has added.
 
+require environment/messages environment/packages product/stage
+
 has_extra_plugins() {
     [[ $(meshlab_version) != 2020.* ]]
 }

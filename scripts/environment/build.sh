@@ -1,15 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Configure and build, quietly unless something fails.
 
-# quietly LOG COMMAND...: the output goes to LOG, its end to the user when the command fails.
-quietly() {
-    local log=$1
-    shift
-    mkdir -p "$(dirname "$log")"
-    "$@" >"$log" 2>&1 && return 0
-    tail -n 40 "$log" >&2
-    return 1
-}
+require environment/cache environment/headers environment/messages environment/packages
 
 # ensure_toolchain EXTRA_PACKAGES...: all that building takes, MeshLab itself included.
 ensure_toolchain() {

@@ -1,5 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The machine's own apt sources, rewritten to source packages (deb-src). Reads them, never changes them.
+# The machine's own apt sources: its mirror, and the same rewritten to source packages (deb-src). Reads them, never
+# changes them.
+
+# debian_mirror: the mirror that this machine's own release comes from
+debian_mirror() {
+    (
+        # shellcheck source=/dev/null
+        source /etc/os-release
+        [[ ${ID:-} == debian ]] || exit 1
+        # shellcheck disable=SC2016 # apt-get's own variables
+        apt-get indextargets --format '$(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
+            awk -v release="${VERSION_CODENAME:-none}" '$2 == release && $3 == "main" { print $1; exit }'
+    )
+}
 
 # One-line style: "deb [options] uri suite components".
 classic_source_entries() {

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # PyMeshLab as a host of the filter plugin: a Python environment in the cache folder, and a build for the MeshLab that
-# its package holds, which is of double precision and no other one's.
-#
-# Functions that cannot do their work set OBSTACLE to the reason and return 1.
+# its package holds, which is of double precision and no other one's. Functions that cannot do their work set OBSTACLE.
+
+require environment/build environment/cache environment/headers environment/meshlab_releases environment/messages
+require environment/obstacles environment/packages
 
 PYMESHLAB_VERSION=2025.7
 PYMESHLAB_MESHLAB=2025.07 # what it is made of, by its number and the host that has the same
@@ -61,15 +62,4 @@ run_python() {
     ensure_pymeshlab && ensure_pymeshlab_headers || fail "$OBSTACLE"
     (build_for_pymeshlab "$checkout" filter_laplacian_lines) || exit 1
     PYTHONPATH=$checkout/build/pymeshlab/python${PYTHONPATH:+:$PYTHONPATH} "$PYMESHLAB_PYTHON" "$@"
-}
-
-# test_pymeshlab CHECKOUT REGEX...: its tests. Sets OBSTACLE when it cannot be set up.
-test_pymeshlab() {
-    local checkout=$1 options=(--output-on-failure --parallel "$(nproc)" --label-regex pymeshlab)
-    shift
-    ensure_pymeshlab && ensure_pymeshlab_headers || return 1
-    ((!$#)) || options+=(--tests-regex "$(IFS='|' && printf '%s' "$*")")
-    (build_for_pymeshlab "$checkout" pymeshlab_tests -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON) || return 1
-    say "running the tests in PyMeshLab"
-    ctest --test-dir "$checkout/build/pymeshlab" "${options[@]}"
 }

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # MeshLab with Laplacian lines switched on, in a window or on a picture. The GUI driver does the clicking.
 
+require environment/messages product/display product/models product/private_home
+
 readonly LINES_ACTION="Laplacian Lines"
 readonly SHEET_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf # of DISPLAY_PACKAGES
 readonly MESHLAB_MINUTES=15 # more than a mesh of ten million triangles takes to load and prepare

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Times of the core: which meshes, and how the programs in benchmarks/ are built and run.
 
+require environment/build environment/messages environment/packages product/models
+
 # build_benchmarks CHECKOUT TARGET PACKAGES...: sets PROGRAM
 build_benchmarks() {
     local checkout=$1 target=$2

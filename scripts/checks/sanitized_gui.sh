@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The GUI's tests with plugins that are compiled with sanitizers, in an ordinary MeshLab.
 
+require checks/clang_build environment/messages environment/packages
+
 SANITIZED_TESTS=(gui_filter gui_edits gui_documents gui_memory gui_random_actions) # without any named
 SANITIZED_SECONDS=900 # for one test: MeshLab is slower, and looking for leaks takes its time
 
@@ -27,7 +29,7 @@ test_sanitized() {
         DRIVE_SECONDS=$SANITIZED_SECONDS RANDOM_SEEDS=${RANDOM_SEEDS:-3} \
         ASAN_OPTIONS="log_path=$reports/of:detect_leaks=1:malloc_context_size=2:stack_trace_format='    #%n %f %S %M'" \
         UBSAN_OPTIONS="log_path=$reports/of:print_stacktrace=1" \
-        LSAN_OPTIONS="exitcode=0:use_tls=0:print_suppressions=0:suppressions=$checkout/setup/leak_suppressions.txt" \
+        LSAN_OPTIONS="exitcode=0:use_tls=0:print_suppressions=0:suppressions=$checkout/scripts/checks/leak_suppressions.txt" \
         ctest --test-dir "$folder" --label-regex meshlab --tests-regex "$regex" --output-on-failure || code=$?
     find "$reports" -type f -exec grep -qE 'ERROR: AddressSanitizer|runtime error' {} \; -exec head -n 40 {} \; >&2
     find "$reports" -type f -exec cat {} + | leaks_of_plugins >"$folder/leaks.txt"

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A virtual X display of our own, as large as asked, ended by its process id.
 
+require environment/messages
+
 # start_display WIDTH HEIGHT: sets DISPLAY and DISPLAY_PID.
 start_display() {
     local number fifo

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Debian packages: install what is missing, and only that.
-# shellcheck disable=SC2034 # the lists are for the scripts that source this file
+
+require environment/messages
 
 BUILD_PACKAGES=(meshlab g++ make cmake dpkg-dev xz-utils qtbase5-dev libqt5opengl5-dev libglew-dev
     libeigen3-dev libgl-dev libglu1-mesa-dev libgl1-mesa-dri)

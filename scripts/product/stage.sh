@@ -2,6 +2,8 @@
 # STAGE/bin/meshlab and meshlabserver: the installed MeshLab with our plugins beside its own, and with nothing written
 # outside STAGE.
 
+require product/server
+
 multiarch() {
     dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch
 }

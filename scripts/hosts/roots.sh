@@ -1,30 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Other releases of Debian in folders ("roots"), to build and test with the MeshLab that they package. Made by
 # debootstrap from the mirror that this machine's apt uses, and entered in namespaces of their own: whatever is mounted
-# there is gone when the last process ends, however it ends.
-#
-# Functions that cannot do their work set OBSTACLE to the reason and return 1.
+# there is gone when the last process ends, however it ends. Functions that cannot do their work set OBSTACLE.
 
-OBSTACLE=
-
-obstacle() {
-    OBSTACLE=$*
-    return 1
-}
+require environment/apt_sources environment/build environment/cache environment/messages environment/obstacles
+require environment/packages
 
 root_folder() {
     printf '%s/roots/%s\n' "$(cache_folder)" "$1"
-}
-
-# debian_mirror: the mirror that this machine's own release comes from
-debian_mirror() {
-    (
-        # shellcheck source=/dev/null
-        source /etc/os-release
-        [[ ${ID:-} == debian ]] || exit 1
-        apt-get indextargets --format '$(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
-            awk -v release="${VERSION_CODENAME:-none}" '$2 == release && $3 == "main" { print $1; exit }'
-    )
 }
 
 # machine_apt_settings: how this machine reaches its mirrors, for the apt of a root
@@ -44,11 +27,13 @@ in_root() {
         unshare --mount --pid --fork --kill-child --ipc "${network[@]}" "$(dirname "${BASH_SOURCE[0]}")/enter_root" "$@"
 }
 
-# What a root is made from: when this changes, it is made anew.
+# What a root is made from: when this changes, it is made anew. That the scripts have moved since roots were first made is
+# no reason, so the old place is put in for the new one.
 root_recipe() {
     {
         printf '%s\n' "$@" "${BUILD_PACKAGES[@]}" "${DISPLAY_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${MESHLAB_RECOMMENDS[@]}"
-        declare -f build_root make_bare_root install_into_root
+        declare -f build_root make_bare_root install_into_root |
+            sed 's|/scripts/require.sh" environment/build|/setup/all.sh"|'
     } | sha256sum | cut -d ' ' -f 1
 }
 
@@ -69,8 +54,9 @@ install_into_root() {
         [[ ! -e $file ]] || binds+=("ro:$(readlink -f "$file")=$file")
     done
     mkdir -p "$(cache_folder)/headers"
+    # shellcheck disable=SC2016 # for the shell in the root
     in_root "$root" rw "${binds[@]}" "ro:$checkout" "rw:$(cache_folder)/headers" "rw:$packages=/var/cache/apt/archives" -- \
-        bash -c 'source "$1/setup/all.sh" && ensure_toolchain "${DISPLAY_PACKAGES[@]}" "${TEST_PACKAGES[@]}"' \
+        bash -c 'source "$1/scripts/require.sh" environment/build && ensure_toolchain "${DISPLAY_PACKAGES[@]}" "${TEST_PACKAGES[@]}"' \
         bash "$checkout"
 }
 

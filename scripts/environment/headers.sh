@@ -2,6 +2,8 @@
 # MeshLab's headers. No distribution packages them: they come from the source package of the very version that is
 # installed, because plugins share MeshLab's classes and a near match would crash.
 
+require environment/apt_sources environment/cache environment/messages environment/packages
+
 # source_apt_get FOLDER ARGS...: apt-get with its sources, lists and cache in FOLDER. The user's own stay untouched.
 source_apt_get() {
     local folder=$1
