@@ -3,5 +3,6 @@
 
 #include <QString>
 
-/// The filter's help for MeshLab's dialog and documentation, HTML.
+// The filters' help for MeshLab's dialogs and documentation, HTML.
 QString computeHelp();
+QString polylineHelp();

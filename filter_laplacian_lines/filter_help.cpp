@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "polyline_help.h"
+#include "filter_help.h"
 
 #include <QStringList>
 
@@ -20,6 +20,41 @@ QStringList forKinds(const Words& words) {
 }
 
 }  // namespace
+
+QString computeHelp() {
+    return QStringLiteral(
+        "Computes what Laplacian lines need to know about a surface, once and for every later "
+        "view. Laplacian lines are drawn where the Laplacian of the illumination, with the light "
+        "at the eye, changes its sign: the edge detector of image processing, applied on the "
+        "surface instead of in the picture.<br>"
+        "<br>"
+        "To see the lines, switch on the decoration <b>Laplacian Lines</b> in the Render menu. It "
+        "uses what this filter has computed; without it, it computes the same with the default "
+        "parameters, so the filter is only needed to choose other ones.<br>"
+        "<br>"
+        "The result is stored in per-vertex attributes, which other filters can read and which PLY "
+        "files can hold (see the options when saving):<br>"
+        "<b>ll_normal</b>: smoothed normal n;<br>"
+        "<b>ll_laplacian_normal</b>: its Laplacian &Delta;n, 1/length&sup2;;<br>"
+        "<b>ll_shape_diagonal</b>, <b>ll_shape_off_diagonal</b>: the derivative of n along the "
+        "surface (xx, yy, zz) and (yz, xz, xy), 1/length;<br>"
+        "<b>ll_kernel_size</b>: size of the kernel at the vertex, a length.<br>"
+        "Vertices, faces, normals and colors stay as they are. If the mesh changes afterwards, the "
+        "attributes no longer belong to it and the decoration ignores them.<br>"
+        "<br>"
+        "Duplicated vertices cut the surface open, which leaves lines along the cuts: run <i>Merge "
+        "Close Vertices</i> first.<br>"
+        "<br>"
+        "See:<br>"
+        "<i>Long Zhang, Ying He, Hock Soon Seah</i>, <b>\"Laplacian Lines for Real-Time Shape "
+        "Illustration\"</b>, Symposium on Interactive 3D Graphics and Games (I3D), 2009<br>"
+        "<i>Mikhail Belkin, Jian Sun, Yusu Wang</i>, <b>\"Discrete Laplace Operator on Meshed "
+        "Surfaces\"</b>, Symposium on Computational Geometry (SoCG), 2008<br>"
+        "<i>Szymon Rusinkiewicz</i>, <b>\"Estimating Curvatures and Their Derivatives on Triangle "
+        "Meshes\"</b>, 3D Data Processing, Visualization and Transmission (3DPVT), 2004<br>"
+        "<i>Nelson Max</i>, <b>\"Weights for Computing Vertex Normals from Facet Normals\"</b>, "
+        "Journal of Graphics Tools 4(2), 1999<br>");
+}
 
 QString polylineHelp() {
     const QStringList kinds = forKinds([](const Kind& kind) { return QString(kind.many); });
