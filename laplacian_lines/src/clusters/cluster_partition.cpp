@@ -18,7 +18,7 @@ constexpr std::uint32_t kTaskTriangles = 8192;  // fewer are cut by the thread t
 constexpr unsigned kBins = 1024;
 constexpr std::uint32_t kNoNumber = 0xffffffffu;
 
-struct Centre {
+struct TriangleCentre {
     float at[3];  // times 3
     std::uint32_t triangle;
 };
@@ -28,7 +28,7 @@ struct Bins {
     int axis;
     float begin, scale;
 
-    unsigned of(const Centre& centre) const {
+    unsigned of(const TriangleCentre& centre) const {
         return std::min(unsigned((centre.at[axis] - begin) * scale), kBins - 1);
     }
 };
@@ -165,7 +165,7 @@ private:
         SidePairing pairing;
     };
 
-    Centre centre(std::uint32_t t) const {
+    TriangleCentre centre(std::uint32_t t) const {
         const Triangle& corners = mesh_.triangles[t];
         const Eigen::Vector3f sum = (mesh_.positions[corners[0]] + mesh_.positions[corners[1]] +
                                      mesh_.positions[corners[2]])
@@ -195,7 +195,7 @@ private:
         std::uint32_t low = begin, high = end;  // of those in the bin of the middle
         if (std::isfinite(bins.scale)) divide(bins, middle, low, high);
         std::nth_element(centres_.begin() + low, centres_.begin() + middle, centres_.begin() + high,
-                         [axis](const Centre& a, const Centre& b) {
+                         [axis](const TriangleCentre& a, const TriangleCentre& b) {
                              return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis]
                                                              : a.triangle < b.triangle;
                          });
@@ -213,7 +213,7 @@ private:
             before += counts[bin];
         std::uint32_t right = begin, others = end;  // written to spare_ upwards and downwards
         for (std::uint32_t i = begin; i < end; ++i) {
-            const Centre centre = centres_[i];
+            const TriangleCentre centre = centres_[i];
             const unsigned its = bins.of(centre);
             if (its == bin) {
                 spare_[--others] = centre;
@@ -254,7 +254,7 @@ private:
 
     const PreparedMesh& mesh_;
     Partition& result_;
-    std::vector<Centre> centres_, spare_;
+    std::vector<TriangleCentre> centres_, spare_;
     std::vector<Worker> workers_;
     std::vector<std::uint8_t> vertex_count_at_;  // of the cluster that begins at a place, or 0
 };

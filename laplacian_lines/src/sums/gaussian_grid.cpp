@@ -30,7 +30,7 @@ int reach(const SizeBand& band, const GridGeometry& grid, const GridResolution& 
     return (taps + kBlock - 1) / kBlock;
 }
 
-/// Sums of the targets of one band of kernel sizes; see docs/performance.md.
+/// Sums of the targets of one band of kernel sizes; see docs/algorithms.md.
 template <class Real, int Groups>
 class GridSum {
     using Node = GridNode<Real, Groups>;

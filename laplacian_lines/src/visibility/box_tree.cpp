@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kPartObjects = 32768;  // at most, in one of Eigen's trees
 constexpr double kCut = 0.2;                 // about the part of the whole time that cutting takes
 
-struct Centre {
+struct BoxCentre {
     Eigen::Vector3d at;
     int object;
 };
@@ -51,13 +51,13 @@ private:
         in_parallel<NoScratch>(std::size_t(1) << level, [&](std::size_t i, NoScratch&) {
             std::nth_element(at(begin(i, level)), at(begin(2 * i + 1, level + 1)),
                              at(begin(i + 1, level)),
-                             [axis = level % 3](const Centre& a, const Centre& b) {
+                             [axis = level % 3](const BoxCentre& a, const BoxCentre& b) {
                                  return a.at[axis] < b.at[axis];
                              });
         });
     }
 
-    std::vector<Centre> centres_;
+    std::vector<BoxCentre> centres_;
     unsigned levels_ = 0;
 };
 

@@ -56,7 +56,7 @@ static void extract_strips(const ClusterStore& store, const ExtractionTask& task
     std::uint32_t begins[kStripKindCount];
     for_each_kind([&](auto kind, unsigned number) {
         begins[number] = outputs[number].strip_count;
-        find_strips<decltype(kind)>(store, task, number, memory, outputs[number]);
+        append_strips<decltype(kind)>(store, task, number, memory, outputs[number]);
     });
     for (unsigned number = 0; number < kStripKindCount; ++number)
         name_edges(store, begins[number], outputs[number]);

@@ -141,8 +141,8 @@ static inline void find_crossings(const ClusterStore& store, const ExtractionTas
 
 /// Appends the strips of a kind in a batch, their edges for name_edges().
 template <class Kind>
-static inline void find_strips(const ClusterStore& store, const ExtractionTask& task, unsigned kind,
-                               SimdMemory& memory, StripOutput& output) {
+static inline void append_strips(const ClusterStore& store, const ExtractionTask& task,
+                                 unsigned kind, SimdMemory& memory, StripOutput& output) {
     const Batch& batch = memory.batch;
     const ActiveTriangles& active = batch.active[kind];
     if (active.count == 0) return;
