@@ -5,11 +5,17 @@
 #include <stdexcept>
 
 #include "decoration_parameters.h"
-#include "mean_scale.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/live_meshes.h"
 #include "meshlab_host/log.h"
 #include "redraw_mark.h"
+
+using line_renderer::DepthTexture;
+using line_renderer::LinePlacement;
+using line_renderer::RedrawClock;
+using line_renderer::SurfaceAppearance;
+using line_renderer::SurfaceDepth;
+using line_renderer::SurfaceLayer;
 
 namespace {
 
@@ -167,7 +173,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     if (is_first) beginRedraw(chosen);
     const bool is_expected =
         view_layers_.note(view, widgetOf(painter), mesh.id(), surface, is_first);
-    if (is_first || !is_expected || !lines_.lines.empty()) placement.depths = depths(view, camera);
+    if (is_first || !is_expected || !lines_.lines.empty()) placement.depths = depths(view);
     if (is_first)
         paint(view_layers_.of(view), chosen.surface, camera, placement.depths);
     else if (!is_expected)
@@ -190,11 +196,10 @@ void DecorateLaplacianLines::beginRedraw(const DecorationParameters& chosen) {
         throwIf(background_renderer_.paint(chosen.surface.paper));
 }
 
-DepthTexture DecorateLaplacianLines::depths(GLArea* view,
-                                            const meshlab_host::CameraMatrices& camera) {
+DepthTexture DecorateLaplacianLines::depths(GLArea* view) {
     if (view_layers_.areInDepthBuffer(view) && SurfaceDepth::canCopy())
         return surface_depth_.copy();
-    return surface_depth_.update(view_layers_.of(view), camera, buffers_);
+    return surface_depth_.update(view_layers_.of(view), buffers_);
 }
 
 void DecorateLaplacianLines::paint(const std::vector<SurfaceLayer>& layers,

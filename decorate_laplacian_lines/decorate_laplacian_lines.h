@@ -3,15 +3,15 @@
 
 #include <map>
 
-#include "background_renderer.h"
 #include "laplacian_lines/line_extractor.h"
 #include "line_cache.h"
-#include "line_renderer.h"
+#include "line_renderer/background_renderer.h"
+#include "line_renderer/line_renderer.h"
+#include "line_renderer/redraw_clock.h"
+#include "line_renderer/surface_renderer.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/decorate_plugin_base.h"
 #include "meshlab_host/snapshot_tiles.h"
-#include "redraw_clock.h"
-#include "surface_renderer.h"
 #include "view_layers.h"
 
 struct DecorationParameters;
@@ -52,15 +52,17 @@ private:
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
                       const RichParameterList& parameters, GLArea* view, QPainter* painter,
-                      RedrawClock& clock);
+                      line_renderer::RedrawClock& clock);
     /// What comes before all layers of a view.
     void beginRedraw(const DecorationParameters& chosen);
     /// Of all that hides lines in the view.
-    DepthTexture depths(GLArea* view, const meshlab_host::CameraMatrices& camera);
+    line_renderer::DepthTexture depths(GLArea* view);
     /// Paints the surfaces, if that is wanted. Those of all layers come before any line, which
     /// reaches over the outline of its own.
-    void paint(const std::vector<SurfaceLayer>& layers, const SurfaceAppearance& appearance,
-               const meshlab_host::CameraMatrices& camera, const DepthTexture& depths);
+    void paint(const std::vector<line_renderer::SurfaceLayer>& layers,
+               const line_renderer::SurfaceAppearance& appearance,
+               const meshlab_host::CameraMatrices& camera,
+               const line_renderer::DepthTexture& depths);
     /// Adds why a mesh has no lines to its document's log, which is `log`.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
     /// Whether the log's reader knows it: said before, and not taken out of the log since.
@@ -69,11 +71,11 @@ private:
     LineCache cache_;
     ViewLayers view_layers_;
     meshlab_host::SnapshotTiles tiles_;
-    SurfaceBuffers buffers_;
-    SurfaceDepth surface_depth_;
-    BackgroundRenderer background_renderer_;
-    LineRenderer renderer_;
-    SurfaceRenderer surface_renderer_;
+    line_renderer::SurfaceBuffers buffers_;
+    line_renderer::SurfaceDepth surface_depth_;
+    line_renderer::BackgroundRenderer background_renderer_;
+    line_renderer::LineRenderer renderer_;
+    line_renderer::SurfaceRenderer surface_renderer_;
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_;
     bool shows_statistics_ = false;

@@ -43,7 +43,7 @@ private:
 void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
     if (style == DrawingStyle::AsSetBelow) return;
     parameters.appearance.color = parameters.appearance.contour_color = Qt::black;
-    parameters.surface.style = SurfaceAppearance::Paper;
+    parameters.surface.style = line_renderer::SurfaceAppearance::Paper;
     parameters.surface.paper = Qt::white;
     parameters.background = Background::Paper;
     parameters.light =

@@ -7,6 +7,8 @@ namespace {
 
 using namespace laplacian_lines::option_rows;
 using laplacian_lines::OptionKind;
+using line_renderer::LineAppearance;
+using line_renderer::SurfaceAppearance;
 using Parameters = DecorationParameters;
 
 template <auto... Path>

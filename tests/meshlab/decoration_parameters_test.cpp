@@ -10,6 +10,9 @@
 
 namespace {
 
+using line_renderer::HiddenLines;
+using line_renderer::SurfaceAppearance;
+
 const QString kPrefix = "MeshLab::Decoration::LaplacianLines_";
 
 RichEnum choice(const char* key, int value) {

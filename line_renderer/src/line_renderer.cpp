@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_renderer/line_renderer.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "gl_state.h"
+#include "instancing.h"
+#include "laplacian_lines/line_visibility.h"
+#include "mean_scale.h"
+
+namespace line_renderer {
+namespace {
+
+/// How far beside a line, in pixels, the surface may give way to let it be seen. Less than half the
+/// width of an outline, which hides what reaches below it.
+constexpr double to_side = 1.5;
+
+/// Hidden lines: alpha of faint ones; of dashed ones pixels of a dash, and with the gap after it.
+constexpr double faint_alpha = 0.25;
+constexpr double dash_pixels = 5;
+constexpr double dash_period = 9;
+/// How much deeper than a line that is left out one has to lie to be drawn as hidden: otherwise
+/// pieces of lines along an outline would be.
+constexpr double hidden_depth = 4;
+
+LineRadii radii(const LineAppearance& appearance, double pixel_scale) {
+    LineRadii result;
+    result.laplacian = float(appearance.width * pixel_scale / 2);
+    result.contour = float(appearance.contour_factor) * result.laplacian;
+    return result;
+}
+
+Eigen::Vector4f viewport() {
+    GLint corner_and_size[4];
+    glGetIntegerv(GL_VIEWPORT, corner_and_size);
+    return Eigen::Map<const Eigen::Vector4i>(corner_and_size).cast<float>();
+}
+
+Eigen::Vector2f halfViewport() {
+    return viewport().tail<2>() / 2;
+}
+
+void setColor(GLint location, const QColor& color, double alpha) {
+    glUniform4f(location, float(color.redF()), float(color.greenF()), float(color.blueF()),
+                float(color.alphaF() * alpha));
+}
+
+void setColors(const LineProgram& program, const LineAppearance& appearance, double alpha) {
+    setColor(program.color, appearance.color, alpha);
+    setColor(program.contour_color, appearance.contour_color, alpha);
+}
+
+/// What is the same for seen and hidden lines.
+void setPlacement(const LineProgram& program, const LinePlacement& placement, double radius) {
+    const Eigen::Matrix4f to_eye = placement.to_eye.cast<float>();
+    const Eigen::Matrix4f projection = placement.projection.cast<float>();
+    glUniformMatrix4fv(program.to_eye, 1, GL_FALSE, to_eye.data());
+    glUniformMatrix4fv(program.projection, 1, GL_FALSE, projection.data());
+    glUniform2fv(program.half_viewport, 1, halfViewport().data());
+    // a mark's corner at the far side of a line
+    const double to_horizon = placement.mark_pixels > 0 ? 0.71 * placement.mark_pixels + radius : 0;
+    glUniform1f(program.mark_reach,
+                float(placement.diagonal * meanScale(placement.to_eye) * to_horizon));
+    glBindTexture(GL_TEXTURE_2D, placement.depths.id);
+    glUniform1i(program.surface_depth, 0);
+    const Eigen::Vector4f view = viewport();
+    glUniform4f(program.pixels, view[0] + 0.5f, view[1] + 0.5f, view[0] + view[2] - 0.5f,
+                view[1] + view[3] - 0.5f);
+    glUniform1f(program.to_side, float(to_side * placement.pixel_scale));
+    glUniform2fv(program.texel, 1, placement.depths.texel.data());
+}
+
+GLuint makeCornerBuffer() {
+    constexpr float corners[] = {0, -1, 1, -1, 0, 1, 1, 1};  // a triangle strip
+    GLuint buffer = 0;
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
+    return buffer;
+}
+
+/// Reads an attribute from the buffer that is bound. `divisor` 1: one value a segment.
+void pointAttribute(LineProgram::Attribute attribute, GLint floats, GLsizei stride,
+                    std::size_t offset, GLuint divisor) {
+    glEnableVertexAttribArray(attribute);
+    glVertexAttribPointer(attribute, floats, GL_FLOAT, GL_FALSE, stride,
+                          reinterpret_cast<const void*>(offset));
+    setDivisor(attribute, divisor);
+}
+
+/// The segment attributes are four windows onto one array, each a point further.
+constexpr LineProgram::Attribute windows[] = {LineProgram::Before, LineProgram::Start,
+                                              LineProgram::End, LineProgram::After};
+constexpr LineProgram::Attribute per_segment[] = {LineProgram::Before,    LineProgram::Start,
+                                                  LineProgram::End,       LineProgram::After,
+                                                  LineProgram::StartLook, LineProgram::EndLook};
+
+}  // namespace
+
+LineRenderer::GroupObjects& LineRenderer::objectsOfCurrentGroup() {
+    const ShareGroup group = currentShareGroup();
+    const auto [place, is_new] = groups_.try_emplace(group);
+    GroupObjects& objects = place->second;
+    if (is_new) {
+        whenGone(group, &receiver_, [this, group] { groups_.erase(group); });
+        if (!canDrawInstanced()) {
+            objects.program.failure = "instanced drawing (OpenGL 3.3) is not available";
+            return objects;
+        }
+        const LineGlState state;  // for the buffer binding
+        objects.program = buildLineProgram();
+        objects.corners = makeCornerBuffer();
+        glGenBuffers(1, &objects.stream);
+    }
+    return objects;
+}
+
+void LineRenderer::bindStream(const GroupObjects& objects) {
+    glBindBuffer(GL_ARRAY_BUFFER, objects.corners);
+    pointAttribute(LineProgram::Corner, 2, 0, 0, 0);
+
+    glBindBuffer(GL_ARRAY_BUFFER, objects.stream);
+    std::size_t offset = 0;
+    for (LineProgram::Attribute window : windows) {
+        pointAttribute(window, 4, sizeof(StreamPoint), offset, 1);
+        offset += sizeof(StreamPoint);
+    }
+    const std::size_t look = offsetof(StreamPoint, opacity);
+    pointAttribute(LineProgram::StartLook, 3, sizeof(StreamPoint), sizeof(StreamPoint) + look, 1);
+    pointAttribute(LineProgram::EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
+}
+
+/// Some of the lines, in some way.
+struct LineRenderer::Pass {
+    GLenum depth_function = GL_LEQUAL;
+    float surface_side = 1;
+    double bias_factor = 1;
+    bool is_dashed = false;
+};
+
+void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& placement,
+                            const Pass& pass, RedrawClock& clock) {
+    glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
+    glUniform1f(program.surface_side, pass.surface_side);
+    const double unit = pass.bias_factor * meanScale(placement.to_eye);
+    const double bias = laplacian_lines::kSightClearance * placement.diagonal;
+    const double contour_bias =
+        std::max(bias, laplacian_lines::kContourSightClearance * placement.mean_edge);
+    glUniform2f(program.depth_bias, float(unit * bias), float(unit * contour_bias));
+    const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
+    glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
+    clock.count(RedrawClock::DrawCalls);
+    drawInstanced(GL_TRIANGLE_STRIP, 4, GLsizei(stream_length_) - 3);
+    clock.count(RedrawClock::Drawing);
+}
+
+void LineRenderer::drawHidden(const LineProgram& program, const LineAppearance& appearance,
+                              const LinePlacement& placement, RedrawClock& clock) {
+    Pass hidden;
+    hidden.bias_factor = hidden_depth;
+    hidden.is_dashed = appearance.hidden == HiddenLines::Dashed;
+    setColors(program, appearance, hidden.is_dashed ? 1 : faint_alpha);
+    hidden.depth_function = GL_ALWAYS;
+    hidden.surface_side = -1;
+    drawPass(program, placement, hidden, clock);
+    if (placement.depths.is_complete) return;
+    hidden.depth_function = GL_GREATER;  // what the depth buffer hides and the texture does not
+    hidden.surface_side = 1;
+    drawPass(program, placement, hidden, clock);
+}
+
+StreamPoint* LineRenderer::mapStream(GroupObjects& objects) {
+    const auto bytes = [](std::size_t points) { return GLsizeiptr(points * sizeof(StreamPoint)); };
+    const bool has_ranges = GLEW_VERSION_3_0 || GLEW_ARB_map_buffer_range;
+    glBindBuffer(GL_ARRAY_BUFFER, objects.stream);
+    if (stream_length_ > objects.capacity || !has_ranges) {
+        objects.capacity = std::max(objects.capacity, stream_length_ + stream_length_ / 4);
+        glBufferData(GL_ARRAY_BUFFER, bytes(objects.capacity), nullptr, GL_STREAM_DRAW);
+    }
+    // The driver need not wait for the last frame to be done with what the buffer had.
+    void* memory = has_ranges ? glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes(stream_length_),
+                                                 GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT)
+                              : glMapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY);
+    return static_cast<StreamPoint*>(memory);
+}
+
+std::string LineRenderer::upload(const laplacian_lines::LineSet& lines,
+                                 const LineAppearance& appearance, const LinePlacement& placement) {
+    GroupObjects& objects = objectsOfCurrentGroup();
+    if (!objects.program.id) return "Lines cannot be drawn: " + objects.program.failure;
+    stream_length_ = streamLength(lines);
+    if (stream_length_ == 0) return {};
+    const Eigen::Matrix4d to_clip = placement.projection * placement.to_eye;
+    const ScreenTransform screen = {to_clip.cast<float>(), halfViewport()};
+    const bool is_dashed = appearance.hidden == HiddenLines::Dashed;
+
+    GLint bound = 0;
+    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
+    bool is_written = false;
+    if (StreamPoint* stream = mapStream(objects)) {
+        writeStream(lines, radii(appearance, placement.pixel_scale), is_dashed ? &screen : nullptr,
+                    stream);
+        is_written = glUnmapBuffer(GL_ARRAY_BUFFER);
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
+    if (is_written) return {};
+    stream_length_ = objects.capacity = 0;
+    return "Lines cannot be drawn: OpenGL has no memory for them.";
+}
+
+void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& placement,
+                        RedrawClock& clock) {
+    if (stream_length_ == 0) return;
+    const GroupObjects& objects = objectsOfCurrentGroup();
+    const LineRadii in_pixels = radii(appearance, placement.pixel_scale);
+    const LineGlState state;
+    glUseProgram(objects.program.id);
+    bindStream(objects);
+    setPlacement(objects.program, placement, std::max(in_pixels.laplacian, in_pixels.contour));
+    if (appearance.hidden != HiddenLines::LeftOut)
+        drawHidden(objects.program, appearance, placement, clock);
+    setColors(objects.program, appearance, 1);
+    drawPass(objects.program, placement, Pass(), clock);
+    for (LineProgram::Attribute attribute : per_segment)
+        setDivisor(attribute, 0);  // not saved by all drivers
+}
+
+}  // namespace line_renderer
