@@ -62,10 +62,6 @@ QString refusalLine(const MeshModel& mesh, const QString& refusal) {
     return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
 }
 
-void throwIf(const std::string& failure) {
-    if (!failure.empty()) throw std::runtime_error(failure);
-}
-
 double devicePixelRatio(QPainter* painter) {
     return painter && painter->device() ? painter->device()->devicePixelRatioF() : 1;
 }
@@ -179,7 +175,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     else if (!is_expected)
         paint({surface}, chosen.surface, camera, placement.depths);
     clock.count(RedrawClock::DrawCalls);
-    throwIf(renderer_.upload(lines_, chosen.appearance, placement));
+    renderer_.upload(lines_, chosen.appearance, placement);
     clock.count(RedrawClock::Upload);
     renderer_.draw(chosen.appearance, placement, clock);
     clock.count(RedrawClock::DrawCalls);
@@ -192,8 +188,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
 
 void DecorateLaplacianLines::beginRedraw(const DecorationParameters& chosen) {
     surface_depth_.forgetDepthBuffer();
-    if (chosen.background == Background::Paper)
-        throwIf(background_renderer_.paint(chosen.surface.paper));
+    if (chosen.background == Background::Paper) background_renderer_.paint(chosen.surface.paper);
 }
 
 DepthTexture DecorateLaplacianLines::depths(GLArea* view) {
@@ -208,8 +203,8 @@ void DecorateLaplacianLines::paint(const std::vector<SurfaceLayer>& layers,
                                    const DepthTexture& depths) {
     if (appearance.style == SurfaceAppearance::AsMeshLabDrawsIt) return;
     for (const SurfaceLayer& layer : layers)
-        throwIf(surface_renderer_.paint(layer, appearance, camera.modelview * layer.transform,
-                                        depths, buffers_));
+        surface_renderer_.paint(layer, appearance, camera.modelview * layer.transform, depths,
+                                buffers_);
 }
 
 bool DecorateLaplacianLines::isSaid(const MeshModel& mesh, const GLLogStream& log,

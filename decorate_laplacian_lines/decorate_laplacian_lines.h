@@ -8,6 +8,7 @@
 #include "line_renderer/background_renderer.h"
 #include "line_renderer/line_renderer.h"
 #include "line_renderer/redraw_clock.h"
+#include "line_renderer/surface_depth.h"
 #include "line_renderer/surface_renderer.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/decorate_plugin_base.h"

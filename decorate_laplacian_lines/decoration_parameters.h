@@ -2,7 +2,7 @@
 #pragma once
 
 #include "laplacian_lines/line_style.h"
-#include "line_renderer/line_renderer.h"
+#include "line_renderer/line_appearance.h"
 #include "line_renderer/surface_renderer.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/meshlab_api.h"

@@ -2,6 +2,7 @@
 #include "line_renderer/background_renderer.h"
 
 #include "gl_state.h"
+#include "per_share_group.h"
 #include "shader_program.h"
 
 namespace line_renderer {
@@ -25,34 +26,24 @@ void main()
 
 }  // namespace
 
-BackgroundRenderer::Program& BackgroundRenderer::programOfCurrentGroup() {
-    const ShareGroup group = currentShareGroup();
-    const auto [place, is_new] = groups_.try_emplace(group);
-    if (is_new) whenGone(group, &receiver_, [this, group] { groups_.erase(group); });
-    return place->second;
-}
+struct BackgroundRenderer::Program {
+    GLuint id =
+        buildShaderProgram("The background cannot be painted", vertex_shader, fragment_shader);
+    GLint color = glGetUniformLocation(id, "color");
+};
 
-void BackgroundRenderer::build(Program& program) {
-    if (!GLEW_VERSION_2_0) {
-        program.failure = "shaders (OpenGL 2.0) are not available";
-        return;
-    }
-    program.id = buildShaderProgram(vertex_shader, fragment_shader, {}, program.failure);
-    if (program.id) program.color = glGetUniformLocation(program.id, "color");
-}
+BackgroundRenderer::BackgroundRenderer() : programs_(std::make_unique<PerShareGroup<Program>>()) {}
 
-std::string BackgroundRenderer::paint(const QColor& color) {
-    Program& program = programOfCurrentGroup();
-    if (!program.id && program.failure.empty()) build(program);
-    if (!program.id) return "The background cannot be painted: " + program.failure;
+BackgroundRenderer::~BackgroundRenderer() = default;
 
-    const LineGlState state;
+void BackgroundRenderer::paint(const QColor& color) {
+    const Program& program = programs_->current();
+    const GlState state;
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     glUseProgram(program.id);
     glUniform4f(program.color, float(color.redF()), float(color.greenF()), float(color.blueF()), 1);
     glRectf(-1, -1, 1, 1);
-    return {};
 }
 
 }  // namespace line_renderer

@@ -5,7 +5,7 @@
 
 namespace line_renderer {
 
-LineGlState::LineGlState() : has_vertex_arrays_(GLEW_VERSION_3_0 || GLEW_ARB_vertex_array_object) {
+GlState::GlState() : has_vertex_arrays_(GLEW_VERSION_3_0 || GLEW_ARB_vertex_array_object) {
     glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &array_buffer_);
     if (has_vertex_arrays_) {
@@ -33,7 +33,7 @@ LineGlState::LineGlState() : has_vertex_arrays_(GLEW_VERSION_3_0 || GLEW_ARB_ver
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-LineGlState::~LineGlState() {
+GlState::~GlState() {
     glPopClientAttrib();
     glPopAttrib();
     glBindTexture(GL_TEXTURE_2D, GLuint(texture_));

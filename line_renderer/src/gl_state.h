@@ -6,14 +6,14 @@
 namespace line_renderer {
 
 /// Saves the OpenGL state that drawing lines and surfaces touches, sets what lines need (depth test
-/// without depth writes, blending, no culling, texture unit 0) and restores all
-/// of it when it goes out of scope. The context must be the same and current at both ends.
-class LineGlState {
+/// without depth writes, blending, no culling, texture unit 0) and restores all of it when it goes
+/// out of scope. The context must be the same and current at both ends.
+class GlState {
 public:
-    LineGlState();
-    ~LineGlState();
-    LineGlState(const LineGlState&) = delete;
-    LineGlState& operator=(const LineGlState&) = delete;
+    GlState();
+    ~GlState();
+    GlState(const GlState&) = delete;
+    GlState& operator=(const GlState&) = delete;
 
 private:
     GLint program_ = 0;

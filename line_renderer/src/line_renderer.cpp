@@ -2,12 +2,16 @@
 #include "line_renderer/line_renderer.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <stdexcept>
 
 #include "gl_state.h"
 #include "instancing.h"
 #include "laplacian_lines/line_visibility.h"
+#include "line_buffers.h"
+#include "line_program.h"
+#include "line_stream.h"
 #include "mean_scale.h"
+#include "per_share_group.h"
 
 namespace line_renderer {
 namespace {
@@ -71,64 +75,22 @@ void setPlacement(const LineProgram& program, const LinePlacement& placement, do
     glUniform2fv(program.texel, 1, placement.depths.texel.data());
 }
 
-GLuint makeCornerBuffer() {
-    constexpr float corners[] = {0, -1, 1, -1, 0, 1, 1, 1};  // a triangle strip
-    GLuint buffer = 0;
-    glGenBuffers(1, &buffer);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
-    return buffer;
-}
-
-/// Reads an attribute from the buffer that is bound. `divisor` 1: one value a segment.
-void pointAttribute(LineProgram::Attribute attribute, GLint floats, GLsizei stride,
-                    std::size_t offset, GLuint divisor) {
-    glEnableVertexAttribArray(attribute);
-    glVertexAttribPointer(attribute, floats, GL_FLOAT, GL_FALSE, stride,
-                          reinterpret_cast<const void*>(offset));
-    setDivisor(attribute, divisor);
-}
-
-/// The segment attributes are four windows onto one array, each a point further.
-constexpr LineProgram::Attribute windows[] = {LineProgram::Before, LineProgram::Start,
-                                              LineProgram::End, LineProgram::After};
-constexpr LineProgram::Attribute per_segment[] = {LineProgram::Before,    LineProgram::Start,
-                                                  LineProgram::End,       LineProgram::After,
-                                                  LineProgram::StartLook, LineProgram::EndLook};
-
 }  // namespace
 
-LineRenderer::GroupObjects& LineRenderer::objectsOfCurrentGroup() {
-    const ShareGroup group = currentShareGroup();
-    const auto [place, is_new] = groups_.try_emplace(group);
-    GroupObjects& objects = place->second;
-    if (is_new) {
-        whenGone(group, &receiver_, [this, group] { groups_.erase(group); });
-        if (!canDrawInstanced()) {
-            objects.program.failure = "instanced drawing (OpenGL 3.3) is not available";
-            return objects;
-        }
-        const LineGlState state;  // for the buffer binding
-        objects.program = buildLineProgram();
-        objects.corners = makeCornerBuffer();
-        glGenBuffers(1, &objects.stream);
-    }
-    return objects;
-}
+struct LineRenderer::Objects {
+    LineProgram program;
+    LineBuffers buffers;
+};
 
-void LineRenderer::bindStream(const GroupObjects& objects) {
-    glBindBuffer(GL_ARRAY_BUFFER, objects.corners);
-    pointAttribute(LineProgram::Corner, 2, 0, 0, 0);
+LineRenderer::LineRenderer() : objects_(std::make_unique<PerShareGroup<Objects>>()) {}
 
-    glBindBuffer(GL_ARRAY_BUFFER, objects.stream);
-    std::size_t offset = 0;
-    for (LineProgram::Attribute window : windows) {
-        pointAttribute(window, 4, sizeof(StreamPoint), offset, 1);
-        offset += sizeof(StreamPoint);
-    }
-    const std::size_t look = offsetof(StreamPoint, opacity);
-    pointAttribute(LineProgram::StartLook, 3, sizeof(StreamPoint), sizeof(StreamPoint) + look, 1);
-    pointAttribute(LineProgram::EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
+LineRenderer::~LineRenderer() = default;
+
+LineRenderer::Objects LineRenderer::makeObjects() {
+    if (!canDrawInstanced())
+        throw std::runtime_error(
+            "Lines cannot be drawn: instanced drawing (OpenGL 3.3) is not available.");
+    return Objects();
 }
 
 /// Some of the lines, in some way.
@@ -139,8 +101,9 @@ struct LineRenderer::Pass {
     bool is_dashed = false;
 };
 
-void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& placement,
-                            const Pass& pass, RedrawClock& clock) {
+void LineRenderer::drawPass(const Objects& objects, const LinePlacement& placement,
+                            const Pass& pass, RedrawClock& clock) const {
+    const LineProgram& program = objects.program;
     glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
     glUniform1f(program.surface_side, pass.surface_side);
     const double unit = pass.bias_factor * meanScale(placement.to_eye);
@@ -155,75 +118,57 @@ void LineRenderer::drawPass(const LineProgram& program, const LinePlacement& pla
     clock.count(RedrawClock::Drawing);
 }
 
-void LineRenderer::drawHidden(const LineProgram& program, const LineAppearance& appearance,
-                              const LinePlacement& placement, RedrawClock& clock) {
+void LineRenderer::drawHidden(const Objects& objects, const LineAppearance& appearance,
+                              const LinePlacement& placement, RedrawClock& clock) const {
     Pass hidden;
     hidden.bias_factor = hidden_depth;
     hidden.is_dashed = appearance.hidden == HiddenLines::Dashed;
-    setColors(program, appearance, hidden.is_dashed ? 1 : faint_alpha);
+    setColors(objects.program, appearance, hidden.is_dashed ? 1 : faint_alpha);
     hidden.depth_function = GL_ALWAYS;
     hidden.surface_side = -1;
-    drawPass(program, placement, hidden, clock);
+    drawPass(objects, placement, hidden, clock);
     if (placement.depths.is_complete) return;
     hidden.depth_function = GL_GREATER;  // what the depth buffer hides and the texture does not
     hidden.surface_side = 1;
-    drawPass(program, placement, hidden, clock);
+    drawPass(objects, placement, hidden, clock);
 }
 
-StreamPoint* LineRenderer::mapStream(GroupObjects& objects) {
-    const auto bytes = [](std::size_t points) { return GLsizeiptr(points * sizeof(StreamPoint)); };
-    const bool has_ranges = GLEW_VERSION_3_0 || GLEW_ARB_map_buffer_range;
-    glBindBuffer(GL_ARRAY_BUFFER, objects.stream);
-    if (stream_length_ > objects.capacity || !has_ranges) {
-        objects.capacity = std::max(objects.capacity, stream_length_ + stream_length_ / 4);
-        glBufferData(GL_ARRAY_BUFFER, bytes(objects.capacity), nullptr, GL_STREAM_DRAW);
-    }
-    // The driver need not wait for the last frame to be done with what the buffer had.
-    void* memory = has_ranges ? glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes(stream_length_),
-                                                 GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT)
-                              : glMapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY);
-    return static_cast<StreamPoint*>(memory);
-}
-
-std::string LineRenderer::upload(const laplacian_lines::LineSet& lines,
-                                 const LineAppearance& appearance, const LinePlacement& placement) {
-    GroupObjects& objects = objectsOfCurrentGroup();
-    if (!objects.program.id) return "Lines cannot be drawn: " + objects.program.failure;
-    stream_length_ = streamLength(lines);
-    if (stream_length_ == 0) return {};
+void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
+                          const LinePlacement& placement) {
+    stream_length_ = 0;
+    LineBuffers& buffers = objects_->current(makeObjects).buffers;
+    const std::size_t length = streamLength(lines);
+    if (length == 0) return;
     const Eigen::Matrix4d to_clip = placement.projection * placement.to_eye;
     const ScreenTransform screen = {to_clip.cast<float>(), halfViewport()};
     const bool is_dashed = appearance.hidden == HiddenLines::Dashed;
 
     GLint bound = 0;
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
-    bool is_written = false;
-    if (StreamPoint* stream = mapStream(objects)) {
+    if (StreamPoint* stream = buffers.map(length)) {
         writeStream(lines, radii(appearance, placement.pixel_scale), is_dashed ? &screen : nullptr,
                     stream);
-        is_written = glUnmapBuffer(GL_ARRAY_BUFFER);
+        if (buffers.unmap()) stream_length_ = length;
     }
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
-    if (is_written) return {};
-    stream_length_ = objects.capacity = 0;
-    return "Lines cannot be drawn: OpenGL has no memory for them.";
+    if (stream_length_ == 0)
+        throw std::runtime_error("Lines cannot be drawn: OpenGL has no memory for them.");
 }
 
 void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& placement,
                         RedrawClock& clock) {
     if (stream_length_ == 0) return;
-    const GroupObjects& objects = objectsOfCurrentGroup();
+    const Objects& objects = objects_->current(makeObjects);
     const LineRadii in_pixels = radii(appearance, placement.pixel_scale);
-    const LineGlState state;
+    const GlState state;
     glUseProgram(objects.program.id);
-    bindStream(objects);
+    objects.buffers.bind();
     setPlacement(objects.program, placement, std::max(in_pixels.laplacian, in_pixels.contour));
     if (appearance.hidden != HiddenLines::LeftOut)
-        drawHidden(objects.program, appearance, placement, clock);
+        drawHidden(objects, appearance, placement, clock);
     setColors(objects.program, appearance, 1);
-    drawPass(objects.program, placement, Pass(), clock);
-    for (LineProgram::Attribute attribute : per_segment)
-        setDivisor(attribute, 0);  // not saved by all drivers
+    drawPass(objects, placement, Pass(), clock);
+    LineBuffers::unbind();
 }
 
 }  // namespace line_renderer

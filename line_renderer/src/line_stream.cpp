@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_renderer/line_stream.h"
+#include "line_stream.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

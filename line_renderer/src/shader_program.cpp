@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shader_program.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace line_renderer {
 namespace {
 
@@ -14,45 +17,63 @@ std::string infoLog(GLuint object, GetParameter get_parameter, GetLog get_log) {
     return text.data();
 }
 
-/// 0 on failure, with the reason added to `failure`.
-GLuint compile(GLenum kind, const char* source, std::string& failure) {
-    const GLuint shader = glCreateShader(kind);
-    glShaderSource(shader, 1, &source, nullptr);
-    glCompileShader(shader);
-    GLint compiled = GL_FALSE;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled) return shader;
-    failure += infoLog(shader, glGetShaderiv, glGetShaderInfoLog);
-    glDeleteShader(shader);
-    return 0;
-}
+/// A shader until it goes out of scope; a linked program keeps it as long as it needs.
+class Shader {
+public:
+    explicit Shader(GLenum kind) : id_(glCreateShader(kind)) {}
+    ~Shader() { glDeleteShader(id_); }
+    Shader(const Shader&) = delete;
+    Shader& operator=(const Shader&) = delete;
 
-GLuint link(GLuint vertex, GLuint fragment, const std::vector<const char*>& attributes,
-            std::string& failure) {
+    GLuint id() const { return id_; }
+
+    /// Throws the compiler's words.
+    void compile(const char* source) const {
+        glShaderSource(id_, 1, &source, nullptr);
+        glCompileShader(id_);
+        GLint compiled = GL_FALSE;
+        glGetShaderiv(id_, GL_COMPILE_STATUS, &compiled);
+        if (!compiled) throw std::runtime_error(infoLog(id_, glGetShaderiv, glGetShaderInfoLog));
+    }
+
+private:
+    GLuint id_;
+};
+
+GLuint link(const Shader& vertex, const Shader& fragment,
+            const std::vector<const char*>& attributes) {
     const GLuint program = glCreateProgram();
-    glAttachShader(program, vertex);
-    glAttachShader(program, fragment);
+    glAttachShader(program, vertex.id());
+    glAttachShader(program, fragment.id());
     for (GLuint location = 0; location < attributes.size(); ++location)
         glBindAttribLocation(program, location, attributes[location]);
     glLinkProgram(program);
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked) return program;
-    failure += infoLog(program, glGetProgramiv, glGetProgramInfoLog);
+    const std::runtime_error failure(infoLog(program, glGetProgramiv, glGetProgramInfoLog));
     glDeleteProgram(program);
-    return 0;
+    throw failure;
+}
+
+GLuint build(const char* vertex_shader, const char* fragment_shader,
+             const std::vector<const char*>& attributes) {
+    if (!GLEW_VERSION_2_0) throw std::runtime_error("shaders (OpenGL 2.0) are not available");
+    const Shader vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
+    vertex.compile(vertex_shader);
+    fragment.compile(fragment_shader);
+    return link(vertex, fragment, attributes);
 }
 
 }  // namespace
 
-GLuint buildShaderProgram(const char* vertex_shader, const char* fragment_shader,
-                          const std::vector<const char*>& attributes, std::string& failure) {
-    const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_shader, failure);
-    const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_shader, failure);
-    const GLuint program = vertex && fragment ? link(vertex, fragment, attributes, failure) : 0;
-    glDeleteShader(vertex);  // a linked program keeps them as long as it needs; 0 is ignored
-    glDeleteShader(fragment);
-    return program;
+GLuint buildShaderProgram(const char* refusal, const char* vertex_shader,
+                          const char* fragment_shader, const std::vector<const char*>& attributes) {
+    try {
+        return build(vertex_shader, fragment_shader, attributes);
+    } catch (const std::runtime_error& reason) {
+        throw std::runtime_error(std::string(refusal) + ": " + reason.what());
+    }
 }
 
 }  // namespace line_renderer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_renderer/share_group.h"
+#include "share_group.h"
 
 // Qt's OpenGL headers do not get along with GLEW's; no other file includes them.
 #include <QOpenGLContext>

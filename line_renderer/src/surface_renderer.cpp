@@ -3,13 +3,14 @@
 
 #include "gl_state.h"
 #include "mean_scale.h"
+#include "per_share_group.h"
 #include "shader_program.h"
 #include "surface_shaders.h"
 
 namespace line_renderer {
 namespace {
 
-/// How far paint may come before the surface to cover MeshLab's wires and points, in diagonals.
+/// How far paint may come before the surface to cover wires and points, in diagonals.
 constexpr double least_move = 0.0005;
 constexpr double greatest_move = 0.03;
 
@@ -19,35 +20,26 @@ void setColor(GLint location, const QColor& color) {
 
 }  // namespace
 
-SurfaceRenderer::Program& SurfaceRenderer::programOfCurrentGroup() {
-    const ShareGroup group = currentShareGroup();
-    const auto [place, is_new] = groups_.try_emplace(group);
-    Program& program = place->second;
-    if (!is_new) return program;
-    whenGone(group, &receiver_, [this, group] { groups_.erase(group); });
-    if (!GLEW_VERSION_2_0) {
-        program.failure = "shaders (OpenGL 2.0) are not available";
-        return program;
-    }
-    program.id =
-        buildShaderProgram(surface_vertex_shader, surface_fragment_shader, {}, program.failure);
-    if (!program.id) return program;
-    program.paper = glGetUniformLocation(program.id, "paper");
-    program.shade = glGetUniformLocation(program.id, "shade");
-    program.tones = glGetUniformLocation(program.id, "tones");
-    program.nearer = glGetUniformLocation(program.id, "nearer");
-    program.surface_depth = glGetUniformLocation(program.id, "surface_depth");
-    program.texel = glGetUniformLocation(program.id, "texel");
-    return program;
-}
+struct SurfaceRenderer::Program {
+    GLuint id = buildShaderProgram("The surface cannot be painted", surface_vertex_shader,
+                                   surface_fragment_shader);
+    GLint paper = glGetUniformLocation(id, "paper");
+    GLint shade = glGetUniformLocation(id, "shade");
+    GLint tones = glGetUniformLocation(id, "tones");
+    GLint nearer = glGetUniformLocation(id, "nearer");
+    GLint surface_depth = glGetUniformLocation(id, "surface_depth");
+    GLint texel = glGetUniformLocation(id, "texel");
+};
 
-std::string SurfaceRenderer::paint(const SurfaceLayer& layer, const SurfaceAppearance& appearance,
-                                   const Eigen::Matrix4d& to_eye, const DepthTexture& depth,
-                                   SurfaceBuffers& buffers) {
-    const Program& program = programOfCurrentGroup();
-    if (!program.id) return "The surface cannot be painted: " + program.failure;
+SurfaceRenderer::SurfaceRenderer() : programs_(std::make_unique<PerShareGroup<Program>>()) {}
 
-    const LineGlState state;
+SurfaceRenderer::~SurfaceRenderer() = default;
+
+void SurfaceRenderer::paint(const SurfaceLayer& layer, const SurfaceAppearance& appearance,
+                            const Eigen::Matrix4d& to_eye, const DepthTexture& depth,
+                            SurfaceBuffers& buffers) {
+    const Program& program = programs_->current();
+    const GlState state;
     glDisable(GL_BLEND);
     glUseProgram(program.id);
     setColor(program.paper, appearance.paper);
@@ -62,7 +54,6 @@ std::string SurfaceRenderer::paint(const SurfaceLayer& layer, const SurfaceAppea
     const Eigen::Vector2f texel = is_needed ? depth.texel : Eigen::Vector2f(0, 0);
     glUniform2fv(program.texel, 1, texel.data());
     buffers.draw(layer);
-    return {};
 }
 
 }  // namespace line_renderer
