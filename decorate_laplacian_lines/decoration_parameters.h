@@ -2,6 +2,7 @@
 #pragma once
 
 #include "laplacian_lines/line_style.h"
+#include "line_choice.h"
 #include "line_renderer/line_appearance.h"
 #include "line_renderer/surface_renderer.h"
 #include "meshlab_host/camera.h"
@@ -19,7 +20,8 @@ enum class Light { AtTheEye, FixedToTheCamera };
 struct DecorationParameters {
     DrawingStyle drawing_style = DrawingStyle::AsSetBelow;
     laplacian_lines::LineStyle style;
-    line_renderer::LineAppearance appearance;
+    LineChoice lines;
+    line_renderer::LineAppearance appearance;  ///< its looks are those of `lines` and the style
     line_renderer::SurfaceAppearance surface;
     Background background = Background::AsMeshLabDrawsIt;
     Light light = Light::AtTheEye;

@@ -13,15 +13,14 @@ LineProgram::LineProgram()
       to_eye(glGetUniformLocation(id, "to_eye")),
       projection(glGetUniformLocation(id, "projection")),
       half_viewport(glGetUniformLocation(id, "half_viewport")),
-      depth_bias(glGetUniformLocation(id, "depth_bias")),
+      depth_biases(glGetUniformLocation(id, "depth_biases")),
       mark_reach(glGetUniformLocation(id, "mark_reach")),
       surface_depth(glGetUniformLocation(id, "surface_depth")),
       texel(glGetUniformLocation(id, "texel")),
       pixels(glGetUniformLocation(id, "pixels")),
       to_side(glGetUniformLocation(id, "to_side")),
       surface_side(glGetUniformLocation(id, "surface_side")),
-      color(glGetUniformLocation(id, "color")),
-      contour_color(glGetUniformLocation(id, "contour_color")),
+      colors(glGetUniformLocation(id, "colors")),
       dash(glGetUniformLocation(id, "dash")) {}
 
 }  // namespace line_renderer

@@ -27,15 +27,14 @@ struct LineProgram {
     GLint to_eye;         ///< mat4, mesh to eye coordinates
     GLint projection;     ///< mat4
     GLint half_viewport;  ///< vec2, pixels
-    GLint depth_bias;     ///< vec2, lengths in eye coordinates, see line_shaders.cpp
+    GLint depth_biases;   ///< float[most_looks], lengths in eye coordinates, see line_shaders.cpp
     GLint mark_reach;     ///< float, length in eye coordinates times pixels, or 0; see there
     GLint surface_depth;  ///< sampler2D
     GLint texel;          ///< vec2, of surface_depth for a pixel
     GLint pixels;         ///< vec4, middles of the viewport's first and last pixel
     GLint to_side;        ///< float, pixels
     GLint surface_side;   ///< float: 1 before the surface, -1 behind it
-    GLint color;          ///< vec4
-    GLint contour_color;  ///< vec4
+    GLint colors;         ///< vec4[most_looks]
     GLint dash;           ///< vec2, pixels: length of a dash and of a dash with its gap; or 0
 };
 

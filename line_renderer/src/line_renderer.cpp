@@ -2,6 +2,7 @@
 #include "line_renderer/line_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "gl_state.h"
@@ -9,6 +10,7 @@
 #include "laplacian_lines/line_visibility.h"
 #include "line_buffers.h"
 #include "line_program.h"
+#include "line_shaders.h"
 #include "line_stream.h"
 #include "mean_scale.h"
 #include "per_share_group.h"
@@ -28,10 +30,15 @@ constexpr double dash_period = 9;
 /// pieces of lines along an outline would be.
 constexpr double hidden_depth = 4;
 
+/// A value of the looks of all kinds of lines, in their order.
+template <class Value>
+using PerLook = std::array<Value, laplacian_lines::line_kind_count>;
+static_assert(laplacian_lines::line_kind_count <= most_looks, "the shaders need longer arrays");
+
 LineRadii radii(const LineAppearance& appearance, double pixel_scale) {
     LineRadii result;
-    result.laplacian = float(appearance.width * pixel_scale / 2);
-    result.contour = float(appearance.contour_factor) * result.laplacian;
+    for (std::size_t look = 0; look < result.full.size(); ++look)
+        result.full[look] = float(appearance.looks[look].width * pixel_scale / 2);
     return result;
 }
 
@@ -45,14 +52,26 @@ Eigen::Vector2f halfViewport() {
     return viewport().tail<2>() / 2;
 }
 
-void setColor(GLint location, const QColor& color, double alpha) {
-    glUniform4f(location, float(color.redF()), float(color.greenF()), float(color.blueF()),
-                float(color.alphaF() * alpha));
+void setColors(const LineProgram& program, const LineAppearance& appearance, double alpha) {
+    PerLook<std::array<float, 4>> colors;
+    for (std::size_t look = 0; look < colors.size(); ++look) {
+        const QColor& color = appearance.looks[look].color;
+        colors[look] = {float(color.redF()), float(color.greenF()), float(color.blueF()),
+                        float(color.alphaF() * alpha)};
+    }
+    glUniform4fv(program.colors, GLsizei(colors.size()), colors.front().data());
 }
 
-void setColors(const LineProgram& program, const LineAppearance& appearance, double alpha) {
-    setColor(program.color, appearance.color, alpha);
-    setColor(program.contour_color, appearance.contour_color, alpha);
+/// `unit`: length in eye coordinates of a length in mesh coordinates.
+void setDepthBiases(const LineProgram& program, const LinePlacement& placement, double unit) {
+    const double bias = laplacian_lines::kSightClearance * placement.diagonal;
+    const double outline_bias =
+        std::max(bias, laplacian_lines::kContourSightClearance * placement.mean_edge);
+    PerLook<float> biases;
+    for (std::size_t look = 0; look < biases.size(); ++look)
+        biases[look] =
+            float(unit * (laplacian_lines::line_kinds[look].is_outline ? outline_bias : bias));
+    glUniform1fv(program.depth_biases, GLsizei(biases.size()), biases.data());
 }
 
 /// What is the same for seen and hidden lines.
@@ -106,11 +125,7 @@ void LineRenderer::drawPass(const Objects& objects, const LinePlacement& placeme
     const LineProgram& program = objects.program;
     glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
     glUniform1f(program.surface_side, pass.surface_side);
-    const double unit = pass.bias_factor * meanScale(placement.to_eye);
-    const double bias = laplacian_lines::kSightClearance * placement.diagonal;
-    const double contour_bias =
-        std::max(bias, laplacian_lines::kContourSightClearance * placement.mean_edge);
-    glUniform2f(program.depth_bias, float(unit * bias), float(unit * contour_bias));
+    setDepthBiases(program, placement, pass.bias_factor * meanScale(placement.to_eye));
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
     clock.count(RedrawClock::DrawCalls);
@@ -163,7 +178,8 @@ void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& p
     const GlState state;
     glUseProgram(objects.program.id);
     objects.buffers.bind();
-    setPlacement(objects.program, placement, std::max(in_pixels.laplacian, in_pixels.contour));
+    setPlacement(objects.program, placement,
+                 *std::max_element(in_pixels.full.begin(), in_pixels.full.end()));
     if (appearance.hidden != HiddenLines::LeftOut)
         drawHidden(objects, appearance, placement, clock);
     setColors(objects.program, appearance, 1);

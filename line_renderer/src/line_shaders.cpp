@@ -23,19 +23,20 @@ attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark
 attribute vec4 start;
 attribute vec4 end;
 attribute vec4 after;
-attribute vec3 start_look;  // opacity, 1 on contours, pixels from the start of the line
+attribute vec3 start_look;  // opacity, number of the look, pixels from the start of the line
 attribute vec3 end_look;
 uniform mat4 to_eye;
 uniform mat4 projection;
 uniform vec2 half_viewport;
-uniform vec2 depth_bias;  // of Laplacian lines, of contours
+uniform vec4 colors[16];        // of the looks
+uniform float depth_biases[16];
 uniform float mark_reach;  // diameter of the largest ball times pixels to its horizon
 varying vec2 place;  // pixels along and across, from the start of the segment
 varying vec3 shape;  // length, radius at the start, radius at the end; pixels
 varying vec4 cuts;   // normals of the cuts at the start and at the end; zero: a round end
 varying vec2 starts;  // at the start of the segment: opacity, pixels from the start of the line
 varying vec2 ends;
-varying float contour;
+varying vec4 ink;
 varying vec4 middle;  // direction on the screen, depths in 0..1 at the start and at the end
 
 const float nothing_here = -1.5;  // marks below this one still have a position
@@ -96,7 +97,8 @@ void main()
     cuts = vec4(0.0);
     starts = start_look.xz;
     ends = end_look.xz;
-    contour = start_look.y;
+    int look = int(start_look.y + 0.5);
+    ink = colors[look];
     middle = vec4(0.0);
     if (start.w < 0.0 || end.w < 0.0)
         return;
@@ -134,7 +136,7 @@ void main()
                 dot(end_cut, direction), dot(end_cut, across));
     vec2 screen = screen_a + direction * place.x + across * place.y;
     vec4 visible = corner.x < 0.5 ? visible_a : visible_b;
-    float bias = mix(depth_bias.x, depth_bias.y, contour);
+    float bias = depth_biases[look];
     middle = vec4(direction, 0.5 * depthMoved(visible_a, bias) + 0.5,
                   0.5 * depthMoved(visible_b, bias) + 0.5);
     // w = 1 keeps the interpolation linear on the screen
@@ -144,15 +146,13 @@ void main()
 )";
 
 const char* const line_fragment_shader = R"(#version 120
-uniform vec4 color;
-uniform vec4 contour_color;
 uniform vec2 dash;  // lengths of a dash and of a dash with its gap; zero: no gaps
 varying vec2 place;
 varying vec3 shape;
 varying vec4 cuts;
 varying vec2 starts;
 varying vec2 ends;
-varying float contour;
+varying vec4 ink;
 varying vec4 middle;
 uniform sampler2D surface_depth;
 uniform vec2 texel;          // of surface_depth for a pixel
@@ -200,7 +200,6 @@ void main()
     coverage *= look.x * dashCoverage(look.y);
     if (coverage <= 0.0 || isOnOtherSide(along, part))
         discard;
-    vec4 ink = contour > 0.5 ? contour_color : color;
     gl_FragColor = vec4(ink.rgb, ink.a * coverage);
 }
 )";

@@ -15,11 +15,7 @@ namespace {
 
 StreamPoint at(const LinePoint& point, float radius, LineKind kind, float along) {
     const Eigen::Vector3f& p = point.position;
-    return {{p.x(), p.y(), p.z()},
-            radius,
-            point.opacity,
-            describe(kind).is_outline ? 1.0f : 0.0f,
-            along};
+    return {{p.x(), p.y(), p.z()}, radius, point.opacity, float(kind), along};
 }
 
 float taperedRadius(float full, float least_share, float weight) {
@@ -75,7 +71,7 @@ void writeStream(const LineSet& lines, const LineRadii& radii, const ScreenTrans
         if (!isDrawn(line)) continue;
         const LinePoint* first = lines.points.data() + line.first;
         const LinePoint* last = first + line.count - 1;
-        const float full = describe(line.kind).is_outline ? radii.contour : radii.laplacian;
+        const float full = radii.full.at(std::size_t(line.kind));
         const float mark = line.closed ? neighbour_only : nothing_here;
         LengthOnScreen length(screen);
         // a closed line ends with a copy of its first point, so its neighbours are one further in

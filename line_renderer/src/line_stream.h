@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 
 #include "laplacian_lines/line_set.h"
@@ -10,8 +11,8 @@ namespace line_renderer {
 
 /// Half widths of lines in pixels.
 struct LineRadii {
-    float laplacian;            ///< of a Laplacian line of full weight
-    float contour;              ///< of an occluding contour of full weight
+    /// Of lines of full weight, by the number of their kind.
+    std::array<float, laplacian_lines::line_kind_count> full{};
     float least_share = 0.35f;  ///< share of the radius that is left at weight 0
 };
 
@@ -27,8 +28,8 @@ struct StreamPoint {
     float position[3];  ///< mesh coordinates
     float radius;       ///< pixels, or one of the marks
     float opacity;
-    float contour;  ///< 1 on occluding contours, 0 on Laplacian lines
-    float along;    ///< pixels along the line from its start; 0 unless they were asked for
+    float look;   ///< the number of the line's kind
+    float along;  ///< pixels along the line from its start; 0 unless they were asked for
 };
 
 /// Marks instead of a radius. A segment with a marked end is not drawn.
