@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "clusters/cluster_data.h"
-#include "laplacian_lines/affordable_threads.h"
+#include "system/affordable_threads.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {

@@ -11,6 +11,7 @@
 
 #include "clusters/cluster_building.h"
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/field_columns.h"
 #include "mesh/prepared_mesh.h"
 
 namespace laplacian_lines {
@@ -85,9 +86,7 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
 
 ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
                                    const Progress& progress) {
-    const std::size_t n = mesh.positions.size();
-    if (field.normals.size() != n || field.laplacian_normals.size() != n ||
-        field.shape_operators.size() != n || field.kernel_sizes.size() != n)
+    if (!has_entries(field, mesh.positions.size()))
         throw Error(ErrorCode::FieldMismatch,
                     "The Laplacian lines field belongs to another mesh; compute it again.");
     const StageProgress stage(progress, 0, 1, "Preparing the extraction of lines");

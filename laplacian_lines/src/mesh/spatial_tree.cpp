@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "laplacian_lines/affordable_threads.h"
 #include "mesh/bounding_box.h"
+#include "system/affordable_threads.h"
 #include "system/large_array.h"
 
 namespace laplacian_lines {

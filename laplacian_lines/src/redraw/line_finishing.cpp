@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "laplacian_lines/affordable_threads.h"
 #include "redraw/simd/simd_functions.h"
+#include "system/affordable_threads.h"
 
 namespace laplacian_lines {
 namespace {

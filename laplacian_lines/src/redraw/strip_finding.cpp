@@ -7,7 +7,7 @@
 #include <atomic>
 #include <exception>
 
-#include "laplacian_lines/affordable_threads.h"
+#include "system/affordable_threads.h"
 
 namespace laplacian_lines {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "laplacian_lines/affordable_threads.h"
+#include "system/affordable_threads.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -9,9 +9,9 @@
 #include <exception>
 #include <vector>
 
-#include "laplacian_lines/affordable_threads.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/progress.h"
+#include "system/affordable_threads.h"
 
 namespace laplacian_lines {
 
