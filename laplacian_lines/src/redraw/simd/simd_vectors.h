@@ -9,6 +9,7 @@
 #endif
 
 #include "clusters/cluster_data.h"
+#include "redraw/extraction_task.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -164,7 +165,7 @@ struct alignas(16) VertexBits {
 };
 
 /// Up to kSignSets bits for each vertex of a cluster, for CornerLookup.
-constexpr unsigned kSignSets = 4;
+constexpr unsigned kSignSets = 2 * kStripKindCount;
 static_assert(kSignSets <= 8, "a bit of a byte each");
 class VertexSigns {
 public:
