@@ -86,11 +86,11 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     task.light_at_eye = !view.light;
     task.exact_point_light = style.exact_point_light && light.w != 0;
     for (unsigned number = 0; number < kStripKindCount; ++number) {
-        const StripKind& kind = *strip_kinds()[number];
-        const LineRules rules = kind.rules(style, task.light_at_eye);
+        const StripKind* const kind = strip_kinds()[number];
+        const LineRules rules = kind->rules(style, task.light_at_eye);
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
-        task.kinds[number] = {kind.is_wanted(style), least_facing, rules};
+        task.kinds[number] = {kind->is_wanted(style), least_facing, rules};
     }
     return task;
 }
