@@ -5,11 +5,14 @@
 #include <stdexcept>
 
 #include "decoration_parameters.h"
-#include "mean_scale.h"
+#include "meshlab_host/camera.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/live_meshes.h"
 #include "meshlab_host/log.h"
 #include "redraw_mark.h"
+
+using line_renderer::RedrawClock;
+using meshlab_host::CameraMatrices;
 
 namespace {
 
@@ -23,8 +26,8 @@ meshlab_host::DecorationDescription description() {
 }
 
 /// Eye and light in mesh coordinates.
-laplacian_lines::View viewOf(const meshlab_host::CameraMatrices& camera,
-                             const Eigen::Matrix4d& layer, const DecorationParameters& chosen) {
+laplacian_lines::View viewOf(const CameraMatrices& camera, const Eigen::Matrix4d& layer,
+                             const DecorationParameters& chosen) {
     auto view = meshlab_host::viewFromMatrices(camera.modelview, camera.projection, layer);
     if (!view) throw std::runtime_error("The layer's transformation cannot be inverted.");
     if (chosen.light == Light::FixedToTheCamera)
@@ -52,16 +55,30 @@ QWidget* widgetOf(QPainter* painter) {
     return painter ? dynamic_cast<QWidget*>(painter->device()) : nullptr;
 }
 
-QString refusalLine(const MeshModel& mesh, const QString& refusal) {
-    return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
-}
-
-void throwIf(const std::string& failure) {
-    if (!failure.empty()) throw std::runtime_error(failure);
-}
-
 double devicePixelRatio(QPainter* painter) {
     return painter && painter->device() ? painter->device()->devicePixelRatioF() : 1;
+}
+
+/// A layer as `camera` sees it and MeshLab draws it; what the redraw knows is left to the caller.
+LayerInView layerInView(const MeshModel& mesh, const PreparedLines& lines,
+                        const CameraMatrices& camera) {
+    const Eigen::Matrix4d transform = meshlab_host::layerTransform(mesh.cm);
+    const meshlab_host::LayerDrawing shown = meshlab_host::layerDrawing(mesh);
+    LayerInView layer;
+    layer.mesh = mesh.id();
+    layer.modelview = camera.modelview;
+    layer.surface = {lines.surface, transform, lines.diagonal, shown.culls_back_faces,
+                     shown.has_faces && shown.mark_pixels == 0};
+    layer.placement.to_eye = camera.modelview * transform;
+    layer.placement.projection = camera.projection;
+    layer.placement.diagonal = lines.diagonal;
+    layer.placement.mean_edge = lines.mean_edge;
+    layer.placement.mark_pixels = shown.mark_pixels;
+    return layer;
+}
+
+QString refusalLine(const MeshModel& mesh, const QString& refusal) {
+    return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
 }
 
 }  // namespace
@@ -91,16 +108,16 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     if (shows_statistics_) glFinish();  // the mesh's own drawing must not count
     RedrawClock clock;
     try {
-        PreparedLinesPointer lines = cache_.at(view, mesh.id());
-        if (!lines || !areCurrent(*lines, mesh, view, painter)) lines = demandLines(mesh, view);
+        PreparedLinesPointer lines = currentLines(mesh, view, painter);
+        if (!lines) lines = demandLines(mesh, view);
         refusal = lines->failure;
         if (refusal.isEmpty()) text = drawLines(mesh, *lines, parameters, view, painter, clock);
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
     }
     if (refusal.isEmpty())
-        complaints_.erase({&log, mesh.id()});
-    else if (!isSaid(mesh, log, refusal))
+        complaints_.forget(log, mesh.id());
+    else if (!complaints_.isSaid(log, mesh.id(), refusalLine(mesh, refusal)))
         complain(mesh, &log, refusal);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
@@ -113,8 +130,8 @@ void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
 
 void DecorateLaplacianLines::endAll(GLArea* view) {
     cache_.releaseView(view);
-    view_layers_.forget(view);
-    complaints_.clear();  // another document may get the place of a closed one
+    drawing_.forget(view);
+    complaints_.forgetAll();
 }
 
 void DecorateLaplacianLines::meshGone(GLArea* view) {
@@ -132,12 +149,14 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
     return lines;
 }
 
-bool DecorateLaplacianLines::areCurrent(const PreparedLines& lines, const MeshModel& mesh,
-                                        GLArea* view, QPainter* painter) {
-    if (!meshlab_host::sameCounts(lines.key.stamp, mesh.cm)) return false;
+PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh, GLArea* view,
+                                                          QPainter* painter) {
+    PreparedLinesPointer lines = cache_.at(view, mesh.id());
+    if (!lines || !meshlab_host::sameCounts(lines->key.stamp, mesh.cm)) return nullptr;
     const Eigen::Matrix4d modelview = meshlab_host::cameraFromGl().modelview;
-    return !cache_.isCheckDue(view, mesh.id(), modelview, widgetOf(painter)) ||
-           meshlab_host::geometryStamp(mesh.cm) == lines.key.stamp;
+    const bool is_check_due = cache_.isCheckDue(view, mesh.id(), modelview, widgetOf(painter));
+    if (is_check_due && meshlab_host::geometryStamp(mesh.cm) != lines->key.stamp) return nullptr;
+    return lines;
 }
 
 QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLines& lines,
@@ -145,38 +164,18 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
                                           QPainter* painter, RedrawClock& clock) {
     const DecorationParameters chosen = readDecorationParameters(parameters);
     shows_statistics_ = chosen.show_statistics;
-    const meshlab_host::CameraMatrices camera = meshlab_host::cameraFromGl();
-    const Eigen::Matrix4d layer = meshlab_host::layerTransform(mesh.cm);
-    const laplacian_lines::View eye = viewOf(camera, layer, chosen);
-
+    const CameraMatrices camera = meshlab_host::cameraFromGl();
+    const laplacian_lines::View eye = viewOf(camera, meshlab_host::layerTransform(mesh.cm), chosen);
     clock.count(RedrawClock::DrawCalls);
     lines.extractor->extract(eye, chosen.style, scratch_, lines_);
     clock.count(RedrawClock::Extraction);
 
-    const meshlab_host::LayerDrawing shown = meshlab_host::layerDrawing(mesh);
-    const SurfaceLayer surface = {lines.surface, layer, lines.diagonal, shown.culls_back_faces,
-                                  shown.has_faces && shown.mark_pixels == 0};
-    LinePlacement placement;
-    placement.to_eye = camera.modelview * layer;
-    placement.projection = camera.projection;
-    placement.diagonal = lines.diagonal;
-    placement.mean_edge = lines.mean_edge;
-    placement.pixel_scale = devicePixelRatio(painter) * tiles_.scale(camera);
-    placement.mark_pixels = shown.mark_pixels;
-    const bool is_first = beginsRedraw(painter);
-    if (is_first) beginRedraw(chosen);
-    const bool is_expected =
-        view_layers_.note(view, widgetOf(painter), mesh.id(), surface, is_first);
-    if (is_first || !is_expected || !lines_.lines.empty()) placement.depths = depths(view, camera);
-    if (is_first)
-        paint(view_layers_.of(view), chosen.surface, camera, placement.depths);
-    else if (!is_expected)
-        paint({surface}, chosen.surface, camera, placement.depths);
-    clock.count(RedrawClock::DrawCalls);
-    throwIf(renderer_.upload(lines_, chosen.appearance, placement));
-    clock.count(RedrawClock::Upload);
-    renderer_.draw(chosen.appearance, placement, clock);
-    clock.count(RedrawClock::DrawCalls);
+    LayerInView layer = layerInView(mesh, lines, camera);
+    layer.view = view;
+    layer.widget = widgetOf(painter);
+    layer.is_first = beginsRedraw(painter);
+    layer.placement.pixel_scale = devicePixelRatio(painter) * tiles_.scale(camera);
+    drawing_.draw(layer, lines_, chosen, clock);
     if (!lines.first_redraw) lines.first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};
     glFinish();
@@ -184,41 +183,11 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     return statistics(lines_, clock, lines.preparation + *lines.first_redraw);
 }
 
-void DecorateLaplacianLines::beginRedraw(const DecorationParameters& chosen) {
-    surface_depth_.forgetDepthBuffer();
-    if (chosen.background == Background::Paper)
-        throwIf(background_renderer_.paint(chosen.surface.paper));
-}
-
-DepthTexture DecorateLaplacianLines::depths(GLArea* view,
-                                            const meshlab_host::CameraMatrices& camera) {
-    if (view_layers_.areInDepthBuffer(view) && SurfaceDepth::canCopy())
-        return surface_depth_.copy();
-    return surface_depth_.update(view_layers_.of(view), camera, buffers_);
-}
-
-void DecorateLaplacianLines::paint(const std::vector<SurfaceLayer>& layers,
-                                   const SurfaceAppearance& appearance,
-                                   const meshlab_host::CameraMatrices& camera,
-                                   const DepthTexture& depths) {
-    if (appearance.style == SurfaceAppearance::AsMeshLabDrawsIt) return;
-    for (const SurfaceLayer& layer : layers)
-        throwIf(surface_renderer_.paint(layer, appearance, camera.modelview * layer.transform,
-                                        depths, buffers_));
-}
-
-bool DecorateLaplacianLines::isSaid(const MeshModel& mesh, const GLLogStream& log,
-                                    const QString& refusal) const {
-    const auto last = complaints_.find({&log, mesh.id()});
-    if (last == complaints_.end() || last->second.refusal != refusal) return false;
-    return !last->second.is_kept || meshlab_host::hasLine(log, refusalLine(mesh, refusal));
-}
-
 void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream* log,
                                       const QString& refusal) {
     const QString line = refusalLine(mesh, refusal);
     say(line);
-    complaints_[{log, mesh.id()}] = {refusal, log && meshlab_host::hasLine(*log, line)};
+    complaints_.note(log, mesh.id(), line);
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DecorateLaplacianLines)

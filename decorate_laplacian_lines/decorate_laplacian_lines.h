@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
-
-#include "background_renderer.h"
+#include "complaints.h"
 #include "laplacian_lines/line_extractor.h"
 #include "line_cache.h"
-#include "line_renderer.h"
-#include "meshlab_host/camera.h"
+#include "line_renderer/redraw_clock.h"
 #include "meshlab_host/decorate_plugin_base.h"
 #include "meshlab_host/snapshot_tiles.h"
-#include "redraw_clock.h"
-#include "surface_renderer.h"
-#include "view_layers.h"
-
-struct DecorationParameters;
+#include "view_drawing.h"
 
 /// MeshLab's side of drawing: mesh attributes, camera and parameters in, lines on the screen out.
 /// Never draws lines of a geometry that the mesh does not have any more.
@@ -46,42 +39,21 @@ protected:
 private:
     /// Lines of the mesh's present geometry, found or prepared, and assigned to the view.
     PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view);
-    /// Whether lines still belong to the mesh, as far as this is looked at while the camera moves.
-    bool areCurrent(const PreparedLines& lines, const MeshModel& mesh, GLArea* view,
-                    QPainter* painter);
+    /// The view's lines, if they still belong to the mesh, as far as this is looked at while the
+    /// camera moves; otherwise null.
+    PreparedLinesPointer currentLines(const MeshModel& mesh, GLArea* view, QPainter* painter);
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
                       const RichParameterList& parameters, GLArea* view, QPainter* painter,
-                      RedrawClock& clock);
-    /// What comes before all layers of a view.
-    void beginRedraw(const DecorationParameters& chosen);
-    /// Of all that hides lines in the view.
-    DepthTexture depths(GLArea* view, const meshlab_host::CameraMatrices& camera);
-    /// Paints the surfaces, if that is wanted. Those of all layers come before any line, which
-    /// reaches over the outline of its own.
-    void paint(const std::vector<SurfaceLayer>& layers, const SurfaceAppearance& appearance,
-               const meshlab_host::CameraMatrices& camera, const DepthTexture& depths);
+                      line_renderer::RedrawClock& clock);
     /// Adds why a mesh has no lines to its document's log, which is `log`.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
-    /// Whether the log's reader knows it: said before, and not taken out of the log since.
-    bool isSaid(const MeshModel& mesh, const GLLogStream& log, const QString& refusal) const;
 
     LineCache cache_;
-    ViewLayers view_layers_;
+    Complaints complaints_;
     meshlab_host::SnapshotTiles tiles_;
-    SurfaceBuffers buffers_;
-    SurfaceDepth surface_depth_;
-    BackgroundRenderer background_renderer_;
-    LineRenderer renderer_;
-    SurfaceRenderer surface_renderer_;
+    ViewDrawing drawing_;
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_;
     bool shows_statistics_ = false;
-    struct Complaint {
-        QString refusal;
-        bool is_kept = false;  ///< by the log; some hosts show a line and forget it
-    };
-    /// What has been said, by a document's log and mesh, since its lines were last drawn: once, not
-    /// at every redraw.
-    std::map<std::pair<const GLLogStream*, int>, Complaint> complaints_;
 };

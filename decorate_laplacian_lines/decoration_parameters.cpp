@@ -42,8 +42,9 @@ private:
 
 void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
     if (style == DrawingStyle::AsSetBelow) return;
-    parameters.appearance.color = parameters.appearance.contour_color = Qt::black;
-    parameters.surface.style = SurfaceAppearance::Paper;
+    for (line_renderer::LineLook& look : parameters.appearance.looks)
+        look.color = Qt::black;
+    parameters.surface.style = line_renderer::SurfaceAppearance::Paper;
     parameters.surface.paper = Qt::white;
     parameters.background = Background::Paper;
     parameters.light =
@@ -78,8 +79,9 @@ DecorationParameters readDecorationParameters(const RichParameterList& list) {
         }
     }
     // contours without width must not push other lines aside
-    if (result.appearance.contour_factor == 0)
+    if (result.lines.outline_factor == 0)
         result.style.shows[laplacian_lines::LineKind::Contour] = false;
+    result.appearance.looks = looksOf(result.lines);
     putIntoEffect(result.drawing_style, result);
     return result;
 }

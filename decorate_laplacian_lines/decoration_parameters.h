@@ -2,10 +2,11 @@
 #pragma once
 
 #include "laplacian_lines/line_style.h"
-#include "line_renderer.h"
+#include "line_choice.h"
+#include "line_renderer/line_appearance.h"
+#include "line_renderer/surface_renderer.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/meshlab_api.h"
-#include "surface_renderer.h"
 
 /// A choice of looks by one parameter, which then counts more than the others it stands for.
 enum class DrawingStyle { AsSetBelow, Publication, Archaeology };
@@ -19,8 +20,9 @@ enum class Light { AtTheEye, FixedToTheCamera };
 struct DecorationParameters {
     DrawingStyle drawing_style = DrawingStyle::AsSetBelow;
     laplacian_lines::LineStyle style;
-    LineAppearance appearance;
-    SurfaceAppearance surface;
+    LineChoice lines;
+    line_renderer::LineAppearance appearance;  ///< its looks are those of `lines` and the style
+    line_renderer::SurfaceAppearance surface;
     Background background = Background::AsMeshLabDrawsIt;
     Light light = Light::AtTheEye;
     meshlab_host::CameraLight camera_light;

@@ -7,6 +7,8 @@ namespace {
 
 using namespace laplacian_lines::option_rows;
 using laplacian_lines::OptionKind;
+using line_renderer::LineAppearance;
+using line_renderer::SurfaceAppearance;
 using Parameters = DecorationParameters;
 
 template <auto... Path>
@@ -28,25 +30,25 @@ ParameterGroup drawing() {
 }
 
 ParameterGroup lines() {
-    constexpr auto look = &Parameters::appearance;
-    return {"Lines",
-            {real<look, &LineAppearance::width>(
-                 "line_width", "Line Width", 0.1, 64,
-                 "Width in pixels of a Laplacian line at its strongest; lines taper where they "
-                 "fade out."),
-             real<look, &LineAppearance::contour_factor>(
-                 "contour_width_factor", "Contour Width Factor", 0, 16,
-                 "Width of occluding contours, in widths of Laplacian lines."),
-             choice<look, &LineAppearance::hidden>(
-                 "hidden_lines", "Hidden Lines", {"Left Out", "Faint", "Dashed"},
-                 "What is drawn of lines that the surface hides: nothing, faint lines, or "
-                 "dashes.")},
-            StyleRows::None,
-            {color<look, &LineAppearance::color>("line_color", "Line Color",
-                                                 "Color of Laplacian lines."),
-             color<look, &LineAppearance::contour_color>(
-                 "contour_color", "Contour Color",
-                 "Color of occluding contours, which go around the form.")}};
+    constexpr auto lines = &Parameters::lines;
+    return {
+        "Lines",
+        {real<lines, &LineChoice::width>(
+             "line_width", "Line Width", 0.1, 64,
+             "Width in pixels of a Laplacian line at its strongest; lines taper where they "
+             "fade out."),
+         real<lines, &LineChoice::outline_factor>(
+             "contour_width_factor", "Contour Width Factor", 0, 16,
+             "Width of occluding contours, in widths of Laplacian lines."),
+         choice<&Parameters::appearance, &LineAppearance::hidden>(
+             "hidden_lines", "Hidden Lines", {"Left Out", "Faint", "Dashed"},
+             "What is drawn of lines that the surface hides: nothing, faint lines, or "
+             "dashes.")},
+        StyleRows::None,
+        {color<lines, &LineChoice::color>("line_color", "Line Color", "Color of Laplacian lines."),
+         color<lines, &LineChoice::outline_color>(
+             "contour_color", "Contour Color",
+             "Color of occluding contours, which go around the form.")}};
 }
 
 ParameterGroup surface() {

@@ -36,7 +36,7 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
         const Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say);
         result->diagonal = field.scale.diagonal;
         result->mean_edge = field.scale.mean_edge;
-        result->surface = makeSurface(triangles, field);
+        result->surface = line_renderer::makeSurface(triangles, field);
         result->extractor.emplace(triangles, field);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "laplacian_lines/line_extractor.h"
+#include "line_renderer/surface.h"
 #include "meshlab_host/field_source.h"
-#include "surface.h"
 
 /// A mesh made ready for line extraction, or the reason why it cannot be.
 struct PreparedLines {
@@ -16,7 +16,7 @@ struct PreparedLines {
     double diagonal = 0;   ///< of the usable mesh's bounding box, mesh units
     double mean_edge = 0;  ///< mesh units
     std::optional<laplacian_lines::LineExtractor> extractor;
-    SurfacePointer surface;                      ///< set if there is an extractor
+    line_renderer::SurfacePointer surface;       ///< set if there is an extractor
     QString failure;                             ///< one sentence, empty if there is an extractor
     bool lacked_memory = false;                  ///< why it failed: another try may succeed
     double preparation = 0;                      ///< time it took, milliseconds

@@ -4,6 +4,8 @@
 #include <QTimer>
 #include <algorithm>
 
+using line_renderer::SurfaceLayer;
+
 bool ViewLayers::areInDepthBuffer(const Redraw& redraw) {
     return std::all_of(redraw.layers.begin(), redraw.layers.end(),
                        [](const auto& layer) { return layer.second.layer.is_in_depth_buffer; });

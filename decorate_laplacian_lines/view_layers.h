@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "surface_layer.h"
+#include "line_renderer/surface_layer.h"
 
 /// The layers whose lines a view shows. Within a redraw MeshLab tells one after the other, while
 /// each can hide lines of any: those that are still to come are taken from the last redraw, and if
@@ -18,16 +18,17 @@ public:
 
     /// Notes that the redraw of a view has come to a mesh, its first one if `is_first`. `widget`
     /// shows the view, or null. Returns whether this is what was expected of the mesh.
-    bool note(View view, QWidget* widget, int mesh, const SurfaceLayer& layer, bool is_first);
+    bool note(View view, QWidget* widget, int mesh, const line_renderer::SurfaceLayer& layer,
+              bool is_first);
     /// All layers of the view, as far as they are known. Valid until the next call.
-    const std::vector<SurfaceLayer>& of(View view);
+    const std::vector<line_renderer::SurfaceLayer>& of(View view);
     /// Whether the depth buffer has the faces of all of them, and nothing else of them.
     bool areInDepthBuffer(View view) const;
     void forget(View view);
 
 private:
     struct Entry {
-        SurfaceLayer layer;
+        line_renderer::SurfaceLayer layer;
         bool is_drawn = false;  ///< this redraw has come to it
     };
     struct Redraw {
@@ -44,7 +45,7 @@ private:
     void endRedraws();
 
     std::map<View, Redraw> views_;
-    std::vector<SurfaceLayer> listed_;
+    std::vector<line_renderer::SurfaceLayer> listed_;
     bool end_is_due_ = false;
     QObject receiver_;  ///< of the end of redraws; destroyed first
 };

@@ -3,6 +3,7 @@
 
 #include <QStringList>
 
+#include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_kind.h"
 
 namespace {
@@ -19,10 +20,25 @@ QStringList forKinds(const Words& words) {
     return parts;
 }
 
+/// A line for each column of a field, with its attributes and what they hold.
+QString attributeList() {
+    QStringList lines;
+    for (const laplacian_lines::FieldColumn& column : laplacian_lines::field_columns) {
+        QStringList names;
+        for (const laplacian_lines::FieldAttribute& attribute : column.attributes)
+            if (attribute.floats > 0) names << QString("<b>%1</b>").arg(attribute.name);
+        QString line = names.join(", ") + ": " + QString::fromUtf8(column.help);
+        if (*column.unit) line += ", " + QString::fromUtf8(column.unit);
+        if (column.optional) line += ", if it was computed";
+        lines << line;
+    }
+    return lines.join(";<br>") + ".<br>";
+}
+
 }  // namespace
 
 QString computeHelp() {
-    return QStringLiteral(
+    const QString help = QStringLiteral(
         "Computes what Laplacian lines need to know about a surface, once and for every later "
         "view. Laplacian lines are drawn where the Laplacian of the illumination, with the light "
         "at the eye, changes its sign: the edge detector of image processing, applied on the "
@@ -34,11 +50,7 @@ QString computeHelp() {
         "<br>"
         "The result is stored in per-vertex attributes, which other filters can read and which PLY "
         "files can hold (see the options when saving):<br>"
-        "<b>ll_normal</b>: smoothed normal n;<br>"
-        "<b>ll_laplacian_normal</b>: its Laplacian &Delta;n, 1/length&sup2;;<br>"
-        "<b>ll_shape_diagonal</b>, <b>ll_shape_off_diagonal</b>: the derivative of n along the "
-        "surface (xx, yy, zz) and (yz, xz, xy), 1/length;<br>"
-        "<b>ll_kernel_size</b>: size of the kernel at the vertex, a length.<br>"
+        "%1"
         "Vertices, faces, normals and colors stay as they are. If the mesh changes afterwards, the "
         "attributes no longer belong to it and the decoration ignores them.<br>"
         "<br>"
@@ -54,6 +66,7 @@ QString computeHelp() {
         "Meshes\"</b>, 3D Data Processing, Visualization and Transmission (3DPVT), 2004<br>"
         "<i>Nelson Max</i>, <b>\"Weights for Computing Vertex Normals from Facet Normals\"</b>, "
         "Journal of Graphics Tools 4(2), 1999<br>");
+    return help.arg(attributeList());
 }
 
 QString polylineHelp() {

@@ -9,11 +9,11 @@
 #include <map>
 #include <utility>
 
-#include "cluster_data.h"
-#include "extractor_data.h"
+#include "clusters/cluster_data.h"
+#include "clusters/extractor_data.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "prepared_mesh.h"
+#include "mesh/prepared_mesh.h"
 
 namespace {
 
@@ -29,7 +29,7 @@ ExtractorData build(const TriangleMesh& mesh, const Field& field, int threads) {
 
 bool same_clusters(const ExtractorData& a, const ExtractorData& b) {
     const auto same = [](const Cluster& x, const Cluster& y) {
-        return x.first_line == y.first_line && x.first_border_edge == y.first_border_edge &&
+        return x.first_unit == y.first_unit && x.first_border_edge == y.first_border_edge &&
                x.vertex_count == y.vertex_count && x.triangle_count == y.triangle_count &&
                std::equal(std::begin(x.convex), std::end(x.convex), y.convex);
     };

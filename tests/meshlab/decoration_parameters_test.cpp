@@ -10,6 +10,9 @@
 
 namespace {
 
+using line_renderer::HiddenLines;
+using line_renderer::SurfaceAppearance;
+
 const QString kPrefix = "MeshLab::Decoration::LaplacianLines_";
 
 RichEnum choice(const char* key, int value) {
@@ -63,8 +66,10 @@ TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
     listDecorationParameters(list);
     const DecorationParameters defaults, read = readDecorationParameters(list);
     EXPECT_EQ(read.drawing_style, DrawingStyle::AsSetBelow);
-    EXPECT_EQ(read.appearance.color, defaults.appearance.color);
-    EXPECT_EQ(read.appearance.width, defaults.appearance.width);
+    for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind) {
+        EXPECT_EQ(read.appearance.looks[kind].color, defaults.appearance.looks[kind].color);
+        EXPECT_EQ(read.appearance.looks[kind].width, defaults.appearance.looks[kind].width);
+    }
     EXPECT_EQ(read.surface.style, defaults.surface.style);
     EXPECT_EQ(read.surface.tones, defaults.surface.tones);
     EXPECT_EQ(read.background, defaults.background);
@@ -89,14 +94,14 @@ TEST(DecorationParameters, DrawingStylesOverrideColorsPaperAndLight) {
         for (const char* key : {"line_color", "contour_color", "paper_color"})
             list.addParam(RichColor(kPrefix + key, QColor(255, 0, 0, 90), "", ""));
         const DecorationParameters read = readDecorationParameters(list);
-        EXPECT_EQ(read.appearance.color, QColor(Qt::black));
-        EXPECT_EQ(read.appearance.contour_color, QColor(Qt::black));
+        for (const line_renderer::LineLook& look : read.appearance.looks)
+            EXPECT_EQ(look.color, QColor(Qt::black));
         EXPECT_EQ(read.surface.style, SurfaceAppearance::Paper);
         EXPECT_EQ(read.surface.paper, QColor(Qt::white));
         EXPECT_EQ(read.background, Background::Paper);
         EXPECT_EQ(read.light, style == 1 ? Light::AtTheEye : Light::FixedToTheCamera);
         EXPECT_EQ(read.appearance.hidden, HiddenLines::Dashed);
-        EXPECT_EQ(read.appearance.width, 3);
+        EXPECT_EQ(read.appearance.looks[0].width, 3);
         EXPECT_EQ(read.style.detail, 70);
         EXPECT_EQ(read.camera_light.azimuth, 20);
     }

@@ -94,13 +94,9 @@ save_attributes() {
     cat <<END
 trigger Export Mesh...
 set-modal Binary encoding = $1
-set-modal V(f): ll_kernel_size = on
-set-modal V(3f): ll_normal = on
-set-modal V(3f): ll_laplacian_normal = on
-set-modal V(3f): ll_shape_diagonal = on
-set-modal V(3f): ll_shape_off_diagonal = on
-button OK
 END
+    "$WRITE_REFERENCE" --attributes | sed -E 's/(.*):1$/set-modal V(f): \1 = on/; s/(.*):3$/set-modal V(3f): \1 = on/'
+    printf 'button OK\n'
 }
 
 drive_lines() {

@@ -36,9 +36,9 @@ void checkAction(const Command& command) {
 
 void expectAction(const Command& command) {
     const QString state = command.rest.section(' ', -1);
-    const bool hasState = state == "checked" || state == "unchecked";
-    QAction* action = requireAction(hasState ? command.rest.section(' ', 0, -2) : command.rest);
-    if (hasState && action->isChecked() != (state == "checked"))
+    const bool has_state = state == "checked" || state == "unchecked";
+    QAction* action = requireAction(has_state ? command.rest.section(' ', 0, -2) : command.rest);
+    if (has_state && action->isChecked() != (state == "checked"))
         throw CommandError(QString("it is %1").arg(action->isChecked() ? "checked" : "unchecked"));
 }
 

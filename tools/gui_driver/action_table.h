@@ -10,8 +10,8 @@
 namespace driver {
 
 // More would show nothing else, only slower.
-constexpr std::size_t kMostLayers = 4;
-constexpr int kMostViews = 3, kMostDocuments = 3, kMostFaces = 4000;
+constexpr std::size_t most_layers = 4;
+constexpr int most_views = 3, most_documents = 3, most_faces = 4000;
 
 /// What an action is chosen by.
 struct Table {

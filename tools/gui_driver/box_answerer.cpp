@@ -10,7 +10,7 @@
 
 namespace driver {
 
-constexpr int kBetweenLooks = 20;  // ms
+constexpr int between_looks = 20;  // ms
 
 BoxAnswerer::BoxAnswerer() {
     lookAgain();
@@ -24,7 +24,7 @@ QStringList BoxAnswerer::takeTexts() {
 
 // Always a fresh single shot, armed before the answer, which may bring up the next box.
 void BoxAnswerer::lookAgain() {
-    QTimer::singleShot(kBetweenLooks, this, [this] {
+    QTimer::singleShot(between_looks, this, [this] {
         lookAgain();
         if (QWidget* modal = QApplication::activeModalWidget()) answer(modal);
     });

@@ -54,7 +54,7 @@ double viewingDistance(const QDomDocument& document, double angle) {
     return 1.75 / std::sin(qDegreesToRadians(angle / 2)) / scale;
 }
 
-constexpr double perspectiveAngle = 60, orthographicAngle = 5;
+constexpr double perspective_angle = 60, orthographic_angle = 5;
 
 QVector3D translation(const QDomElement& camera) {
     const QStringList numbers = camera.attribute("TranslationVector").split(' ');
@@ -69,7 +69,7 @@ void look(QDomDocument& document, QVector3D eye, const QVector3D& target, const 
     if (right.isNull()) throw CommandError("eye, target and upward direction lie on one line");
     QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
     if (camera.attribute("CameraType") == "1")
-        eye = target + back * float(viewingDistance(document, orthographicAngle));
+        eye = target + back * float(viewingDistance(document, orthographic_angle));
     // rows: the camera's axes; the translation is minus the eye
     camera.setAttribute(
         "RotationMatrix",
@@ -83,18 +83,18 @@ void look(QDomDocument& document, QVector3D eye, const QVector3D& target, const 
 
 }  // namespace
 
-void loadCamera(const QString& fileName) {
-    QFile file(fileName);
+void loadCamera(const QString& file_name) {
+    QFile file(file_name);
     if (!file.open(QIODevice::ReadOnly))
-        throw CommandError(QString("cannot read %1").arg(fileName));
+        throw CommandError(QString("cannot read %1").arg(file_name));
     setCameraText(parseCamera(QString::fromUtf8(file.readAll())).toString());
 }
 
-void saveCamera(const QString& fileName) {
-    QFile file(fileName);
+void saveCamera(const QString& file_name) {
+    QFile file(file_name);
     const QByteArray text = cameraText().toUtf8();
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
-        throw CommandError(QString("cannot write %1").arg(fileName));
+        throw CommandError(QString("cannot write %1").arg(file_name));
 }
 
 void lookFrom(const Command& command) {
@@ -103,10 +103,10 @@ void lookFrom(const Command& command) {
          command.words.size() > 6 ? vectorAt(command, 6) : QVector3D(0, 1, 0));
 }
 
-Orbit::Orbit() : m_document(parseCamera(cameraText())) {
-    m_distance = float(viewingDistance(m_document, perspectiveAngle));
-    const QDomElement camera = m_document.elementsByTagName("VCGCamera").at(0).toElement();
-    m_target = -translation(camera) - QVector3D(0, 0, m_distance);
+Orbit::Orbit() : document_(parseCamera(cameraText())) {
+    distance_ = float(viewingDistance(document_, perspective_angle));
+    const QDomElement camera = document_.elementsByTagName("VCGCamera").at(0).toElement();
+    target_ = -translation(camera) - QVector3D(0, 0, distance_);
 }
 
 void Orbit::place(double azimuth, double elevation) const {
@@ -115,8 +115,8 @@ void Orbit::place(double azimuth, double elevation) const {
     const QVector3D towards(float(std::sin(azimuth) * std::cos(elevation)),
                             float(std::sin(elevation)),
                             float(std::cos(azimuth) * std::cos(elevation)));
-    QDomDocument document = m_document;
-    look(document, m_target + m_distance * towards, m_target, QVector3D(0, 1, 0));
+    QDomDocument document = document_;
+    look(document, target_ + distance_ * towards, target_, QVector3D(0, 1, 0));
 }
 
 void orbit(const Command& command) {

@@ -7,8 +7,8 @@
 namespace driver {
 
 void loadCamera(
-    const QString& fileName);  // XML, as MeshLab's "Save camera settings to file" writes it
-void saveCamera(const QString& fileName);
+    const QString& file_name);  // XML, as MeshLab's "Save camera settings to file" writes it
+void saveCamera(const QString& file_name);
 
 // look EX EY EZ  TX TY TZ  [UX UY UZ]: the eye, a point it looks at, the upward direction (y by
 // default), all in the coordinates of the scene. Field of view, projection and scale stay; with an
@@ -26,9 +26,9 @@ public:
     void place(double azimuth, double elevation) const;  // degrees
 
 private:
-    QDomDocument m_document;
-    QVector3D m_target;
-    float m_distance;
+    QDomDocument document_;
+    QVector3D target_;
+    float distance_;
 };
 
 }  // namespace driver

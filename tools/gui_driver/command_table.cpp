@@ -10,9 +10,9 @@ const QString& Command::word(int index) const {
 }
 
 double Command::number(int index) const {
-    bool isNumber = false;
-    const double value = word(index).toDouble(&isNumber);
-    if (!isNumber) throw CommandError(QString("'%1' is not a number").arg(word(index)));
+    bool is_number = false;
+    const double value = word(index).toDouble(&is_number);
+    if (!is_number) throw CommandError(QString("'%1' is not a number").arg(word(index)));
     return value;
 }
 
@@ -21,7 +21,7 @@ QString Command::wordOr(int index, const QString& otherwise) const {
 }
 
 void CommandTable::add(const QString& name, Handler handler, Place place) {
-    m_entries[name] = Entry{std::move(handler), place};
+    entries_[name] = Entry{std::move(handler), place};
 }
 
 void CommandTable::addSimple(const QString& name, std::function<void(const Command&)> handler,
@@ -36,10 +36,10 @@ void CommandTable::addSimple(const QString& name, std::function<void(const Comma
 }
 
 const CommandTable::Entry& CommandTable::find(const QString& name) const {
-    const auto found = m_entries.find(name);
-    if (found == m_entries.end()) {
+    const auto found = entries_.find(name);
+    if (found == entries_.end()) {
         QStringList known;
-        for (const auto& entry : m_entries)
+        for (const auto& entry : entries_)
             known << entry.first;
         throw CommandError(
             QString("unknown command '%1'; there are: %2").arg(name, known.join(' ')));

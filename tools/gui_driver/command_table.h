@@ -53,7 +53,7 @@ public:
     const Entry& find(const QString& name) const;  // CommandError when there is none
 
 private:
-    std::map<QString, Entry> m_entries;
+    std::map<QString, Entry> entries_;
 };
 
 }  // namespace driver

@@ -20,7 +20,7 @@ using laplacian_lines::View;
 
 namespace {
 
-constexpr std::size_t kMostKnown = 8;
+constexpr std::size_t most_known = 8;
 
 // Not a number equals itself here.
 template <class T>
@@ -93,7 +93,7 @@ const LineExtractor& CoreLines::extractor(const CMeshO& mesh, const PrecomputeOp
     } else {
         LineExtractor fresh(triangles, laplacian_lines::precompute(triangles, options));
         known_.push_front({std::move(triangles), std::move(values), std::move(fresh)});
-        if (known_.size() > kMostKnown) known_.pop_back();
+        if (known_.size() > most_known) known_.pop_back();
     }
     return known_.front().extractor;
 }

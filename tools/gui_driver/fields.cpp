@@ -53,9 +53,9 @@ QList<Editor*> only(const QList<QWidget*>& widgets) {
 }
 
 double toNumber(const QString& text) {
-    bool isNumber = false;
-    const double value = text.toDouble(&isNumber);
-    if (!isNumber) throw CommandError(QString("'%1' is not a number").arg(text));
+    bool is_number = false;
+    const double value = text.toDouble(&is_number);
+    if (!is_number) throw CommandError(QString("'%1' is not a number").arg(text));
     return value;
 }
 
@@ -67,9 +67,9 @@ void setCheckBox(QCheckBox* box, const QString& value) {
 
 void setComboBox(QComboBox* box, const QString& value) {
     int index = box->findText(value);
-    bool isNumber = false;
-    if (index < 0) index = value.toInt(&isNumber);
-    if ((index == 0 && !isNumber && box->findText(value) < 0) || index < 0 ||
+    bool is_number = false;
+    if (index < 0) index = value.toInt(&is_number);
+    if ((index == 0 && !is_number && box->findText(value) < 0) || index < 0 ||
         index >= box->count()) {
         QStringList entries;
         for (int i = 0; i < box->count(); ++i)

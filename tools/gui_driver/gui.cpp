@@ -14,7 +14,7 @@
 namespace driver {
 namespace {
 
-int chosenView = 0;
+int chosen_view = 0;
 
 bool isOfClass(const QObject* object, const char* className) {
     return std::strcmp(object->metaObject()->className(), className) == 0;
@@ -62,7 +62,7 @@ QList<QGLWidget*> visibleViews() {
 QGLWidget* view() {
     const QList<QGLWidget*> views = visibleViews();
     if (views.isEmpty()) return nullptr;
-    return views[qMin(chosenView, int(views.size()) - 1)];
+    return views[qMin(chosen_view, int(views.size()) - 1)];
 }
 
 QGLWidget* requireView() {
@@ -75,7 +75,7 @@ void chooseView(int index) {
     const int count = visibleViews().size();
     if (index < 0 || index >= count)
         throw CommandError(QString("there are %1 views, counted from 0").arg(count));
-    chosenView = index;
+    chosen_view = index;
 }
 
 QWidget* childOfClass(const char* className) {

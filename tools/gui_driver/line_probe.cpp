@@ -23,14 +23,14 @@ using laplacian_lines::View;
 
 // In box diagonals. A line this far behind everything around it must be hidden, and one that
 // nothing covers by more than a quarter of it must be seen; in between it may be drawn or not.
-constexpr double kDepthTolerance = 0.01;
+constexpr double depth_tolerance = 0.01;
 
 // What is fainter or, in shares of the full width, thinner than this may leave no pixel that
 // counts as ink.
-constexpr float kLeastOpacity = 0.9f, kLeastWeight = 0.25f;
+constexpr float least_opacity = 0.9f, least_weight = 0.25f;
 
 // Pixels along the edge of the view where no samples are taken.
-constexpr double kEdge = 3;
+constexpr double edge = 3;
 
 bool nearEdge(double x, double y, int width, int height, double distance) {
     return x < distance || y < distance || x > width - 1 - distance || y > height - 1 - distance;
@@ -100,14 +100,14 @@ public:
     void add(const LinePoint& a, const LinePoint& b, ProjectedLines& lines) const {
         const Eigen::Vector4d eye_a = modelview_ * a.position.cast<double>().homogeneous(),
                               eye_b = modelview_ * b.position.cast<double>().homogeneous();
-        const bool faint = std::min(a.opacity, b.opacity) < kLeastOpacity ||
-                           std::min(a.weight, b.weight) < kLeastWeight;
+        const bool faint = std::min(a.opacity, b.opacity) < least_opacity ||
+                           std::min(a.weight, b.weight) < least_weight;
         const double length = (pixel(eye_a) - pixel(eye_b)).norm();
         const int steps = 1 + int(std::min(length, 4096.) * 2);
         for (int i = 0; i <= steps; ++i) {
             const Eigen::Vector4d p = eye_a + (eye_b - eye_a) * (double(i) / steps);
             const Eigen::Vector2d at = pixel(p);
-            if (nearEdge(at.x(), at.y(), width(), height(), kEdge)) continue;
+            if (nearEdge(at.x(), at.y(), width(), height(), edge)) continue;
             const Sight seen = sight(p, at);
             lines.samples.push_back({at, faint && seen == Sight::Visible ? Sight::Unsure : seen});
         }
@@ -131,13 +131,13 @@ private:
     }
 
     Sight sight(const Eigen::Vector4d& p, const Eigen::Vector2d& at) const {
-        const double near = depthMoved(p, kDepthTolerance * diagonal_);
+        const double near = depthMoved(p, depth_tolerance * diagonal_);
         bool behind_all = true;
         for (int dy = -2; dy <= 2; ++dy)
             for (int dx = -2; dx <= 2; ++dx)
                 behind_all = behind_all && depth(at, dx, dy) < near;
         if (behind_all) return Sight::Hidden;
-        const bool seen = depth(at, 0, 0) > depthMoved(p, kDepthTolerance / 4 * diagonal_);
+        const bool seen = depth(at, 0, 0) > depthMoved(p, depth_tolerance / 4 * diagonal_);
         return seen ? Sight::Visible : Sight::Unsure;
     }
 
@@ -225,7 +225,7 @@ ProbeResult compareWithPicture(const std::vector<ProjectedLines>& layers, const 
             if (!hasInk(picture.pixel(x, y), ink)) continue;
             ++result.inked;
             // ink near the edge may belong to a line beyond it
-            if (!nearEdge(x, y, width, height, kEdge + reach + 1))
+            if (!nearEdge(x, y, width, height, edge + reach + 1))
                 result.unexplained += !near_line(x, y);
         }
     return result;

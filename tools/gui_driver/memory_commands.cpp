@@ -11,13 +11,13 @@
 namespace driver {
 namespace {
 
-constexpr double kMegabyte = 1 << 20;
+constexpr double megabyte = 1 << 20;
 double noted = 0, allowed = 0;
 
 /// Megabytes that were allocated and not freed again.
 double heapInUse() {
     const struct mallinfo2 info = mallinfo2();
-    return double(info.uordblks + info.hblkhd) / kMegabyte;
+    return double(info.uordblks + info.hblkhd) / megabyte;
 }
 
 double grownBy() {
@@ -56,7 +56,7 @@ void limitMemory(const Command& command) {
     QFile file("/proc/self/statm");
     if (!file.open(QIODevice::ReadOnly)) throw CommandError("cannot read " + file.fileName());
     const double pages = file.readAll().split(' ').value(0).toDouble();
-    setAddressSpace(rlim_t(pages * double(sysconf(_SC_PAGESIZE)) + command.number(0) * kMegabyte));
+    setAddressSpace(rlim_t(pages * double(sysconf(_SC_PAGESIZE)) + command.number(0) * megabyte));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ QStringList compute(Table& t) {
 }
 
 QStringList polylines(Table& t) {
-    if (!t.hasMesh() || t.now.layers.size() >= kMostLayers) return {};
+    if (!t.hasMesh() || t.now.layers.size() >= most_layers) return {};
     return t.filter("Generate Laplacian Lines Polylines", randomPolylineSettings(t.dice));
 }
 
@@ -69,7 +69,7 @@ QStringList smooth(Table& t) {
 }
 
 QStringList subdivide(Table& t) {
-    if (t.faces() == 0 || t.faces() > kMostFaces / 4) return {};
+    if (t.faces() == 0 || t.faces() > most_faces / 4) return {};
     return {"trigger Subdivision Surfaces: Loop", "set Iterations = 1",
             "set Edge Threshold (abs and %) = 1%", "apply", "close"};
 }

@@ -72,9 +72,9 @@ void drag(const Command& command) {
 void turnWheel(double notches, Qt::KeyboardModifiers modifiers) {
     QGLWidget* area = requireView();
     const QPointF centre(area->width() / 2., area->height() / 2.);
-    const int oneNotch = 120;
+    const int one_notch = 120;
     QWheelEvent event(centre, area->mapToGlobal(centre.toPoint()), QPoint(),
-                      QPoint(0, int(oneNotch * notches)), Qt::NoButton, modifiers,
+                      QPoint(0, int(one_notch * notches)), Qt::NoButton, modifiers,
                       Qt::NoScrollPhase, false);
     QApplication::sendEvent(area, &event);
     area->repaint();

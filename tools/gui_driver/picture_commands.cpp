@@ -9,11 +9,11 @@
 namespace driver {
 namespace {
 
-void save(const QImage& picture, const QString& fileName) {
-    if (picture.isNull() || !picture.save(fileName))
-        throw CommandError(QString("cannot write the picture %1").arg(fileName));
+void save(const QImage& picture, const QString& file_name) {
+    if (picture.isNull() || !picture.save(file_name))
+        throw CommandError(QString("cannot write the picture %1").arg(file_name));
     say(QString("%1: %2x%3")
-            .arg(fileName)
+            .arg(file_name)
             .arg(picture.width())
             .arg(picture.height())
             .toStdString());

@@ -15,10 +15,10 @@
 namespace driver {
 namespace {
 
-constexpr double kReach = 2.0;        // pixels between a line and its ink
-constexpr double kLeastFound = 0.98;  // of the visible samples; lines may pass behind one another
-constexpr double kMostUnexplained = 0.01;
-constexpr int kLeastSamples = 200;  // fewer would show nothing
+constexpr double reach = 2.0;         // pixels between a line and its ink
+constexpr double least_found = 0.98;  // of the visible samples; lines may pass behind one another
+constexpr double most_unexplained = 0.01;
+constexpr int least_samples = 200;  // fewer would show nothing
 
 QColor ink_colour = Qt::red;
 
@@ -63,7 +63,7 @@ Comparison compareView(const ProbeOptions& options) {
     QGLWidget* area = requireView();
     const std::vector<ProjectedLines> layers = recordRedraw(area, options);
     const ProbeResult result =
-        compareWithPicture(layers, area->grabFrameBuffer(), ink_colour, kReach);
+        compareWithPicture(layers, area->grabFrameBuffer(), ink_colour, reach);
     const QString report = QString(
                                "%1 layers; of %2 samples of visible lines %3 have ink; of %4 "
                                "inked pixels %5 are far from any line")
@@ -73,9 +73,9 @@ Comparison compareView(const ProbeOptions& options) {
                                .arg(result.inked)
                                .arg(result.unexplained);
     say(report.toStdString());
-    if (result.expected < kLeastSamples) throw CommandError("too few lines to compare: " + report);
-    return {result.found >= kLeastFound * result.expected &&
-                result.unexplained <= kMostUnexplained * result.inked,
+    if (result.expected < least_samples) throw CommandError("too few lines to compare: " + report);
+    return {result.found >= least_found * result.expected &&
+                result.unexplained <= most_unexplained * result.inked,
             report};
 }
 
@@ -94,7 +94,7 @@ void expectOtherLines(const Command& command) {
 void expectNoLines(const Command&) {
     QGLWidget* area = requireView();
     area->repaint();
-    const ProbeResult result = compareWithPicture({}, area->grabFrameBuffer(), ink_colour, kReach);
+    const ProbeResult result = compareWithPicture({}, area->grabFrameBuffer(), ink_colour, reach);
     if (result.inked > 0)
         throw CommandError(QString("%1 pixels have the lines' colour").arg(result.inked));
 }

@@ -9,10 +9,10 @@
 namespace driver {
 
 // The first redraws of a project's window may show nothing.
-constexpr int kMostChecks = 100;
+constexpr int most_checks = 100;
 
 // A line that fails as often tests nothing.
-constexpr int kEnoughTries = 6;
+constexpr int enough_tries = 6;
 
 RandomActions::RandomActions(unsigned seed, int count, const QStringList& meshes,
                              const CommandTable& table, Announce announce)
@@ -20,14 +20,14 @@ RandomActions::RandomActions(unsigned seed, int count, const QStringList& meshes
       table_(table),
       announce_(std::move(announce)),
       left_(count),
-      checks_left_(kMostChecks) {
+      checks_left_(most_checks) {
     if (meshes.isEmpty()) throw CommandError("say which meshes to open");
 }
 
 bool RandomActions::step() {
     if (!pending_.isEmpty()) {
         run(pending_.takeFirst());
-        if (pending_.isEmpty()) checks_left_ = kMostChecks;
+        if (pending_.isEmpty()) checks_left_ = most_checks;
     }
     if (checks_left_ > 0) check();
     if (checks_left_ > 0 || !pending_.isEmpty()) return true;
@@ -92,7 +92,7 @@ void RandomActions::conclude() const {
             .toStdString());
     if (watch_.comparisons() == 0) throw CommandError("no lines were ever drawn");
     for (const auto& [line, tries] : tries_)
-        if (tries.all >= kEnoughTries && tries.failed == tries.all)
+        if (tries.all >= enough_tries && tries.failed == tries.all)
             throw CommandError(line + " was never possible");
 }
 

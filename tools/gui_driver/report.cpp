@@ -15,7 +15,7 @@ void say(const std::string& text) {
 
 void endWithError(const std::string& why) {
     say("error: " + why);
-    endProcess(failureExitCode);
+    endProcess(failure_exit_code);
 }
 
 void endProcess(int exitCode) {

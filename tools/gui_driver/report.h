@@ -4,7 +4,7 @@
 
 namespace driver {
 
-constexpr int failureExitCode = 3;
+constexpr int failure_exit_code = 3;
 
 void say(const std::string& text);                       // one line on stderr
 [[noreturn]] void endWithError(const std::string& why);  // from any thread

@@ -8,10 +8,10 @@
 namespace driver {
 namespace {
 
-constexpr std::chrono::seconds defaultLimit(60);
-constexpr int betweenCommands = 60;  // ms, so that MeshLab's own queued events run first
-constexpr int betweenRetries = 50;
-constexpr int betweenActions = 5;  // thousands of them
+constexpr std::chrono::seconds default_limit(60);
+constexpr int between_commands = 60;  // ms, so that MeshLab's own queued events run first
+constexpr int between_retries = 50;
+constexpr int between_actions = 5;  // thousands of them
 
 QString describe(const Command& command) {
     return QString("line %1: %2 %3").arg(command.line).arg(command.name, command.rest).trimmed();
@@ -25,36 +25,36 @@ QString describe(const Command& command) {
 
 Runner::Runner(QVector<Command> script, CommandTable table, QObject* parent)
     : QObject(parent),
-      m_script(std::move(script)),
-      m_table(std::move(table)),
-      m_watchdog(defaultLimit) {
+      script_(std::move(script)),
+      table_(std::move(table)),
+      watchdog_(default_limit) {
     addOwnCommands();
     checkNames();
-    m_watchdog.watch("waiting for MeshLab's main window");
-    scheduleStep(betweenCommands);
+    watchdog_.watch("waiting for MeshLab's main window");
+    scheduleStep(between_commands);
 }
 
 void Runner::addOwnCommands() {
-    m_table.add(
+    table_.add(
         "sleep", [this](const Command& c) { return sleep(c); }, Place::ModalBox);
-    m_table.addSimple(
-        "time-limit", [this](const Command& c) {  // seconds, for each of the lines that follow
-            m_watchdog.setLimit(std::chrono::milliseconds(qint64(1000 * c.number(0))));
-        });
-    m_table.addSimple("together", [this](const Command& c) { together(c); });
-    m_table.addSimple("quit", [this](const Command&) {
-        m_watchdog.rest();  // looking for leaks takes as long as it takes
+    table_.addSimple("time-limit",
+                     [this](const Command& c) {  // seconds, for each of the lines that follow
+                         watchdog_.setLimit(std::chrono::milliseconds(qint64(1000 * c.number(0))));
+                     });
+    table_.addSimple("together", [this](const Command& c) { together(c); });
+    table_.addSimple("quit", [this](const Command&) {
+        watchdog_.rest();  // looking for leaks takes as long as it takes
         endProcess(0);
     });
-    m_table.add(
+    table_.add(
         "random-actions", [this](const Command& c) { return randomActions(c); }, Place::Everywhere);
 }
 
 // A misspelt command fails at once, not after minutes.
 void Runner::checkNames() const {
-    for (const Command& command : m_script) {
+    for (const Command& command : script_) {
         try {
-            m_table.find(command.name);
+            table_.find(command.name);
         } catch (const CommandError& e) {
             endAt(describe(command), e);
         }
@@ -69,25 +69,25 @@ void Runner::scheduleStep(int milliseconds) {
 
 void Runner::step() {
     QWidget* window = mainWindow();
-    if (!window || !window->isVisible()) return scheduleStep(betweenRetries);
-    if (m_next >= m_script.size())
-        return m_watchdog.rest();  // no "quit" at the end: the user goes on by hand
+    if (!window || !window->isVisible()) return scheduleStep(between_retries);
+    if (next_ >= script_.size())
+        return watchdog_.rest();  // no "quit" at the end: the user goes on by hand
 
-    const Command command = m_script[m_next];
+    const Command command = script_[next_];
     try {
-        const CommandTable::Entry& entry = m_table.find(command.name);
-        if (!mayStart(entry)) return scheduleStep(betweenRetries);
+        const CommandTable::Entry& entry = table_.find(command.name);
+        if (!mayStart(entry)) return scheduleStep(between_retries);
         watch(command);
         run(command, entry);
     } catch (const std::exception& e) {  // must not travel through Qt's event loop
-        endAt(m_inProgress.isEmpty() ? describe(command) : m_inProgress.last(), e);
+        endAt(in_progress_.isEmpty() ? describe(command) : in_progress_.last(), e);
     }
 }
 
 bool Runner::mayStart(const CommandTable::Entry& entry) {
     QWidget* modal = QApplication::activeModalWidget();
     if (!modal)
-        return m_inProgress
+        return in_progress_
             .isEmpty();  // otherwise a filter's progress call-back is running the event loop
     if (entry.place != Place::MainWindow) return true;
     if (acceptOptionsBox(modal)) return false;
@@ -95,28 +95,28 @@ bool Runner::mayStart(const CommandTable::Entry& entry) {
 }
 
 void Runner::watch(const Command& command) {
-    if (m_watchedLine == command.line) return;  // a retry: its time goes on
-    m_watchedLine = command.line;
+    if (watched_line_ == command.line) return;  // a retry: its time goes on
+    watched_line_ = command.line;
     say(describe(command).toStdString());
-    m_watchdog.watch(describe(command).toStdString());
+    watchdog_.watch(describe(command).toStdString());
 }
 
 void Runner::run(const Command& command, const CommandTable::Entry& entry) {
-    const int position = m_next++;
+    const int position = next_++;
     const bool alone = entry.place == Place::Everywhere;
     // before the command, which may block in a modal box
-    if (!alone) scheduleStep(betweenCommands);
-    m_inProgress << describe(command);
+    if (!alone) scheduleStep(between_commands);
+    in_progress_ << describe(command);
     const Outcome outcome = entry.handler(command);
-    m_inProgress.removeLast();
-    if (outcome == Outcome::Retry) m_next = position;
-    if (alone) scheduleStep(betweenActions);
+    in_progress_.removeLast();
+    if (outcome == Outcome::Retry) next_ = position;
+    if (alone) scheduleStep(between_actions);
 }
 
 Outcome Runner::sleep(const Command& command) {
-    if (!m_sleeping.isValid()) m_sleeping.start();
-    if (m_sleeping.elapsed() < command.number(0)) return Outcome::Retry;
-    m_sleeping.invalidate();
+    if (!sleeping_.isValid()) sleeping_.start();
+    if (sleeping_.elapsed() < command.number(0)) return Outcome::Retry;
+    sleeping_.invalidate();
     return Outcome::Done;
 }
 
@@ -124,22 +124,22 @@ Outcome Runner::sleep(const Command& command) {
 void Runner::together(const Command& command) {
     for (const QString& text : command.rest.split(" ; ")) {
         const Command part = parseLine(text.trimmed());
-        if (m_table.find(part.name).handler(part) == Outcome::Retry)
+        if (table_.find(part.name).handler(part) == Outcome::Retry)
             throw CommandError(part.name + " takes longer");
     }
 }
 
 // SEED COUNT FILE...
 Outcome Runner::randomActions(const Command& command) {
-    if (!m_random)
-        m_random = std::make_unique<RandomActions>(
-            unsigned(command.number(0)), int(command.number(1)), command.words.mid(2), m_table,
+    if (!random_)
+        random_ = std::make_unique<RandomActions>(
+            unsigned(command.number(0)), int(command.number(1)), command.words.mid(2), table_,
             [this](const QString& line) {
                 say(line.toStdString());
-                m_watchdog.watch("random action " + line.toStdString());
+                watchdog_.watch("random action " + line.toStdString());
             });
-    if (m_random->step()) return Outcome::Retry;
-    m_random.reset();
+    if (random_->step()) return Outcome::Retry;
+    random_.reset();
     return Outcome::Done;
 }
 

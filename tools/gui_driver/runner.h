@@ -27,15 +27,15 @@ private:
     void together(const Command& command);
     Outcome randomActions(const Command& command);
 
-    QVector<Command> m_script;
-    CommandTable m_table;
-    Watchdog m_watchdog;
-    QElapsedTimer m_sleeping;
-    std::unique_ptr<RandomActions> m_random;
+    QVector<Command> script_;
+    CommandTable table_;
+    Watchdog watchdog_;
+    QElapsedTimer sleeping_;
+    std::unique_ptr<RandomActions> random_;
     QStringList
-        m_inProgress;  // commands: more than one when a command sits in a modal box's event loop
-    int m_next = 0;
-    int m_watchedLine = 0;
+        in_progress_;  // commands: more than one when a command sits in a modal box's event loop
+    int next_ = 0;
+    int watched_line_ = 0;
 };
 
 }  // namespace driver

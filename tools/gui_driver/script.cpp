@@ -37,10 +37,10 @@ Command parseLine(const QString& text) {
     return command;
 }
 
-QVector<Command> readScript(const QString& fileName) {
-    QFile file(fileName);
+QVector<Command> readScript(const QString& file_name) {
+    QFile file(file_name);
     if (!file.open(QIODevice::ReadOnly))
-        throw CommandError(QString("cannot read the script %1").arg(fileName));
+        throw CommandError(QString("cannot read the script %1").arg(file_name));
     QTextStream text(&file);
     text.setCodec("UTF-8");
 

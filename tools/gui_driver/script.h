@@ -9,6 +9,6 @@ Command parseLine(const QString& text);
 
 // One command a line; empty lines and lines that start with # are skipped. CommandError when
 // unreadable.
-QVector<Command> readScript(const QString& fileName);
+QVector<Command> readScript(const QString& file_name);
 
 }  // namespace driver

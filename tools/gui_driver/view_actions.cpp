@@ -7,7 +7,7 @@ namespace driver {
 namespace {
 
 QStringList duplicate(Table& t) {
-    if (!t.hasMesh() || t.now.layers.size() >= kMostLayers) return {};
+    if (!t.hasMesh() || t.now.layers.size() >= most_layers) return {};
     return t.filter("Duplicate Current layer");
 }
 
@@ -29,7 +29,7 @@ bool mayBeShownAnew(const MeshModel* layer) {
 
 QStringList splitView(Table& t) {
     const auto& layers = t.now.layers;
-    if (!t.hasMesh() || t.now.views >= kMostViews ||
+    if (!t.hasMesh() || t.now.views >= most_views ||
         !std::all_of(layers.begin(), layers.end(), mayBeShownAnew))
         return {};
     return {t.dice.oneIn(2) ? "trigger Horizontally" : "trigger Vertically",
@@ -94,13 +94,13 @@ QStringList takeSnapshot(Table& t) {
 }
 
 QStringList newProject(Table& t) {
-    if (t.now.documents >= kMostDocuments) return {};
+    if (t.now.documents >= most_documents) return {};
     return {"trigger New Empty Project...", "open " + t.dice.from(t.meshes),
             "check Laplacian Lines on"};
 }
 
 QStringList openProject(Table& t) {
-    if (t.now.documents >= kMostDocuments) return {};
+    if (t.now.documents >= most_documents) return {};
     return {"slot window openProject scene.mlp", "check Laplacian Lines on"};
 }
 
@@ -117,7 +117,7 @@ QStringList chooseDocument(Table& t) {
 }  // namespace
 
 QStringList openMesh(Table& t) {
-    if (t.now.layers.size() >= kMostLayers) return {};
+    if (t.now.layers.size() >= most_layers) return {};
     return {"open " + t.dice.from(t.meshes), "check Laplacian Lines on"};
 }
 

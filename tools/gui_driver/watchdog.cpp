@@ -4,48 +4,48 @@
 
 namespace driver {
 
-Watchdog::Watchdog(std::chrono::milliseconds limit) : m_limit(limit), m_thread([this] { run(); }) {}
+Watchdog::Watchdog(std::chrono::milliseconds limit) : limit_(limit), thread_([this] { run(); }) {}
 
 Watchdog::~Watchdog() {
     {
-        std::lock_guard<std::mutex> lock(m_mutex);
-        m_ending = true;
+        std::lock_guard<std::mutex> lock(mutex_);
+        ending_ = true;
     }
-    m_changed.notify_one();
-    m_thread.join();
+    changed_.notify_one();
+    thread_.join();
 }
 
 void Watchdog::setLimit(std::chrono::milliseconds limit) {
-    std::lock_guard<std::mutex> lock(m_mutex);
-    m_limit = limit;
+    std::lock_guard<std::mutex> lock(mutex_);
+    limit_ = limit;
 }
 
 void Watchdog::watch(const std::string& what) {
     {
-        std::lock_guard<std::mutex> lock(m_mutex);
-        m_what = what;
-        m_spent = {};
-        m_watching = true;
+        std::lock_guard<std::mutex> lock(mutex_);
+        what_ = what;
+        spent_ = {};
+        watching_ = true;
     }
-    m_changed.notify_one();
+    changed_.notify_one();
 }
 
 void Watchdog::rest() {
-    std::lock_guard<std::mutex> lock(m_mutex);
-    m_watching = false;
+    std::lock_guard<std::mutex> lock(mutex_);
+    watching_ = false;
 }
 
 void Watchdog::run() {
     constexpr std::chrono::milliseconds look(50);
-    std::unique_lock<std::mutex> lock(m_mutex);
-    while (!m_ending) {
-        if (!m_watching) {
-            m_changed.wait(lock);
-        } else if (m_changed.wait_for(lock, look) == std::cv_status::timeout && m_watching) {
-            m_spent += look;  // however long it took until this thread could look
-            if (m_spent >= m_limit)
-                endWithError(m_what + ": time-out after " +
-                             std::to_string(m_limit.count() / 1000.) + " s");
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!ending_) {
+        if (!watching_) {
+            changed_.wait(lock);
+        } else if (changed_.wait_for(lock, look) == std::cv_status::timeout && watching_) {
+            spent_ += look;  // however long it took until this thread could look
+            if (spent_ >= limit_)
+                endWithError(what_ + ": time-out after " + std::to_string(limit_.count() / 1000.) +
+                             " s");
         }
     }
 }

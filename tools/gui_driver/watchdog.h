@@ -23,14 +23,14 @@ public:
 private:
     void run();
 
-    std::mutex m_mutex;
-    std::condition_variable m_changed;
-    std::chrono::milliseconds m_limit;
-    std::chrono::milliseconds m_spent{0};
-    std::string m_what;
-    bool m_watching = false;
-    bool m_ending = false;
-    std::thread m_thread;  // last: starts when all else is ready
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::chrono::milliseconds limit_;
+    std::chrono::milliseconds spent_{0};
+    std::string what_;
+    bool watching_ = false;
+    bool ending_ = false;
+    std::thread thread_;  // last: starts when all else is ready
 };
 
 }  // namespace driver

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view_drawing.h"
+
+using line_renderer::DepthTexture;
+using line_renderer::LinePlacement;
+using line_renderer::RedrawClock;
+using line_renderer::SurfaceAppearance;
+using line_renderer::SurfaceDepth;
+using line_renderer::SurfaceLayer;
+
+void ViewDrawing::draw(const LayerInView& layer, const laplacian_lines::LineSet& lines,
+                       const DecorationParameters& chosen, RedrawClock& clock) {
+    LinePlacement placement = layer.placement;
+    placement.depths = prepare(layer, !lines.lines.empty(), chosen);
+    clock.count(RedrawClock::DrawCalls);
+    lines_.upload(lines, chosen.appearance, placement);
+    clock.count(RedrawClock::Upload);
+    lines_.draw(chosen.appearance, placement, clock);
+    clock.count(RedrawClock::DrawCalls);
+}
+
+void ViewDrawing::forget(ViewLayers::View view) {
+    layers_.forget(view);
+}
+
+DepthTexture ViewDrawing::prepare(const LayerInView& layer, bool has_lines,
+                                  const DecorationParameters& chosen) {
+    if (layer.is_first) {
+        depth_.forgetDepthBuffer();
+        if (chosen.background == Background::Paper) background_.paint(chosen.surface.paper);
+    }
+    const bool is_expected =
+        layers_.note(layer.view, layer.widget, layer.mesh, layer.surface, layer.is_first);
+    DepthTexture known;
+    if (layer.is_first || !is_expected || has_lines) known = depths(layer.view);
+    if (layer.is_first)
+        paint(layers_.of(layer.view), chosen.surface, layer.modelview, known);
+    else if (!is_expected)
+        paint({layer.surface}, chosen.surface, layer.modelview, known);
+    return known;
+}
+
+DepthTexture ViewDrawing::depths(ViewLayers::View view) {
+    if (layers_.areInDepthBuffer(view) && SurfaceDepth::canCopy()) return depth_.copy();
+    return depth_.update(layers_.of(view), buffers_);
+}
+
+void ViewDrawing::paint(const std::vector<SurfaceLayer>& layers,
+                        const SurfaceAppearance& appearance, const Eigen::Matrix4d& modelview,
+                        const DepthTexture& depths) {
+    if (appearance.style == SurfaceAppearance::AsMeshLabDrawsIt) return;
+    for (const SurfaceLayer& layer : layers)
+        surfaces_.paint(layer, appearance, modelview * layer.transform, depths, buffers_);
+}

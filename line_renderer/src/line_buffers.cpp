@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_buffers.h"
+
+#include <algorithm>
+
+#include "instancing.h"
+#include "line_program.h"
+
+namespace line_renderer {
+namespace {
+
+/// Reads an attribute from the buffer that is bound. `divisor` 1: one value a segment.
+void pointAttribute(LineProgram::Attribute attribute, GLint floats, GLsizei stride,
+                    std::size_t offset, GLuint divisor) {
+    glEnableVertexAttribArray(attribute);
+    glVertexAttribPointer(attribute, floats, GL_FLOAT, GL_FALSE, stride,
+                          reinterpret_cast<const void*>(offset));
+    setDivisor(attribute, divisor);
+}
+
+/// The segment attributes are four windows onto one array, each a point further.
+constexpr LineProgram::Attribute windows[] = {LineProgram::Before, LineProgram::Start,
+                                              LineProgram::End, LineProgram::After};
+constexpr LineProgram::Attribute per_segment[] = {LineProgram::Before,    LineProgram::Start,
+                                                  LineProgram::End,       LineProgram::After,
+                                                  LineProgram::StartLook, LineProgram::EndLook};
+
+GLsizeiptr bytes(std::size_t points) {
+    return GLsizeiptr(points * sizeof(StreamPoint));
+}
+
+}  // namespace
+
+LineBuffers::LineBuffers() {
+    constexpr float corners[] = {0, -1, 1, -1, 0, 1, 1, 1};  // a triangle strip
+    GLint bound = 0;
+    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
+    glGenBuffers(1, &corners_);
+    glGenBuffers(1, &stream_);
+    glBindBuffer(GL_ARRAY_BUFFER, corners_);
+    glBufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
+}
+
+StreamPoint* LineBuffers::map(std::size_t points) {
+    const bool has_ranges = GLEW_VERSION_3_0 || GLEW_ARB_map_buffer_range;
+    glBindBuffer(GL_ARRAY_BUFFER, stream_);
+    if (points > capacity_ || !has_ranges) {
+        capacity_ = std::max(capacity_, points + points / 4);
+        glBufferData(GL_ARRAY_BUFFER, bytes(capacity_), nullptr, GL_STREAM_DRAW);
+    }
+    // The driver need not wait for the last frame to be done with what the buffer had.
+    void* memory = has_ranges ? glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes(points),
+                                                 GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT)
+                              : glMapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY);
+    if (!memory) capacity_ = 0;
+    return static_cast<StreamPoint*>(memory);
+}
+
+bool LineBuffers::unmap() {
+    const bool is_kept = glUnmapBuffer(GL_ARRAY_BUFFER);
+    if (!is_kept) capacity_ = 0;
+    return is_kept;
+}
+
+void LineBuffers::bind() const {
+    glBindBuffer(GL_ARRAY_BUFFER, corners_);
+    pointAttribute(LineProgram::Corner, 2, 0, 0, 0);
+
+    glBindBuffer(GL_ARRAY_BUFFER, stream_);
+    std::size_t offset = 0;
+    for (LineProgram::Attribute window : windows) {
+        pointAttribute(window, 4, sizeof(StreamPoint), offset, 1);
+        offset += sizeof(StreamPoint);
+    }
+    const std::size_t look = offsetof(StreamPoint, opacity);
+    pointAttribute(LineProgram::StartLook, 3, sizeof(StreamPoint), sizeof(StreamPoint) + look, 1);
+    pointAttribute(LineProgram::EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
+}
+
+void LineBuffers::unbind() {
+    for (LineProgram::Attribute attribute : per_segment)
+        setDivisor(attribute, 0);
+}
+
+}  // namespace line_renderer

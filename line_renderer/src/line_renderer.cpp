@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_renderer/line_renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "gl_state.h"
+#include "instancing.h"
+#include "laplacian_lines/line_visibility.h"
+#include "line_buffers.h"
+#include "line_program.h"
+#include "line_shaders.h"
+#include "line_stream.h"
+#include "mean_scale.h"
+#include "per_share_group.h"
+
+namespace line_renderer {
+namespace {
+
+/// How far beside a line, in pixels, the surface may give way to let it be seen. Less than half the
+/// width of an outline, which hides what reaches below it.
+constexpr double to_side = 1.5;
+
+/// Hidden lines: alpha of faint ones; of dashed ones pixels of a dash, and with the gap after it.
+constexpr double faint_alpha = 0.25;
+constexpr double dash_pixels = 5;
+constexpr double dash_period = 9;
+/// How much deeper than a line that is left out one has to lie to be drawn as hidden: otherwise
+/// pieces of lines along an outline would be.
+constexpr double hidden_depth = 4;
+
+/// A value of the looks of all kinds of lines, in their order.
+template <class Value>
+using PerLook = std::array<Value, laplacian_lines::line_kind_count>;
+static_assert(laplacian_lines::line_kind_count <= most_looks, "the shaders need longer arrays");
+
+LineRadii radii(const LineAppearance& appearance, double pixel_scale) {
+    LineRadii result;
+    for (std::size_t look = 0; look < result.full.size(); ++look)
+        result.full[look] = float(appearance.looks[look].width * pixel_scale / 2);
+    return result;
+}
+
+Eigen::Vector4f viewport() {
+    GLint corner_and_size[4];
+    glGetIntegerv(GL_VIEWPORT, corner_and_size);
+    return Eigen::Map<const Eigen::Vector4i>(corner_and_size).cast<float>();
+}
+
+Eigen::Vector2f halfViewport() {
+    return viewport().tail<2>() / 2;
+}
+
+void setColors(const LineProgram& program, const LineAppearance& appearance, double alpha) {
+    PerLook<std::array<float, 4>> colors;
+    for (std::size_t look = 0; look < colors.size(); ++look) {
+        const QColor& color = appearance.looks[look].color;
+        colors[look] = {float(color.redF()), float(color.greenF()), float(color.blueF()),
+                        float(color.alphaF() * alpha)};
+    }
+    glUniform4fv(program.colors, GLsizei(colors.size()), colors.front().data());
+}
+
+/// `unit`: length in eye coordinates of a length in mesh coordinates.
+void setDepthBiases(const LineProgram& program, const LinePlacement& placement, double unit) {
+    const double bias = laplacian_lines::kSightClearance * placement.diagonal;
+    const double outline_bias =
+        std::max(bias, laplacian_lines::kContourSightClearance * placement.mean_edge);
+    PerLook<float> biases;
+    for (std::size_t look = 0; look < biases.size(); ++look)
+        biases[look] =
+            float(unit * (laplacian_lines::line_kinds[look].is_outline ? outline_bias : bias));
+    glUniform1fv(program.depth_biases, GLsizei(biases.size()), biases.data());
+}
+
+/// What is the same for seen and hidden lines.
+void setPlacement(const LineProgram& program, const LinePlacement& placement, double radius) {
+    const Eigen::Matrix4f to_eye = placement.to_eye.cast<float>();
+    const Eigen::Matrix4f projection = placement.projection.cast<float>();
+    glUniformMatrix4fv(program.to_eye, 1, GL_FALSE, to_eye.data());
+    glUniformMatrix4fv(program.projection, 1, GL_FALSE, projection.data());
+    glUniform2fv(program.half_viewport, 1, halfViewport().data());
+    // a mark's corner at the far side of a line
+    const double to_horizon = placement.mark_pixels > 0 ? 0.71 * placement.mark_pixels + radius : 0;
+    glUniform1f(program.mark_reach,
+                float(placement.diagonal * meanScale(placement.to_eye) * to_horizon));
+    glBindTexture(GL_TEXTURE_2D, placement.depths.id);
+    glUniform1i(program.surface_depth, 0);
+    const Eigen::Vector4f view = viewport();
+    glUniform4f(program.pixels, view[0] + 0.5f, view[1] + 0.5f, view[0] + view[2] - 0.5f,
+                view[1] + view[3] - 0.5f);
+    glUniform1f(program.to_side, float(to_side * placement.pixel_scale));
+    glUniform2fv(program.texel, 1, placement.depths.texel.data());
+}
+
+}  // namespace
+
+struct LineRenderer::Objects {
+    LineProgram program;
+    LineBuffers buffers;
+};
+
+LineRenderer::LineRenderer() : objects_(std::make_unique<PerShareGroup<Objects>>()) {}
+
+LineRenderer::~LineRenderer() = default;
+
+LineRenderer::Objects LineRenderer::makeObjects() {
+    if (!canDrawInstanced())
+        throw std::runtime_error(
+            "Lines cannot be drawn: instanced drawing (OpenGL 3.3) is not available.");
+    return Objects();
+}
+
+/// Some of the lines, in some way.
+struct LineRenderer::Pass {
+    GLenum depth_function = GL_LEQUAL;
+    float surface_side = 1;
+    double bias_factor = 1;
+    bool is_dashed = false;
+};
+
+void LineRenderer::drawPass(const Objects& objects, const LinePlacement& placement,
+                            const Pass& pass, RedrawClock& clock) const {
+    const LineProgram& program = objects.program;
+    glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
+    glUniform1f(program.surface_side, pass.surface_side);
+    setDepthBiases(program, placement, pass.bias_factor * meanScale(placement.to_eye));
+    const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
+    glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
+    clock.count(RedrawClock::DrawCalls);
+    drawInstanced(GL_TRIANGLE_STRIP, 4, GLsizei(stream_length_) - 3);
+    clock.count(RedrawClock::Drawing);
+}
+
+void LineRenderer::drawHidden(const Objects& objects, const LineAppearance& appearance,
+                              const LinePlacement& placement, RedrawClock& clock) const {
+    Pass hidden;
+    hidden.bias_factor = hidden_depth;
+    hidden.is_dashed = appearance.hidden == HiddenLines::Dashed;
+    setColors(objects.program, appearance, hidden.is_dashed ? 1 : faint_alpha);
+    hidden.depth_function = GL_ALWAYS;
+    hidden.surface_side = -1;
+    drawPass(objects, placement, hidden, clock);
+    if (placement.depths.is_complete) return;
+    hidden.depth_function = GL_GREATER;  // what the depth buffer hides and the texture does not
+    hidden.surface_side = 1;
+    drawPass(objects, placement, hidden, clock);
+}
+
+void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
+                          const LinePlacement& placement) {
+    stream_length_ = 0;
+    LineBuffers& buffers = objects_->current(makeObjects).buffers;
+    const std::size_t length = streamLength(lines);
+    if (length == 0) return;
+    const Eigen::Matrix4d to_clip = placement.projection * placement.to_eye;
+    const ScreenTransform screen = {to_clip.cast<float>(), halfViewport()};
+    const bool is_dashed = appearance.hidden == HiddenLines::Dashed;
+
+    GLint bound = 0;
+    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
+    if (StreamPoint* stream = buffers.map(length)) {
+        writeStream(lines, radii(appearance, placement.pixel_scale), is_dashed ? &screen : nullptr,
+                    stream);
+        if (buffers.unmap()) stream_length_ = length;
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
+    if (stream_length_ == 0)
+        throw std::runtime_error("Lines cannot be drawn: OpenGL has no memory for them.");
+}
+
+void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& placement,
+                        RedrawClock& clock) {
+    if (stream_length_ == 0) return;
+    const Objects& objects = objects_->current(makeObjects);
+    const LineRadii in_pixels = radii(appearance, placement.pixel_scale);
+    const GlState state;
+    glUseProgram(objects.program.id);
+    objects.buffers.bind();
+    setPlacement(objects.program, placement,
+                 *std::max_element(in_pixels.full.begin(), in_pixels.full.end()));
+    if (appearance.hidden != HiddenLines::LeftOut)
+        drawHidden(objects, appearance, placement, clock);
+    setColors(objects.program, appearance, 1);
+    drawPass(objects, placement, Pass(), clock);
+    LineBuffers::unbind();
+}
+
+}  // namespace line_renderer

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_shaders.h"
+
+namespace line_renderer {
+
+// Joints: neighbouring segments meet at the line that halves the angle between them, and each is
+// cut off there. Every pixel of a line is so painted once; overlapping soft edges would add up to
+// hard ones.
+//
+// Depth: a pixel is seen if the middle of its line beside it is, moved towards the eye by a fixed
+// length in eye coordinates, and compared with the depths there and a little to either side. So a
+// line is drawn in its full width or not at all, at any zoom, also along an outline, where the
+// surface would hide its inner half; it comes out in front of the very surface it lies on, but
+// stays behind what is clearly in front of it.
+//
+// Where MeshLab draws points or wires, the depths are those of surfaces alone, since such marks are
+// flat on the screen and stand out of a surface that falls away: at d pixels from the horizon of a
+// ball of radius R by sqrt(2 R d). The depth buffer is then asked as well, but only after a move as
+// long as that, which leaves the things that hide lines from well before the surface.
+const char* const line_vertex_shader = R"(#version 120
+attribute vec2 corner;  // x: 0 at the start, 1 at the end; y: -1 or 1, side
+attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark
+attribute vec4 start;
+attribute vec4 end;
+attribute vec4 after;
+attribute vec3 start_look;  // opacity, number of the look, pixels from the start of the line
+attribute vec3 end_look;
+uniform mat4 to_eye;
+uniform mat4 projection;
+uniform vec2 half_viewport;
+uniform vec4 colors[16];        // of the looks
+uniform float depth_biases[16];
+uniform float mark_reach;  // diameter of the largest ball times pixels to its horizon
+varying vec2 place;  // pixels along and across, from the start of the segment
+varying vec3 shape;  // length, radius at the start, radius at the end; pixels
+varying vec4 cuts;   // normals of the cuts at the start and at the end; zero: a round end
+varying vec2 starts;  // at the start of the segment: opacity, pixels from the start of the line
+varying vec2 ends;
+varying vec4 ink;
+varying vec4 middle;  // direction on the screen, depths in 0..1 at the start and at the end
+
+const float nothing_here = -1.5;  // marks below this one still have a position
+
+vec4 toEye(vec4 point)
+{
+    vec4 eye = to_eye * vec4(point.xyz, 1.0);
+    return eye / eye.w;
+}
+
+// Distance from the near plane in clip coordinates, negative behind it.
+float beforeNear(vec4 eye)
+{
+    vec4 clip = projection * eye;
+    return clip.z + clip.w;
+}
+
+vec2 toScreen(vec4 eye)
+{
+    vec4 clip = projection * eye;
+    return clip.xy / clip.w * half_viewport;
+}
+
+// How far marks stand out of the surface at most, length in eye coordinates.
+float markHeight(vec4 eye)
+{
+    float pixel = (projection * eye).w / (projection[1][1] * half_viewport.y);
+    return sqrt(max(mark_reach * pixel, 0.0));
+}
+
+// Depth in -1..1 of an eye-space point moved towards the viewer.
+float depthMoved(vec4 eye, float bias)
+{
+    bool orthographic = projection[2][3] == 0.0;
+    vec3 towards_viewer = orthographic ? vec3(0.0, 0.0, 1.0) : normalize(-eye.xyz);
+    vec4 clip = projection * vec4(eye.xyz + bias * towards_viewer, 1.0);
+    return clip.w > 0.0 ? max(clip.z / clip.w, -1.0) : -1.0;
+}
+
+// Normal of the cut between two segments with a common point, along the line.
+vec2 cutBetween(vec2 direction, vec2 other)
+{
+    float pixels = length(other);
+    vec2 sum = pixels > 1e-4 ? direction + other / pixels : vec2(0.0);
+    return length(sum) > 1e-3 ? sum : vec2(0.0);  // no cut where the line turns back
+}
+
+bool isPoint(vec4 neighbour)
+{
+    return neighbour.w >= 0.0 || neighbour.w < nothing_here;
+}
+
+void main()
+{
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside
+    place = vec2(0.0);
+    shape = vec3(0.0);
+    cuts = vec4(0.0);
+    starts = start_look.xz;
+    ends = end_look.xz;
+    int look = int(start_look.y + 0.5);
+    ink = colors[look];
+    middle = vec4(0.0);
+    if (start.w < 0.0 || end.w < 0.0)
+        return;
+    vec4 a = toEye(start);
+    vec4 b = toEye(end);
+    float a_front = beforeNear(a);
+    float b_front = beforeNear(b);
+    if (a_front <= 0.0 && b_front <= 0.0)
+        return;
+    // cut off what is behind the near plane
+    vec4 visible_a = a_front < 0.0 ? mix(a, b, a_front / (a_front - b_front)) : a;
+    vec4 visible_b = b_front < 0.0 ? mix(b, a, b_front / (b_front - a_front)) : b;
+
+    vec2 screen_a = toScreen(visible_a);
+    vec2 screen_b = toScreen(visible_b);
+    vec2 direction = screen_b - screen_a;
+    float pixels = length(direction);
+    direction = pixels > 1e-4 ? direction / pixels : vec2(1.0, 0.0);
+    vec2 across = vec2(-direction.y, direction.x);
+
+    vec4 p = toEye(before);
+    vec4 n = toEye(after);
+    vec2 start_cut = vec2(0.0);
+    vec2 end_cut = vec2(0.0);
+    if (isPoint(before) && a_front > 0.0 && beforeNear(p) > 0.0)
+        start_cut = cutBetween(direction, screen_a - toScreen(p));
+    if (isPoint(after) && b_front > 0.0 && beforeNear(n) > 0.0)
+        end_cut = cutBetween(direction, toScreen(n) - screen_b);
+
+    vec2 radii = vec2(start.w, end.w);
+    float reach = max(radii.x, radii.y) + 1.0;
+    place = vec2(corner.x * pixels + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
+    shape = vec3(pixels, radii);
+    cuts = vec4(dot(start_cut, direction), dot(start_cut, across),
+                dot(end_cut, direction), dot(end_cut, across));
+    vec2 screen = screen_a + direction * place.x + across * place.y;
+    vec4 visible = corner.x < 0.5 ? visible_a : visible_b;
+    float bias = depth_biases[look];
+    middle = vec4(direction, 0.5 * depthMoved(visible_a, bias) + 0.5,
+                  0.5 * depthMoved(visible_b, bias) + 0.5);
+    // w = 1 keeps the interpolation linear on the screen
+    gl_Position = vec4(screen / half_viewport,
+                       depthMoved(visible, max(bias, markHeight(visible))), 1.0);
+}
+)";
+
+const char* const line_fragment_shader = R"(#version 120
+uniform vec2 dash;  // lengths of a dash and of a dash with its gap; zero: no gaps
+varying vec2 place;
+varying vec3 shape;
+varying vec4 cuts;
+varying vec2 starts;
+varying vec2 ends;
+varying vec4 ink;
+varying vec4 middle;
+uniform sampler2D surface_depth;
+uniform vec2 texel;          // of surface_depth for a pixel
+uniform vec4 pixels;         // middles of the viewport's first and last pixel
+uniform float to_side;       // pixels
+uniform float surface_side;  // 1: lines before the surface, -1: those behind it
+
+float depthAt(vec2 pixel)
+{
+    return texture2D(surface_depth, clamp(pixel, pixels.xy, pixels.zw) * texel).r;
+}
+
+// Whether the line is not on the side that is wanted, `along` pixels from the segment's start.
+bool isOnOtherSide(float along, float part)
+{
+    vec2 across = vec2(-middle.y, middle.x);
+    vec2 here = gl_FragCoord.xy - (place.x - along) * middle.xy - place.y * across;
+    float farthest = max(depthAt(here), max(depthAt(here + to_side * across),
+                                            depthAt(here - to_side * across)));
+    return surface_side * (farthest - mix(middle.z, middle.w, part)) < 0.0;
+}
+
+// Share of a pixel at this distance from the start of the line that a dash covers.
+float dashCoverage(float pixels)
+{
+    if (dash.y <= 0.0)
+        return 1.0;
+    float from_middle = abs(mod(pixels, dash.y) - 0.5 * dash.x);
+    from_middle = min(from_middle, dash.y - from_middle);
+    return clamp(0.5 * dash.x - from_middle + 0.5, 0.0, 1.0);
+}
+
+void main()
+{
+    vec2 from_end = vec2(place.x - shape.x, place.y);
+    if (dot(place, cuts.xy) < 0.0 || dot(from_end, cuts.zw) > 0.0)
+        discard;
+    float along = clamp(place.x, 0.0, shape.x);
+    float part = shape.x > 0.0 ? along / shape.x : 0.0;
+    float radius = mix(shape.y, shape.z, part);
+    vec2 look = mix(starts, ends, part);
+    float distance_to_segment = length(place - vec2(along, 0.0));
+    // lines thinner than a pixel fade instead of breaking up
+    float coverage = clamp(radius + 0.5 - distance_to_segment, 0.0, 1.0) * min(1.0, 2.0 * radius);
+    coverage *= look.x * dashCoverage(look.y);
+    if (coverage <= 0.0 || isOnOtherSide(along, part))
+        discard;
+    gl_FragColor = vec4(ink.rgb, ink.a * coverage);
+}
+)";
+
+}  // namespace line_renderer

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+#include "laplacian_lines/line_set.h"
+
+namespace line_renderer {
+
+/// Half widths of lines in pixels.
+struct LineRadii {
+    /// Of lines of full weight, by the number of their kind.
+    std::array<float, laplacian_lines::line_kind_count> full{};
+    float least_share = 0.35f;  ///< share of the radius that is left at weight 0
+};
+
+/// From mesh to screen, for lengths in pixels.
+struct ScreenTransform {
+    Eigen::Matrix4f to_clip = Eigen::Matrix4f::Identity();
+    Eigen::Vector2f half_viewport = Eigen::Vector2f::Zero();
+};
+
+/// A point as the vertex shader sees it. Every four consecutive points are one call of the shader:
+/// it draws the segment between the middle two, joined to the outer two.
+struct StreamPoint {
+    float position[3];  ///< mesh coordinates
+    float radius;       ///< pixels, or one of the marks
+    float opacity;
+    float look;   ///< the number of the line's kind
+    float along;  ///< pixels along the line from its start; 0 unless they were asked for
+};
+
+/// Marks instead of a radius. A segment with a marked end is not drawn.
+constexpr float nothing_here = -1;    ///< before and after a line: its ends are round
+constexpr float neighbour_only = -2;  ///< around a closed line: a point to join to
+
+/// How many points a line set has as a stream: each line stands between two marks.
+std::size_t streamLength(const laplacian_lines::LineSet& lines);
+
+/// Writes that many points, one after the other and reading none, so that `stream` may be memory of
+/// the graphics card. With a `screen`, sets the points' `along`; what lies behind the eye counts as
+/// no length.
+void writeStream(const laplacian_lines::LineSet& lines, const LineRadii& radii,
+                 const ScreenTransform* screen, StreamPoint* stream);
+
+}  // namespace line_renderer

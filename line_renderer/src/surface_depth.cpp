@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_renderer/surface_depth.h"
+
+#include <GL/glew.h>
+
+#include <algorithm>
+#include <array>
+
+#include "depth_framebuffer.h"
+#include "gl_state.h"
+#include "per_share_group.h"
+
+namespace line_renderer {
+namespace {
+
+using Viewport = std::array<GLint, 4>;
+
+Viewport currentViewport() {
+    Viewport viewport;
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    return viewport;
+}
+
+/// What a picture of some layers depends on.
+struct Sight {
+    std::vector<SurfaceLayer> layers;
+    Eigen::Matrix4d modelview;
+    Eigen::Matrix4d projection;
+    Viewport viewport;
+
+    bool operator==(const Sight& other) const {
+        return layers == other.layers && modelview == other.modelview &&
+               projection == other.projection && viewport == other.viewport;
+    }
+};
+
+Sight currentSight(const std::vector<SurfaceLayer>& layers) {
+    Sight sight;
+    sight.layers = layers;
+    glGetDoublev(GL_MODELVIEW_MATRIX, sight.modelview.data());
+    glGetDoublev(GL_PROJECTION_MATRIX, sight.projection.data());
+    sight.viewport = currentViewport();
+    return sight;
+}
+
+/// By the fixed pipeline, as MeshLab's own drawing and ours, so that depths are the same.
+void render(GLuint texture, const std::vector<SurfaceLayer>& layers, SurfaceBuffers& buffers) {
+    const GlState state;
+    const DepthFramebuffer framebuffer(texture);
+    glUseProgram(0);
+    for (GLenum feature : {GL_BLEND, GL_TEXTURE_2D, GL_LIGHTING, GL_SCISSOR_TEST})
+        glDisable(feature);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    glClearDepth(1);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    for (const SurfaceLayer& layer : layers)
+        buffers.draw(layer);
+}
+
+}  // namespace
+
+class SurfaceDepth::Texture {
+public:
+    void forgetCopy() { copied_.reset(); }
+
+    void copy(const Viewport& viewport) {
+        enlarge(viewport);
+        if (copied_ == viewport) return;
+        const GlState state;
+        glBindTexture(GL_TEXTURE_2D, id_);
+        glCopyTexSubImage2D(GL_TEXTURE_2D, 0, viewport[0], viewport[1], viewport[0], viewport[1],
+                            viewport[2], viewport[3]);
+        rendered_.reset();
+        copied_ = viewport;
+    }
+
+    void update(const Sight& sight, SurfaceBuffers& buffers) {
+        enlarge(sight.viewport);
+        if (rendered_ == sight) return;
+        forget();
+        render(id_, sight.layers, buffers);
+        rendered_ = sight;
+    }
+
+    DepthTexture content() const {
+        return {id_, {1 / float(width_), 1 / float(height_)}, copied_.has_value()};
+    }
+
+private:
+    void forget() {
+        copied_.reset();
+        rendered_.reset();
+    }
+
+    /// Makes room for a viewport.
+    void enlarge(const Viewport& viewport) {
+        const GLint width = viewport[0] + viewport[2], height = viewport[1] + viewport[3];
+        if (id_ && width <= width_ && height <= height_) return;
+        width_ = std::max(width, width_);
+        height_ = std::max(height, height_);
+        forget();
+        const GlState state;
+        if (!id_) glGenTextures(1, &id_);
+        glBindTexture(GL_TEXTURE_2D, id_);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width_, height_, 0, GL_DEPTH_COMPONENT,
+                     GL_UNSIGNED_INT, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+
+    GLuint id_ = 0;
+    GLint width_ = 0, height_ = 0;
+    // what it holds: a copy of this part of the depth buffer, or these layers, or neither
+    std::optional<Viewport> copied_;
+    std::optional<Sight> rendered_;
+};
+
+SurfaceDepth::SurfaceDepth() : textures_(std::make_unique<PerShareGroup<Texture>>()) {}
+
+SurfaceDepth::~SurfaceDepth() = default;
+
+void SurfaceDepth::forgetDepthBuffer() {
+    textures_->forEach([](Texture& texture) { texture.forgetCopy(); });
+}
+
+bool SurfaceDepth::canCopy() {
+    GLint framebuffer = 0, samples = 0;
+    glGetIntegerv(GL_SAMPLES, &samples);
+    if (hasFramebuffers()) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
+    return framebuffer == 0 || samples == 0;
+}
+
+DepthTexture SurfaceDepth::copy() {
+    Texture& texture = textures_->current();
+    texture.copy(currentViewport());
+    return texture.content();
+}
+
+DepthTexture SurfaceDepth::update(const std::vector<SurfaceLayer>& layers,
+                                  SurfaceBuffers& buffers) {
+    Texture& texture = textures_->current();
+    texture.update(currentSight(layers), buffers);
+    return texture.content();
+}
+
+}  // namespace line_renderer

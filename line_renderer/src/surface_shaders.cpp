@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_shaders.h"
+
+namespace line_renderer {
+
+const char* const surface_vertex_shader = R"(#version 120
+varying vec3 eye_position;
+varying vec3 eye_normal;
+
+void main()
+{
+    vec4 eye = gl_ModelViewMatrix * gl_Vertex;
+    eye_position = eye.xyz / eye.w;
+    eye_normal = gl_NormalMatrix * gl_Normal;
+    gl_Position = ftransform();
+}
+)";
+
+// Depth: wires and points that MeshLab has drawn are flat on the screen, so on a slope they stand
+// out of the surface, by as much as it falls in half their width. Only the depth that is compared
+// is moved, and no depth is written.
+const char* const surface_fragment_shader = R"(#version 120
+uniform vec4 paper;
+uniform vec4 shade;
+uniform float tones;  // 1: paper only
+uniform vec2 nearer;  // least and greatest move towards the eye, length in eye coordinates
+uniform sampler2D surface_depth;  // of the nearest faces
+uniform vec2 texel;  // of it, for a pixel; zero: the depth buffer alone decides
+varying vec3 eye_position;
+varying vec3 eye_normal;
+
+const float pixels_of_slope = 3.0;
+
+vec3 towardsEye()
+{
+    bool orthographic = gl_ProjectionMatrix[2][3] == 0.0;
+    return orthographic ? vec3(0.0, 0.0, 1.0) : normalize(-eye_position);
+}
+
+float depthMoved(float distance)
+{
+    vec4 clip = gl_ProjectionMatrix * vec4(eye_position + distance * towardsEye(), 1.0);
+    if (clip.w <= 0.0)
+        return 0.0;
+    return (gl_DepthRange.diff * clip.z / clip.w + gl_DepthRange.near + gl_DepthRange.far) * 0.5;
+}
+
+// 0 in the shade, 1 on bare paper; steps are one pixel wide.
+float tone()
+{
+    if (tones < 2.0)
+        return 1.0;
+    float size = length(eye_normal);
+    float brightness = size > 0.0 ? abs(dot(eye_normal, towardsEye())) / size : 1.0;
+    float scaled = brightness * tones;
+    float step_at = floor(scaled + 0.5);
+    float width = max(fwidth(scaled), 1e-6);
+    float level = step_at - 1.0 + clamp((scaled - step_at) / width + 0.5, 0.0, 1.0);
+    return clamp(level / (tones - 1.0), 0.0, 1.0);
+}
+
+bool isHidden(float slope)
+{
+    float nearest = texture2D(surface_depth, gl_FragCoord.xy * texel).r;
+    return texel.x > 0.0 && gl_FragCoord.z > nearest + 0.5 * slope + 1e-6;
+}
+
+void main()
+{
+    float slope = fwidth(gl_FragCoord.z);
+    if (isHidden(slope))
+        discard;
+    gl_FragDepth = clamp(gl_FragCoord.z - pixels_of_slope * slope,
+                         depthMoved(nearer.y), depthMoved(nearer.x));
+    gl_FragColor = mix(shade, paper, tone());
+}
+)";
+
+}  // namespace line_renderer
