@@ -4,7 +4,7 @@
 
 require checks/clang_build checks/fuzzing checks/large_meshes checks/sanitized_core checks/static_analysis
 
-# run_checks CHECKOUT CONCLUDE: calls CONCLUDE NAME EXIT_CODE REMARK after each
+# run_checks CHECKOUT CONCLUDE: calls CONCLUDE NAME CODE REMARK after each
 run_checks() {
     run_check "$@" "static analysis" check_statically || true
     run_check "$@" "clang's warnings" build_checks || return 0

@@ -12,12 +12,14 @@ SLOW_UNDER_SANITIZERS=('*WithAnyOptions*' '*Converge*' '*Guarantee*' 'RealModel*
     'Borders.CorrectionHelpsMoreOnFinerMeshes' 'Determinism.*' '*.DoNotDependOnTheNumberOfThreads'
     '*.DoesNotDependOnTheNumberOfThreads' '*FiniteFromAnyEye/book' '*FiniteFromAnyEye/cut_star')
 
+SHARDS=$((2 * $(nproc))) # more than processors, for some take longer
+
 # run_shard CHECKOUT NUMBER: a part of the core's tests. OpenMP's library loses some memory of its own at times. With two
 # places of each allocation kept, malloc and its caller, only what the library itself has asked for is suppressed.
 run_shard() {
     local folder
     folder=$(checks_folder "$1")
-    GTEST_TOTAL_SHARDS=$(nproc) GTEST_SHARD_INDEX=$2 OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive \
+    GTEST_TOTAL_SHARDS=$SHARDS GTEST_SHARD_INDEX=$2 OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive \
         ASAN_OPTIONS=allocator_may_return_null=1:malloc_context_size=2 \
         LSAN_OPTIONS="suppressions=$1/scripts/checks/leak_suppressions.txt:print_suppressions=0" \
         LLVM_PROFILE_FILE="$folder/profile/%m-$2.profraw" \
@@ -25,16 +27,29 @@ run_shard() {
         --gtest_filter="-$(IFS=: && printf '%s' "${SLOW_UNDER_SANITIZERS[*]}")"
 }
 
+run_out_of_memory() {
+    local folder
+    folder=$(checks_folder "$1")
+    LLVM_PROFILE_FILE="$folder/profile/%m-memory.profraw" OMP_NUM_THREADS=3 OMP_WAIT_POLICY=passive \
+        quietly "$folder/memory.log" "$folder/tests/core/out_of_memory" allocations || {
+        say "running out of memory was not survived; the log is $folder/memory.log"
+        return 1
+    }
+}
+
+# run_sanitized CHECKOUT PART: a shard's number, or memory
+run_sanitized() {
+    if [[ $2 == memory ]]; then run_out_of_memory "$1"; else run_shard "$@"; fi
+}
+
 check_sanitized() {
     local folder
     folder=$(checks_folder "$1")
     rm -rf "$folder/profile"
     say "running the core's tests under sanitizers"
-    in_parallel run_shard "$1" -- $(seq 0 $(($(nproc) - 1))) ||
+    rm -f "$folder"/shard*.log
+    in_parallel run_sanitized "$1" -- memory $(seq 0 $((SHARDS - 1))) ||
         fail "a test failed under sanitizers; the logs are $folder/shard*.log"
-    LLVM_PROFILE_FILE="$folder/profile/%m-memory.profraw" OMP_NUM_THREADS=3 OMP_WAIT_POLICY=passive \
-        quietly "$folder/memory.log" "$folder/tests/core/out_of_memory" allocations ||
-        fail "running out of memory was not survived; the log is $folder/memory.log"
     awk '/test suites? ran/ { sum += $2 } END { print sum + 1 " tests" }' "$folder"/shard*.log
 }
 

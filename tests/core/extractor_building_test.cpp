@@ -105,13 +105,13 @@ Neighbours read_neighbours(const ExtractorData& data) {
     return result;
 }
 
-class ClusterNeighbours : public testing::TestWithParam<const test_meshes::TestMesh*> {};
+class ClusterNeighbours : public testing::TestWithParam<const test_meshes::MeshEntry*> {};
 
 INSTANTIATE_TEST_SUITE_P(Meshes, ClusterNeighbours, testing::ValuesIn(test_meshes::meshes_with(0)),
                          [](const auto& info) { return info.param->name; });
 
 TEST_P(ClusterNeighbours, AreTheTwoTrianglesOfAnEdge) {
-    const TriangleMesh& mesh = GetParam()->mesh;
+    const TriangleMesh& mesh = GetParam()->get().mesh;
     std::map<Edge, int> count;
     for (const Triangle& t : prepare_mesh(mesh).triangles)
         for (std::size_t k = 0; k < 3; ++k)

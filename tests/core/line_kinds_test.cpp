@@ -25,6 +25,7 @@ void PrintTo(const LineKindDescription& row, std::ostream* out) {
 namespace {
 
 using namespace laplacian_lines;
+using test_meshes::MeshEntry;
 using test_meshes::meshes_with;
 using test_meshes::TestMesh;
 
@@ -95,7 +96,8 @@ TEST_P(EachKind, HasItsSwitchInTheOptions) {
 
 TEST_P(EachKind, IsDrawnAloneWhereItIsSwitchedOnAlone) {
     std::size_t count = 0;
-    for (const test_meshes::TestMesh& mesh : test_meshes::all_meshes()) {
+    for (const MeshEntry& entry : test_meshes::all_entries()) {
+        const TestMesh& mesh = entry.get();
         const LineExtractor extractor(mesh.mesh, precompute(mesh.mesh));
         const LineSet lines =
             helpers::extract(extractor, View::perspective(Eigen::Vector3d(3, 2, 4)), only(kind()));
@@ -108,8 +110,8 @@ TEST_P(EachKind, IsDrawnAloneWhereItIsSwitchedOnAlone) {
 }
 
 /// Some with borders, some with edges.
-std::vector<const TestMesh*> some_meshes() {
-    std::vector<const TestMesh*> some;
+std::vector<const MeshEntry*> some_meshes() {
+    std::vector<const MeshEntry*> some;
     for (const auto& meshes : {meshes_with(test_meshes::kBorder), meshes_with(test_meshes::kSharp)})
         some.insert(some.end(), meshes.begin(), meshes.begin() + 2);
     return some;
@@ -117,7 +119,8 @@ std::vector<const TestMesh*> some_meshes() {
 
 TEST_P(EachKind, FollowsTheEyeIfItSaysSo) {
     bool follows = false;
-    for (const TestMesh* mesh : some_meshes()) {
+    for (const MeshEntry* entry : some_meshes()) {
+        const TestMesh* mesh = &entry->get();
         const LineExtractor extractor(mesh->mesh, precompute(mesh->mesh));
         const auto lines_from = [&](const Eigen::Vector3d& eye) {
             LineStyle style = only(kind());

@@ -18,11 +18,11 @@ namespace {
 
 using namespace laplacian_lines;
 using reference::PlainLine;
-using test_meshes::TestMesh;
+using test_meshes::MeshEntry;
 
-class PlainComparison : public testing::TestWithParam<const TestMesh*> {
+class PlainComparison : public testing::TestWithParam<const MeshEntry*> {
 protected:
-    const TriangleMesh& mesh() const { return GetParam()->mesh; }
+    const TriangleMesh& mesh() const { return GetParam()->get().mesh; }
     const Field field_ = precompute(mesh());
 };
 
