@@ -27,13 +27,11 @@ in_root() {
         unshare --mount --pid --fork --kill-child --ipc "${network[@]}" "$(dirname "${BASH_SOURCE[0]}")/enter_root" "$@"
 }
 
-# What a root is made from: when this changes, it is made anew. That the scripts have moved since roots were first made is
-# no reason, so the old place is put in for the new one.
+# What a root is made from: when this changes, it is made anew.
 root_recipe() {
     {
         printf '%s\n' "$@" "${BUILD_PACKAGES[@]}" "${DISPLAY_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${MESHLAB_RECOMMENDS[@]}"
-        declare -f build_root make_bare_root install_into_root |
-            sed 's|/scripts/require.sh" environment/build|/setup/all.sh"|'
+        declare -f build_root make_bare_root install_into_root
     } | sha256sum | cut -d ' ' -f 1
 }
 
