@@ -123,6 +123,7 @@ TEST_F(LineCacheTest, ReleasesWhatIsNotAssignedAgainInTheSameTurn) {
     EXPECT_TRUE(gone.expired());
     EXPECT_FALSE(kept.expired());
     EXPECT_FALSE(elsewhere.expired());
+    assign(right_, 5, 4);
     endTurn();
     EXPECT_FALSE(kept.expired()) << "said once, done once";
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever is drawn, OpenGL's state is afterwards what it was before.
+#include <map>
+
 #include "gl_state_text.h"
 #include "line_renderer/background_renderer.h"
 #include "line_renderer/surface_renderer.h"
@@ -130,6 +132,22 @@ TEST_F(GlStateTest, IsAsItWasInAnArrayObject) {
     glBindVertexArray(array);
     makeStateUnusual();
     expectSameStateWhateverIsDrawn();
+}
+
+/// Not all drivers save divisors with the arrays.
+TEST_F(GlStateTest, HasDivisorsTakenBackOneByOne) {
+    static std::map<GLuint, GLuint> divisors;
+    static PFNGLVERTEXATTRIBDIVISORPROC original;
+    const Replaced<PFNGLVERTEXATTRIBDIVISORPROC> replaced(__glewVertexAttribDivisor,
+                                                          [](GLuint attribute, GLuint divisor) {
+                                                              original(attribute, divisor);
+                                                              divisors[attribute] = divisor;
+                                                          });
+    original = replaced.before();
+    drawn(oneLine({{9, 9, 0}, {90, 80, 0}}), blackLines(3));
+    EXPECT_EQ(divisors.size(), 7u);
+    for (const auto& [attribute, divisor] : divisors)
+        EXPECT_EQ(divisor, 0u) << attribute;
 }
 
 /// None of it comes between a line and the picture.

@@ -69,16 +69,26 @@ TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
 
 /// Also beside a surface that hides one half of it, as the form does along its outline.
 TEST_F(HiddenLinesTest, HaveTheirFullWidthAlongAnEdge) {
-    canvas_.putDepth(0, 0, Canvas::width, 60, 0.5);
-    const QImage picture = drawn(line, appearanceOf(HiddenLines::LeftOut));
-    EXPECT_NEAR(inkOfColumn(picture, 80), 4, 0.05);
-    canvas_.clear();
-    canvas_.putDepth(0, 0, Canvas::width, 66, 0.5);
-    EXPECT_EQ(inkOf(drawn(line, appearanceOf(HiddenLines::LeftOut))), 0);
+    const auto widthUnder = [&](int y, int rows) {
+        canvas_.clear();
+        canvas_.putDepth(0, y, Canvas::width, rows, 0.5);
+        return inkOfColumn(drawn(line, appearanceOf(HiddenLines::LeftOut)), 80);
+    };
+    for (int edge : {60, 61})
+        EXPECT_NEAR(widthUnder(0, edge), 4, 0.05) << "from below to " << edge;
+    for (int edge : {61, 60})
+        EXPECT_NEAR(widthUnder(edge, Canvas::height - edge), 4, 0.05) << "from above to " << edge;
+    EXPECT_EQ(widthUnder(0, 66), 0);
+    EXPECT_EQ(widthUnder(55, Canvas::height - 55), 0);
 }
 
+/// Only those that lie deeper than four times what hides a line: no pieces along outlines.
 TEST_F(HiddenLinesTest, AreFaintIfWanted) {
-    expectWidths(lineWithSurfaceAt(0.5, appearanceOf(HiddenLines::Faint)), 4, 1);
+    const LineAppearance appearance = appearanceOf(HiddenLines::Faint);
+    expectWidths(lineWithSurfaceAt(0.5, appearance), 4, 1);
+    expectWidths(lineWithSurfaceAt(0.013, appearance), 4, 1);
+    expectWidths(lineWithSurfaceAt(0.011, appearance), 4, 0);
+    expectWidths(lineWithSurfaceAt(0.002, appearance), 4, 4);
 }
 
 TEST_F(HiddenLinesTest, AreDashedIfWanted) {
