@@ -58,18 +58,18 @@ TEST_F(LineTest, HaveRoundEnds) {
 TEST_F(LineTest, HaveTheLookOfTheirKind) {
     LineSet lines;
     LineAppearance appearance;
+    const int rows = Canvas::height / int(laplacian_lines::line_kind_count);  // for each
     for (std::size_t i = 0; i < laplacian_lines::line_kind_count; ++i) {
-        const float y = 10.5f + 20 * float(i);
+        const float y = float(rows * int(i) + rows / 2) + 0.5f;
         addLine(lines, {{20, y, 0}, {140, y, 0}}, LineKind(i));
-        appearance.looks[i] = {QColor::fromHsv(int(70 * i), 200, 250 - int(20 * i)).rgb(),
-                               3 + 2 * double(i)};
+        const QColor color = QColor::fromHsv(int(70 * i) % 360, 200, 250 - int(10 * i));
+        appearance.looks[i] = {color.rgb(), 3 + 2 * double(i % 2)};
     }
     const QImage picture = drawn(lines, appearance);
     for (std::size_t i = 0; i < laplacian_lines::line_kind_count; ++i) {
-        const int y = 10 + 20 * int(i), reach = 1 + int(i);
-        const QColor& color = appearance.looks[i].color;
+        const int y = rows * int(i) + rows / 2, reach = 1 + int(i % 2);
         for (int row : {y - reach, y, y + reach})
-            EXPECT_EQ(colorAt(picture, 80, row), color) << "kind " << i << ", row " << row;
+            EXPECT_EQ(colorAt(picture, 80, row), appearance.looks[i].color) << "kind " << i;
         for (int row : {y - reach - 1, y + reach + 1})
             EXPECT_EQ(colorAt(picture, 80, row), QColor(Qt::white)) << "kind " << i;
     }
