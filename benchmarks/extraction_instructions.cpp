@@ -7,10 +7,12 @@
 // redraws. Apart, since valgrind takes minutes for the sums of the field.
 #include <valgrind/callgrind.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
+#include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
 #include "redraws.h"
@@ -27,10 +29,13 @@ template <class Archive>
 void transfer(Archive&& archive, TriangleMesh& mesh, Field& field) {
     archive(mesh.positions);
     archive(mesh.triangles);
-    archive(field.normals);
-    archive(field.laplacian_normals);
-    archive(field.shape_operators);
-    archive(field.kernel_sizes);
+    for (const FieldColumn& column : field_columns) {
+        const std::size_t floats = std::size_t(column.floats), count = floats * column.size(field);
+        std::vector<float> values(column.read(field), column.read(field) + count);
+        archive(values);
+        column.resize(field, values.size() / floats);
+        std::copy(values.begin(), values.end(), column.write(field));
+    }
     std::vector<FieldScale> scale = {field.scale};
     archive(scale);
     field.scale = scale.at(0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "extraction_times.h"
 
+#include "laplacian_lines/field_columns.h"
 #include "redraws.h"
 
 namespace benchmarks {
@@ -62,9 +63,10 @@ void add_extraction(const TriangleMesh& mesh, const Field& field, Turns turns,
                 redraws.curvature_seconds());
     figures.add(kMemory, "extractor", "extractor",
                 double(redraws.extractor().memory()) / double(mesh.positions.size()));
-    figures.add(kMemory, "field", "field",
-                sizeof(field.normals[0]) + sizeof(field.laplacian_normals[0]) +
-                    sizeof(field.shape_operators[0]) + sizeof(field.kernel_sizes[0]));
+    std::size_t field_bytes = 0;
+    for (const FieldColumn& column : present_columns(field))
+        field_bytes += std::size_t(column.floats) * sizeof(float);
+    figures.add(kMemory, "field", "field", double(field_bytes));
     std::vector<Contender> contenders = redraws.fast();
     append(contenders, redraws.plain());
     append(contenders, redraws.reading());

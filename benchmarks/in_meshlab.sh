@@ -5,7 +5,8 @@ set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 # shellcheck source=/dev/null
-source "$root/setup/all.sh"
+source "$root/scripts/require.sh" environment/build environment/messages environment/packages \
+    product/display product/models product/picture product/private_home product/stage
 build=$(build_folder "$root")
 redraws=48
 

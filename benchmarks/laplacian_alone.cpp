@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "laplacian_alone.h"
 
-#include "belkin_laplacian.h"
-#include "normal_smoothing.h"
-#include "shape_operators.h"
-#include "vertex_normals.h"
+#include "field/belkin_laplacian.h"
+#include "field/normal_smoothing.h"
+#include "field/shape_operators.h"
+#include "field/vertex_normals.h"
 
 namespace benchmarks {
 

@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "field/shape_operators.h"
 #include "laplacian_lines/triangle_mesh.h"
-#include "prepared_mesh.h"
-#include "shape_operators.h"
-#include "summation_cost.h"
+#include "mesh/prepared_mesh.h"
+#include "sums/summation_cost.h"
 
 namespace benchmarks {
 

@@ -46,7 +46,7 @@ LineStyle all_zeros(LineKind kind) {
 Redraws::Redraws(const TriangleMesh& mesh, const Field& field)
     : mesh_(mesh),
       views_(orbit(mesh)),
-      best_(cluster_kernels().instruction_set),
+      best_(simd_functions().instruction_set),
       plain_(mesh),
       contours_(plain_, field.normals),
       laplacian_(plain_, field.laplacian_normals),

@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "cluster_kernels.h"
 #include "laplacian_lines/line_extractor.h"
 #include "naive_lines.h"
 #include "naive_tracing.h"
+#include "redraw/simd/simd_functions.h"
 #include "suggestive_contours.h"
 #include "turns.h"
 

@@ -6,7 +6,7 @@ if(NOT MeshLab_FOUND OR MESHLAB_IN_PYTHON)
   return()
 endif()
 
-# for the .deb alone: "cmake --install" brings the plugins only
+# for the .deb alone: "cmake --install" brings none of it
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" RENAME copyright
   DESTINATION /usr/share/doc/meshlab-laplacian-lines COMPONENT documentation EXCLUDE_FROM_ALL)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md"

@@ -3,8 +3,8 @@
 
 #include <QElapsedTimer>
 
-#include "compute_help.h"
 #include "compute_report.h"
+#include "filter_help.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"

@@ -60,7 +60,7 @@ QStringList computeReport(const laplacian_lines::Field& field, const PrecomputeO
                       choicesLine(options)};
     lines << QString("Computed in %1 s, stored per vertex in %2")
                  .arg(seconds, 0, 'f', 2)
-                 .arg(meshlab_host::fieldAttributeNames());
+                 .arg(meshlab_host::fieldAttributeNames(field));
     lines.removeAll(QString());
     return lines;
 }

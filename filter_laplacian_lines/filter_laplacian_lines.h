@@ -3,6 +3,9 @@
 
 #include "meshlab_host/filter_plugin_base.h"
 
+/// New ones of all filters of the plugin, in the order of its actions.
+meshlab_host::FilterList makeFilters();
+
 /// What MeshLab loads: the filters of Laplacian lines.
 class FilterLaplacianLines : public meshlab_host::FilterPluginBase {
     Q_OBJECT

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <array>
 
+#include "filter_help.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
@@ -12,7 +13,6 @@
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/progress.h"
-#include "polyline_help.h"
 #include "polyline_parameters.h"
 
 using laplacian_lines::Error;

@@ -104,7 +104,7 @@ struct Lister {
     }
 };
 
-struct Reader {
+struct ParameterReader {
     Parameters& result;
     const RichParameterList& list;
 
@@ -148,7 +148,7 @@ void listPolylineParameters(const PolylineParameters& defaults, RichParameterLis
 
 PolylineParameters readPolylineParameters(const RichParameterList& list) {
     Parameters result;
-    Reader reader{result, list};
+    ParameterReader reader{result, list};
     visitRows(reader);
     return result;
 }

@@ -25,9 +25,9 @@ const std::map<QString, int>& maskLetters() {
     return letters;
 }
 
-class Reader {
+class ArgumentReader {
 public:
-    explicit Reader(const QStringList& arguments) : arguments_(arguments) {}
+    explicit ArgumentReader(const QStringList& arguments) : arguments_(arguments) {}
 
     bool atEnd() const { return next_ == arguments_.size(); }
     QString take() { return arguments_[next_++]; }
@@ -63,7 +63,7 @@ void readLayer(const QString& text, OutputMesh& mesh) {
         throw UsageError("-l after -o needs a layer: a number from 0, c or x");
 }
 
-void readMask(Reader& reader, OutputMesh& mesh) {
+void readMask(ArgumentReader& reader, OutputMesh& mesh) {
     do {
         const QString letters = reader.takeValue("-m", "what to save, such as vn vq");
         const auto found = maskLetters().find(letters);
@@ -78,7 +78,7 @@ void readMask(Reader& reader, OutputMesh& mesh) {
     } while (reader.valueFollows());
 }
 
-OutputMesh readOutputMesh(Reader& reader) {
+OutputMesh readOutputMesh(ArgumentReader& reader) {
     OutputMesh mesh;
     mesh.file = reader.takeFile("-o");
     if (reader.takeIf("-l")) readLayer(reader.takeValue("-l", "a layer"), mesh);
@@ -86,7 +86,7 @@ OutputMesh readOutputMesh(Reader& reader) {
     return mesh;
 }
 
-OutputProject readOutputProject(Reader& reader) {
+OutputProject readOutputProject(ArgumentReader& reader) {
     OutputProject project;
     project.file = reader.takeFile("-w");
     if (!project.file.endsWith(".mlp", Qt::CaseInsensitive)) project.file += ".mlp";
@@ -94,7 +94,7 @@ OutputProject readOutputProject(Reader& reader) {
     return project;
 }
 
-void readOption(const QString& option, Reader& reader, CommandLine& commands) {
+void readOption(const QString& option, ArgumentReader& reader, CommandLine& commands) {
     if (option == "-h" || option == "--help") {
         commands.help = true;
     } else if (option == "--plugin") {
@@ -124,7 +124,7 @@ void readOption(const QString& option, Reader& reader, CommandLine& commands) {
 
 CommandLine parseCommandLine(const QStringList& arguments) {
     CommandLine commands;
-    Reader reader(arguments);
+    ArgumentReader reader(arguments);
     while (!reader.atEnd())
         readOption(reader.take(), reader, commands);
     return commands;

@@ -52,7 +52,7 @@ void addTetrahedron(MeshDocument& document) {
     mesh->updateBoxAndNormals();
 }
 
-QString describeParameters(const Filter& filter, MeshDocument& document) {
+QString describeParameters(const LoadedFilter& filter, MeshDocument& document) {
     QString text;
     try {
         document.mm()->updateDataMask(filter.plugin->getPreConditions(filter.action) |
@@ -88,7 +88,7 @@ void loadPlugins(const QStringList& files, Report& report) {
     }
 }
 
-Filter filterNamed(const QString& name) {
+LoadedFilter filterNamed(const QString& name) {
     for (FilterPlugin* plugin : meshlab::pluginManagerInstance().filterPluginIterator())
         for (QAction* action : plugin->actions())
             if (plugin->filterName(action) == name) return {plugin, action};

@@ -11,7 +11,7 @@ class QAction;
 
 namespace server {
 
-struct Filter {
+struct LoadedFilter {
     FilterPlugin* plugin;
     QAction* action;
 };
@@ -22,7 +22,7 @@ struct Filter {
 void loadPlugins(const QStringList& files, Report& report);
 
 /// @throws MLException that names similar filters if there is none of this name
-Filter filterNamed(const QString& name);
+LoadedFilter filterNamed(const QString& name);
 
 /// Writes all filters with their parameters, as text. @throws MLException
 void dumpFilters(const QString& file);

@@ -88,7 +88,7 @@ void setParameter(const RichParameter& given, const MeshDocument& document,
     list.setValue(given.name(), given.value());
 }
 
-void checkApplicable(const Filter& filter, MeshDocument& document) {
+void checkApplicable(const LoadedFilter& filter, MeshDocument& document) {
     if (filter.plugin->requiresGLContext(filter.action))
         throw MLException("It needs OpenGL, which there is none of here. Run it in MeshLab.");
     if (filter.plugin->filterArity(filter.action) != FilterPlugin::SINGLE_MESH) return;
@@ -109,7 +109,7 @@ bool goOn(const int, const char*) {
     return true;
 }
 
-void runFilter(const Filter& filter, const RichParameterList& given, MeshDocument& document) {
+void runFilter(const LoadedFilter& filter, const RichParameterList& given, MeshDocument& document) {
     RichParameterList parameters = filter.plugin->initParameterList(filter.action, document);
     for (const RichParameter& parameter : given)
         setParameter(parameter, document, parameters);
@@ -123,7 +123,7 @@ void runFilter(const Filter& filter, const RichParameterList& given, MeshDocumen
 
 /// One <filter> of a script.
 void runFilter(const QDomElement& element, MeshDocument& document) {
-    const Filter filter = filterNamed(element.attribute("name"));
+    const LoadedFilter filter = filterNamed(element.attribute("name"));
     try {
         RichParameterList given;
         for (QDomElement parameter = element.firstChildElement("Param"); !parameter.isNull();

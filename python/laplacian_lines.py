@@ -13,15 +13,27 @@ Works with the version of PyMeshLab that the plugin beside this file was built f
 """
 
 import pathlib
+import typing
 
+import laplacian_lines_columns
 import pymeshlab
 
 FILTER = "compute_laplacian_lines_per_vertex"
 POLYLINE_FILTER = "generate_polyline_from_laplacian_lines"
 PLUGIN = pathlib.Path(__file__).resolve().with_name("libfilter_laplacian_lines.so")
 
-_POINTS = ("ll_normal", "ll_laplacian_normal", "ll_shape_diagonal", "ll_shape_off_diagonal")
-_SCALARS = ("ll_kernel_size",)
+
+class Attribute(typing.NamedTuple):
+    """What the filter stores under a name; some columns of the core's field are in two attributes."""
+
+    name: str
+    numbers: int  # a vertex: 3 or 1
+    help: str  # on the column
+    unit: str  # empty if it has none
+    optional: bool  # whether a mesh may be without it
+
+
+ATTRIBUTES = tuple(Attribute(*row) for row in laplacian_lines_columns.ROWS)
 
 
 def load(plugin=PLUGIN):
@@ -40,9 +52,21 @@ def load(plugin=PLUGIN):
 def field(mesh):
     """The filter's results on a pymeshlab.Mesh: a dictionary of NumPy arrays by attribute name.
 
-    Vectors have the shape (vertices, 3), ll_kernel_size has (vertices,); units as in the README.
+    Vectors have the shape (vertices, 3), numbers (vertices,). ATTRIBUTES tells what they are and their
+    units; optional ones are in the dictionary if they are on the mesh.
     Raises pymeshlab.PyMeshLabException if the filter has not run on the mesh.
     """
-    arrays = {name: mesh.vertex_custom_point_attribute_matrix(name) for name in _POINTS}
-    arrays.update((name, mesh.vertex_custom_scalar_attribute_array(name)) for name in _SCALARS)
+    arrays = {}
+    for attribute in ATTRIBUTES:
+        try:
+            arrays[attribute.name] = _values(mesh, attribute)
+        except pymeshlab.PyMeshLabException:
+            if not attribute.optional:
+                raise
     return arrays
+
+
+def _values(mesh, attribute):
+    if attribute.numbers == 3:
+        return mesh.vertex_custom_point_attribute_matrix(attribute.name)
+    return mesh.vertex_custom_scalar_attribute_array(attribute.name)

@@ -15,7 +15,7 @@ namespace meshlab_host {
 
 using Attributes = std::set<vcg::PointerToAttribute>;
 template <class T>
-using VertexColumn = vcg::SimpleTempData<CMeshO::VertContainer, T>;
+using VertexValues = vcg::SimpleTempData<CMeshO::VertContainer, T>;
 
 inline const vcg::PointerToAttribute* findAttribute(const Attributes& attributes,
                                                     const char* name) {
@@ -38,22 +38,26 @@ inline bool hasVertexAttribute(const CMeshO& mesh, const char* name) {
 /// The values by slot (see mesh_conversion.h), or null if there is no attribute of this name, type
 /// and length.
 template <class T>
-const std::vector<T>* findVertexColumn(const CMeshO& mesh, const char* name) {
+const std::vector<T>* findVertexValues(const CMeshO& mesh, const char* name) {
     const vcg::PointerToAttribute* attribute = findAttribute(mesh.vert_attr, name);
     if (!attribute || !hasType<T>(*attribute)) return nullptr;
-    const auto* column = static_cast<const VertexColumn<T>*>(attribute->_handle);
-    return column->data.size() == mesh.vert.size() ? &column->data : nullptr;
+    const auto* values = static_cast<const VertexValues<T>*>(attribute->_handle);
+    return values->data.size() == mesh.vert.size() ? &values->data : nullptr;
 }
 
-/// The same, created or replaced where needed.
+/// One that is not there does not matter.
+inline void removeVertexAttribute(CMeshO& mesh, const char* name) {
+    vcg::tri::Allocator<CMeshO>::DeletePerVertexAttribute(mesh, std::string(name));
+}
+
+/// findVertexValues(), created or replaced where needed.
 template <class T>
-std::vector<T>& demandVertexColumn(CMeshO& mesh, const char* name) {
-    using Allocator = vcg::tri::Allocator<CMeshO>;
-    if (!findVertexColumn<T>(mesh, name)) {
-        Allocator::DeletePerVertexAttribute(mesh, std::string(name));
-        Allocator::AddPerVertexAttribute<T>(mesh, std::string(name));
+std::vector<T>& demandVertexValues(CMeshO& mesh, const char* name) {
+    if (!findVertexValues<T>(mesh, name)) {
+        removeVertexAttribute(mesh, name);
+        vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<T>(mesh, std::string(name));
     }
-    return *const_cast<std::vector<T>*>(findVertexColumn<T>(mesh, name));  // the mesh is not const
+    return *const_cast<std::vector<T>*>(findVertexValues<T>(mesh, name));  // the mesh is not const
 }
 
 template <class T>

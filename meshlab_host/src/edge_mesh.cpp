@@ -31,11 +31,11 @@ void visitVertices(const LineSet& lines, Visit visit) {
 }
 
 template <class Value>
-void addColumn(const LineSet& lines, const char* name, CMeshO& mesh, Value value) {
-    auto& column = demandVertexColumn<Scalarm>(mesh, name);
+void addAttribute(const LineSet& lines, const char* name, CMeshO& mesh, Value value) {
+    auto& values = demandVertexValues<Scalarm>(mesh, name);
     visitVertices(
         lines, [&](std::size_t vertex, const LinePoint& point, const Polyline& line,
-                   std::size_t number) { column[vertex] = Scalarm(value(point, line, number)); });
+                   std::size_t number) { values[vertex] = Scalarm(value(point, line, number)); });
 }
 
 void addVertices(const LineSet& lines, CMeshO& mesh) {
@@ -84,7 +84,7 @@ struct OrientedPoints {
 void toEdgeMesh(const LineSet& lines, CMeshO& mesh) {
     addVertices(lines, mesh);
     addEdges(lines, mesh);
-    const auto add = [&](const char* name, auto value) { addColumn(lines, name, mesh, value); };
+    const auto add = [&](const char* name, auto value) { addAttribute(lines, name, mesh, value); };
     add("ll_line", [](const LinePoint&, const Polyline&, std::size_t number) { return number; });
     add("ll_kind",
         [](const LinePoint&, const Polyline& line, std::size_t) { return int(line.kind); });

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hash.h"
-#include "laplacian_lines/affordable_threads.h"
 #include "meshlab_host/mesh_conversion.h"
+#include "system/affordable_threads.h"
 
 namespace meshlab_host {
 namespace {

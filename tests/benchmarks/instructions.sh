@@ -5,7 +5,7 @@
 set -euo pipefail
 
 # shellcheck source=/dev/null
-source "$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")/../../setup/all.sh"
+source "$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")/../../scripts/require.sh" environment/messages measures/core_times product/models
 command -v valgrind >/dev/null || {
     say "skipped: valgrind is not installed"
     exit 77

@@ -7,7 +7,7 @@ set -euo pipefail
 
 here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
 # shellcheck source=/dev/null
-source "$here/../../setup/all.sh"
+source "$here/../../scripts/require.sh" environment/messages measures/core_times product/models
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

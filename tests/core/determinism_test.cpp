@@ -53,8 +53,9 @@ TEST(Determinism, FieldsOfManyVerticesDoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(Determinism, SameFieldsAndLinesOfEveryMesh) {
-    for (const auto* meshes : {&test_meshes::all_meshes(), &test_meshes::wild_meshes()})
-        for (const test_meshes::TestMesh& mesh : *meshes) {
+    for (const auto* entries : {&test_meshes::all_entries(), &test_meshes::wild_entries()})
+        for (const test_meshes::MeshEntry& entry : *entries) {
+            const test_meshes::TestMesh& mesh = entry.get();
             if (mesh.has(test_meshes::kUnusable)) continue;
             const Field field = with_threads(1, mesh.mesh, {});
             const View view = View::perspective(field.scale.diagonal * Eigen::Vector3d(1, 2, 1.5));

@@ -32,7 +32,8 @@ TEST(DirtyMesh, PartsLeftOutAreCounted) {
 }
 
 TEST(DirtyMesh, CleanMeshesHaveNothingLeftOut) {
-    for (const test_meshes::TestMesh& mesh : test_meshes::all_meshes()) {
+    for (const test_meshes::MeshEntry& entry : test_meshes::all_entries()) {
+        const test_meshes::TestMesh& mesh = entry.get();
         if (mesh.has(test_meshes::kDirty)) continue;
         const MeshReport report = precompute(mesh.mesh).report;
         EXPECT_EQ(report.vertices, mesh.mesh.positions.size()) << mesh;
@@ -89,7 +90,7 @@ TEST(DirtyMesh, VerticesLeftOutHoldZeros) {
     }
 }
 
-class FiniteFields : public testing::TestWithParam<const test_meshes::TestMesh*> {};
+class FiniteFields : public testing::TestWithParam<const test_meshes::MeshEntry*> {};
 
 TEST_P(FiniteFields, WithAnyOptions) {
     for (int i = 0; i < 48; ++i) {
@@ -102,7 +103,7 @@ TEST_P(FiniteFields, WithAnyOptions) {
         options.correct_borders = i / 8 % 2;
         options.skip_opposite_sheet = i / 16 % 2;
         options.accuracy = 0.01;
-        const Field field = precompute(GetParam()->mesh, options);
+        const Field field = precompute(GetParam()->get().mesh, options);
         for (std::size_t v = 0; v < field.normals.size(); ++v) {
             ASSERT_TRUE(field.normals[v].allFinite()) << v;
             ASSERT_TRUE(field.laplacian_normals[v].allFinite()) << v;

@@ -9,11 +9,11 @@
 #include <map>
 #include <utility>
 
-#include "cluster_data.h"
-#include "extractor_data.h"
+#include "clusters/cluster_data.h"
+#include "clusters/extractor_data.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "prepared_mesh.h"
+#include "mesh/prepared_mesh.h"
 
 namespace {
 
@@ -29,7 +29,7 @@ ExtractorData build(const TriangleMesh& mesh, const Field& field, int threads) {
 
 bool same_clusters(const ExtractorData& a, const ExtractorData& b) {
     const auto same = [](const Cluster& x, const Cluster& y) {
-        return x.first_line == y.first_line && x.first_border_edge == y.first_border_edge &&
+        return x.first_unit == y.first_unit && x.first_border_edge == y.first_border_edge &&
                x.vertex_count == y.vertex_count && x.triangle_count == y.triangle_count &&
                std::equal(std::begin(x.convex), std::end(x.convex), y.convex);
     };
@@ -105,13 +105,13 @@ Neighbours read_neighbours(const ExtractorData& data) {
     return result;
 }
 
-class ClusterNeighbours : public testing::TestWithParam<const test_meshes::TestMesh*> {};
+class ClusterNeighbours : public testing::TestWithParam<const test_meshes::MeshEntry*> {};
 
 INSTANTIATE_TEST_SUITE_P(Meshes, ClusterNeighbours, testing::ValuesIn(test_meshes::meshes_with(0)),
                          [](const auto& info) { return info.param->name; });
 
 TEST_P(ClusterNeighbours, AreTheTwoTrianglesOfAnEdge) {
-    const TriangleMesh& mesh = GetParam()->mesh;
+    const TriangleMesh& mesh = GetParam()->get().mesh;
     std::map<Edge, int> count;
     for (const Triangle& t : prepare_mesh(mesh).triangles)
         for (std::size_t k = 0; k < 3; ++k)

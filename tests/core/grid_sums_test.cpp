@@ -9,13 +9,13 @@
 #include <string>
 #include <tuple>
 
-#include "belkin_laplacian.h"
+#include "field/belkin_laplacian.h"
+#include "field/kernel_sizes.h"
+#include "field/shape_operators.h"
+#include "field/vertex_normals.h"
 #include "helpers.h"
-#include "kernel_sizes.h"
 #include "laplacian_lines/error.h"
 #include "reference_field.h"
-#include "shape_operators.h"
-#include "vertex_normals.h"
 
 namespace {
 

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "laplacian_lines/field_columns.h"
+
 namespace helpers {
 
 using namespace laplacian_lines;
@@ -145,12 +147,13 @@ bool same_lines(const LineSet& a, const LineSet& b) {
 }
 
 bool same_fields(const Field& a, const Field& b) {
-    // Bit by bit; all of these are plain floats without padding.
-    const auto same = [](const auto& x, const auto& y) {
-        return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0]));
+    const auto same = [&](const FieldColumn& column) {  // bit by bit
+        const std::size_t size = column.size(a);
+        return size == column.size(b) &&
+               (size == 0 || !std::memcmp(column.read(a), column.read(b),
+                                          size * std::size_t(column.floats) * sizeof(float)));
     };
-    return same(a.normals, b.normals) && same(a.laplacian_normals, b.laplacian_normals) &&
-           same(a.shape_operators, b.shape_operators) && same(a.kernel_sizes, b.kernel_sizes);
+    return std::all_of(field_columns.begin(), field_columns.end(), same);
 }
 
 }  // namespace helpers

@@ -88,7 +88,7 @@ TYPED_TEST(OptionTable, ValuesMakeTheRoundTripAlone) {
 TEST(OptionTables, DescribeEveryMember) {
     EXPECT_EQ(precompute_option_table().size(), 12u);
     EXPECT_EQ(line_style_table().size(), 24u);
-    EXPECT_EQ(sizeof(LineStyle), 19 * sizeof(double));
+    EXPECT_EQ(sizeof(LineStyle), 17 * sizeof(double));
 }
 
 }  // namespace

@@ -9,20 +9,20 @@
 #include <cmath>
 #include <random>
 
-#include "cluster_kernels.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
 #include "plain_extraction.h"
+#include "redraw/simd/simd_functions.h"
 
 namespace {
 
 using namespace laplacian_lines;
 using reference::PlainLine;
-using test_meshes::TestMesh;
+using test_meshes::MeshEntry;
 
-class PlainComparison : public testing::TestWithParam<const TestMesh*> {
+class PlainComparison : public testing::TestWithParam<const MeshEntry*> {
 protected:
-    const TriangleMesh& mesh() const { return GetParam()->mesh; }
+    const TriangleMesh& mesh() const { return GetParam()->get().mesh; }
     const Field field_ = precompute(mesh());
 };
 
@@ -160,7 +160,7 @@ TEST_P(PlainComparison, GivesTheSameLinesWhereFunctionsVanishAtVertices) {
 class WithInstructionSet {
 public:
     explicit WithInstructionSet(InstructionSet set)
-        : before_(cluster_kernels().instruction_set), available_(use_instruction_set(set)) {}
+        : before_(simd_functions().instruction_set), available_(use_instruction_set(set)) {}
     ~WithInstructionSet() { use_instruction_set(before_); }
     bool available() const { return available_; }
 
@@ -173,7 +173,7 @@ TEST_P(PlainComparison, GivesTheSameBitsWithAllInstructionSets) {
     const LineExtractor extractor(mesh(), field_);
     int others = 0;
     for (InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2}) {
-        if (set == cluster_kernels().instruction_set) continue;
+        if (set == simd_functions().instruction_set) continue;
         for (const View& view : many_views(mesh(), field_))
             for (const auto& [name, style] : styles()) {
                 const LineSet best = helpers::extract(extractor, view, style);

@@ -8,10 +8,12 @@
 #include <map>
 #include <utility>
 
-#include "convexity.h"
-#include "line_rules.h"
+#include "mesh/prepared_mesh.h"
 #include "plain_finishing.h"
-#include "prepared_mesh.h"
+#include "redraw/kinds/contours.h"
+#include "redraw/kinds/strip_kinds.h"
+#include "rules/convexity.h"
+#include "rules/line_rules.h"
 
 namespace reference {
 
@@ -290,9 +292,8 @@ std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& fi
                                        const View& view, const LineStyle& style) {
     PlainExtraction extraction(mesh, field, view, style);
     std::vector<PlainLine> lines;
-    LineRules rules = laplacian_rules(style);
-    if (view.light) follow_no_contours(rules);
-    if (style.shows[LineKind::Laplacian]) extraction.extract(rules, &Vertex::laplacian, lines);
+    const LineRules laplacian = laplacian_line_strips.rules(style, !view.light);
+    if (style.shows[LineKind::Laplacian]) extraction.extract(laplacian, &Vertex::laplacian, lines);
     if (style.shows[LineKind::Contour])
         extraction.extract(contour_rules(style), &Vertex::illumination, lines);
     return lines;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "laplacian_lines/line_set.h"
-#include "line_rules.h"
+#include "rules/line_rules.h"
 
 namespace reference {
 

@@ -45,7 +45,8 @@ TEST_P(ShapeOperators, OfASphereIsOneOverItsRadius) {
 }
 
 TEST_P(ShapeOperators, TakeTheNormalToZero) {
-    for (const test_meshes::TestMesh& mesh : test_meshes::all_meshes()) {
+    for (const test_meshes::MeshEntry& entry : test_meshes::all_entries()) {
+        const test_meshes::TestMesh& mesh = entry.get();
         const Field field = compute(mesh.mesh);
         for (std::size_t v = 0; v < field.normals.size(); ++v) {
             const double size = helpers::matrix(field.shape_operators[v]).norm();

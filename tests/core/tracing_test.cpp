@@ -15,12 +15,13 @@
 namespace {
 
 using namespace laplacian_lines;
+using test_meshes::MeshEntry;
 using test_meshes::TestMesh;
 
-class Tracing : public testing::TestWithParam<const TestMesh*> {
+class Tracing : public testing::TestWithParam<const MeshEntry*> {
 protected:
-    const TestMesh& test_mesh() const { return *GetParam(); }
-    const TriangleMesh& mesh() const { return GetParam()->mesh; }
+    const TestMesh& test_mesh() const { return GetParam()->get(); }
+    const TriangleMesh& mesh() const { return GetParam()->get().mesh; }
 };
 
 INSTANTIATE_TEST_SUITE_P(Meshes, Tracing, testing::ValuesIn(test_meshes::meshes_with(0)),

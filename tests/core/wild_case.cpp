@@ -5,6 +5,7 @@
 
 #include "helpers.h"
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
@@ -146,9 +147,7 @@ std::string extract_views(const TriangleMesh& mesh, const Field& field, Choices&
 
 std::string complaint(const TriangleMesh& mesh, const Field& field) {
     const std::size_t n = mesh.positions.size();
-    if (field.normals.size() != n || field.laplacian_normals.size() != n ||
-        field.shape_operators.size() != n || field.kernel_sizes.size() != n)
-        return "the field has another number of vertices";
+    if (!has_entries(field, n)) return "the field has another number of vertices";
     if (!is_positive(field.scale)) return "a length of the scale is not positive and finite";
     for (std::size_t v = 0; v < n; ++v) {
         const std::string at = " at vertex " + std::to_string(v);

@@ -19,21 +19,22 @@
 namespace {
 
 using namespace laplacian_lines;
+using test_meshes::MeshEntry;
 using test_meshes::TestMesh;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::vector<const TestMesh*> every_mesh() {
-    std::vector<const TestMesh*> meshes = test_meshes::meshes_with(0);
-    for (const TestMesh& mesh : test_meshes::wild_meshes())
-        meshes.push_back(&mesh);
-    return meshes;
+std::vector<const MeshEntry*> every_mesh() {
+    std::vector<const MeshEntry*> entries = test_meshes::meshes_with(0);
+    for (const MeshEntry& entry : test_meshes::wild_entries())
+        entries.push_back(&entry);
+    return entries;
 }
 
-class WildMesh : public testing::TestWithParam<const TestMesh*> {
+class WildMesh : public testing::TestWithParam<const MeshEntry*> {
 protected:
-    const TriangleMesh& mesh() const { return GetParam()->mesh; }
+    const TriangleMesh& mesh() const { return GetParam()->get().mesh; }
     bool unusable() const { return GetParam()->has(test_meshes::kUnusable); }
 };
 
@@ -143,7 +144,8 @@ TEST(ByteMesh, IsReadAsWritten) {
 }
 
 TEST(ByteMesh, KeepsWhatFits) {
-    for (const TestMesh* mesh : every_mesh()) {
+    for (const MeshEntry* entry : every_mesh()) {
+        const TestMesh* mesh = &entry->get();
         const std::vector<std::uint8_t> bytes = test_meshes::byte_mesh(mesh->mesh);
         test_meshes::Choices choices(bytes);
         const TriangleMesh read = test_meshes::read_byte_mesh(choices);
@@ -156,7 +158,8 @@ TEST(ByteMesh, KeepsWhatFits) {
 
 TEST(WildInput, OfEveryMesh) {
     unsigned number = 0;
-    for (const TestMesh* mesh : every_mesh()) {
+    for (const MeshEntry* entry : every_mesh()) {
+        const TestMesh* mesh = &entry->get();
         const auto plain = wild::precompute_seed(mesh->mesh);
         const auto other = wild::precompute_seed(mesh->mesh, number);
         const auto views = wild::extract_seed(mesh->mesh, number++);

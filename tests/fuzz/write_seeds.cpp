@@ -19,8 +19,9 @@ void write(const std::filesystem::path& file, const std::vector<std::uint8_t>& b
 
 void write_seeds(const std::filesystem::path& folder) {
     unsigned number = 0;
-    for (const auto* meshes : {&test_meshes::all_meshes(), &test_meshes::wild_meshes()})
-        for (const test_meshes::TestMesh& mesh : *meshes) {
+    for (const auto* entries : {&test_meshes::all_entries(), &test_meshes::wild_entries()})
+        for (const test_meshes::MeshEntry& entry : *entries) {
+            const test_meshes::TestMesh& mesh = entry.get();
             write(folder / "precompute" / mesh.name, wild::precompute_seed(mesh.mesh));
             write(folder / "precompute" / (mesh.name + "_changed"),
                   wild::precompute_seed(mesh.mesh, number));

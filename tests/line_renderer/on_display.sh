@@ -4,7 +4,7 @@
 set -euo pipefail
 
 # shellcheck source=/dev/null
-source "$(dirname "$(readlink -f "$0")")/../../setup/all.sh"
+source "$(dirname "$(readlink -f "$0")")/../../scripts/require.sh" product/display
 
 trap stop_display EXIT
 trap 'exit 143' TERM INT

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registry.h"
 
+#include <mutex>
 #include <random>
 #include <stdexcept>
 
 namespace test_meshes {
 namespace {
 
-TestMesh analytic(const char* name, unsigned tags, AnalyticMesh&& mesh) {
-    return {name, tags | kAnalytic, std::move(mesh.mesh), std::move(mesh.truth)};
-}
-
-TestMesh plain(const char* name, unsigned tags, TriangleMesh&& mesh) {
-    return {name, tags, std::move(mesh), {}};
+/// A mesh without truth.
+std::function<AnalyticMesh()> plain(std::function<TriangleMesh()> make) {
+    return [make = std::move(make)] { return AnalyticMesh{make(), {}}; };
 }
 
 TriangleMesh scattered_spheres() {
@@ -71,51 +69,58 @@ TriangleMesh single_triangle() {
     return {{{0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0.1}}, {{0, 1, 2}}};
 }
 
-std::vector<TestMesh> generate() {
-    std::vector<TestMesh> meshes;
-    meshes.push_back(analytic("sphere", kClosed, sphere(4)));
-    meshes.push_back(analytic("sphere_jittered", kClosed | kJittered, sphere(4, 1, 0.2)));
-    meshes.push_back(analytic("torus", kClosed | kSymmetric, torus(80, 40)));
-    meshes.push_back(analytic("torus_jittered", kClosed | kJittered, torus(80, 40, 0.25)));
-    meshes.push_back(analytic("ellipsoid", kClosed, ellipsoid(4)));
-    meshes.push_back(analytic("bumpy_sphere", kClosed | kJittered, bumpy_sphere(4, 0.15)));
-    meshes.push_back(analytic("hills", kBorder | kJittered, hills(48, 0.2)));
-    meshes.push_back(analytic("half_torus", kBorder, half_torus(40, 40)));
-    meshes.push_back(analytic("cylinder", kBorder, cylinder(48, 24)));
-    meshes.push_back(plain("plane", kBorder | kJittered, plane(24, 0.2)));
-    meshes.push_back(plain("cube", kClosed | kSymmetric | kSharp, cube(10)));
-    meshes.push_back(plain("rounded_cube", kClosed | kSymmetric, rounded_cube(40, 0.1)));
-    meshes.push_back(plain("parallel_sheets", kBorder | kComponents, parallel_sheets(24, 0.1)));
-    meshes.push_back(plain("three_sheets", kNonManifold | kSharp, fan_of_sheets(3, 16)));
-    meshes.push_back(plain("five_sheets", kNonManifold | kSharp, fan_of_sheets(5, 12)));
-    meshes.push_back(plain("doubled_triangles", kNonManifold, doubled_sphere()));
-    meshes.push_back(plain("moebius_strip", kInconsistent, moebius_strip(72, 12)));
-    meshes.push_back(plain("flipped_torus", kInconsistent, flipped_torus()));
-    meshes.push_back(plain("dirty_torus", kDirty, dirty_torus()));
-    meshes.push_back(plain("triangle_soup", kNonManifold | kSharp, triangle_soup()));
-    meshes.push_back(plain("pillow", kClosed | kSharp, pillow()));
-    meshes.push_back(plain("single_triangle", kBorder, single_triangle()));
-    meshes.push_back(plain("scattered_spheres", kClosed | kComponents, scattered_spheres()));
-    return meshes;
-}
-
 }  // namespace
 
-const std::vector<TestMesh>& all_meshes() {
-    static const std::vector<TestMesh> meshes = generate();
-    return meshes;
+const TestMesh& MeshEntry::get() const {
+    static std::mutex one_at_a_time;
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    if (!mesh_) {
+        AnalyticMesh made = make_();
+        mesh_ = std::make_shared<const TestMesh>(
+            TestMesh{name, tags, std::move(made.mesh), std::move(made.truth)});
+    }
+    return *mesh_;
 }
 
-std::vector<const TestMesh*> meshes_with(unsigned wanted, unsigned unwanted) {
-    std::vector<const TestMesh*> found;
-    for (const TestMesh& mesh : all_meshes())
-        if (mesh.has(wanted) && !(mesh.tags & unwanted)) found.push_back(&mesh);
+const std::vector<MeshEntry>& all_entries() {
+    static const std::vector<MeshEntry> entries = {
+        {"sphere", kClosed | kAnalytic, [] { return sphere(4); }},
+        {"sphere_jittered", kClosed | kJittered | kAnalytic, [] { return sphere(4, 1, 0.2); }},
+        {"torus", kClosed | kSymmetric | kAnalytic, [] { return torus(80, 40); }},
+        {"torus_jittered", kClosed | kJittered | kAnalytic, [] { return torus(80, 40, 0.25); }},
+        {"ellipsoid", kClosed | kAnalytic, [] { return ellipsoid(4); }},
+        {"bumpy_sphere", kClosed | kJittered | kAnalytic, [] { return bumpy_sphere(4, 0.15); }},
+        {"hills", kBorder | kJittered | kAnalytic, [] { return hills(48, 0.2); }},
+        {"half_torus", kBorder | kAnalytic, [] { return half_torus(40, 40); }},
+        {"cylinder", kBorder | kAnalytic, [] { return cylinder(48, 24); }},
+        {"plane", kBorder | kJittered, plain([] { return plane(24, 0.2); })},
+        {"cube", kClosed | kSymmetric | kSharp, plain([] { return cube(10); })},
+        {"rounded_cube", kClosed | kSymmetric, plain([] { return rounded_cube(40, 0.1); })},
+        {"parallel_sheets", kBorder | kComponents, plain([] { return parallel_sheets(24, 0.1); })},
+        {"three_sheets", kNonManifold | kSharp, plain([] { return fan_of_sheets(3, 16); })},
+        {"five_sheets", kNonManifold | kSharp, plain([] { return fan_of_sheets(5, 12); })},
+        {"doubled_triangles", kNonManifold, plain(doubled_sphere)},
+        {"moebius_strip", kInconsistent, plain([] { return moebius_strip(72, 12); })},
+        {"flipped_torus", kInconsistent, plain(flipped_torus)},
+        {"dirty_torus", kDirty, plain(dirty_torus)},
+        {"triangle_soup", kNonManifold | kSharp, plain(triangle_soup)},
+        {"pillow", kClosed | kSharp, plain(pillow)},
+        {"single_triangle", kBorder, plain(single_triangle)},
+        {"scattered_spheres", kClosed | kComponents, plain(scattered_spheres)},
+    };
+    return entries;
+}
+
+std::vector<const MeshEntry*> meshes_with(unsigned wanted, unsigned unwanted) {
+    std::vector<const MeshEntry*> found;
+    for (const MeshEntry& entry : all_entries())
+        if (entry.has(wanted) && !(entry.tags & unwanted)) found.push_back(&entry);
     return found;
 }
 
 const TestMesh& mesh_named(const std::string& name) {
-    for (const TestMesh& mesh : all_meshes())
-        if (mesh.name == name) return mesh;
+    for (const MeshEntry& entry : all_entries())
+        if (entry.name == name) return entry.get();
     throw std::out_of_range("no test mesh " + name);
 }
 

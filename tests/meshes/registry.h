@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -32,15 +34,33 @@ struct TestMesh {
     bool has(unsigned wanted) const { return (tags & wanted) == wanted; }
 };
 
-/// All meshes, a few thousand triangles each, generated at the first call.
-const std::vector<TestMesh>& all_meshes();
+/// A mesh that can be had, generated at the first use: each test has a process of its own, which
+/// asks for the names of all and for few of the meshes.
+class MeshEntry {
+public:
+    MeshEntry(std::string name, unsigned tags, std::function<AnalyticMesh()> make)
+        : name(std::move(name)), tags(tags), make_(std::move(make)) {}
+
+    bool has(unsigned wanted) const { return (tags & wanted) == wanted; }
+    const TestMesh& get() const;
+
+    std::string name;
+    unsigned tags;
+
+private:
+    std::function<AnalyticMesh()> make_;
+    mutable std::shared_ptr<const TestMesh> mesh_;
+};
+
+/// A few thousand triangles each.
+const std::vector<MeshEntry>& all_entries();
 
 /// What else there is: not finite, without area, far from the origin, of thousands of pieces, ...;
-/// also such as have to be refused. Not among all_meshes().
-const std::vector<TestMesh>& wild_meshes();
+/// also such as have to be refused. Not among all_entries().
+const std::vector<MeshEntry>& wild_entries();
 
-/// Those of all_meshes() that have all wanted tags and none of the others.
-std::vector<const TestMesh*> meshes_with(unsigned wanted, unsigned unwanted = 0);
+/// Those of all_entries() that have all wanted tags and none of the others.
+std::vector<const MeshEntry*> meshes_with(unsigned wanted, unsigned unwanted = 0);
 
 /// @throws std::out_of_range
 const TestMesh& mesh_named(const std::string& name);
@@ -49,8 +69,8 @@ inline std::ostream& operator<<(std::ostream& out, const TestMesh& mesh) {
     return out << mesh.name;
 }
 /// How GoogleTest shows the mesh that a test runs on.
-inline void PrintTo(const TestMesh* mesh, std::ostream* out) {
-    *out << *mesh;
+inline void PrintTo(const MeshEntry* entry, std::ostream* out) {
+    *out << entry->name;
 }
 
 }  // namespace test_meshes

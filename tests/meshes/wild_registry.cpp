@@ -113,54 +113,58 @@ TriangleMesh tiny_sheets_far_apart() {
     return mesh;
 }
 
-void add_shapes(std::vector<TestMesh>& meshes) {
-    const auto add = [&](const char* name, unsigned tags, TriangleMesh mesh) {
-        meshes.push_back({name, tags, std::move(mesh), {}});
+void add_shapes(std::vector<MeshEntry>& entries) {
+    const auto add = [&](const char* name, unsigned tags, const auto& make) {
+        entries.emplace_back(name, tags, [make] { return AnalyticMesh{TriangleMesh(make()), {}}; });
     };
-    add("needles", 0, squeezed(1e-9, 1));
-    add("slivers", 0, squeezed(1e-6, 1e-6));
-    add("flat", 0, squeezed(0, 1));
-    add("collapsed_component", kDirty, collapsed_component());
-    add("crossing_tori", kComponents, crossing_tori());
-    add("kissing_spheres", kNonManifold | kDirty, kissing_spheres());
-    add("reversed_sphere", kClosed, reversed_sphere());
-    add("nested_spheres", kComponents, nested_spheres());
-    add("scattered_tetrahedra", kComponents, scattered_tetrahedra(3000));
-    add("cut_apart", kComponents, cut_apart(small_torus()));
-    add("star", 0, star(3000, false));
-    add("cut_star", kComponents, star(3000, true));
-    add("book", kNonManifold, book(3000));
-    add("one_face_often", kNonManifold, one_face_often(3000));
-    add("areas_below_floats", kComponents, tiny_sheets_far_apart());
-    add("far_away", 0, moved(1, {1e6, -1e6, 1e6}));
-    add("huge", 0, moved(1e8, Eigen::Vector3d::Zero()));
-    add("tiny", 0, moved(1e-8, Eigen::Vector3d::Zero()));
-    add("tiny_and_far", 0, moved(1e-3, {1e6, 0, 0}));
-    add("empty", kUnusable, {});
-    add("point_cloud", kUnusable, {small_torus().positions, {}});
-    add("on_a_line", kUnusable, without_area(300));
-    add("at_two_points", kUnusable, without_area(2));
-    add("at_one_point", kUnusable, without_area(1));
-    add("index_out_of_range", kUnusable, {small_torus().positions, {{0, 1, 2}, {3, 4, 1u << 31}}});
-    add("beyond_all_sizes", kUnusable, moved(1e200, Eigen::Vector3d::Zero()));
-    add("below_all_sizes", kUnusable, moved(1e-200, Eigen::Vector3d::Zero()));
+    add("needles", 0, [] { return squeezed(1e-9, 1); });
+    add("slivers", 0, [] { return squeezed(1e-6, 1e-6); });
+    add("flat", 0, [] { return squeezed(0, 1); });
+    add("collapsed_component", kDirty, [] { return collapsed_component(); });
+    add("crossing_tori", kComponents, [] { return crossing_tori(); });
+    add("kissing_spheres", kNonManifold | kDirty, [] { return kissing_spheres(); });
+    add("reversed_sphere", kClosed, [] { return reversed_sphere(); });
+    add("nested_spheres", kComponents, [] { return nested_spheres(); });
+    add("scattered_tetrahedra", kComponents, [] { return scattered_tetrahedra(3000); });
+    add("cut_apart", kComponents, [] { return cut_apart(small_torus()); });
+    add("star", 0, [] { return star(3000, false); });
+    add("cut_star", kComponents, [] { return star(3000, true); });
+    add("book", kNonManifold, [] { return book(3000); });
+    add("one_face_often", kNonManifold, [] { return one_face_often(3000); });
+    add("areas_below_floats", kComponents, [] { return tiny_sheets_far_apart(); });
+    add("far_away", 0, [] { return moved(1, {1e6, -1e6, 1e6}); });
+    add("huge", 0, [] { return moved(1e8, Eigen::Vector3d::Zero()); });
+    add("tiny", 0, [] { return moved(1e-8, Eigen::Vector3d::Zero()); });
+    add("tiny_and_far", 0, [] { return moved(1e-3, {1e6, 0, 0}); });
+    add("empty", kUnusable, [] { return TriangleMesh{}; });
+    add("point_cloud", kUnusable, [] { return TriangleMesh{small_torus().positions, {}}; });
+    add("on_a_line", kUnusable, [] { return without_area(300); });
+    add("at_two_points", kUnusable, [] { return without_area(2); });
+    add("at_one_point", kUnusable, [] { return without_area(1); });
+    add("index_out_of_range", kUnusable, [] {
+        return TriangleMesh{small_torus().positions, {{0, 1, 2}, {3, 4, 1u << 31}}};
+    });
+    add("beyond_all_sizes", kUnusable, [] { return moved(1e200, Eigen::Vector3d::Zero()); });
+    add("below_all_sizes", kUnusable, [] { return moved(1e-200, Eigen::Vector3d::Zero()); });
 }
 
 /// A coordinate of the first, a middle or the last vertex that is not finite; all; none left.
-void add_not_finite(std::vector<TestMesh>& meshes) {
-    const TriangleMesh clean = small_torus();
-    const std::size_t last = clean.positions.size() - 1;
-    for (std::size_t vertex : {std::size_t(0), last / 2, last})
+void add_not_finite(std::vector<MeshEntry>& entries) {
+    for (int half : {0, 1, 2})
         for (int axis = 0; axis < 3; ++axis)
-            for (double value : {kNaN, kInfinity, -kInfinity}) {
-                TestMesh mesh{"not_finite_" + std::to_string(meshes.size()), kDirty, clean, {}};
-                mesh.mesh.positions[vertex][axis] = value;
-                meshes.push_back(mesh);
-            }
-    TestMesh none{"all_not_finite", kUnusable, clean, {}};
-    for (std::size_t v = 0; v <= last; ++v)
-        none.mesh.positions[v][int(v % 3)] = v % 2 ? kNaN : kInfinity;
-    meshes.push_back(none);
+            for (double value : {kNaN, kInfinity, -kInfinity})
+                entries.emplace_back("not_finite_" + std::to_string(entries.size()), kDirty, [=] {
+                    AnalyticMesh mesh{small_torus(), {}};
+                    const std::size_t last = mesh.mesh.positions.size() - 1;
+                    mesh.mesh.positions[std::size_t(half) * last / 2][axis] = value;
+                    return mesh;
+                });
+    entries.emplace_back("all_not_finite", kUnusable, [] {
+        AnalyticMesh none{small_torus(), {}};
+        for (std::size_t v = 0; v < none.mesh.positions.size(); ++v)
+            none.mesh.positions[v][int(v % 3)] = v % 2 ? kNaN : kInfinity;
+        return none;
+    });
 }
 
 }  // namespace
@@ -197,14 +201,14 @@ TriangleMesh one_face_often(int times) {
     return mesh;
 }
 
-const std::vector<TestMesh>& wild_meshes() {
-    static const std::vector<TestMesh> meshes = [] {
-        std::vector<TestMesh> list;
+const std::vector<MeshEntry>& wild_entries() {
+    static const std::vector<MeshEntry> entries = [] {
+        std::vector<MeshEntry> list;
         add_shapes(list);
         add_not_finite(list);
         return list;
     }();
-    return meshes;
+    return entries;
 }
 
 }  // namespace test_meshes

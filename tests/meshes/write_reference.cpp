@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // write_reference MESH FOLDER: a mesh of the registry as FOLDER/MESH.ply, and what belongs to each
-// of its vertices as FOLDER/MESH.txt, 25 numbers a line: the core's field with the default options
-// (n, Δn, diagonal and rest of S as MeshLab's attributes have them, kernel size), then the truth
-// (n, Δn, diagonal and rest of S). For tests of programs that are not written in C++.
+// of its vertices as FOLDER/MESH.txt, a line each: the core's field with the default options, as
+// MeshLab's attributes have it, then the truth (n, Δn, diagonal and rest of S). The first line
+// tells the layout: # NAME:NUMBERS... in this order, the truth's with the prefix "true_". For tests
+// of programs that are not written in C++.
+// write_reference --attributes: the names and numbers alone of what the default options give.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <limits>
 
+#include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/precompute.h"
 #include "registry.h"
 
 namespace {
 
 using laplacian_lines::Field;
+using laplacian_lines::FieldAttribute;
+using laplacian_lines::FieldColumn;
 using laplacian_lines::TriangleMesh;
 using test_meshes::SurfacePoint;
 using test_meshes::TestMesh;
@@ -51,33 +57,53 @@ void write_ply(const TriangleMesh& mesh, const std::string& path) {
         file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
 }
 
+/// NAME:NUMBERS for each attribute of these columns, with `separator` after each.
+void write_attributes(const std::vector<FieldColumn>& columns, char separator, std::ostream& out) {
+    for (const FieldColumn& column : columns)
+        for (const FieldAttribute& attribute : column.attributes)
+            if (attribute.floats > 0) out << attribute.name << ':' << attribute.floats << separator;
+}
+
 template <class Vector>
 void write_vector(std::ofstream& file, const Vector& v) {
     file << v.x() << ' ' << v.y() << ' ' << v.z() << ' ';
 }
 
+constexpr const char* truth_layout =
+    "true_ll_normal:3 true_ll_laplacian_normal:3 true_ll_shape_diagonal:3 "
+    "true_ll_shape_off_diagonal:3";
+
+void write_truth(const SurfacePoint& truth, std::ofstream& file) {
+    const Eigen::Matrix3d& t = truth.shape_operator;
+    write_vector(file, truth.normal);
+    write_vector(file, truth.laplacian_normal);
+    write_vector(file, t.diagonal());
+    file << t(1, 2) << ' ' << t(0, 2) << ' ' << t(0, 1) << '\n';
+}
+
 void write_field(const TestMesh& mesh, const Field& field, const std::string& path) {
+    const std::vector<FieldColumn> columns = present_columns(field);
     std::ofstream file = open(path);
+    file << "# ";
+    write_attributes(columns, ' ', file);
+    file << truth_layout << '\n';
     for (std::size_t v = 0; v < mesh.mesh.positions.size(); ++v) {
-        const auto& s = field.shape_operators[v];
-        write_vector(file, field.normals[v]);
-        write_vector(file, field.laplacian_normals[v]);
-        file << s.xx << ' ' << s.yy << ' ' << s.zz << ' ' << s.yz << ' ' << s.xz << ' ' << s.xy
-             << ' ' << field.kernel_sizes[v] << ' ';
-        const SurfacePoint& truth = mesh.truth.at(v);
-        const Eigen::Matrix3d& t = truth.shape_operator;
-        write_vector(file, truth.normal);
-        write_vector(file, truth.laplacian_normal);
-        write_vector(file, t.diagonal());
-        file << t(1, 2) << ' ' << t(0, 2) << ' ' << t(0, 1) << '\n';
+        for (const FieldColumn& column : columns)
+            for (std::size_t i = 0; i < std::size_t(column.floats); ++i)
+                file << column.read(field)[v * std::size_t(column.floats) + i] << ' ';
+        write_truth(mesh.truth.at(v), file);
     }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 2 && argv[1] == std::string("--attributes")) {
+        write_attributes(laplacian_lines::present_columns(Field()), '\n', std::cout);
+        return 0;
+    }
     if (argc != 3) {
-        std::fprintf(stderr, "write_reference MESH FOLDER\n");
+        std::fprintf(stderr, "write_reference MESH FOLDER, write_reference --attributes\n");
         return 2;
     }
     try {

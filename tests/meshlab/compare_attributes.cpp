@@ -16,7 +16,8 @@
 
 namespace {
 
-using Columns = std::map<std::string, std::vector<double>>;  ///< values by vertex, then component
+using Attributes =
+    std::map<std::string, std::vector<double>>;  ///< values by vertex, then component
 
 struct Property {
     std::string name, type;
@@ -77,40 +78,53 @@ std::string attribute_of(const std::string& property) {
                                                      : property;
 }
 
-Columns read_mesh(const std::string& path) {
+Attributes read_mesh(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw std::runtime_error("cannot read " + path);
     const Header header = read_header(file);
-    Columns columns;
+    Attributes attributes;
     for (std::size_t v = 0; v < header.vertices; ++v)
         for (const Property& property : header.properties) {
             const int items = property.is_list ? int(read_number(file, "uchar")) : 1;
             for (int i = 0; i < items; ++i)
-                columns[attribute_of(property.name)].push_back(read_number(file, property.type));
+                attributes[attribute_of(property.name)].push_back(read_number(file, property.type));
         }
-    return columns;
+    return attributes;
 }
 
-/// The first 13 columns; the rest is the truth.
-Columns read_reference(const std::string& path) {
-    static const std::vector<std::pair<std::string, int>> layout = {{"ll_normal", 3},
-                                                                    {"ll_laplacian_normal", 3},
-                                                                    {"ll_shape_diagonal", 3},
-                                                                    {"ll_shape_off_diagonal", 3},
-                                                                    {"ll_kernel_size", 1}};
+using Layout = std::vector<std::pair<std::string, int>>;  ///< names and numbers of items
+
+/// Of "# NAME:NUMBER...", as write_reference writes it, without the truth that comes last.
+Layout read_layout(std::istream& file) {
+    std::string line, word;
+    std::getline(file, line);
+    std::istringstream words(line);
+    Layout layout;
+    if (words >> word && word == "#")
+        while (words >> word && word.rfind("true_", 0) != 0) {
+            const std::size_t colon = word.find(':');
+            if (colon == std::string::npos) throw std::runtime_error("an attribute has no length");
+            layout.emplace_back(word.substr(0, colon), std::atoi(word.c_str() + colon + 1));
+        }
+    if (layout.empty()) throw std::runtime_error("the reference does not tell its layout");
+    return layout;
+}
+
+Attributes read_reference(const std::string& path) {
     std::ifstream file(path);
     if (!file) throw std::runtime_error("cannot read " + path);
-    Columns columns;
+    const Layout layout = read_layout(file);
+    Attributes attributes;
     for (std::string line; std::getline(file, line);) {
         std::istringstream numbers(line);
         for (const auto& [name, items] : layout)
             for (int i = 0; i < items; ++i) {
                 float value = 0;
                 if (!(numbers >> value)) throw std::runtime_error("the reference ends early");
-                columns[name].push_back(value);
+                attributes[name].push_back(value);
             }
     }
-    return columns;
+    return attributes;
 }
 
 /// Infinite where one is not finite or values are missing.
@@ -133,7 +147,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        Columns mesh = read_mesh(argv[1]);
+        Attributes mesh = read_mesh(argv[1]);
         bool same = true;
         for (const auto& [name, expected] : read_reference(argv[2])) {
             const double found = difference(mesh[name], expected);

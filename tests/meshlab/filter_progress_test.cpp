@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "filter_list.h"
+#include "filter_laplacian_lines.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"

@@ -17,19 +17,19 @@
 #   sphere FILE                   one with nothing but a contour
 #   reference_mesh NAME           $WORK/NAME.ply, a mesh of the core's tests, and what the core computes on it
 #   expect_reference_attributes FILE      a binary PLY file has these attributes
-# shellcheck disable=SC2034 # some of it is for the tests only
 # With set -e, the first thing that is not as expected ends the test and shows the logs.
 set -euo pipefail
 
 TEST_NAME=$(basename "$0" .sh)
-SETUP=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../setup")
-EXAMPLE=$SETUP/../examples/laplacian_lines.mlx
+CHECKOUT=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
+EXAMPLE=$CHECKOUT/examples/laplacian_lines.mlx
 STAGE=$LAPLACIAN_LINES_BUILD/stage
 WORK=$LAPLACIAN_LINES_BUILD/Testing/meshlab/$TEST_NAME
 DRIVE_SECONDS=${DRIVE_SECONDS:-100} # a hung MeshLab, before ctest's own limit, so that its log is shown
 
 # shellcheck source=/dev/null
-source "$SETUP/all.sh"
+source "$CHECKOUT/scripts/require.sh" environment/messages environment/packages product/display product/models \
+    product/private_home product/stage
 
 end_test() {
     local code=$?
@@ -94,13 +94,9 @@ save_attributes() {
     cat <<END
 trigger Export Mesh...
 set-modal Binary encoding = $1
-set-modal V(f): ll_kernel_size = on
-set-modal V(3f): ll_normal = on
-set-modal V(3f): ll_laplacian_normal = on
-set-modal V(3f): ll_shape_diagonal = on
-set-modal V(3f): ll_shape_off_diagonal = on
-button OK
 END
+    "$WRITE_REFERENCE" --attributes | sed -E 's/(.*):1$/set-modal V(f): \1 = on/; s/(.*):3$/set-modal V(3f): \1 = on/'
+    printf 'button OK\n'
 }
 
 drive_lines() {

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # ./run --install and --uninstall: the MeshLab that the user starts has the plugins in between, and only then.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
+require product/extra_plugins
 
 plugins=("$LAPLACIAN_LINES_BUILD"/plugins/*.so)
 
@@ -41,7 +42,7 @@ drive <"$WORK/actions"
 install_plugins "${plugins[@]}" # in place of the first ones
 uninstall_plugins
 drive_to_failure "no action 'Compute Laplacian Lines'" <"$WORK/actions"
-ls "$folder" | diff "$WORK/before" - || fail "there are other files than before"
+diff "$WORK/before" <(ls "$folder") || fail "there are other files than before"
 [[ ! -e $(install_record) ]] || fail "the record is left"
 refuses '--install has installed nothing here' uninstall_plugins
 

@@ -3,6 +3,9 @@
 # The packages: MeshLab shows filters and decoration after the .deb is installed, in a copy of the system, and with the
 # files of the .zip; removing the .deb leaves nothing.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
+require product/extra_plugins
+# shellcheck source=/dev/null
+source "$CHECKOUT/tests/meshlab/system_copy.sh"
 
 # CPack would first build all that can be built; it does not for generators without a target "preinstall"
 cpack --config "$LAPLACIAN_LINES_BUILD/CPackConfig.cmake" -D CPACK_CMAKE_GENERATOR=Ninja \
@@ -72,9 +75,9 @@ in_installed_copy() {
 }
 mkdir "$WORK/copy"
 export STAGE WORK deb LAPLACIAN_LINES_BUILD
-in_copy "$WORK/copy" "$(dirname "$SETUP")" "$LAPLACIAN_LINES_BUILD" -- bash -c "
+in_copy "$WORK/copy" "$CHECKOUT" "$LAPLACIAN_LINES_BUILD" -- bash -c "
     set -euo pipefail
-    source '$SETUP/all.sh'
+    source '$CHECKOUT/scripts/require.sh' environment/messages product/extra_plugins product/stage
     $(declare -f run_driver drive red_pixels expect_text lines_are_shown in_installed_copy)
     DRIVE_SECONDS=$DRIVE_SECONDS
     in_installed_copy" || fail "what the .deb installs does not work"

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # ./run --picture: a drawing on white paper, and a sheet of two views of an unpacked mesh.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
+require product/picture
 stop_display # it starts one of its own
 
 # dark_pixels FILE

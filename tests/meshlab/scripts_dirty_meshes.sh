@@ -3,6 +3,7 @@
 # Meshes with faults in scripts: what is left out is counted in the log, and a mesh without a surface is refused.
 # From 2022.02 on, MeshLab itself takes out some of the faults when it opens a mesh.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
+require product/extra_plugins
 
 # left_out TEXT: what of it is left for the filter to leave out
 left_out() {

@@ -4,7 +4,7 @@
 set -euo pipefail
 
 # shellcheck source=/dev/null
-source "$(dirname "$(readlink -f "$0")")/../../setup/all.sh"
+source "$(dirname "$(readlink -f "$0")")/../../scripts/require.sh" product/stage
 
 shopt -s nullglob # a build without one of the plugins is still worth testing
 stage_meshlab "$LAPLACIAN_LINES_BUILD/stage" \

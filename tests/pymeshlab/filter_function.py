@@ -24,6 +24,7 @@ field = laplacian_lines.field(mesh)
 assert field["ll_laplacian_normal"].dtype == numpy.float64
 assert field["ll_laplacian_normal"].shape == (mesh.vertex_number(), 3)
 assert field["ll_kernel_size"].shape == (mesh.vertex_number(),)
+assert set(field) == set(computed), "the module's table is not the core's"
 expect_same_field(field, computed, 0)
 for name, bound in (("ll_normal", 0.02), ("ll_laplacian_normal", 0.12), ("ll_shape_diagonal", 0.05)):
     error = largest_difference(field[name], truth[name])
@@ -52,6 +53,17 @@ cotangent = laplacian_lines.field(mesh)
 assert largest_difference(cotangent["ll_laplacian_normal"], computed["ll_laplacian_normal"]) > 0.01
 ms.compute_laplacian_lines_per_vertex(laplace_operator=1)
 expect_same_field(laplacian_lines.field(mesh), cotangent, 0)
+
+# an optional column may be missing, others may not
+known = laplacian_lines.ATTRIBUTES
+for optional in (True, False):
+    more = laplacian_lines.Attribute("ll_none", 3 if optional else 1, "nothing", "", optional)
+    laplacian_lines.ATTRIBUTES = (*known, more)
+    if optional:
+        assert set(laplacian_lines.field(mesh)) == set(computed)
+    else:
+        expect_error("ll_none", laplacian_lines.field, mesh)
+laplacian_lines.ATTRIBUTES = known
 
 # the attributes belong to one mesh; other filters of PyMeshLab can use the scalar one
 ms.load_new_mesh(str(MESH))

@@ -14,8 +14,6 @@ WORK = BUILD / "Testing" / "pymeshlab"
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 MESH = REFERENCE / "torus.ply"
 
-ATTRIBUTES = ("ll_normal", "ll_laplacian_normal", "ll_shape_diagonal", "ll_shape_off_diagonal")
-
 # PyMeshLab 2025.7 crashes when a mesh is loaded after a set in which a filter has failed is gone: none goes.
 _all_sets = []
 
@@ -31,10 +29,20 @@ def meshes(path=MESH):
 
 def reference():
     """The core's field of MESH and the truth, both as dictionaries like laplacian_lines.field()."""
-    columns = numpy.loadtxt(REFERENCE / "torus.txt", dtype=numpy.float32)
-    computed = {name: columns[:, 3 * i : 3 * i + 3] for i, name in enumerate(ATTRIBUTES)}
-    computed["ll_kernel_size"] = columns[:, 12]
-    truth = {name: columns[:, 13 + 3 * i : 16 + 3 * i] for i, name in enumerate(ATTRIBUTES)}
+    path = REFERENCE / "torus.txt"
+    numbers = numpy.loadtxt(path, dtype=numpy.float32)
+    computed, truth, first = {}, {}, 0
+    with path.open() as file:
+        layout = file.readline().split()[1:]
+    for name, count in (word.split(":") for word in layout):
+        end = first + int(count)
+        values = numbers[:, first] if count == "1" else numbers[:, first:end]
+        if name.startswith("true_"):
+            truth[name[len("true_") :]] = values
+        else:
+            computed[name] = values
+        first = end
+    assert first == numbers.shape[1]
     return computed, truth
 
 
@@ -62,9 +70,10 @@ def expect_error(words, function, *arguments, **keywords):
 
 
 def expect_no_field(mesh):
-    for name in ATTRIBUTES:
-        expect_error(name, mesh.vertex_custom_point_attribute_matrix, name)
-    expect_error("ll_kernel_size", mesh.vertex_custom_scalar_attribute_array, "ll_kernel_size")
+    for name, values in reference()[0].items():
+        scalar = values.ndim == 1
+        expect_error(name, mesh.vertex_custom_scalar_attribute_array if scalar
+                     else mesh.vertex_custom_point_attribute_matrix, name)
 
 
 def work_folder(name):

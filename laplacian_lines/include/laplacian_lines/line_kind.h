@@ -32,32 +32,60 @@ struct LineKindDescription {
     const char* one;    ///< a line of this kind, within a sentence
     const char* many;   ///< several
     LineGradient gradient;
-    bool is_outline;       ///< bounds the form; the others describe what is inside
-    bool depends_on_view;  ///< otherwise only which parts are seen does
-    bool shown;            ///< by default
-    std::uint32_t color;   ///< by default, 0xRRGGBB
-    double width;          ///< by default, in widths of a Laplacian line of full weight
+    bool is_outline = false;       ///< bounds the form; the others describe what is inside
+    bool depends_on_view = false;  ///< otherwise only which parts are seen does
+    bool is_on_horizon = false;    ///< where the surface turns away, to either side of it
+    bool shown = true;             ///< by default
+    std::uint32_t color = 0;       ///< by default, 0xRRGGBB
+    double width = 1;              ///< by default, in widths of a Laplacian line of full weight
+
+    // What rows of the table add to the above.
+    constexpr LineKindDescription as_outline() const {
+        LineKindDescription row = *this;
+        row.is_outline = true;
+        row.width = 1.3;
+        return row;
+    }
+    constexpr LineKindDescription of_view() const {
+        LineKindDescription row = *this;
+        row.depends_on_view = true;
+        return row;
+    }
+    constexpr LineKindDescription on_horizon() const {
+        LineKindDescription row = of_view();
+        row.is_on_horizon = true;
+        return row;
+    }
+    constexpr LineKindDescription unless_asked_for() const {
+        LineKindDescription row = *this;
+        row.shown = false;
+        return row;
+    }
 };
 
 /// One row a kind, in the order of their numbers.
 inline constexpr std::array line_kinds = {
     LineKindDescription{LineKind::Laplacian, "laplacian_lines", "Laplacian Lines",
                         "Draw the Laplacian lines.", "Laplacian line", "Laplacian lines",
-                        LineGradient::Illumination, false, true, true, 0x000000, 1},
+                        LineGradient::Illumination}
+        .of_view(),
     LineKindDescription{LineKind::Contour, "contours", "Occluding Contours",
                         "Draw the outlines: where the surface turns away from the eye.",
-                        "occluding contour", "occluding contours", LineGradient::Illumination,
-                        true, true, true, 0x000000, 1.3},
+                        "occluding contour", "occluding contours", LineGradient::Illumination}
+        .as_outline()
+        .on_horizon(),
     LineKindDescription{LineKind::Ridge, "ridges", "Ridges",
                         "Draw convex edges of the form, sharp or rounded.", "ridge", "ridges",
-                        LineGradient::Angle, false, false, true, 0x000000, 1},
+                        LineGradient::Angle},
     LineKindDescription{LineKind::Border, "borders", "Borders",
                         "Draw the borders of holes and open surfaces.", "border", "borders",
-                        LineGradient::None, true, false, true, 0x000000, 1.3},
+                        LineGradient::None}
+        .as_outline(),
     LineKindDescription{LineKind::Crease, "creases", "Creases",
                         "Draw edges of the mesh at which triangles meet at an angle: for meshes of "
                         "few triangles, such as those of CAD programs.",
-                        "crease", "creases", LineGradient::Angle, false, false, false, 0x000000, 1},
+                        "crease", "creases", LineGradient::Angle}
+        .unless_asked_for(),
 };
 inline constexpr std::size_t line_kind_count = line_kinds.size();
 

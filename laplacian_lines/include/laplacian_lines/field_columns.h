@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "laplacian_lines/field.h"
+
+namespace laplacian_lines {
+
+/// A part of a column under a name of its own: programs that store a field know single numbers and
+/// vectors of three, nothing else.
+struct FieldAttribute {
+    const char* name = nullptr;  ///< in files and scripts, stable between versions
+    int floats = 0;              ///< 3 or 1; 0 where a column has fewer attributes than it may have
+};
+
+/// All that is to be known of a column, a vector of Field with some floats for each vertex, outside
+/// of what computes it. Texts are UTF-8, without markup.
+struct FieldColumn {
+    const char* key;                           ///< the name of the vector
+    const char* help;                          ///< what it holds, within a sentence
+    const char* unit;                          ///< empty if it has none
+    int floats;                                ///< a vertex
+    std::array<FieldAttribute, 2> attributes;  ///< which hold the floats in their order
+    bool optional;                             ///< may be absent: a vector without entries
+
+    std::size_t (*size)(const Field&);  ///< entries
+    /// Values that were there before are kept, new ones are of no meaning.
+    void (*resize)(Field&, std::size_t entries);
+    /// size · floats of them, entry by entry, owned by the field until its vector is resized.
+    const float* (*read)(const Field&);
+    float* (*write)(Field&);
+};
+
+/// The functions of a row about a vector of Field, or of a struct derived from it.
+template <auto Member>
+struct ColumnFunctions;
+template <class Owner, class Entry, std::vector<Entry> Owner::*Member>
+struct ColumnFunctions<Member> {
+    static_assert(sizeof(Entry) % sizeof(float) == 0, "entries are floats without gaps");
+    static constexpr int floats = int(sizeof(Entry) / sizeof(float));
+
+    static std::size_t size(const Field& field) { return entries(field).size(); }
+    static void resize(Field& field, std::size_t count) {
+        (static_cast<Owner&>(field).*Member).resize(count);
+    }
+    static const float* read(const Field& field) {
+        return reinterpret_cast<const float*>(entries(field).data());
+    }
+    static float* write(Field& field) {
+        return reinterpret_cast<float*>((static_cast<Owner&>(field).*Member).data());
+    }
+
+private:
+    static const std::vector<Entry>& entries(const Field& field) {
+        return static_cast<const Owner&>(field).*Member;
+    }
+};
+
+enum class ColumnPresence { Always, Optional };
+
+/// A row. `Member` points to the vector.
+template <auto Member>
+constexpr FieldColumn field_column(const char* key, const char* help, const char* unit,
+                                   std::array<FieldAttribute, 2> attributes,
+                                   ColumnPresence presence = ColumnPresence::Always) {
+    using Functions = ColumnFunctions<Member>;
+    return {key,
+            help,
+            unit,
+            Functions::floats,
+            attributes,
+            presence == ColumnPresence::Optional,
+            Functions::size,
+            Functions::resize,
+            Functions::read,
+            Functions::write};
+}
+
+/// One row a column. Attributes, their documentation and all checks of sizes are made from it.
+inline constexpr std::array field_columns = {
+    field_column<&Field::normals>("normals", "unit normal n, smoothed, outward", "",
+                                  {{{"ll_normal", 3}}}),
+    field_column<&Field::laplacian_normals>("laplacian_normals", "its Laplacian Δn", "1/length²",
+                                            {{{"ll_laplacian_normal", 3}}}),
+    field_column<&Field::shape_operators>(
+        "shape_operators",
+        "S = dn, the derivative of the normal along the surface: (xx, yy, zz) and (yz, xz, xy)",
+        "1/length", {{{"ll_shape_diagonal", 3}, {"ll_shape_off_diagonal", 3}}}),
+    field_column<&Field::kernel_sizes>("kernel_sizes", "size √h of the kernel at the vertex",
+                                       "length", {{{"ll_kernel_size", 1}}}),
+};
+
+inline bool is_present(const FieldColumn& column, const Field& field) {
+    return !column.optional || column.size(field) > 0;
+}
+
+/// The rows of a table, by default all there are, that the field has.
+template <class Columns = decltype(field_columns)>
+std::vector<FieldColumn> present_columns(const Field& field,
+                                         const Columns& columns = field_columns) {
+    std::vector<FieldColumn> present;
+    for (const FieldColumn& column : columns)
+        if (is_present(column, field)) present.push_back(column);
+    return present;
+}
+
+/// Whether each column that the field has, and each that it has to have, has so many entries.
+template <class Columns = decltype(field_columns)>
+bool has_entries(const Field& field, std::size_t vertices, const Columns& columns = field_columns) {
+    for (const FieldColumn& column : columns)
+        if (is_present(column, field) && column.size(field) != vertices) return false;
+    return true;
+}
+
+}  // namespace laplacian_lines

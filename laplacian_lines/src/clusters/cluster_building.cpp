@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clusters/cluster_building.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <limits>
+
+#include "clusters/cluster_sides.h"
+#include "rules/convexity.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+// About the part of the whole time at which each step ends.
+constexpr double kPartitioned = 0.4, kLinked = 0.6, kLaidOut = 0.65;
+
+/// The vectors of the linear forms, by VertexForm.
+constexpr Eigen::Vector3d LocalVertex::*kForms[] = {&LocalVertex::normal, &LocalVertex::laplacian};
+static_assert(std::size(kForms) == kVertexFormCount, "a vector for each form");
+
+/// Writes a vector v at p as the linear form of place i.
+void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eigen::Vector3d& p) {
+    float* place = forms + i / kFormGroup * 4 * kFormGroup + i % kFormGroup;
+    for (unsigned k = 0; k < 3; ++k)
+        place[k * kFormGroup] = float(v[k]);
+    place[3 * kFormGroup] = float(v.dot(p));
+}
+
+/// Whatever a caller's field holds, floats can take powers of what is kept of it.
+constexpr double kLargestLaplacian = 1e12, kLargestCurvature = 1e8, kLargestSlopeScale = 1e15;
+
+double bounded(double x, double limit) {
+    return std::isnan(x) ? 0 : std::clamp(x, -limit, limit);
+}
+
+Eigen::Vector3d bounded(const Eigen::Vector3f& v, double factor, double limit) {
+    return (v.cast<double>() * factor).unaryExpr([=](double x) { return bounded(x, limit); });
+}
+
+VertexRecord make_record(const LocalVertex& v) {
+    const ShapeOperator& s = v.shape_operator;
+    const Eigen::Vector3f n = v.normal.cast<float>();
+    return {{float(v.position.x()), float(v.position.y()), float(v.position.z())},
+            v.slope_scale,
+            {{s.xx, s.xy, s.xz, n.x()}, {s.xy, s.yy, s.yz, n.y()}, {s.xz, s.yz, s.zz, n.z()}}};
+}
+
+/// A box with the axes of the vectors' covariance: about the smallest one.
+struct VectorBox {
+    Eigen::Vector3d centre;
+    Eigen::Matrix3d half_axes;  ///< columns
+};
+VectorBox enclose_normals(const std::vector<LocalVertex>& values) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    for (const LocalVertex& v : values) {
+        sum += v.normal;
+        squares += v.normal * v.normal.transpose();
+    }
+    const double n = double(values.size());
+    const Eigen::Matrix3d covariance = squares / n - sum * sum.transpose() / (n * n);
+    const Eigen::Matrix3d axes =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
+    Eigen::Vector3d low = axes.transpose() * values[0].normal, high = low;
+    for (const LocalVertex& v : values) {
+        low = low.cwiseMin(axes.transpose() * v.normal);
+        high = high.cwiseMax(axes.transpose() * v.normal);
+    }
+    return {axes * (low + high) / 2, axes * ((high - low) / 2).asDiagonal()};
+}
+
+Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
+    Eigen::AlignedBox3d box;
+    for (const LocalVertex& v : values)
+        box.extend(v.position);
+    return box.center().cast<float>().cast<double>();  // as it will be known
+}
+
+}  // namespace
+
+ClusterBuilder::ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data)
+    : mesh_(mesh), field_(field), data_(data) {}
+
+void ClusterBuilder::build(const StageProgress& stage) {
+    stage.report(0);
+    partition_ = partition(mesh_);
+    stage.report(kPartitioned);
+    data_.border_edge_count = link_clusters(mesh_, partition_);
+    data_.vertex_count = std::uint32_t(mesh_.size());
+    stage.report(kLinked);
+    data_.allocate(lay_out());
+    parallel_for<Values>(partition_.ranges.size(), stage.part(kLaidOut, 1),
+                         [&](std::size_t c, Values& values) { write_cluster(c, values); });
+}
+
+std::size_t ClusterBuilder::lay_out() {
+    const std::size_t clusters = partition_.ranges.size();
+    data_.clusters.resize(clusters);
+    std::vector<std::uint32_t> shared_edges(clusters);
+    in_parallel<NoScratch>(clusters, [&](std::size_t c, NoScratch&) {
+        const auto sides = partition_.across.begin();
+        const ClusterRange& range = partition_.ranges[c];
+        shared_edges[c] =
+            std::uint32_t(std::count_if(sides + 3 * std::size_t(range.begin),
+                                        sides + 3 * std::size_t(range.end), is_shared_edge));
+    });
+    std::size_t units = 0, vertices = 0, edges = 0;
+    for (std::size_t c = 0; c < clusters; ++c) {
+        const ClusterRange& range = partition_.ranges[c];
+        Cluster& cluster = data_.clusters[c];
+        cluster.first_unit = std::uint32_t(units);
+        cluster.first_border_edge = std::uint32_t(edges);
+        cluster.vertex_count = std::uint8_t(range.vertex_count);
+        cluster.triangle_count = std::uint8_t(range.end - range.begin);
+        first_vertex_.push_back(vertices);
+        units += cluster_layout(cluster).end / kCacheUnit;
+        vertices += range.vertex_count;
+        edges += shared_edges[c];
+    }
+    data_.vertices_of_clusters.resize(vertices);
+    data_.border_edges.resize(edges);
+    return units * kCacheUnit;
+}
+
+void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
+    const Cluster& cluster = data_.clusters[c];
+    unsigned char* memory =
+        data_.memory_of_clusters.get() + cluster.first_unit * std::size_t(kCacheUnit);
+    std::memset(memory, 0, cluster_layout(cluster).end);
+    list_vertices(c, values);
+    write_triangles(c, memory);
+    mark_convex(c, values);
+    write_vertices(c, values, memory);
+    write_bounds(c, values);
+}
+
+LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
+    const std::uint32_t v = mesh_.original_vertex[prepared];
+    const double d = data_.diagonal;
+    const ShapeOperator& s = field_.shape_operators[v];
+    const auto curvature = [&](float x) { return float(bounded(x * d, kLargestCurvature)); };
+    const double size = field_.kernel_sizes[v] / d;
+    // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
+    const FieldScale& scale = field_.scale;
+    const double sigma = scale.normal_sigma / d * (size / (scale.kernel_size / scale.diagonal));
+    const double squared_effective = size * size + sigma * sigma / 2;  // h_e
+    return {mesh_.positions[prepared],
+            bounded(field_.normals[v], 1, 2),
+            bounded(field_.laplacian_normals[v], d * d, kLargestLaplacian),
+            {curvature(s.xx), curvature(s.yy), curvature(s.zz), curvature(s.yz), curvature(s.xz),
+             curvature(s.xy)},
+            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
+}
+
+void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
+    const ClusterRange& range = partition_.ranges[c];
+    std::uint32_t* vertices = data_.vertices_of_clusters.data() + first_vertex_[c];
+    for (std::uint32_t p = range.begin; p < range.end; ++p)
+        for (std::size_t k = 0; k < 3; ++k)
+            vertices[partition_.corners[3 * std::size_t(p) + k]] =
+                mesh_.triangles[partition_.order[p]][k];
+    values.clear();
+    for (std::uint32_t i = 0; i < range.vertex_count; ++i)
+        values.push_back(local_vertex(vertices[i]));
+}
+
+void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
+    const Cluster& cluster = data_.clusters[c];
+    const ClusterLayout layout = cluster_layout(cluster);
+    auto* triangles = reinterpret_cast<ClusterTriangle*>(memory + layout.triangles);
+    std::uint32_t* edges = data_.border_edges.data() + cluster.first_border_edge;
+    unsigned edge_count = 0;
+    const std::size_t first_side = 3 * std::size_t(partition_.ranges[c].begin);
+    const auto neighbour = [&](std::uint32_t across) {
+        if (across >= Partition::kMany) return kNoNeighbour;
+        if (!is_shared_edge(across)) return std::uint8_t((across - first_side) / 3);
+        edges[edge_count] = across - kSharedEdge;
+        return std::uint8_t(cluster.triangle_count + edge_count++);
+    };
+    for (unsigned i = 0; i < cluster.triangle_count; ++i) {
+        ClusterTriangle& triangle = triangles[i];
+        unsigned char* corners = memory + layout.corners + i / kMaskGroup * 3 * kMaskGroup;
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::size_t side = first_side + 3 * i + k;
+            triangle.corners[k] = partition_.corners[side];
+            corners[k * kMaskGroup + i % kMaskGroup] = triangle.corners[k];
+            triangle.neighbours[k] = neighbour(partition_.across[side]);
+        }
+        triangle.number = std::uint8_t(i);
+    }
+}
+
+void ClusterBuilder::mark_convex(std::size_t c, const Values& values) {
+    Cluster& cluster = data_.clusters[c];
+    bool convex[kClusterVertices];
+    std::transform(values.begin(), values.end(), convex,
+                   [](const LocalVertex& v) { return is_convex(v.shape_operator); });
+    const std::uint8_t* corners =
+        partition_.corners.data() + 3 * std::size_t(partition_.ranges[c].begin);
+    for (unsigned i = 0; i < cluster.triangle_count; ++i, corners += 3)
+        if (convex[corners[0]] && convex[corners[1]] && convex[corners[2]])
+            cluster.convex[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
+}
+
+void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
+                                    unsigned char* memory) const {
+    const Cluster& cluster = data_.clusters[c];
+    const ClusterLayout layout = cluster_layout(cluster);
+    auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        records[i] = make_record(values[i]);
+    // The places that are left over repeat the last vertex, which changes no "all" or "any".
+    for (std::size_t i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
+        const LocalVertex& v = values[std::min(i, values.size() - 1)];
+        for (unsigned form = 0; form < kVertexFormCount; ++form)
+            write_form(reinterpret_cast<float*>(memory + layout.forms[form]), i, v.*kForms[form],
+                       v.position);
+    }
+}
+
+void ClusterBuilder::write_bounds(std::size_t c, const Values& values) {
+    const Eigen::Vector3d centre = centre_of(values);
+    const VectorBox normals = enclose_normals(values);
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (const LocalVertex& v : values) {
+        const double height = v.normal.dot(v.position - centre);
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    float* out = data_.bounds.data() + c;
+    const auto write = [&](double number) {
+        *out = float(number);
+        out += data_.padded_cluster_count();
+    };
+    for (const auto& vector : {centre, normals.centre})
+        for (const double x : vector)
+            write(x);
+    for (const auto& axis : normals.half_axes.colwise())
+        for (const double x : axis)
+            write(x);
+    write((low + high) / 2);
+    write((high - low) / 2);
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clusters/cluster_partition.h"
+#include "clusters/extractor_data.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+
+/// Values of a vertex as clusters hold them, local.
+struct LocalVertex {
+    Eigen::Vector3d position, normal, laplacian;  ///< laplacian: Δn·D²
+    ShapeOperator shape_operator;                 ///< S·D
+    float slope_scale;                            ///< h_e(p)^1.5
+};
+
+/// Writes the clusters of a mesh into `data`, whose centre and diagonal are set. The number of
+/// threads does not matter.
+class ClusterBuilder {
+public:
+    ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data);
+
+    void build(const StageProgress& stage);
+
+private:
+    using Values = std::vector<LocalVertex>;  // of a cluster's vertices
+
+    /// Finds where the parts of each cluster begin. Returns the bytes that clusters need.
+    std::size_t lay_out();
+    void write_cluster(std::size_t cluster, Values& values);
+    LocalVertex local_vertex(std::uint32_t v) const;
+    /// Lists the cluster's vertices with their values.
+    void list_vertices(std::size_t cluster, Values& values);
+    void write_triangles(std::size_t cluster, unsigned char* memory);
+    void mark_convex(std::size_t cluster, const Values& values);
+    void write_vertices(std::size_t cluster, const Values& values, unsigned char* memory) const;
+    void write_bounds(std::size_t cluster, const Values& values);
+
+    const PreparedMesh& mesh_;
+    const Field& field_;
+    ExtractorData& data_;
+    Partition partition_;
+    std::vector<std::size_t> first_vertex_;  // of each cluster in data_
+};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "system/cache.h"
+
+/// What a redraw reads: the mesh cut into clusters of neighbouring triangles, each in one piece of
+/// memory. Plain data and functions without linkage only, since files that are compiled for
+/// several instruction sets include this.
+namespace laplacian_lines {
+
+constexpr unsigned kClusterVertices = 128;   ///< at most; a set of signs is 128 bits
+constexpr unsigned kClusterTriangles = 192;  ///< at most
+/// Triangles of a cluster and its edges shared with other clusters have a common numbering: edge e
+/// has the number triangle_count + e. At most this many numbers.
+constexpr unsigned kClusterNumbers = 255;
+constexpr std::uint8_t kNoNeighbour = 255;
+
+constexpr unsigned kFormGroup = 16;  ///< vertices whose linear forms lie together
+constexpr unsigned kMaskGroup = 64;  ///< triangles whose corners lie together
+
+/// Linear forms v·(e − w p) that are kept of each vertex.
+enum VertexForm : unsigned {
+    kFacingForm,     ///< v = n
+    kLaplacianForm,  ///< v = Δn·D²
+    kVertexFormCount
+};
+
+/// Position, shape operator and normal of a vertex in local coordinates x' = (x − centre)/D: one
+/// cache unit, as rows of four.
+struct VertexRecord {
+    float position[3];
+    float slope_scale;           ///< h_e(p)^1.5
+    float shape_operator[3][4];  ///< columns of S·D, each with a component of the normal
+};
+static_assert(sizeof(VertexRecord) == kCacheUnit, "a vertex record is one cache unit");
+
+/// Corners in cyclic order; neighbour k is across the edge from corner k to the next: the number of
+/// a triangle of the cluster with the same orientation, or of an edge to elsewhere, or
+/// kNoNeighbour where lines end (borders, edges of more than two triangles).
+struct ClusterTriangle {
+    std::uint8_t corners[3];
+    std::uint8_t neighbours[3];
+    std::uint8_t unused;
+    std::uint8_t number;  ///< its own
+};
+static_assert(sizeof(ClusterTriangle) == 8, "shuffled as 8 bytes");
+
+/// The memory of a cluster, from `first_unit` on, each part beginning a cache unit:
+///  - the linear forms of all vertices, one VertexForm after the other: for each kFormGroup
+///  vertices
+///    v.x of all, then v.y, v.z, and v·p,
+///  - corners as bytes for the sign tests: for each kMaskGroup triangles all first corners, then
+///    all second, all third ones,
+///  - ClusterTriangle of each triangle,
+///  - VertexRecord of each vertex.
+struct Cluster {
+    std::uint32_t first_unit;         ///< in units of kCacheUnit
+    std::uint32_t first_border_edge;  ///< in ClusterStore::border_edges
+    std::uint8_t vertex_count, triangle_count;
+    /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex.
+    std::uint64_t convex[kClusterTriangles / kMaskGroup];
+};
+
+/// Offsets of the parts, in bytes.
+struct ClusterLayout {
+    std::size_t forms[kVertexFormCount], corners, triangles, records, end;
+};
+
+static inline unsigned form_groups(const Cluster& c) {
+    return (c.vertex_count + kFormGroup - 1) / kFormGroup;
+}
+static inline unsigned mask_groups(const Cluster& c) {
+    return (c.triangle_count + kMaskGroup - 1) / kMaskGroup;
+}
+static inline ClusterLayout cluster_layout(const Cluster& c) {
+    const std::size_t size_of_form = form_groups(c) * 4 * kFormGroup * sizeof(float);
+    ClusterLayout layout;
+    for (unsigned form = 0; form < kVertexFormCount; ++form)
+        layout.forms[form] = form * size_of_form;
+    layout.corners = kVertexFormCount * size_of_form;
+    layout.triangles = layout.corners + mask_groups(c) * 3 * kMaskGroup;
+    layout.records =
+        layout.triangles +
+        (c.triangle_count * sizeof(ClusterTriangle) + kCacheUnit - 1) / kCacheUnit * kCacheUnit;
+    layout.end = layout.records + c.vertex_count * sizeof(VertexRecord);
+    return layout;
+}
+
+/// Bounds of n·(e − w p) over the vertices of clusters, one array for each number. With the centre
+/// of the cluster c, n is within normal ± axes[0] ± axes[1] ± axes[2], and n·(p − c) is within
+/// height ± height_range.
+struct FacingBounds {
+    static constexpr unsigned kNumbers = 17;
+    const float* centre[3];
+    const float* normal[3];
+    const float* axes[3][3];
+    const float *height, *height_range;
+};
+
+/// All clusters, without their ownership.
+struct ClusterStore {
+    const unsigned char* memory;
+    const Cluster* clusters;
+    const std::uint32_t* border_edges;  ///< numbers of edges over the whole mesh
+    FacingBounds facing;
+};
+
+/// All memory as records, to be indexed in units of them.
+static inline const VertexRecord* records_of(const ClusterStore& store) {
+    return reinterpret_cast<const VertexRecord*>(store.memory);
+}
+static inline const unsigned char* memory_of(const ClusterStore& store, const Cluster& cluster) {
+    return store.memory + cluster.first_unit * std::size_t(kCacheUnit);
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clusters/extractor_data.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+#include "clusters/cluster_building.h"
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/field_columns.h"
+#include "mesh/prepared_mesh.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr double kPrepared = 0.1;            // about the part of the whole time that it takes
+constexpr std::size_t kHugePage = 2u << 20;  // bytes; clusters are read in no order of addresses
+
+template <class T>
+std::size_t bytes(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+void ExtractorData::Free::operator()(unsigned char* memory) const {
+    std::free(memory);
+}
+
+void ExtractorData::allocate(std::size_t bytes) {
+    const std::size_t alignment = bytes < kHugePage ? kCacheUnit : kHugePage;
+    const std::size_t size = (bytes + alignment - 1) / alignment * alignment;
+    memory_of_clusters.reset(static_cast<unsigned char*>(std::aligned_alloc(alignment, size)));
+    if (!memory_of_clusters) throw std::bad_alloc();
+#ifdef __linux__
+    madvise(memory_of_clusters.get(), size, MADV_HUGEPAGE);  // no harm if it fails
+#endif
+    std::memset(memory_of_clusters.get() + bytes, 0, size - bytes);
+    bytes_of_clusters = size;
+    bounds.assign(FacingBounds::kNumbers * padded_cluster_count(), 0);
+}
+
+std::size_t ExtractorData::padded_cluster_count() const {
+    return (clusters.size() + kFormGroup - 1) / kFormGroup * kFormGroup;
+}
+
+ClusterStore ExtractorData::store() const {
+    const auto array = [&](std::size_t i) { return bounds.data() + i * padded_cluster_count(); };
+    return {memory_of_clusters.get(),
+            clusters.data(),
+            border_edges.data(),
+            {{array(0), array(1), array(2)},
+             {array(3), array(4), array(5)},
+             {{array(6), array(7), array(8)},
+              {array(9), array(10), array(11)},
+              {array(12), array(13), array(14)}},
+             array(15),
+             array(16)}};
+}
+
+std::size_t ExtractorData::memory() const {
+    return sizeof(*this) + bytes_of_clusters + bytes(clusters) + bytes(vertices_of_clusters) +
+           bytes(border_edges) + bytes(bounds);
+}
+
+std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
+    std::vector<PlacedCluster> placed;
+    placed.reserve(data.clusters.size());
+    const ClusterStore store = data.store();
+    const std::uint32_t* vertices = data.vertices_of_clusters.data();
+    for (const Cluster& cluster : data.clusters) {
+        const unsigned char* memory = memory_of(store, cluster);
+        const ClusterLayout layout = cluster_layout(cluster);
+        placed.push_back({&cluster, vertices,
+                          reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
+                          reinterpret_cast<const VertexRecord*>(memory + layout.records),
+                          reinterpret_cast<const float*>(memory + layout.forms[kLaplacianForm])});
+        vertices += cluster.vertex_count;
+    }
+    return placed;
+}
+
+ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
+                                   const Progress& progress) {
+    if (!has_entries(field, mesh.positions.size()))
+        throw Error(ErrorCode::FieldMismatch,
+                    "The Laplacian lines field belongs to another mesh; compute it again.");
+    const StageProgress stage(progress, 0, 1, "Preparing the extraction of lines");
+    stage.report(0);
+    const PreparedMesh prepared = prepare_geometry(mesh);
+    ExtractorData data;
+    data.centre = prepared.centre;
+    data.diagonal = prepared.diagonal;
+    ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
+    return data;
+}
+
+}  // namespace laplacian_lines

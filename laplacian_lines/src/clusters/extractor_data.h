@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "clusters/cluster_data.h"
+#include "laplacian_lines/field.h"
+#include "laplacian_lines/progress.h"
+#include "laplacian_lines/triangle_mesh.h"
+
+namespace laplacian_lines {
+
+/// The mesh as a redraw reads it, see cluster_data.h. Local coordinates x' = (x − centre)/D, so
+/// that all thresholds are dimensionless as they stand.
+struct ExtractorData {
+    struct Free {
+        void operator()(unsigned char* memory) const;
+    };
+    std::unique_ptr<unsigned char[], Free> memory_of_clusters;
+    std::size_t bytes_of_clusters = 0;
+    std::vector<Cluster> clusters;
+    std::vector<std::uint32_t> vertices_of_clusters;  ///< numbers in the mesh, cluster by cluster
+    std::uint32_t vertex_count = 0;                   ///< of the mesh
+    std::vector<std::uint32_t> border_edges;
+    std::uint32_t border_edge_count = 0;  ///< the numbers in border_edges are below
+    /// The arrays of ClusterStore about whole clusters, one after the other.
+    std::vector<float> bounds;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
+    double diagonal = 1;                               ///< D, mesh units
+
+    /// Memory for the clusters, aligned to cache units, for the builder to fill, and for their
+    /// bounds.
+    /// @throws std::bad_alloc
+    void allocate(std::size_t bytes);
+    std::size_t padded_cluster_count() const;  ///< to whole groups of kFormGroup
+    ClusterStore store() const;
+    std::size_t memory() const;  ///< bytes
+};
+
+/// A cluster with where its parts are.
+struct PlacedCluster {
+    const Cluster* cluster;
+    const std::uint32_t* vertices;  ///< numbers in the mesh
+    const ClusterTriangle* triangles;
+    const VertexRecord* records;
+    const float* laplacians;  ///< linear forms
+};
+std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
+
+/// @throws Error: FieldMismatch, InvalidMesh, EmptyMesh, Cancelled.
+ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
+                                   const Progress& progress = {});
+
+}  // namespace laplacian_lines

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "field/belkin_laplacian.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sums/gaussian_grid.h"
+#include "system/large_array.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kQuickAccuracy = 0.5e-3;  // from which on quick Gaussians may add their error
+// Less of the kernel than this is on the surface only at the tip of a border's corner.
+constexpr double kLeastKernelMass = 0.2;
+
+double tail(double u) {
+    return (1 + u) * std::exp(-u);
+}
+
+/// Root mean square of √h|S|.
+double roughness(const std::vector<float>& kernel_sizes, const ShapeOperators& shape_operators) {
+    const double sum = sum_of(kernel_sizes.size(), [&](std::size_t i) {
+        return double(kernel_sizes[i]) * kernel_sizes[i] * shape_operators[i].squaredNorm();
+    });
+    return std::sqrt(sum / double(kernel_sizes.size()));
+}
+
+}  // namespace
+
+double belkin_cutoff(double accuracy) {
+    double low = 0, high = 100;  // tail() falls from 1 to 4e-42
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        (tail(middle) > accuracy ? low : high) = middle;
+    }
+    return 2 * std::sqrt(high);
+}
+
+GaussianKernel belkin_kernel(const std::vector<float>& kernel_sizes, const BelkinOptions& options) {
+    GaussianKernel kernel;
+    kernel.kernel_sizes = kernel_sizes;
+    kernel.quick = options.accuracy >= kQuickAccuracy;
+    kernel.cutoff = belkin_cutoff(options.accuracy - (kernel.quick ? kQuickError : 0));
+    kernel.facing = options.skip_opposite_sheet;
+    return kernel;
+}
+
+std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
+                                              const std::vector<Eigen::Vector3d>& normals,
+                                              const std::vector<float>& kernel_sizes,
+                                              const ShapeOperators& shape_operators,
+                                              const BelkinOptions& options,
+                                              const StageProgress& stage) {
+    const GaussianKernel kernel = belkin_kernel(kernel_sizes, options);
+    const GridResolution resolution =
+        grid_resolution(options.accuracy, roughness(kernel_sizes, shape_operators));
+    Summation summation = options.summation;
+    if (summation == Summation::Fastest) {
+        const SummationCosts costs = summation_costs(mesh, tree, kernel, resolution);
+        refuse_endless_sum(std::min(costs.direct, costs.grid),
+                           "Merge close vertices, or choose a larger Kernel Size.");
+        summation = costs.fastest();
+    }
+    const bool on_grid = summation == Summation::Grid;
+    const GaussianSums sums = on_grid ? grid_sums(mesh, normals, kernel, resolution, stage)
+                                      : gaussian_sums(mesh, tree, normals, kernel, stage);
+    // The cut-off tail of a second moment is known, so its mean effect can be taken out.
+    const double kept = on_grid ? 1 : 1 - tail(kernel.cutoff * kernel.cutoff / 4);
+    std::vector<Eigen::Vector3d> laplacian = large_array<Eigen::Vector3d>(mesh.size());
+    for_each_element(laplacian.size(), [&](std::size_t i) {
+        const double h = double(kernel_sizes[i]) * kernel_sizes[i];
+        const double factor = 1 / (4 * kPi * h * h * kept);
+        laplacian[i] = factor * sums.normal_difference[i].cast<double>();
+        if (!options.correct_borders) return;
+        const Eigen::Vector3d& n = normals[i];
+        const Eigen::Vector3d moment = factor * sums.first_moment[i].cast<double>();
+        // A kernel that is not symmetric around p, as at a border, has a first moment along the
+        // surface, which S turns into a spurious term. Where the normal turns by more than a radian
+        // within √h, n_q − n_p = S (q − p) holds no longer, and the term fades.
+        const double trust = 1 / (1 + h * shape_operators[i].squaredNorm());
+        laplacian[i] -= trust * (shape_operators[i] * (moment - n * n.dot(moment)));
+        // Part of the kernel is missing there, too. The same step halves the bias on curved
+        // surfaces; tangential parts get worse by it.
+        const double kernel_mass = std::max(sums.mass[i] / (4 * kPi * h), kLeastKernelMass);
+        laplacian[i] += n * n.dot(laplacian[i]) * (1 / kernel_mass - 1);
+    });
+    return laplacian;
+}
+
+}  // namespace laplacian_lines

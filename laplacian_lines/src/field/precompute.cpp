@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laplacian_lines/precompute.h"
+
+#include <algorithm>
+
+#include "field/belkin_laplacian.h"
+#include "field/cotangent_laplacian.h"
+#include "field/kernel_sizes.h"
+#include "field/normal_smoothing.h"
+#include "field/shape_operators.h"
+#include "field/vertex_normals.h"
+#include "mesh/prepared_mesh.h"
+#include "sums/summation_cost.h"
+#include "system/large_array.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr int kTensorSmoothingPasses = 2;
+constexpr double kLargestFloat = 1e38;
+constexpr double kFitCost = 20;  // of a pair of vertices in a fit, in those of a direct sum
+
+// About the part of the whole time at which each step ends, with the default options.
+constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
+constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6, kLaplacian = 1;
+
+/// Standard deviation of the normals' smoothing in local units, before adaptation.
+double global_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options) {
+    return options.normal_smoothing == NormalSmoothing::None
+               ? 0
+               : options.normal_sigma * mesh.mean_edge;
+}
+
+/// Within their range, which tiny kernels on tiny meshes exceed.
+float to_float(double x) {
+    return float(std::clamp(x, -kLargestFloat, kLargestFloat));
+}
+
+/// In the input's units.
+FieldScale scale_of(const PreparedMesh& mesh, const PrecomputeOptions& options) {
+    const double d = mesh.diagonal;
+    return {d, mesh.mean_edge * d, global_kernel_size(mesh, options) * d,
+            global_normal_sigma(mesh, options) * d};
+}
+
+/// The computation on the prepared mesh, step by step; everything in local units.
+class FieldComputation {
+public:
+    FieldComputation(const PreparedMesh& mesh, const SpatialTree& tree,
+                     const PrecomputeOptions& options, const Progress& progress)
+        : mesh_(mesh),
+          tree_(tree),
+          ranges_(mesh),
+          options_(options),
+          progress_(progress),
+          kernel_size_(global_kernel_size(mesh, options)),
+          normal_sigma_(global_normal_sigma(mesh, options)) {}
+
+    void run() {
+        compute_normals();
+        compute_shape_operators();
+        compute_laplacian();
+    }
+
+    /// Back to the input's order and units.
+    Field result(std::size_t vertex_count) const {
+        Field field;
+        const Eigen::Vector3f zero = Eigen::Vector3f::Zero();
+        field.normals = large_array(vertex_count, zero);
+        field.laplacian_normals = large_array(vertex_count, zero);
+        field.shape_operators = large_array<ShapeOperator>(vertex_count);
+        field.kernel_sizes = large_array(vertex_count, 0.f);
+        const double d = mesh_.diagonal;
+        for_each_element(mesh_.size(), [&](std::size_t i) {
+            const std::uint32_t v = mesh_.original_vertex[i];
+            field.normals[v] = normals_[i].cast<float>();
+            const auto by_d = [d](double x) { return to_float(x / d); };
+            field.laplacian_normals[v] = (laplacian_[i] / d / d).unaryExpr(&to_float);
+            const SymmetricTensor& s = shape_operators_[i];
+            field.shape_operators[v] = {by_d(s.xx), by_d(s.yy), by_d(s.zz),
+                                        by_d(s.yz), by_d(s.xz), by_d(s.xy)};
+            field.kernel_sizes[v] = float(relative_sizes_[i] * kernel_size_ * d);
+        });
+        field.scale = scale_of(mesh_, options_);
+        field.report = mesh_.report;
+        return field;
+    }
+
+private:
+    StageProgress stage(double begin, double end, const char* name) const {
+        return {progress_, begin, end, name};
+    }
+
+    void compute_normals() {
+        relative_sizes_ = relative_kernel_sizes(mesh_, ranges_, options_.kernel_mode,
+                                                stage(kSorted, kSizes, "Measuring edges"));
+        normals_ = vertex_normals(mesh_, ranges_, options_.normal_weighting,
+                                  stage(kSizes, kNormals, "Computing normals"));
+        smooth_normals(mesh_, tree_, relative_sizes_, normal_sigma_, options_,
+                       stage(kNormals, kSmoothNormals, "Smoothing normals"), normals_);
+    }
+
+    void compute_shape_operators() {
+        const char* name = "Estimating curvature tensors";
+        const StageProgress fit = stage(kSmoothNormals, kFitted, name);
+        const bool in_balls = options_.gradient_estimator == GradientEstimator::LeastSquares;
+        shape_operators_ =
+            fit_triangles(mesh_, ranges_, normals_, in_balls ? fit.part(0, 0.2) : fit);
+        if (in_balls) fit_balls(fit.part(0.2, 1));
+        smooth_over_one_rings(mesh_, ranges_, normals_, kTensorSmoothingPasses,
+                              stage(kFitted, kTensors, name), shape_operators_);
+    }
+
+    void fit_balls(const StageProgress& stage) {
+        const double radius = options_.gradient_radius * mesh_.mean_edge;
+        refuse_endless_sum(kFitCost * pairs_cost(tree_, radius),
+                           "Merge close vertices, or choose a smaller Gradient Radius or the "
+                           "Gradient Estimator Triangle Fit.");
+        shape_operators_ = laplacian_lines::fit_balls(
+            mesh_, tree_, normals_, radius, options_.skip_opposite_sheet, shape_operators_, stage);
+    }
+
+    void compute_laplacian() {
+        const StageProgress laplacian =
+            stage(kTensors, kLaplacian, "Computing the Laplacian of the normals");
+        laplacian.report(0);
+        if (options_.laplace_operator == LaplaceOperator::Cotangent) {
+            laplacian_ = cotangent_laplacian(mesh_, normals_);
+        } else {
+            std::vector<float> sizes = relative_sizes_;
+            for (float& size : sizes)
+                size *= float(kernel_size_);
+            laplacian_ = belkin_laplacian(
+                mesh_, tree_, normals_, sizes, shape_operators_,
+                {options_.accuracy, options_.correct_borders, options_.skip_opposite_sheet},
+                laplacian);
+        }
+        laplacian.report(1);
+    }
+
+    const PreparedMesh& mesh_;
+    const SpatialTree& tree_;
+    const VertexRanges ranges_;
+    const PrecomputeOptions& options_;
+    const Progress& progress_;
+    double kernel_size_, normal_sigma_;
+    std::vector<float> relative_sizes_;
+    std::vector<Eigen::Vector3d> normals_, laplacian_;
+    ShapeOperators shape_operators_;
+};
+
+}  // namespace
+
+Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
+                 const Progress& progress) {
+    validate(options);
+    StageProgress(progress, 0, kPrepared, "Preparing the mesh").report(0);
+    PreparedMesh prepared = prepare_mesh(mesh);
+    const StageProgress sorting(progress, kPrepared, kSorted, "Sorting in space");
+    sorting.report(0);
+    const SpatialTree tree = sort_in_space(prepared);
+    sorting.report(1);
+    FieldComputation computation(prepared, tree, options, progress);
+    computation.run();
+    return computation.result(mesh.positions.size());
+}
+
+FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {
+    validate(options);
+    return scale_of(prepare_mesh(mesh), options);
+}
+
+}  // namespace laplacian_lines

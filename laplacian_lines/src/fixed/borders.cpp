@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chains of edges where the surface ends.
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "fixed/edge_chains.h"
+#include "fixed/fixed_kinds.h"
+#include "fixed/showing.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr float kPinhole = 3;  // shortest lines around a hole that is worth a border
+
+/// A side of a triangle where the surface ends.
+struct BorderSide {
+    std::uint32_t vertices[2];  ///< from one to the other
+    const float* positions[2];
+
+    std::pair<std::uint32_t, std::uint32_t> edge() const {
+        return std::minmax(vertices[0], vertices[1]);
+    }
+};
+
+/// By edge. Those of one edge, where more than two triangles meet, are in the order of the
+/// clusters.
+std::vector<BorderSide> border_sides(const ExtractorData& data) {
+    std::vector<BorderSide> sides;
+    for (const PlacedCluster& placed : place_clusters(data))
+        for (unsigned t = 0; t < placed.cluster->triangle_count; ++t)
+            for (unsigned k = 0; k < 3; ++k) {
+                const ClusterTriangle& triangle = placed.triangles[t];
+                if (triangle.neighbours[k] != kNoNeighbour) continue;
+                const unsigned a = triangle.corners[k], b = triangle.corners[(k + 1) % 3];
+                sides.push_back({{placed.vertices[a], placed.vertices[b]},
+                                 {placed.records[a].position, placed.records[b].position}});
+            }
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const BorderSide& x, const BorderSide& y) { return x.edge() < y.edge(); });
+    return sides;
+}
+
+LineSet find_borders(const ExtractorData& data) {
+    CrossingGraph graph;
+    std::unordered_map<std::uint32_t, std::uint32_t> point_of_vertex;
+    const auto point = [&](std::uint32_t vertex, const float* position) {
+        const auto number = std::uint32_t(graph.crossings.size());
+        const auto [place, is_new] = point_of_vertex.try_emplace(vertex, number);
+        if (is_new) graph.crossings.push_back({Eigen::Map<const Eigen::Vector3f>(position), 0, 1});
+        return place->second;
+    };
+    const std::vector<BorderSide> sides = border_sides(data);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const BorderSide& side = sides[i];
+        if (i + 1 < sides.size() && side.edge() == sides[i + 1].edge()) continue;
+        const std::uint32_t begin = point(side.vertices[0], side.positions[0]);
+        graph.segments.push_back({begin, point(side.vertices[1], side.positions[1]), 0});
+    }
+    return trace_all(data, LineKind::Border, graph);
+}
+
+class Borders : public FixedKindLines {
+public:
+    explicit Borders(LineSet lines) : lines_(std::move(lines)) {}
+
+    void append(const ExtractorData&, const LocalEye&, const LineStyle& style,
+                LineSet& lines) const override {
+        append_lines(
+            lines_, {kPinhole * shortest_line(style), 0}, [](std::size_t) { return true; },
+            [](std::size_t) { return 1.f; }, lines);
+    }
+
+private:
+    const LineSet lines_;
+};
+
+std::unique_ptr<const FixedKindLines> find(const ExtractorData& data) {
+    return std::make_unique<const Borders>(find_borders(data));
+}
+
+}  // namespace
+
+const FixedKind borders = {LineKind::Border, find};
+
+}  // namespace laplacian_lines

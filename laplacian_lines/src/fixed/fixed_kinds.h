@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "clusters/extractor_data.h"
+#include "clusters/local_eye.h"
+#include "laplacian_lines/line_set.h"
+#include "laplacian_lines/line_style.h"
+
+namespace laplacian_lines {
+
+/// The lines of one kind on a mesh, found once.
+class FixedKindLines {
+public:
+    virtual ~FixedKindLines() = default;
+    /// Appends what the style shows of them. The eye matters only for the nearness of contours.
+    virtual void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
+                        LineSet& lines) const = 0;
+};
+
+/// A kind of lines that do not depend on the view.
+struct FixedKind {
+    LineKind kind;
+    std::unique_ptr<const FixedKindLines> (*find)(const ExtractorData& data);
+};
+
+extern const FixedKind ridges;   ///< ridges.cpp
+extern const FixedKind borders;  ///< borders.cpp
+extern const FixedKind creases;  ///< creases.cpp
+
+constexpr std::size_t kFixedKindCount = 3;
+inline std::array<const FixedKind*, kFixedKindCount> fixed_kinds() {
+    return {&ridges, &borders, &creases};
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+
+/// Of the points point_of(i), 0 <= i < count; empty if there are none.
+template <class PointOf>
+Eigen::AlignedBox3d bounding_box(std::size_t count, PointOf point_of) {
+    const auto of_block = [&](std::size_t begin, std::size_t end) {
+        Eigen::AlignedBox3d box;
+        for (std::size_t i = begin; i < end; ++i)
+            box.extend(point_of(i));
+        return box;
+    };
+    return join_blocks(
+        count, Eigen::AlignedBox3d(), of_block,
+        [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) { return a.merged(b); });
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/prepared_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+#include "laplacian_lines/error.h"
+#include "mesh/bounding_box.h"
+#include "system/large_array.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr std::uint32_t kUnused = 0xffffffffu;
+// sin of the smallest angle a triangle may have; far below what float input can resolve.
+constexpr double kLeastSine = 1e-12;
+// Diagonals for which D² and 1/D², which the field holds as floats, keep far from the ends of the
+// number range.
+constexpr double kLeastDiagonal = 1e-15, kLargestDiagonal = 1e15;
+
+// Squares of lengths in this range are far from the ends of the range of numbers, and so are their
+// squares.
+constexpr double kLeastPlain = 1e-60, kLargestPlain = 1e60;
+
+using Positions = std::vector<Eigen::Vector3d>;
+
+/// For any coordinates.
+bool is_degenerate_at_any_scale(const Positions& positions, const Triangle& t) {
+    const Eigen::Vector3d &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+    if (!a.allFinite() || !b.allFinite() || !c.allFinite()) return true;
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    if (!(longest > 0)) return true;
+    const Eigen::Vector3d u = (b - a) / longest, v = (c - a) / longest;
+    return !(u.cross(v).norm() > kLeastSine);
+}
+
+bool is_degenerate(const Positions& positions, const Triangle& t) {
+    const Eigen::Vector3d u = positions[t[1]] - positions[t[0]],
+                          v = positions[t[2]] - positions[t[0]];
+    const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = (v - u).squaredNorm();
+    const double sum = uu + vv + ww;
+    if (!(sum > kLeastPlain && sum < kLargestPlain))  // also if one is not finite
+        return is_degenerate_at_any_scale(positions, t);
+    const double least = kLeastSine * std::max({uu, vv, ww});
+    return !(u.cross(v).squaredNorm() > least * least);
+}
+
+void check_indices(const TriangleMesh& mesh) {
+    const auto is_wrong = [&](const Triangle& t) {
+        return std::max({t[0], t[1], t[2]}) >= mesh.positions.size();
+    };
+    const double wrong = sum_of(mesh.triangles.size(), [&](std::size_t t) {
+        return is_wrong(mesh.triangles[t]) ? 1. : 0.;
+    });
+    if (wrong == 0) return;
+    const Triangle& t = *std::find_if(mesh.triangles.begin(), mesh.triangles.end(), is_wrong);
+    const std::uint32_t v = *std::find_if(
+        t.begin(), t.end(), [&](std::uint32_t v) { return v >= mesh.positions.size(); });
+    throw Error(ErrorCode::InvalidMesh, "A triangle uses vertex " + std::to_string(v) +
+                                            ", but the mesh has " +
+                                            std::to_string(mesh.positions.size()) + " vertices.");
+}
+
+/// In blocks, each of which first counts what it keeps.
+std::vector<Triangle> usable_triangles(const Positions& positions,
+                                       const std::vector<Triangle>& triangles) {
+    const std::size_t count = triangles.size();
+    std::vector<std::uint8_t> is_usable(count);
+    std::vector<std::size_t> kept(block_count(count) + 1, 0);
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            kept[begin / kBlockElements + 1] += is_usable[t] =
+                !is_degenerate(positions, triangles[t]);
+    });
+    for (std::size_t b = 1; b < kept.size(); ++b)
+        kept[b] += kept[b - 1];
+    std::vector<Triangle> usable = large_array<Triangle>(kept.back());
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        std::size_t place = kept[begin / kBlockElements];
+        for (std::size_t t = begin; t < end; ++t)
+            if (is_usable[t]) usable[place++] = triangles[t];
+    });
+    if (usable.empty())
+        throw Error(ErrorCode::EmptyMesh,
+                    "The mesh has no triangle with an area. Laplacian lines need a surface: for a "
+                    "point cloud, reconstruct one first.");
+    return usable;
+}
+
+/// Around the mesh's centre, coordinates may be coarser than they were around the origin. Drops the
+/// triangles that have no area there, and gives the others back their vertices of the input; false
+/// if there are none to drop.
+bool drop_lost_triangles(PreparedMesh& prepared) {
+    std::vector<Triangle> usable = usable_triangles(prepared.positions, prepared.triangles);
+    if (usable.size() == prepared.triangles.size()) return false;
+    for (Triangle& t : usable)
+        for (std::uint32_t& v : t)
+            v = prepared.original_vertex[v];
+    prepared.triangles.swap(usable);
+    return true;
+}
+
+struct VertexCounts {
+    std::size_t used = 0, non_finite = 0, unreferenced = 0;
+
+    void add(const VertexCounts& other) {
+        used += other.used, non_finite += other.non_finite, unreferenced += other.unreferenced;
+    }
+};
+
+/// Of each block of vertices, given which are used, those before it; of all at the end.
+std::vector<VertexCounts> count_vertices(const Positions& positions,
+                                         const std::vector<std::uint32_t>& number) {
+    std::vector<VertexCounts> counts(block_count(positions.size()) + 1);
+    in_blocks(positions.size(), [&](std::size_t begin, std::size_t end) {
+        VertexCounts& of_block = counts[begin / kBlockElements + 1];
+        for (std::size_t v = begin; v < end; ++v)
+            ++(!positions[v].allFinite() ? of_block.non_finite
+               : number[v] == kUnused    ? of_block.unreferenced
+                                         : of_block.used);
+    });
+    for (std::size_t b = 1; b < counts.size(); ++b)
+        counts[b].add(counts[b - 1]);
+    return counts;
+}
+
+/// Numbers the vertices that triangles use and rewrites the triangles' indices.
+void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
+    std::vector<std::uint32_t> number = large_array(mesh.positions.size(), kUnused);
+    for_each_element(prepared.triangles.size(), [&](std::size_t t) {
+        for (std::uint32_t v : prepared.triangles[t]) {
+#pragma omp atomic write
+            number[v] = 0;
+        }
+    });
+    const std::vector<VertexCounts> counts = count_vertices(mesh.positions, number);
+    prepared.report.non_finite_vertices = counts.back().non_finite;
+    prepared.report.unreferenced_vertices = counts.back().unreferenced;
+    prepared.original_vertex = large_array<std::uint32_t>(counts.back().used);
+    in_blocks(number.size(), [&](std::size_t begin, std::size_t end) {
+        std::size_t next = counts[begin / kBlockElements].used;
+        for (std::size_t v = begin; v < end; ++v) {
+            if (number[v] == kUnused) continue;
+            number[v] = std::uint32_t(next);
+            prepared.original_vertex[next++] = std::uint32_t(v);
+        }
+    });
+    if (prepared.original_vertex.size() == number.size()) return;
+    for_each_element(prepared.triangles.size(), [&](std::size_t t) {
+        for (std::uint32_t& v : prepared.triangles[t])
+            v = number[v];
+    });
+}
+
+void check_size(double diagonal) {
+    if (diagonal >= kLeastDiagonal && diagonal <= kLargestDiagonal) return;
+    std::ostringstream message;
+    message << "The mesh's bounding box has a diagonal of " << diagonal
+            << ", but it must be between " << kLeastDiagonal << " and " << kLargestDiagonal
+            << ": scale the mesh, or delete vertices that lie far off.";
+    throw Error(ErrorCode::InvalidMesh, message.str());
+}
+
+void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
+    const std::vector<std::uint32_t>& original = prepared.original_vertex;
+    const Eigen::AlignedBox3d box = bounding_box(
+        original.size(),
+        [&](std::size_t i) -> const Eigen::Vector3d& { return mesh.positions[original[i]]; });
+    const Eigen::Vector3d &low = box.min(), &high = box.max();
+    prepared.centre = low / 2 + high / 2;
+    prepared.diagonal = (high - low).stableNorm();
+    check_size(prepared.diagonal);
+    prepared.positions = large_array<Eigen::Vector3d>(original.size());
+    for_each_element(original.size(), [&](std::size_t i) {
+        prepared.positions[i] = (mesh.positions[original[i]] - prepared.centre) / prepared.diagonal;
+    });
+}
+
+double mean_edge(const PreparedMesh& mesh) {
+    const double edges = sum_of(mesh.triangles.size(), [&](std::size_t i) {
+        const Triangle& t = mesh.triangles[i];
+        const Eigen::Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
+                              &c = mesh.positions[t[2]];
+        return (b - a).norm() + (c - b).norm() + (a - c).norm();
+    });
+    return edges / double(3 * mesh.triangles.size());
+}
+
+}  // namespace
+
+Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
+    const Eigen::Vector3d& a = mesh.positions[t[0]];
+    return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+}
+
+PreparedMesh prepare_geometry(const TriangleMesh& mesh) {
+    check_indices(mesh);
+    PreparedMesh prepared;
+    prepared.report.vertices = mesh.positions.size();
+    prepared.report.triangles = mesh.triangles.size();
+    prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
+    do {
+        keep_used_vertices(mesh, prepared);
+        to_local_coordinates(mesh, prepared);
+    } while (drop_lost_triangles(prepared));
+    prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
+    return prepared;
+}
+
+PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
+    PreparedMesh prepared = prepare_geometry(mesh);
+    prepared.mean_edge = mean_edge(prepared);
+    return prepared;
+}
+
+}  // namespace laplacian_lines

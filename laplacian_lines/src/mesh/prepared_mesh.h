@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "laplacian_lines/triangle_mesh.h"
+#include "mesh/spatial_tree.h"
+
+namespace laplacian_lines {
+
+/// The usable part of a mesh in local coordinates x' = (x − centre)/D: unit bounding-box diagonal,
+/// centred at the origin, without degenerate triangles, non-finite or unreferenced vertices. All
+/// computation happens here, so results do not depend on the input's scale and offset.
+struct PreparedMesh {
+    std::vector<Eigen::Vector3d> positions;      ///< [N], local
+    std::vector<Triangle> triangles;             ///< indices into positions
+    std::vector<double> masses;                  ///< [N], a third of the incident area; once sorted
+    std::vector<std::uint32_t> original_vertex;  ///< [N] -> index in the input
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, input units
+    double diagonal = 0;                               ///< D, input units
+    double mean_edge = 0;                              ///< ē, local
+    MeshReport report;
+
+    std::size_t size() const { return positions.size(); }
+};
+
+/// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
+PreparedMesh prepare_mesh(const TriangleMesh& mesh);
+
+/// The same without the mean edge.
+PreparedMesh prepare_geometry(const TriangleMesh& mesh);
+
+/// Reorders vertices and triangles so that neighbours in space are neighbours in memory. The
+/// cyclic order of each triangle's corners is kept. Vertices are then the points of the returned
+/// tree in its order. Sets the masses.
+SpatialTree sort_in_space(PreparedMesh& mesh);
+
+/// Twice the area of a triangle times its unit normal.
+Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "laplacian_lines/line_style.h"
+#include "rules/line_rules.h"
+
+namespace laplacian_lines {
+
+/// Of occluding contours as smooth curves, and of silhouettes along edges but for their smoothing.
+LineRules contour_rules(const LineStyle& style);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Laplacian lines: the zeros of ΔI = Δn·l, or of Δn·l − w tr S.
+// Included once by each of the files simd_*.cpp.
+#pragma once
+
+#include "laplacian_lines/line_kind.h"
+#include "redraw/simd/simd_crossings.h"
+#include "redraw/simd/simd_signs.h"
+
+namespace laplacian_lines {
+namespace SIMD_NAMESPACE {
+
+/// The cross term that the paper's derivation loses. Places that are left over repeat the last
+/// vertex, as in the forms.
+static inline void subtract_traces(const VertexRecord* records, const Cluster& cluster, float w,
+                                   float* values) {
+    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
+        const unsigned v = i < cluster.vertex_count ? i : cluster.vertex_count - 1u;
+        const auto& s = records[v].shape_operator;
+        values[i] -= w * (s[0][0] + s[1][1] + s[2][2]);
+    }
+}
+
+/// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
+/// fading near contours, and concavity. `facing` is n·eye.
+static inline void test_laplacian_crossings(const LineRules& rules, const ExtractionTask& task,
+                                            const float* facings, CrossingMemory& m,
+                                            std::size_t count) {
+    const float least = -rules.fading / 4, range = rules.fading / 2 - least;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Floats facing = load(facings + i), gradient = load(m.gradient + i);
+        const Towards eye = towards(task.eye, m, i);
+        Ints accepted = (gradient >= rules.least_gradient) &
+                        (facing >= rules.least_facing * square_root(eye.squared));
+        Floats opacity = Floats{} + 1;
+        if (rules.contour_clearance > 0) {
+            // To first order the contour is I/‖∇I‖ away on the surface, which is seen at half the
+            // crossing's cosine on the way there.
+            const Floats distance = facing * absolute(facing) / (2 * gradient);
+            opacity = clamp01(2 * distance / rules.contour_clearance - 1);
+        }
+        if (rules.concave_only) {
+            // The cosine between −∇I and the tangential part w of the light vector l:
+            // −l·Sl/(‖w‖‖Sl‖), with ∇I = Sl.
+            const Towards light = task.light_at_eye ? eye : towards(task.light, m, i);
+            const Floats lit = load(m.lit + i);
+            const Floats tangential = square_root(at_least(light.squared - lit * lit, 0));
+            const Floats product =
+                light.x * load(m.gx + i) + light.y * load(m.gy + i) + light.z * load(m.gz + i);
+            const Floats concavity = -product / (tangential * gradient);
+            if (range > 0) opacity *= clamp01((concavity - least) / range);
+            accepted &= concavity > least;  // not so for NaN: nothing to see from above
+        }
+        store(m.opacity + i, opacity);
+        const std::uint64_t bits = bits_of(accepted);
+        if (i % 64 == 0)
+            m.accepted[i / 64] = bits;
+        else
+            m.accepted[i / 64] |= bits << i % 64;
+    }
+}
+
+/// See simd_kinds.h.
+struct LaplacianLines {
+    static constexpr LineKind kKind = LineKind::Laplacian;
+    static constexpr unsigned kForms = 1u << kLaplacianForm;
+    static constexpr bool kHasLeastFacing = true;
+
+    static inline bool may_hold(float least_facing, float, float high) {
+        return !(high < least_facing);
+    }
+
+    static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,
+                                        const BelowBound&, float* values) {
+        const unsigned groups = form_groups(place.cluster);
+        float* own = in_slot(values, place);
+        evaluate(form_of(place, kLaplacianForm), groups, task.light, own);
+        if (task.exact_point_light)
+            subtract_traces(
+                reinterpret_cast<const VertexRecord*>(place.memory + place.layout.records),
+                place.cluster, task.light[3], own);
+        return below(own, groups, 0);
+    }
+
+    static inline const float* values(const Batch& batch, unsigned number) {
+        return batch.values[number];
+    }
+
+    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
+                                         unsigned group) {
+        return rules.leave_out_convex ? cluster.convex[group] : 0;
+    }
+
+    static inline const float* source(const ExtractionTask& task) { return task.light; }
+
+    static inline void test(const LineRules& rules, const ExtractionTask& task,
+                            const VertexRecord* records, CrossingMemory& m, std::size_t count) {
+        if (!task.light_at_eye) find_facing(records, task.eye, m, count);
+        test_laplacian_crossings(rules, task, task.light_at_eye ? m.lit : m.facing, m, count);
+    }
+};
+
+}  // namespace SIMD_NAMESPACE
+}  // namespace laplacian_lines

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "laplacian_lines/line_style.h"
+#include "redraw/extraction_task.h"
+
+namespace laplacian_lines {
+
+/// What a redraw has to know of a kind before it begins. The kind's form at a vertex and its test
+/// at a crossing are beside it, in ..._simd.h.
+struct StripKind {
+    LineKind kind;
+    /// Whether the style shows lines of this kind that are zeros.
+    bool (*is_wanted)(const LineStyle&);
+    /// Lines of a light that is not at the eye follow no contours.
+    LineRules (*rules)(const LineStyle&, bool light_at_eye);
+};
+
+extern const StripKind laplacian_line_strips;  ///< laplacian_lines.cpp
+extern const StripKind contour_strips;         ///< contours.cpp
+
+/// In the order of kStripKinds.
+inline std::array<const StripKind*, kStripKindCount> strip_kinds() {
+    return {&laplacian_line_strips, &contour_strips};
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laplacian_lines/line_extractor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clusters/extractor_data.h"
+#include "clusters/local_eye.h"
+#include "fixed/fixed_lines.h"
+#include "laplacian_lines/error.h"
+#include "redraw/kinds/silhouettes.h"
+#include "redraw/kinds/strip_kinds.h"
+#include "redraw/line_finishing.h"
+
+namespace laplacian_lines {
+
+struct LineExtractor::Data : ExtractorData {
+    explicit Data(ExtractorData&& data) : ExtractorData(std::move(data)) {}
+    mutable FixedLines fixed_lines;          // thread-safe
+    mutable OnDemand<MeshEdges> mesh_edges;  // likewise
+};
+
+struct ExtractionScratch::Memory {
+    FoundStrips found;
+    JoiningMemory joining;
+    TracedLines traced;
+    FinishingMemory finishing;
+    SilhouetteMemory silhouettes;
+};
+
+ExtractionScratch::ExtractionScratch() : memory_(std::make_unique<Memory>()) {}
+ExtractionScratch::~ExtractionScratch() = default;
+ExtractionScratch::ExtractionScratch(ExtractionScratch&&) noexcept = default;
+ExtractionScratch& ExtractionScratch::operator=(ExtractionScratch&&) noexcept = default;
+
+LineExtractor::LineExtractor(const TriangleMesh& mesh, const Field& field, const Progress& progress)
+    : data_(std::make_unique<const Data>(build_extractor_data(mesh, field, progress))) {}
+LineExtractor::~LineExtractor() = default;
+LineExtractor::LineExtractor(LineExtractor&&) noexcept = default;
+LineExtractor& LineExtractor::operator=(LineExtractor&&) noexcept = default;
+
+std::size_t LineExtractor::memory() const {
+    return data_->memory();
+}
+
+namespace {
+
+// An eye this close to the centre, in D, is inside the object, where no scale makes sense.
+constexpr double kLeastEyeDistance = 0.01;
+
+LocalEye direction_to_local(const Eigen::Vector3d& direction, const char* complaint) {
+    const double length = direction.stableNorm();
+    if (!std::isfinite(length) || length == 0) throw Error(ErrorCode::InvalidOption, complaint);
+    return {(direction / length).cast<float>(), 0.f};
+}
+
+/// To local coordinates, times s = 1/|e − c| (perspective) or to unit length (directions).
+LocalEye eye_to_local(const View& view, const ExtractorData& data) {
+    constexpr const char* complaint = "The view has no finite eye or direction.";
+    if (view.w == 0) return direction_to_local(view.eye, complaint);
+    const Eigen::Vector3d eye = (view.eye / view.w - data.centre) / data.diagonal;
+    const double distance = eye.stableNorm();
+    if (!std::isfinite(view.w) || !std::isfinite(distance))
+        throw Error(ErrorCode::InvalidOption, complaint);
+    const double scale = 1 / std::max(distance, kLeastEyeDistance);
+    return {(eye * scale).cast<float>(), float(scale)};
+}
+
+/// Local points are within 1/2 of the centre, so |l| is within w/2 of |e|; a bound of the scaled
+/// facing that needs no |l| and never refuses too much.
+float least_scaled_facing(float least_facing, const LocalEye& eye) {
+    const float length = eye.eye.norm() + (least_facing < 0 ? eye.w : -eye.w) / 2;
+    return least_facing * std::max(length, 0.f);
+}
+
+void set_eye(const LocalEye& eye, float out[4]) {
+    Eigen::Map<Eigen::Vector4f>(out) << eye.eye, eye.w;
+}
+
+ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEye& eye) {
+    ExtractionTask task;
+    const LocalEye light =
+        view.light ? direction_to_local(*view.light, "The light has no finite direction.") : eye;
+    set_eye(eye, task.eye);
+    set_eye(light, task.light);
+    task.light_at_eye = !view.light;
+    task.exact_point_light = style.exact_point_light && light.w != 0;
+    for (unsigned number = 0; number < kStripKindCount; ++number) {
+        const StripKind* const kind = strip_kinds()[number];
+        const LineRules rules = kind->rules(style, task.light_at_eye);
+        const float least_facing =
+            rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
+        task.kinds[number] = {kind->is_wanted(style), least_facing, rules};
+    }
+    return task;
+}
+
+}  // namespace
+
+void LineExtractor::extract(const View& view, const LineStyle& style, ExtractionScratch& scratch,
+                            LineSet& lines) const {
+    validate(style);
+    const LocalEye eye = eye_to_local(view, *data_);
+    const ExtractionTask task = make_task(view, style, eye);
+    ExtractionScratch::Memory& memory = *scratch.memory_;
+    find_strips(*data_, task, memory.found);
+    memory.traced.clear();
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
+        join_strips(memory.found, kind, data_->border_edge_count, memory.joining);
+        trace_lines(task.kinds[kind].rules, memory.joining.strips[kind], memory.traced);
+    }
+    finish_lines(*data_, memory.traced, memory.finishing, lines);
+    data_->fixed_lines.append(*data_, eye, style, lines);
+    append_silhouettes(*data_, data_->mesh_edges, eye, style, memory.silhouettes, lines);
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which triangles of a cluster the functions change their signs in.
+// Included once by each of the files simd_*.cpp.
+#pragma once
+
+#include "redraw/simd/simd_kinds.h"
+
+namespace laplacian_lines {
+namespace SIMD_NAMESPACE {
+
+/// Places in ClusterTriangle's bytes that make an ActiveTriangle, by which corners are negative.
+/// A line leaves through the edge that goes from a negative to a positive corner.
+struct alignas(16) ActivePattern {
+    std::uint8_t places[16];
+};
+constexpr ActivePattern active_pattern(unsigned exit, bool third_is_negative) {
+    const auto a = std::uint8_t(exit), b = std::uint8_t((exit + 1) % 3),
+               c = std::uint8_t((exit + 2) % 3);
+    const std::uint8_t entry = third_is_negative ? b : c;
+    return {{a, b, third_is_negative ? c : a, third_is_negative ? b : c, c, std::uint8_t(3 + a),
+             std::uint8_t(3 + entry), 7}};
+}
+constexpr ActivePattern kActivePatterns[8] = {
+    {},                        // none: no crossing
+    active_pattern(0, false),  // the first corner alone
+    active_pattern(1, false),  // the second
+    active_pattern(1, true),   // the first and the second
+    active_pattern(2, false),  // the third
+    active_pattern(0, true),   // the third and the first
+    active_pattern(2, true),   // the second and the third
+    {},
+};
+
+static inline void write_active(const ClusterTriangle& triangle, unsigned negative_corners,
+                                ActiveTriangle& active) {
+    const ActivePattern& pattern = kActivePatterns[negative_corners];
+#if defined(__SSSE3__)
+    const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&triangle));
+    const __m128i places = _mm_load_si128(reinterpret_cast<const __m128i*>(pattern.places));
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(&active), _mm_shuffle_epi8(bytes, places));
+#else
+    unsigned char from[8], to[8];
+    __builtin_memcpy(from, &triangle, 8);
+    for (int i = 0; i < 8; ++i)
+        to[i] = from[pattern.places[i]];
+    __builtin_memcpy(&active, to, 8);
+#endif
+}
+
+/// Appends the triangles of a mask, which is for those from number `first` on, and asks for them.
+static inline void list_mixed(std::uint64_t mask, const std::uint64_t negative[3], unsigned slot,
+                              unsigned first, const ClusterTriangle* triangles,
+                              ActiveTriangles& active) {
+    unsigned count = active.count;
+    for (; mask; mask &= mask - 1) {
+        const auto i = unsigned(__builtin_ctzll(mask));
+        __builtin_prefetch(&triangles[first + i]);
+        active.slot[count] = std::uint8_t(slot);
+        active.number[count] = std::uint8_t(first + i);
+        active.negative[count] = std::uint8_t((negative[0] >> i & 1) | (negative[1] >> i & 1) << 1 |
+                                              (negative[2] >> i & 1) << 2);
+        ++count;
+    }
+    active.count = count;
+}
+
+/// Sets of a cluster's vertices: by kind those where its function is negative, then those that
+/// surely face away.
+constexpr unsigned kAwaySets = kStripKindCount;
+static_assert(kAwaySets + kStripKindCount <= kSignSets, "a set of signs for each use");
+
+/// Which signs a cluster has, of those that decide about its triangles.
+struct ClusterSigns {
+    VertexSigns vertices;
+    bool mixed[kStripKindCount] = {}, any_away[kStripKindCount] = {};
+    bool any_mixed = false;
+};
+
+/// Fills in the values of a kind, whose signs count for what is not surely away.
+template <class Kind>
+static inline void find_signs(const ExtractionTask& task, const ClusterInSlot& place, unsigned kind,
+                              bool test_facing, const BelowBound& facing, Batch& batch,
+                              ClusterSigns& signs) {
+    BelowBound away;
+    if (Kind::kHasLeastFacing && test_facing) {
+        const float least = task.kinds[kind].least_scaled_facing;
+        away = least == 0 ? facing
+                          : below(in_slot(batch.facing, place), form_groups(place.cluster), least);
+    }
+    if (away.all) return;
+    const BelowBound negative = Kind::find_signs(task, place, facing, batch.values[kind]);
+    if (!negative.any || negative.all) return;
+    signs.mixed[kind] = signs.any_mixed = true;
+    signs.vertices.set(kind, negative.bits);
+    signs.any_away[kind] = away.any;
+    if (away.any) signs.vertices.set(kAwaySets + kind, away.bits);
+}
+
+static inline ClusterSigns find_all_signs(const ExtractionTask& task, const KeptCluster& kept,
+                                          const ClusterInSlot& place, Batch& batch) {
+    BelowBound facing;
+    if (kept.test_facing) {
+        const unsigned groups = form_groups(place.cluster);
+        float* values = in_slot(batch.facing, place);
+        evaluate(form_of(place, kFacingForm), groups, task.eye, values);
+        facing = below(values, groups, 0);
+    }
+    ClusterSigns signs;
+    for_each_kind([&](auto kind, unsigned number) {
+        if (kept.may_hold[number])
+            find_signs<decltype(kind)>(task, place, number, kept.test_facing, facing, batch, signs);
+    });
+    return signs;
+}
+
+/// Appends the triangles of a cluster in which a function changes its sign.
+static inline void find_mixed(const ExtractionTask& task, const ClusterInSlot& place,
+                              const ClusterSigns& signs, Batch& batch) {
+    const Cluster& cluster = place.cluster;
+    const unsigned char* corners = place.memory + place.layout.corners;
+    for (unsigned g = 0; g < mask_groups(cluster); ++g, corners += 3 * kMaskGroup) {
+        const CornerLookup lookup[3] = {{corners, signs.vertices},
+                                        {corners + kMaskGroup, signs.vertices},
+                                        {corners + 2 * kMaskGroup, signs.vertices}};
+        for_each_kind([&](auto kind, unsigned number) {
+            if (!signs.mixed[number]) return;
+            std::uint64_t unwanted = kind.unwanted(task.kinds[number].rules, cluster, g);
+            if (signs.any_away[number]) {
+                const unsigned away = kAwaySets + number;
+                unwanted |= lookup[0](away) & lookup[1](away) & lookup[2](away);
+            }
+            const std::uint64_t n[3] = {lookup[0](number), lookup[1](number), lookup[2](number)};
+            const std::uint64_t mixed = ((n[0] ^ n[1]) | (n[0] ^ n[2])) & ~unwanted;
+            list_mixed(mixed, n, place.slot, g * kMaskGroup, batch.triangles[place.slot],
+                       batch.active[number]);
+        });
+    }
+}
+
+/// Reads the listed triangles and asks for the records of their crossings.
+static inline void read_active(const ClusterStore& store, const Batch& batch,
+                               ActiveTriangles& active) {
+    for (unsigned i = 0; i < active.count; ++i) {
+        const unsigned slot = active.slot[i];
+        ActiveTriangle& triangle = active.triangles[i];
+        write_active(batch.triangles[slot][active.number[i]], active.negative[i], triangle);
+        const VertexRecord* records = records_of(store) + batch.first_record[slot];
+        __builtin_prefetch(&records[triangle.exit[0]]);
+        __builtin_prefetch(&records[triangle.exit[1]]);
+        __builtin_prefetch(&records[triangle.third]);
+    }
+}
+
+/// Fills in values and active triangles of a batch.
+static inline void find_active(const ClusterStore& store, const ExtractionTask& task,
+                               const KeptCluster* kept, Batch& batch) {
+    for (ActiveTriangles& active : batch.active)
+        active.count = 0;
+    for (unsigned slot = 0; slot < batch.count; ++slot) {
+        const Cluster& cluster = *batch.clusters[slot];
+        const ClusterInSlot place = {cluster, cluster_layout(cluster), memory_of(store, cluster),
+                                     slot};
+        const ClusterSigns signs = find_all_signs(task, kept[slot], place, batch);
+        if (signs.any_mixed) find_mixed(task, place, signs, batch);
+    }
+    for (ActiveTriangles& active : batch.active)
+        read_active(store, batch, active);
+}
+
+}  // namespace SIMD_NAMESPACE
+}  // namespace laplacian_lines

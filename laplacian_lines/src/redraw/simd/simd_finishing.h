@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Weights, opacities and smoothed positions of whole lines, as columns.
+// Included once by each of the files simd_*.cpp.
+#pragma once
+
+#include "redraw/simd/simd_functions.h"
+#include "redraw/simd/simd_vectors.h"
+
+namespace laplacian_lines {
+namespace SIMD_NAMESPACE {
+
+constexpr int kTaperingPasses = 2;  // slopes of neighbouring triangles differ visibly
+
+static inline float within01(float v) {
+    return v < 0 ? 0 : v > 1 ? 1 : v;
+}
+static inline Floats within01(Floats v) {
+    return v < 0 ? Floats{} : v > 1 ? Floats{} + 1 : v;
+}
+
+/// 0 at the threshold, 1 at (1 + fading) times it; 1 where there is no threshold.
+static inline float above(float value, float threshold, float fading) {
+    const float range = threshold * fading;
+    return range > 0 ? within01((value - threshold) / range) : 1.f;
+}
+
+/// What stands in for the point beyond an open end.
+enum class LineEnd {
+    Repeated,   ///< the last value again: values change evenly up to the end
+    Reflected,  ///< the point before it, mirrored in the end: ends stay where they are
+};
+
+/// Passes of binomial smoothing (1-2-1) of a column of `count` values, which have a place before
+/// and places after them, as `spare` does. Returns the one of the two that holds the result. A
+/// closed line's first value and its copy stay equal.
+static inline float* smooth(float* values, float* spare, std::size_t count, bool closed,
+                            LineEnd end, int passes) {
+    const std::size_t last = count - 1, places = whole_vectors(count);
+    for (; passes > 0; --passes) {
+        if (closed) {
+            values[-1] = values[last - 1];
+            values[count] = values[1];
+        } else if (end == LineEnd::Repeated) {
+            values[-1] = values[0];
+            values[count] = values[last];
+        } else {
+            values[-1] = 2 * values[0] - values[1];
+            values[count] = 2 * values[last] - values[last - 1];
+        }
+        const float* from = values;
+        float* to = spare;
+        for (std::size_t i = 0; i < places; i += kLanes)
+            store(to + i,
+                  (load_anywhere(from + i - 1) + 2 * load(from + i) + load_anywhere(from + i + 1)) /
+                      4);
+        spare = values;
+        values = to;
+    }
+    return values;
+}
+
+/// Weights hold the slope of the segment that ends at a point; then the means of its segments.
+static inline void slopes_to_means(std::size_t count, bool closed, float* weights, float* spare) {
+    const std::size_t last = count - 1;
+    weights[0] = closed ? weights[last] : weights[1];
+    weights[count] = closed ? weights[1] : weights[last];
+    for (std::size_t i = 0; i < count; i += kLanes)
+        store(spare + i, (load(weights + i) + load_anywhere(weights + i + 1)) / 2);
+}
+
+/// Lets open ends run out over `length`; `step` leads from the end to the inside.
+static inline void fade_end(const LineColumns& c, std::ptrdiff_t from, std::ptrdiff_t to, int step,
+                            float length) {
+    float distance = 0;
+    std::ptrdiff_t before = from;
+    for (std::ptrdiff_t i = from; distance < length; i += step) {
+        const float x = c.x[i] - c.x[before], y = c.y[i] - c.y[before], z = c.z[i] - c.z[before];
+        distance += __builtin_sqrtf(x * x + y * y + z * z);
+        before = i;
+        const float faded = distance / length;
+        c.opacity[i] *= faded < 1 ? faded : 1;
+        if (i == to) return;
+    }
+}
+
+static inline void smooth_taper(std::size_t count, bool closed, float*& column, float*& spare) {
+    float* result = smooth(column, spare, count, closed, LineEnd::Repeated, kTaperingPasses);
+    if (result != column) {
+        spare = column;
+        column = result;
+    }
+}
+
+/// Weights and opacities of a line from slopes and from the fading of its crossings. `whole` is
+/// the opacity of the line as a whole.
+static inline void taper(const LineRules& rules, std::size_t count, bool closed, float whole,
+                         LineColumns& c) {
+    const auto last = std::ptrdiff_t(count) - 1;
+    const float first_opacity = c.opacity[0], last_opacity = c.opacity[last];
+    slopes_to_means(count, closed, c.weight, c.spare);
+    float* slopes = c.spare;
+    const float range = rules.segment_slope * rules.fading;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Floats over = load(slopes + i) - rules.segment_slope;
+        const Floats faded = range > 0 ? within01(over / range) : Floats{} + 1;
+        store(c.opacity + i, load(c.opacity + i) * (whole * faded));
+        store(c.weight + i, within01(over / rules.full_slope));
+    }
+    smooth_taper(count, closed, c.weight, c.spare);
+    smooth_taper(count, closed, c.opacity, c.spare);
+    if (!closed && rules.end_length > 0) {
+        // Where nothing is seen of the end itself, the line has faded before.
+        if (first_opacity > 0) fade_end(c, 0, last, 1, rules.end_length);
+        if (last_opacity > 0) fade_end(c, last, 0, -1, rules.end_length);
+    }
+}
+
+/// Rows of six numbers, as StripPoint and LinePoint are, to columns and back; four rows at a time,
+/// so that up to three more than `count` are read and columns written.
+static inline void rows_to_columns(const float* rows, std::size_t count, float* const columns[6]) {
+    for (std::size_t i = 0; i < count; i += 4, rows += 24) {
+        Float4 first[4], last[4];
+        for (unsigned k = 0; k < 4; ++k) {
+            __builtin_memcpy(&first[k], rows + 6 * k, sizeof(Float4));
+            __builtin_memcpy(&last[k], rows + 6 * k + 2, sizeof(Float4));
+        }
+        transpose(first);
+        transpose(last);
+        for (unsigned k = 0; k < 4; ++k)
+            store_row(first[k], columns[k] + i);
+        store_row(last[2], columns[4] + i);
+        store_row(last[3], columns[5] + i);
+    }
+}
+
+static inline void columns_to_rows(const float* const columns[6], std::size_t count, float* rows) {
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4, rows += 24) {
+        Float4 first[4], last[4];
+        for (unsigned k = 0; k < 4; ++k)
+            __builtin_memcpy(&first[k], columns[k] + i, sizeof(Float4));
+        __builtin_memcpy(&last[0], columns[4] + i, sizeof(Float4));
+        __builtin_memcpy(&last[1], columns[5] + i, sizeof(Float4));
+        last[2] = last[3] = Float4{};
+        transpose(first);
+        transpose(last);
+        for (unsigned k = 0; k < 4; ++k) {
+            store_row(first[k], rows + 6 * k);
+            __builtin_memcpy(rows + 6 * k + 4, &last[k], 2 * sizeof(float));
+        }
+    }
+    for (; i < count; ++i, rows += 6)
+        for (unsigned k = 0; k < 6; ++k)
+            rows[k] = columns[k][i];
+}
+
+static void append_points(const StripPoint* points, std::uint32_t count, const LineColumns& c,
+                          std::size_t place) {
+    float* const columns[6] = {c.x + place,        c.y + place,      c.z + place,
+                               c.gradient + place, c.weight + place, c.opacity + place};
+    rows_to_columns(points->position, count, columns);
+}
+
+/// Columns to points in mesh coordinates.
+static inline void write_points(const LineColumns& c, std::size_t count, const double centre[3],
+                                double diagonal, float* points) {
+    float* const positions[3] = {c.x, c.y, c.z};
+    for (int k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < count; i += kLanes) {
+            const Doubles local = __builtin_convertvector(load(positions[k] + i), Doubles);
+            store(positions[k] + i, __builtin_convertvector(centre[k] + diagonal * local, Floats));
+        }
+    const float* const columns[6] = {c.x, c.y, c.z, c.weight, c.gradient, c.opacity};
+    columns_to_rows(columns, count, points);
+}
+
+static void finish_line(const LineRules& rules, const LineSums& line, LineColumns& c,
+                        const double centre[3], double diagonal, float* points) {
+    const std::size_t count = line.count;
+    const bool closed = line.closed;
+    if (rules.use_slope) {
+        // A line that only just passes the tests on whole lines is hardly seen, so that it does
+        // not jump into the picture when the view turns a little further.
+        const float by_slope = above(line.slope, rules.line_slope, rules.fading);
+        const float by_length = above(line.length, rules.least_length, rules.fading);
+        const float by_strength = above(line.strength, rules.least_strength, rules.fading);
+        const float least = by_slope < by_length ? by_slope : by_length;
+        taper(rules, count, closed, least < by_strength ? least : by_strength, c);
+    } else {
+        for (std::size_t i = 0; i < count; i += kLanes) {
+            store(c.weight + i, load(c.opacity + i));
+            store(c.opacity + i, Floats{} + 1);
+        }
+        smooth_taper(count, closed, c.weight, c.spare);
+    }
+    for (float** column : {&c.x, &c.y, &c.z}) {
+        float* result =
+            smooth(*column, c.spare, count, closed, LineEnd::Reflected, rules.smoothing_passes);
+        if (result != *column) {
+            c.spare = *column;
+            *column = result;
+        }
+    }
+    write_points(c, count, centre, diagonal, points);
+}
+
+}  // namespace SIMD_NAMESPACE
+}  // namespace laplacian_lines

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "clusters/cluster_data.h"
+#include "redraw/extraction_task.h"
+
+/// What goes in and out of the inner loops of a redraw, and what they work in. Plain data only, see
+/// cluster_data.h.
+namespace laplacian_lines {
+
+/// A point of a strip; local position.
+struct StripPoint {
+    float position[3];
+    float gradient;  ///< ‖∇I‖
+    float slope;     ///< of the segment that ends here; 0 at the first point
+    float opacity;   ///< less than 1 where the crossing alone asks for fading
+};
+
+/// A piece of a line within a cluster, with the positive side on its left.
+struct Strip {
+    static constexpr std::uint32_t kNoEdge = 0xffffffffu, kClosed = 0xfffffffeu;
+    std::uint32_t first_point, point_count;
+    /// Edges where first and last point lie and other clusters' strips may go on, or kNoEdge; both
+    /// kClosed where the strip is a closed line by itself.
+    std::uint32_t edges[2];
+    float length, strength, slope;  ///< sums over segments; slope times length
+};
+
+constexpr unsigned kPointMargin = 3;
+
+/// Where extract_strips() appends. There must be place for kStripsOfBatch and kPointsOfBatch more.
+struct StripOutput {
+    Strip* strips;
+    StripPoint* points;
+    std::uint32_t strip_count, point_count;
+};
+
+constexpr unsigned kBatch = 16;  ///< clusters that are worked on together
+constexpr unsigned kBatchVertices = kBatch * kClusterVertices;
+constexpr unsigned kBatchTriangles = kBatch * kClusterTriangles;
+constexpr unsigned kStripsOfBatch = kBatchTriangles;
+constexpr unsigned kPointsOfBatch = 2 * kStripsOfBatch;
+
+/// A cluster that can hold a line, and what has to be known of it.
+struct KeptCluster {
+    std::uint32_t number;
+    bool test_facing;                ///< n·eye may be negative somewhere
+    bool may_hold[kStripKindCount];  ///< a line of the kind
+};
+
+/// A triangle in which a function changes its sign. The crossing where the line leaves lies
+/// between vertices exit[0], where the function is negative, and exit[1]; likewise where it enters.
+struct ActiveTriangle {
+    std::uint8_t exit[2], entry[2];
+    std::uint8_t third;                ///< the vertex not in exit
+    std::uint8_t successor, previous;  ///< across exit and entry, as ClusterTriangle::neighbours
+    std::uint8_t number;
+};
+
+// Arrays below are longer than what they can hold, so that whole vectors may be read and written,
+// and so that their beginnings differ in cache sets.
+
+/// The active triangles of one function in a batch, cluster by cluster.
+struct ActiveTriangles {
+    static constexpr unsigned kPlaces = kBatchTriangles + 48;
+    unsigned count;
+    std::uint8_t slot[kPlaces];  ///< of its cluster
+    std::uint8_t number[kPlaces];
+    std::uint8_t negative[kPlaces];  ///< a bit for each corner
+    alignas(64) ActiveTriangle triangles[kPlaces];
+};
+
+/// Clusters that are worked on together, each in a slot.
+struct Batch {
+    unsigned count;
+    const Cluster* clusters[kBatch];
+    const ClusterTriangle* triangles[kBatch];
+    std::uint32_t first_record[kBatch];        ///< in the store's memory, units of VertexRecord
+    alignas(64) float facing[kBatchVertices];  ///< n·eye, slot by slot
+    /// The functions whose zeros are wanted, likewise; not of kinds for which that is n·eye.
+    alignas(64) float values[kStripKindCount][kBatchVertices];
+    ActiveTriangles active[kStripKindCount];
+};
+
+/// Crossings of one function in a batch.
+struct CrossingMemory {
+    static constexpr unsigned kPlaces = 2 * kBatchTriangles + 48;
+    std::uint16_t ends[kPlaces][2];                    ///< negative first: places in the function
+    std::uint32_t records[kPlaces][2];                 ///< of the ends, as Batch::first_record
+    alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends
+    alignas(64) float share[kPlaces];                  ///< of the positive end, 0..1
+    alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye, n·light
+    alignas(64) float x[kPlaces], y[kPlaces], z[kPlaces];
+    alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];
+    alignas(64) float gradient[kPlaces], opacity[kPlaces];
+    std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
+    alignas(64) float points[kPlaces][4];  ///< with ‖∇I‖ in the last place, as in StripPoint
+    alignas(64) float gradients[kPlaces][4];
+};
+
+/// Segments of one function in a batch.
+struct SegmentMemory {
+    static constexpr unsigned kPlaces = kBatchTriangles + 80;
+    static constexpr std::uint16_t kNone = 0xffff;
+    std::uint16_t triangle[kPlaces];  ///< place in ActiveTriangles, and of the crossing at the end
+    std::uint16_t begin[kPlaces];     ///< crossing
+    alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];  ///< sum of the ends' gradients
+    alignas(64) float ux[kPlaces], uy[kPlaces], uz[kPlaces];  ///< first to second corner
+    alignas(64) float vx[kPlaces], vy[kPlaces], vz[kPlaces];  ///< first to third corner
+    alignas(64) float fu[kPlaces], fv[kPlaces];               ///< differences of the function
+    alignas(64) float scale[kPlaces];                         ///< sum of slope_scale
+    alignas(64) float slope[kPlaces];                         ///< < 0: refused
+    alignas(64) float sums[kPlaces][4];  ///< length, strength, slope times length, slope
+    std::uint16_t next[kPlaces];         ///< segment, or kNone
+    /// What lies in a cluster's triangle: a place of the above or of ActiveTriangles, or kNone.
+    alignas(64) std::uint16_t in_triangle[kBatch][256];
+};
+
+/// What extract_strips() works in; one for each thread.
+struct SimdMemory {
+    Batch batch;
+    CrossingMemory crossings;
+    SegmentMemory segments;
+};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chains the segments of a batch to strips.
+// Included once by each of the files simd_*.cpp.
+#pragma once
+
+#include "redraw/simd/simd_kinds.h"
+#include "redraw/simd/simd_segments.h"
+
+namespace laplacian_lines {
+namespace SIMD_NAMESPACE {
+
+class StripWriter {
+public:
+    StripWriter(const ClusterStore& store, const Batch& batch, const ActiveTriangles& active,
+                const CrossingMemory& crossings, SegmentMemory& segments, unsigned count,
+                StripOutput& output)
+        : border_edges_(store.border_edges),
+          batch_(batch),
+          active_(active),
+          crossings_(crossings),
+          segments_(segments),
+          count_(count),
+          output_(output) {}
+
+    void write_all() {
+        link();
+        unsigned written = 0;
+        for (unsigned i = 0; i < count_; ++i)
+            if (is_first(i)) written += write(i);
+        if (written < count_) write_loops();
+    }
+
+private:
+    void link() {
+        empty_triangles(batch_, segments_);
+        for (unsigned i = 0; i < count_; ++i)
+            segments_.in_triangle[slot(i)][triangle(i).number] = std::uint16_t(i);
+        for (unsigned i = 0; i < count_; ++i)
+            segments_.next[i] = segments_.in_triangle[slot(i)][triangle(i).successor];
+    }
+
+    unsigned slot(unsigned segment) const { return active_.slot[segments_.triangle[segment]]; }
+    const ActiveTriangle& triangle(unsigned segment) const {
+        return active_.triangles[segments_.triangle[segment]];
+    }
+    bool is_first(unsigned segment) const {
+        return segments_.in_triangle[slot(segment)][triangle(segment).previous] ==
+               SegmentMemory::kNone;
+    }
+
+    /// The place in border_edges of the edge behind the number of a segment's neighbour, if it
+    /// leads out of the cluster. For name_edges(), since what lies there has to be waited for.
+    std::uint32_t edge_to_elsewhere(unsigned segment, unsigned neighbour) const {
+        const Cluster& cluster = *batch_.clusters[slot(segment)];
+        const bool leads_out = neighbour >= cluster.triangle_count && neighbour != kNoNeighbour;
+        const std::uint32_t place = cluster.first_border_edge + neighbour - cluster.triangle_count;
+        __builtin_prefetch(&border_edges_[leads_out ? place : 0]);
+        return leads_out ? place : Strip::kNoEdge;
+    }
+
+    void add_point(unsigned crossing, float slope) {
+        StripPoint& point = output_.points[output_.point_count++];
+        store_row(load4(crossings_.points[crossing]), point.position);  // and the gradient
+        point.slope = slope;
+        point.opacity = crossings_.opacity[crossing];
+    }
+
+    /// Writes the strip that starts with a segment; returns its number of segments.
+    unsigned write(unsigned first) {
+        Strip& strip = output_.strips[output_.strip_count++];
+        strip.first_point = output_.point_count;
+        strip.edges[0] = edge_to_elsewhere(first, triangle(first).previous);
+        add_point(segments_.begin[first], 0);
+        Float4 sums = {0, 0, 0, 0};
+        unsigned last = first;
+        for (unsigned i = first; i != SegmentMemory::kNone; i = segments_.next[i]) {
+            add_point(segments_.triangle[i], segments_.slope[i]);
+            sums += load4(segments_.sums[i]);
+            last = i;
+        }
+        strip.edges[1] = edge_to_elsewhere(last, triangle(last).successor);
+        strip.point_count = output_.point_count - strip.first_point;
+        strip.length = sums[0];
+        strip.strength = sums[1];
+        strip.slope = sums[2];
+        return strip.point_count - 1;
+    }
+
+    /// What no strip has yet are lines that close within a cluster.
+    void write_loops() {
+        std::uint8_t written[kBatchTriangles];
+        __builtin_memset(written, 0, count_);
+        for (unsigned i = 0; i < count_; ++i)
+            if (is_first(i))
+                for (unsigned j = i; j != SegmentMemory::kNone; j = segments_.next[j])
+                    written[j] = 1;
+        for (unsigned i = 0; i < count_; ++i) {
+            if (written[i]) continue;
+            unsigned last = i;
+            for (written[i] = 1; segments_.next[last] != i; written[last] = 1)
+                last = segments_.next[last];
+            segments_.next[last] = SegmentMemory::kNone;  // cut open
+            Strip& strip = output_.strips[output_.strip_count];
+            write(i);
+            strip.edges[0] = strip.edges[1] = Strip::kClosed;
+        }
+    }
+
+    const std::uint32_t* border_edges_;
+    const Batch& batch_;
+    const ActiveTriangles& active_;
+    const CrossingMemory& crossings_;
+    SegmentMemory& segments_;
+    const unsigned count_;
+    StripOutput& output_;
+};
+
+/// Makes edges of places in border_edges, in strips from `begin` on.
+static inline void name_edges(const ClusterStore& store, std::uint32_t begin,
+                              const StripOutput& output) {
+    for (std::uint32_t i = begin; i < output.strip_count; ++i)
+        for (std::uint32_t& edge : output.strips[i].edges)
+            if (edge < Strip::kClosed) edge = store.border_edges[edge];
+}
+
+/// Computes crossings [0, count) of a kind from their ends. As the functions that it calls, it
+/// writes to whole vectors of places.
+template <class Kind>
+static inline void find_crossings(const ClusterStore& store, const ExtractionTask& task,
+                                  const Batch& batch, unsigned kind, CrossingMemory& m,
+                                  std::size_t count) {
+    const VertexRecord* records = records_of(store);
+    for (std::size_t i = count; i < count + kLanes; ++i) {  // something valid
+        m.ends[i][0] = m.ends[i][1] = 0;
+        m.records[i][0] = m.records[i][1] = batch.first_record[0];
+    }
+    find_shares(Kind::values(batch, kind), m, count);
+    find_points(records, Kind::source(task), m, count);
+    Kind::test(task.kinds[kind].rules, task, records, m, count);
+}
+
+/// Appends the strips of a kind in a batch, their edges for name_edges().
+template <class Kind>
+static inline void append_strips(const ClusterStore& store, const ExtractionTask& task,
+                                 unsigned kind, SimdMemory& memory, StripOutput& output) {
+    const Batch& batch = memory.batch;
+    const ActiveTriangles& active = batch.active[kind];
+    if (active.count == 0) return;
+    const LineRules& rules = task.kinds[kind].rules;
+    CrossingMemory& m = memory.crossings;
+    SegmentMemory& s = memory.segments;
+    find_crossings<Kind>(store, task, batch, kind, m, list_crossings(batch, active, m, s));
+    unsigned count = active.count;
+    if (rules.use_slope) {
+        count = keep_accepted(m, s, count);
+        if (count == 0) return;
+        collect_corners(store, batch, active, Kind::values(batch, kind), m, s, count);
+        test_segments(rules, s, count);
+        count = keep_steep(s, count);
+    } else {
+        count = keep_all(s, count);
+        __builtin_memset(s.slope, 0, whole_vectors(count) * sizeof(float));
+    }
+    measure_segments(m, s, count);
+    StripWriter(store, batch, active, m, s, count, output).write_all();
+}
+
+}  // namespace SIMD_NAMESPACE
+}  // namespace laplacian_lines

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "redraw/strip_finding.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+
+#include "system/affordable_threads.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr std::size_t kChunk = 4 * kFormGroup;  // clusters that a thread takes at a time
+constexpr std::size_t kLeastParallelChunks = 2;
+
+/// Makes place for the strips of a batch, with some to spare.
+void reserve_batch(ThreadStrips& s) {
+    if (s.strips.size() < s.strip_count + kStripsOfBatch)
+        s.strips.resize(s.strip_count + s.strip_count / 2 + kStripsOfBatch);
+    if (s.points.size() < s.point_count + kPointsOfBatch + kPointMargin)
+        s.points.resize(s.point_count + s.point_count / 2 + kPointsOfBatch + kPointMargin);
+}
+
+void find_batch(const ClusterStore& store, const ExtractionTask& task, const KeptCluster* clusters,
+                std::size_t count, FindingThread& thread) {
+    StripOutput outputs[kStripKindCount];
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
+        ThreadStrips& s = thread.strips[kind];
+        reserve_batch(s);
+        outputs[kind] = {s.strips.data(), s.points.data(), s.strip_count, s.point_count};
+    }
+    simd_functions().extract_strips(store, task, clusters, count, *thread.memory, outputs);
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
+        thread.strips[kind].strip_count = outputs[kind].strip_count;
+        thread.strips[kind].point_count = outputs[kind].point_count;
+    }
+}
+
+void find_chunk(const ClusterStore& store, std::size_t cluster_count, const ExtractionTask& task,
+                std::size_t index, FindingThread& thread, ChunkOfStrips& chunk) {
+    const std::size_t begin = index * kChunk, end = std::min(begin + kChunk, cluster_count);
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind)
+        chunk.begin[kind] = thread.strips[kind].strip_count;
+    const std::size_t kept = simd_functions().cull(store, task, begin, end, thread.kept.data());
+    for (std::size_t i = 0; i < kept; i += kBatch)
+        find_batch(store, task, &thread.kept[i], std::min<std::size_t>(kBatch, kept - i), thread);
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind)
+        chunk.end[kind] = thread.strips[kind].strip_count;
+}
+
+/// Any thread may find any part of the strips next time; then none of them has to allocate.
+void even_out(FoundStrips& found) {
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
+        std::size_t strips = 0, points = 0;
+        for (const FindingThread& thread : found.threads) {
+            strips += thread.strips[kind].strip_count;
+            points += thread.strips[kind].point_count;
+        }
+        for (FindingThread& thread : found.threads) {
+            ThreadStrips& s = thread.strips[kind];
+            if (s.strips.size() < strips + kStripsOfBatch)
+                s.strips.resize(strips + strips / 4 + kStripsOfBatch);
+            if (s.points.size() < points + kPointsOfBatch + kPointMargin)
+                s.points.resize(points + points / 4 + kPointsOfBatch + kPointMargin);
+        }
+    }
+}
+
+}  // namespace
+
+void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found) {
+    const ClusterStore store = data.store();
+    const std::size_t chunks = (data.clusters.size() + kChunk - 1) / kChunk;
+    const int threads = chunks < kLeastParallelChunks
+                            ? 1
+                            : affordable_threads(int(std::min<std::size_t>(
+                                  chunks, std::size_t(omp_get_max_threads()))));
+    if (found.threads.size() < std::size_t(threads)) found.threads.resize(std::size_t(threads));
+    found.chunks.resize(chunks);
+    for (FindingThread& thread : found.threads) {
+        if (!thread.memory) thread.memory = std::make_unique<SimdMemory>();
+        thread.kept.resize(kChunk + 1);
+        for (ThreadStrips& s : thread.strips)
+            s.strip_count = s.point_count = 0;
+    }
+    std::exception_ptr failure;
+    std::atomic<std::size_t> next{0};
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    {
+        const int self = omp_get_thread_num();
+        try {
+            for (std::size_t i; (i = next.fetch_add(1)) < chunks;) {
+                found.chunks[i].thread = std::uint32_t(self);
+                find_chunk(store, data.clusters.size(), task, i, found.threads[std::size_t(self)],
+                           found.chunks[i]);
+            }
+        } catch (...) {
+#pragma omp critical(laplacian_lines_failure)
+            failure = std::current_exception();
+            next = chunks;
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
+    even_out(found);
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "redraw/strip_finding.h"
+#include "system/chains.h"
+
+namespace laplacian_lines {
+
+/// A strip and what goes on at its ends, see chains.h.
+struct JoinedStrip {
+    const StripPoint* points;
+    std::uint32_t count;
+    std::uint32_t links[2];  ///< the end that goes on, or kNoEnd
+    float length, strength, slope;
+    bool visited;
+};
+
+struct JoiningMemory {
+    std::vector<JoinedStrip> strips[kStripKindCount];
+    /// The end that waits at an edge; kNoEnd everywhere between uses.
+    std::vector<std::uint32_t> end_at_edge;
+    bool in_use = false;  ///< an exception left end_at_edge behind
+};
+
+/// Replaces memory.strips[kind] by the strips of that kind, joined where two of them end at an
+/// edge.
+void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_edge_count,
+                 JoiningMemory& memory);
+
+}  // namespace laplacian_lines

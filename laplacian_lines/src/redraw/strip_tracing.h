@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "laplacian_lines/line_set.h"
+#include "redraw/strip_joining.h"
+#include "rules/line_rules.h"
+
+namespace laplacian_lines {
+
+/// The lines of a view as sequences of strips.
+struct TracedLines {
+    struct Line {
+        Polyline polyline;  ///< with its place in the line set
+        std::uint32_t first_end, end_count;
+        const LineRules* rules;
+        const JoinedStrip* strips;
+    };
+    std::vector<Line> lines;
+    std::vector<std::uint32_t> ends;  ///< where strips are entered, see JoinedStrip
+    std::uint32_t point_count = 0;
+
+    void clear() {
+        lines.clear();
+        ends.clear();
+        point_count = 0;
+    }
+};
+
+/// Appends the lines that strips make and that the rules on whole lines accept. Visits all strips.
+/// Source: Zhang, He, Seah, step 3 (tracing) and Eq. 4 (strength).
+void trace_lines(const LineRules& rules, std::vector<JoinedStrip>& strips, TracedLines& traced);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace laplacian_lines {
+
+enum class LineKind : std::uint32_t;
+
+/// What decides which zero crossings of a per-vertex function become lines, one for each kind.
+/// Without more ado, everything is kept and nothing fades.
+struct LineRules {
+    static constexpr float kAnything = std::numeric_limits<float>::lowest();
+
+    LineKind kind{};
+    float least_gradient = kAnything;  ///< ‖∇I‖·D
+    float least_facing = kAnything;    ///< n·l/|l|
+    bool reject_phantoms = false;
+    bool concave_only = false;
+    /// Nothing in triangles with is_convex() at all corners, where concave_only would accept
+    /// crossings at most near n ∥ l, the middle of the lit side.
+    bool leave_out_convex = false;
+    /// Nothing in triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
+    bool leave_out_away = false;
+    bool use_slope = false;  ///< false: no slopes are computed or tested, nor tell the width
+    float segment_slope = 0, line_slope = 0, full_slope = 1;
+    float least_strength = kAnything;
+    float least_length = kAnything;  ///< D
+    /// Lines thin out where the surface is concave along the view, up to this cosine between the
+    /// view vector v and −∇(n·v) = −Sv. Contours are hidden there by the surface before them, but
+    /// not by much, so that parts of a wide stroke would be seen.
+    float concave_thinning = 0;
+    static constexpr float kFlat = 0.1f;  ///< ‖∇I‖·D; where it is less, signs are those of noise
+    float fading = 0;                     ///< full opacity at (1 + fading) times a threshold
+    int smoothing_passes = 0;             ///< of the positions, each with the weights 1-2-1
+    float end_length = 0;                 ///< over which open ends fade, D
+    float contour_clearance = 0;          ///< lines nearer to a contour fade out, D in the picture
+};
+
+/// How many passes of smoothing with 1-2-1 have this standard deviation.
+int smoothing_passes(double deviation);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sums/gaussian_sums.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sums/simd_gaussian_sums.h"
+#include "system/large_array.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr double kLog2E = 1.4426950408889634;
+constexpr float kLeastLog2Mass = -100;  // nothing beside the others
+
+static_assert(SourceLeaf::kSize == SpatialTree::kLeafSize);
+
+/// All but the mass.
+GaussianSource source(const Eigen::Vector3d& position, const Eigen::Vector3d& normal) {
+    const Eigen::Vector3f p = position.cast<float>(), n = normal.cast<float>();
+    return {p.x(), p.y(), p.z(), 0, n.x(), n.y(), n.z(), 0};
+}
+
+/// Positive, even if the areas are 0 as floats.
+float mean_mass(const PreparedMesh& mesh) {
+    const double sum = sum_of(mesh.size(), [&](std::size_t v) { return mesh.masses[v]; });
+    return std::max(float(sum / double(mesh.size())), std::numeric_limits<float>::min());
+}
+
+/// All vertices, by the leaves of the tree.
+std::vector<SourceLeaf> pack_sources(const PreparedMesh& mesh, const SpatialTree& tree,
+                                     const std::vector<Eigen::Vector3d>& normals, float unit_mass) {
+    std::vector<SourceLeaf> packed = large_array<SourceLeaf>(tree.leaves().size());
+    in_parallel<NoScratch>(packed.size(), [&](std::size_t i, NoScratch&) {
+        const SpatialTree::Leaf& leaf = tree.leaves()[i];
+        SourceLeaf& to = packed[i];
+        for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
+            const std::size_t k = v - leaf.begin;
+            to.sources[k] = source(mesh.positions[v] - leaf.box.center(), normals[v]);
+            to.sources[k].log2_mass =
+                std::max(std::log2(float(mesh.masses[v]) / unit_mass), kLeastLog2Mass);
+            to.x[k] = to.sources[k].x, to.y[k] = to.sources[k].y, to.z[k] = to.sources[k].z;
+        }
+    });
+    return packed;
+}
+
+/// One leaf of the tree, whose points are the targets.
+class LeafSum {
+public:
+    LeafSum(const PreparedMesh& mesh, const SpatialTree& tree,
+            const std::vector<Eigen::Vector3d>& normals, const GaussianKernel& kernel,
+            float unit_mass, const SpatialTree::Leaf& leaf)
+        : mesh_(mesh),
+          tree_(tree),
+          normals_(normals),
+          kernel_(kernel),
+          unit_mass_(unit_mass),
+          leaf_(leaf),
+          centre_(leaf.box.center()) {
+        mean_normal_.setZero();
+        float smallest = kernel.kernel_sizes[leaf.begin], largest = smallest;
+        for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
+            smallest = std::min(smallest, kernel.kernel_sizes[v]);
+            largest = std::max(largest, kernel.kernel_sizes[v]);
+            mean_normal_ += normals[v];
+        }
+        radius_ = kernel.cutoff * largest;
+        mean_normal_ /= double(leaf.end - leaf.begin);
+        quick_ = kernel.quick && leaf.box.diagonal().norm() <= 2 * kQuickRadius * smallest;
+    }
+
+    void sum(std::uint32_t begin, const std::vector<GaussianSource>& sources, std::size_t count,
+             GaussianSums& sums) const {
+        GaussianLaneSums lanes = {};
+        (quick_ ? sum_quickly : sum_gaussians)(targets(begin), sources.data(), count, lanes);
+        write(lanes, begin, sums);
+    }
+
+    std::size_t collect_sources(const std::vector<SourceLeaf>& packed,
+                                std::vector<GaussianSource>& sources) const {
+        std::size_t count = 0;
+        const Eigen::Array3f half_size = (leaf_.box.sizes() / 2).cast<float>();
+        tree_.visit_leaves(leaf_.box, radius_, [&](const SpatialTree::Leaf& other) {
+            const std::size_t others = other.end - other.begin;
+            if (sources.size() < count + others) sources.resize(2 * (count + others));
+            count += laplacian_lines::collect_sources(
+                packed[std::size_t(&other - tree_.leaves().data())], others,
+                source(other.box.center() - centre_, -mean_normal_), half_size.data(),
+                float(radius_ * radius_), &sources[count]);
+        });
+        return count;
+    }
+
+private:
+    GaussianTargets targets(std::uint32_t begin) const {
+        GaussianTargets t;
+        for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+            const std::uint32_t v = std::min(begin + lane, leaf_.end - 1);
+            const Eigen::Vector3f p = (mesh_.positions[v] - centre_).cast<float>();
+            const Eigen::Vector3f n = (normals_[v] - mean_normal_).cast<float>();
+            t.x[lane] = p.x(), t.y[lane] = p.y(), t.z[lane] = p.z();
+            t.nx[lane] = n.x(), t.ny[lane] = n.y(), t.nz[lane] = n.z();
+            const double size = kernel_.kernel_sizes[v];
+            t.squared_cutoff[lane] = float(std::pow(kernel_.cutoff * size, 2));
+            t.exponent[lane] = float(-kLog2E / (4 * size * size));
+        }
+        Eigen::Map<Eigen::Vector3f>(t.mean_normal) = mean_normal_.cast<float>();
+        t.log2_cutoff = float(-kLog2E * kernel_.cutoff * kernel_.cutoff / 4);
+        t.unit_mass = unit_mass_;
+        t.normal_exponent = float(-kLog2E * kernel_.normal_falloff);
+        t.facing = kernel_.facing ? 1.f : 0.f;
+        return t;
+    }
+
+    void write(const GaussianLaneSums& s, std::uint32_t begin, GaussianSums& sums) const {
+        for (std::uint32_t lane = 0; lane < std::min<std::uint32_t>(kLanes, leaf_.end - begin);
+             ++lane) {
+            const std::uint32_t v = begin + lane;
+            sums.mass[v] = s.mass[lane];
+            sums.first_moment[v] = {s.mx[lane], s.my[lane], s.mz[lane]};
+            sums.normal_difference[v] = {s.nx[lane], s.ny[lane], s.nz[lane]};
+        }
+    }
+
+    const PreparedMesh& mesh_;
+    const SpatialTree& tree_;
+    const std::vector<Eigen::Vector3d>& normals_;
+    const GaussianKernel& kernel_;
+    const float unit_mass_;
+    const SpatialTree::Leaf& leaf_;
+    Eigen::Vector3d centre_, mean_normal_;
+    double radius_;
+    bool quick_;
+};
+
+}  // namespace
+
+GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
+                           const std::vector<Eigen::Vector3d>& normals,
+                           const GaussianKernel& kernel, const StageProgress& stage) {
+    GaussianSums sums(mesh.size());
+    const float unit_mass = mean_mass(mesh);
+    const std::vector<SourceLeaf> packed = pack_sources(mesh, tree, normals, unit_mass);
+    using Sources = std::vector<GaussianSource>;
+    parallel_for<Sources>(packed.size(), stage, [&](std::size_t i, Sources& sources) {
+        const SpatialTree::Leaf& leaf = tree.leaves()[i];
+        const LeafSum leaf_sum(mesh, tree, normals, kernel, unit_mass, leaf);
+        const std::size_t count = leaf_sum.collect_sources(packed, sources);
+        for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kLanes)
+            leaf_sum.sum(begin, sources, count, sums);
+    });
+    return sums;
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "mesh/prepared_mesh.h"
+#include "mesh/spatial_tree.h"
+#include "system/large_array.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+
+constexpr double kQuickError = 8e-5;  ///< of a quick Gaussian, relative
+
+/// For every vertex p: w(q) = m_q exp(−|q−p|²/(4 h(p)) − normal_falloff |n_q−n_p|²) over the
+/// vertices q within `cutoff`·√h(p) of p.
+struct GaussianKernel {
+    std::vector<float> kernel_sizes;  ///< [N], √h(p), local units
+    double cutoff = 6;                ///< in √h
+    double normal_falloff = 0;        ///< > 0 makes the sum bilateral
+    bool facing = true;               ///< times facing_weight(n_q·n_p)
+    bool quick = false;               ///< kQuickError will do; no normal_falloff then
+};
+
+/// The sums that both the normal smoothing and Belkin's operator are made of, [N] each.
+struct GaussianSums {
+    explicit GaussianSums(std::size_t count)
+        : mass(large_array<float>(count)),
+          first_moment(large_array<Eigen::Vector3f>(count)),
+          normal_difference(large_array<Eigen::Vector3f>(count)) {}
+
+    std::vector<float> mass;                         ///< Σ w
+    std::vector<Eigen::Vector3f> first_moment;       ///< Σ w (q − p)
+    std::vector<Eigen::Vector3f> normal_difference;  ///< Σ w (n_q − n_p)
+};
+
+/// The mesh is sorted in space, and `tree` is its tree. Direct summation in float, relative error
+/// about 1e-6 (kQuickError if quick) before the truncation at the cutoff: positions and normals are
+/// taken relative to the mean of a group of targets.
+GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
+                           const std::vector<Eigen::Vector3d>& normals,
+                           const GaussianKernel& kernel, const StageProgress& stage);
+
+}  // namespace laplacian_lines

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sums/simd_grid.h"
+
+#include "sums/spline_kernel.h"
+#include "system/simd_clones.h"
+
+namespace laplacian_lines {
+namespace {
+
+template <class Real>
+struct Lanes;
+template <>
+struct Lanes<float> {
+    typedef float Type __attribute__((vector_size(4 * kMoments)));
+};
+template <>
+struct Lanes<double> {
+    // The widest registers hold 8; two of these make a group.
+    typedef double Type __attribute__((vector_size(8 * kMoments / 2)));
+};
+
+/// A node as vectors.
+template <class Real, int Groups>
+struct Vectors {
+    using Lane = typename Lanes<Real>::Type;
+    static constexpr int kLane = int(sizeof(Lane) / sizeof(Real));
+    static constexpr int kFirst = kMoments / kLane;  // vectors in the first group
+    static constexpr int kCount = Groups * kFirst;
+
+    static LAPLACIAN_LINES_INLINE const Lane& get(const Real* moments, int i) {
+        return reinterpret_cast<const Lane*>(moments)[i];
+    }
+    static LAPLACIAN_LINES_INLINE Lane& get(Real* moments, int i) {
+        return reinterpret_cast<Lane*>(moments)[i];
+    }
+};
+
+typedef double Places __attribute__((vector_size(32)));  // along x, y, z
+
+/// B-splines of a point, by node and axis.
+template <class Real, int Count>
+struct Splines {
+    typedef Real Axes __attribute__((vector_size(4 * sizeof(Real))));
+    Axes at[Count];
+
+    LAPLACIAN_LINES_INLINE void set(const Places* values) {
+        for (int k = 0; k < Count; ++k)
+            at[k] = __builtin_convertvector(values[k], Axes);
+    }
+};
+
+template <class Real, int Groups>
+LAPLACIAN_LINES_INLINE void spread_any(const GridNode<Real, Groups>& value, const CellPlace& place,
+                                       GridNode<Real, Groups>* corner) {
+    using V = Vectors<Real, Groups>;
+    Places cubic[4];
+    cubic_spline(*reinterpret_cast<const Places*>(place.t), cubic);
+    Splines<Real, 4> w;
+    w.set(cubic);
+    typename V::Lane v[V::kCount];
+    for (int i = 0; i < V::kCount; ++i)
+        v[i] = V::get(value.moments, i);
+    for (int z = 0; z < 4; ++z)
+        for (int y = 0; y < 4; ++y) {
+            const Real weight = w.at[z][2] * w.at[y][1];
+            GridNode<Real, Groups>* nodes = corner + (z * kBox + y) * kBox;
+            for (int i = 0; i < V::kCount; ++i) {
+                const typename V::Lane weighted = weight * v[i];
+                for (int x = 0; x < 4; ++x)
+                    V::get(nodes[x].moments, i) += w.at[x][0] * weighted;
+            }
+        }
+}
+
+template <class Real, int Groups>
+LAPLACIAN_LINES_INLINE void interpolate_any(const GridNode<Real, Groups>* corner,
+                                            const CellPlace& place, PointSums<Real, Groups>& sums) {
+    using V = Vectors<Real, Groups>;
+    using Lane = typename V::Lane;
+    const Places t = *reinterpret_cast<const Places*>(place.t);
+    Places cubic[4], quartic[5], derivatives[5];
+    cubic_spline(t, cubic);
+    quartic_spline(t, cubic, quartic, derivatives);
+    Splines<Real, 5> w, d;
+    w.set(quartic);
+    d.set(derivatives);
+    for (int i = 0; i < V::kCount; ++i) {
+        const bool first = i < V::kFirst;
+        Lane value{}, dx{}, dy{}, dz{};
+        for (int z = 0; z < 5; ++z) {
+            Lane plane{}, plane_dx{}, plane_dy{};
+            for (int y = 0; y < 5; ++y) {
+                const GridNode<Real, Groups>* nodes = corner + (z * kBox + y) * kBox;
+                Lane row{}, row_dx{};
+                for (int x = 0; x < 5; ++x) {
+                    const Lane g = V::get(nodes[x].moments, i);
+                    row += w.at[x][0] * g;
+                    if (first) row_dx += d.at[x][0] * g;
+                }
+                plane += w.at[y][1] * row;
+                if (!first) continue;
+                plane_dx += w.at[y][1] * row_dx;
+                plane_dy += d.at[y][1] * row;
+            }
+            value += w.at[z][2] * plane;
+            if (!first) continue;
+            dx += w.at[z][2] * plane_dx;
+            dy += w.at[z][2] * plane_dy;
+            dz += d.at[z][2] * plane;
+        }
+        V::get(sums.moments, i) = value;
+        if (!first) continue;
+        V::get(sums.derivatives[0], i) = dx;
+        V::get(sums.derivatives[1], i) = dy;
+        V::get(sums.derivatives[2], i) = dz;
+    }
+}
+
+/// Calls visit(node of the box, node of the block), each the first of the four of a row.
+template <class Visit>
+LAPLACIAN_LINES_INLINE void for_each_row(int part, unsigned rows, Visit visit) {
+    const int first = (((part >> 2) * kBox + (part >> 1 & 1)) * kBox + (part & 1)) * kBlock;
+    for (; rows; rows &= rows - 1) {
+        const int row = __builtin_ctz(rows);
+        visit(first + (row / kBlock * kBox + row % kBlock) * kBox, row * kBlock);
+    }
+}
+
+template <class Real, int Groups>
+LAPLACIAN_LINES_INLINE void clear_rows_any(int part, RowMask rows, GridNode<Real, Groups>* box) {
+    using V = Vectors<Real, Groups>;
+    for_each_row(
+        part, rows, [&](int in_box, int) __attribute__((always_inline)) {
+            for (int i = 0; i < kBlock * V::kCount; ++i)
+                V::get(box[in_box].moments, i) = typename V::Lane{};
+        });
+}
+
+template <class Real, int Groups>
+LAPLACIAN_LINES_INLINE void copy_rows_any(int part, RowMask rows,
+                                          const GridNode<Real, Groups>* block,
+                                          GridNode<Real, Groups>* box) {
+    using V = Vectors<Real, Groups>;
+    for_each_row(
+        part, rows, [&](int in_box, int in_block) __attribute__((always_inline)) {
+            for (int i = 0; i < kBlock * V::kCount; ++i)
+                V::get(box[in_box].moments, i) = V::get(block[in_block].moments, i);
+        });
+}
+
+template <class Real, int Groups>
+LAPLACIAN_LINES_INLINE void add_rows_any(int part, RowMask rows, const GridNode<Real, Groups>* box,
+                                         GridNode<Real, Groups>* block) {
+    using V = Vectors<Real, Groups>;
+    for_each_row(
+        part, rows, [&](int in_box, int in_block) __attribute__((always_inline)) {
+            for (int i = 0; i < kBlock * V::kCount; ++i)
+                V::get(block[in_block].moments, i) += V::get(box[in_box].moments, i);
+        });
+}
+
+LAPLACIAN_LINES_INLINE int row_begin(int axis, int row) {
+    return axis == 0 ? 4 * row : axis == 1 ? 16 * (row / 4) + row % 4 : row;
+}
+
+template <class Real, int Groups>
+LAPLACIAN_LINES_INLINE void convolve_any(const ConvolutionInput<Real, Groups>& input, RowMask rows,
+                                         GridNode<Real, Groups>* output) {
+    using V = Vectors<Real, Groups>;
+    using Lane = typename V::Lane;
+    const int stride = input.axis == 0 ? 1 : input.axis == 1 ? 4 : 16;
+    for (int row = 0; row < 16; ++row) {
+        const int begin = row_begin(input.axis, row);
+        Lane sum[V::kCount][kBlock]{};
+        for (int b = 0; b < (rows >> row & 1 ? input.count : 0); ++b) {
+            if (!(input.rows[b] >> row & 1)) continue;
+            const GridNode<Real, Groups>* in = input.blocks[b] + begin;
+            const Real* taps = input.taps + kBlock * (b - input.count / 2);
+            for (int k = 0; k < kBlock; ++k)
+                for (int i = 0; i < V::kCount; ++i) {
+                    const Lane g = V::get(in[k * stride].moments, i);
+                    for (int j = 0; j < kBlock; ++j)
+                        sum[i][j] += taps[k - j] * g;
+                }
+        }
+        for (int j = 0; j < kBlock; ++j)
+            for (int i = 0; i < V::kCount; ++i)
+                V::get(output[begin + j * stride].moments, i) = sum[i][j];
+    }
+}
+
+}  // namespace
+
+// Clones cannot be templates. The parameters come last, since they hold commas.
+#define LAPLACIAN_LINES_GRID_KERNEL(name, Real, Groups, arguments, ...) \
+    LAPLACIAN_LINES_CLONES void name##_##Real##Groups(__VA_ARGS__) {    \
+        name##_any arguments;                                           \
+    }                                                                   \
+    template <>                                                         \
+    void name(__VA_ARGS__) {                                            \
+        name##_##Real##Groups arguments;                                \
+    }
+
+#define LAPLACIAN_LINES_GRID_KERNELS(Real, Groups)                                            \
+    LAPLACIAN_LINES_GRID_KERNEL(spread, Real, Groups, (value, place, corner),                 \
+                                const GridNode<Real, Groups>& value, const CellPlace& place,  \
+                                GridNode<Real, Groups>* corner)                               \
+    LAPLACIAN_LINES_GRID_KERNEL(interpolate, Real, Groups, (corner, place, sums),             \
+                                const GridNode<Real, Groups>* corner, const CellPlace& place, \
+                                PointSums<Real, Groups>& sums)                                \
+    LAPLACIAN_LINES_GRID_KERNEL(clear_rows, Real, Groups, (part, rows, box), int part,        \
+                                RowMask rows, GridNode<Real, Groups>* box)                    \
+    LAPLACIAN_LINES_GRID_KERNEL(copy_rows, Real, Groups, (part, rows, block, box), int part,  \
+                                RowMask rows, const GridNode<Real, Groups>* block,            \
+                                GridNode<Real, Groups>* box)                                  \
+    LAPLACIAN_LINES_GRID_KERNEL(add_rows, Real, Groups, (part, rows, box, block), int part,   \
+                                RowMask rows, const GridNode<Real, Groups>* box,              \
+                                GridNode<Real, Groups>* block)                                \
+    LAPLACIAN_LINES_GRID_KERNEL(convolve, Real, Groups, (input, rows, output),                \
+                                const ConvolutionInput<Real, Groups>& input, RowMask rows,    \
+                                GridNode<Real, Groups>* output)
+
+LAPLACIAN_LINES_GRID_KERNELS(float, 1)
+LAPLACIAN_LINES_GRID_KERNELS(float, 2)
+LAPLACIAN_LINES_GRID_KERNELS(double, 1)
+LAPLACIAN_LINES_GRID_KERNELS(double, 2)
+
+}  // namespace laplacian_lines

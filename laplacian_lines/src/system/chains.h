@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace laplacian_lines {
+
+// Chains of pieces that are joined at their ends. End 2p is the first one of piece p, 2p + 1 its
+// last one. `link(end)` is the end of another piece (or of the same) that goes on there, or kNoEnd.
+constexpr std::uint32_t kNoEnd = 0xffffffffu;
+
+/// Calls enter(end) for each piece of the chain that begins at an end of its first piece. Returns
+/// whether the chain is closed.
+template <class Link, class Enter>
+bool follow_chain(std::uint32_t start, const Link& link, const Enter& enter) {
+    std::uint32_t end = start;
+    do {
+        enter(end);
+        end = link(end ^ 1);
+    } while (end != kNoEnd && end != start);
+    return end == start;
+}
+
+/// Calls trace(start) where chains begin; `trace` passes over pieces that it has entered before.
+/// First ends before last ones, so that chains keep their pieces' direction; what is left are
+/// closed ones.
+template <class Link, class Trace>
+void for_each_chain(std::uint32_t pieces, const Link& link, const Trace& trace) {
+    for (std::uint32_t side : {0u, 1u})
+        for (std::uint32_t piece = 0; piece < pieces; ++piece)
+            if (link(2 * piece + side) == kNoEnd) trace(2 * piece + side);
+    for (std::uint32_t piece = 0; piece < pieces; ++piece)
+        trace(2 * piece);
+}
+
+}  // namespace laplacian_lines

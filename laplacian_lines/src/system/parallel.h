@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <vector>
+
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/progress.h"
+#include "system/affordable_threads.h"
+
+namespace laplacian_lines {
+
+/// The share of a longer computation that one step covers.
+class StageProgress {
+public:
+    StageProgress(const Progress& progress, double begin, double end, const char* name)
+        : progress_(progress), begin_(begin), end_(end), name_(name) {}
+
+    /// `done` of this step, 0..1. @throws Error(Cancelled)
+    void report(double done) const {
+        if (progress_ && !progress_(begin_ + (end_ - begin_) * done, name_))
+            throw Error(ErrorCode::Cancelled, "Cancelled; the mesh was not changed.");
+    }
+
+    /// From `begin` to `end` of this step, 0..1.
+    StageProgress part(double begin, double end) const {
+        const double size = end_ - begin_;
+        return {progress_, begin_ + begin * size, begin_ + end * size, name_};
+    }
+
+private:
+    const Progress& progress_;
+    double begin_, end_;
+    const char* name_;
+};
+
+/// Runs body(i, scratch) for i in [0, count) on OpenMP's threads, each with a Scratch of its own,
+/// `grain` of them at a time. The body must write only to places that belong to i, so that the
+/// number of threads cannot change the result. Calls finished(n) from the calling thread now and
+/// then, n growing up to count; the first exception stops all threads and is thrown again here.
+template <class Scratch, class Body, class Finished>
+void parallel_for(std::size_t count, int grain, Body body, Finished report) {
+    std::atomic<bool> stop{false};
+    std::atomic<std::size_t> finished{0};
+    std::exception_ptr failure;
+    const std::size_t report_every = std::max<std::size_t>(1, count / 100);
+    const int threads = count > std::size_t(grain) ? affordable_threads(omp_get_max_threads()) : 1;
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    {
+        Scratch scratch;
+        std::size_t next_report = 0;
+#pragma omp for schedule(dynamic, grain)
+        for (std::size_t i = 0; i < count; ++i) {
+            if (stop.load(std::memory_order_relaxed)) continue;
+            try {
+                body(i, scratch);
+                const std::size_t done = finished.fetch_add(1, std::memory_order_relaxed);
+                if (omp_get_thread_num() == 0 && done >= next_report) {
+                    next_report = done + report_every;
+                    report(done);
+                }
+            } catch (...) {
+#pragma omp critical(laplacian_lines_failure)
+                if (!failure) failure = std::current_exception();
+                stop = true;
+            }
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+/// The same as a step of a longer computation, whose end is told in any case: the calling thread
+/// may have got no part of the work.
+template <class Scratch, class Body>
+void parallel_for(std::size_t count, const StageProgress& stage, Body body, int grain = 16) {
+    parallel_for<Scratch>(count, grain, body,
+                          [&](std::size_t done) { stage.report(double(done) / double(count)); });
+    stage.report(1);
+}
+
+/// Without reports, one at a time.
+template <class Scratch, class Body>
+void in_parallel(std::size_t count, Body body) {
+    parallel_for<Scratch>(count, 1, body, [](std::size_t) {});
+}
+
+struct NoScratch {};
+
+constexpr std::size_t kBlockElements = 8192;
+
+inline std::size_t block_count(std::size_t count) {
+    return (count + kBlockElements - 1) / kBlockElements;
+}
+
+/// Runs body(begin, end) for the blocks of kBlockElements elements of [0, count), for short work on
+/// each element.
+template <class Body>
+void in_blocks(std::size_t count, Body body) {
+    in_parallel<NoScratch>(block_count(count), [&](std::size_t i, NoScratch&) {
+        body(i * kBlockElements, std::min(count, (i + 1) * kBlockElements));
+    });
+}
+
+/// The same with body(i) for each element.
+template <class Body>
+void for_each_element(std::size_t count, Body body) {
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            body(i);
+    });
+}
+
+/// Joins value(begin, end) of the blocks to `start` in their order, so that the number of threads
+/// cannot change the result.
+template <class T, class Value, class Join>
+T join_blocks(std::size_t count, T start, Value value, Join join) {
+    std::vector<T> values(block_count(count));
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        values[begin / kBlockElements] = value(begin, end);
+    });
+    for (const T& of_block : values)
+        start = join(start, of_block);
+    return start;
+}
+
+/// Σ value_of(i) of all elements.
+template <class ValueOf>
+double sum_of(std::size_t count, ValueOf value_of) {
+    const auto sum = [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            sum += value_of(i);
+        return sum;
+    };
+    return join_blocks(count, 0., sum, [](double a, double b) { return a + b; });
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "visibility/ray_caster.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "laplacian_lines/error.h"
+
+namespace laplacian_lines {
+namespace {
+
+// Rays through an edge must not slip between its triangles, whatever the rounding.
+constexpr double kOverlap = 1e-10;
+constexpr double kListed = 0.2;  // about the part of the building's time that the triangles take
+
+/// T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
+bool meets(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+           const Eigen::Vector3d& c) {
+    const Eigen::Vector3d ab = b - a, ac = c - a, from_a = ray.origin - a;
+    const Eigen::Vector3d p = ray.direction.cross(ac);
+    const double determinant = ab.dot(p);
+    if (determinant == 0) return false;
+    const double u = from_a.dot(p) / determinant;
+    const Eigen::Vector3d q = from_a.cross(ab);
+    const double v = ray.direction.dot(q) / determinant;
+    if (!(u >= -kOverlap && v >= -kOverlap && u + v <= 1 + kOverlap)) return false;
+    const double t = ac.dot(q) / determinant;
+    return t >= 0 && t <= ray.length;
+}
+
+/// A. van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", 1983. Positive where the
+/// triangle shows its back.
+double solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    const double numerator = a.dot(b.cross(c));
+    const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    return 2 * std::atan2(numerator, denominator);
+}
+
+}  // namespace
+
+/// What the tree asks: which boxes to look into, and whether to stop at an object.
+class RayCaster::Query {
+public:
+    Query(const Ray& ray, const std::vector<Corners>& triangles)
+        : ray_(ray), inverse_(ray.direction.cwiseInverse()), triangles_(triangles) {}
+
+    bool intersectVolume(const BoxTree::Box& box) const {
+        double enter = 0, leave = ray_.length;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = (box.min()[axis] - ray_.origin[axis]) * inverse_[axis];
+            const double b = (box.max()[axis] - ray_.origin[axis]) * inverse_[axis];
+            if (std::isnan(a) || std::isnan(b)) continue;  // along a side of the box: 0 · ∞
+            enter = std::max(enter, std::min(a, b));
+            leave = std::min(leave, std::max(a, b));
+        }
+        return enter <= leave + kOverlap * std::abs(enter);
+    }
+
+    bool intersectObject(int triangle) {
+        const Corners& t = triangles_[std::size_t(triangle)];
+        if (!meets(ray_, t.a, t.b, t.c)) return false;
+        met_ = triangle;
+        return true;
+    }
+
+    /// The triangle that was met, -1 if none.
+    int met() const { return met_; }
+
+private:
+    const Ray& ray_;
+    Eigen::Vector3d inverse_;
+    const std::vector<Corners>& triangles_;
+    int met_ = -1;
+};
+
+RayCaster::RayCaster(const TriangleMesh& mesh, const StageProgress& stage) {
+    stage.report(0);
+    std::vector<BoxTree::Box> boxes;
+    triangles_.reserve(mesh.triangles.size());
+    boxes.reserve(mesh.triangles.size());
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle)
+            if (corner >= mesh.positions.size())
+                throw Error(ErrorCode::InvalidMesh, "A triangle names a vertex that is not there.");
+        const Corners corners = {mesh.positions[triangle[0]], mesh.positions[triangle[1]],
+                                 mesh.positions[triangle[2]]};
+        if (!corners.a.allFinite() || !corners.b.allFinite() || !corners.c.allFinite()) continue;
+        triangles_.push_back(corners);
+        boxes.push_back(BoxTree::Box(corners.a).extend(corners.b).extend(corners.c));
+    }
+    tree_ = BoxTree(boxes, stage.part(kListed, 1));
+    stage.report(1);
+}
+
+bool RayCaster::is_hit(const Ray& ray, Hint& hint) const {
+    if (triangles_.empty()) return false;
+    Query query(ray, triangles_);
+    if (hint.triangle >= 0 && query.intersectObject(hint.triangle)) return true;
+    tree_.visit(query);
+    if (query.met() >= 0) hint.triangle = query.met();
+    return query.met() >= 0;
+}
+
+double RayCaster::winding_number(const Eigen::Vector3d& point) const {
+    double sum = 0;
+    for (const Corners& t : triangles_)
+        sum += solid_angle(t.a - point, t.b - point, t.c - point);
+    return sum / (4 * std::acos(-1.0));
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds by clang, with its warnings as errors and with sanitizers. Other checks run what is built.
+
+require environment/build environment/messages environment/packages
+
+CHECK_PACKAGES=(clang libclang-rt-dev llvm libomp-dev cppcheck shellcheck)
+SANITIZERS=address,undefined,float-cast-overflow
+
+checks_folder() {
+    printf '%s/checks\n' "$(build_folder "$1")"
+}
+
+# build_with_clang CHECKOUT FOLDER SANITIZERS TARGETS... [-- CMAKE_OPTIONS...]: warnings are errors
+build_with_clang() {
+    local checkout=$1 LAPLACIAN_LINES_BUILD=$2 sanitizers=$3 targets=()
+    shift 3
+    while (($#)) && [[ $1 != -- ]]; do
+        targets+=("$1")
+        shift
+    done
+    ensure_toolchain "${TEST_PACKAGES[@]}" "${CHECK_PACKAGES[@]}"
+    say "building with clang and the sanitizers $sanitizers"
+    configure "$checkout" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \
+        "-DCMAKE_CXX_FLAGS=-O1 -gline-tables-only" -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON \
+        "-DLAPLACIAN_LINES_SANITIZE=$sanitizers" "${@:2}"
+    compile "$checkout" "${targets[@]}"
+}
+
+# build_checks CHECKOUT TARGETS...
+build_checks() {
+    build_with_clang "$1" "$(checks_folder "$1")" "$SANITIZERS" "${@:2}" -- -DLAPLACIAN_LINES_COUNTERS=ON
+}

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Configure and build, quietly unless something fails.
+
+require environment/cache environment/headers environment/messages environment/packages
+
+# ensure_toolchain EXTRA_PACKAGES...: all that building takes, MeshLab itself included.
+ensure_toolchain() {
+    ensure_packages "${BUILD_PACKAGES[@]}" "$@"
+    ensure_meshlab_recommends
+    ensure_headers
+}
+
+# build_folder CHECKOUT: a root's build is apart from this machine's
+build_folder() {
+    printf '%s\n' "${LAPLACIAN_LINES_BUILD:-$1/build}"
+}
+
+# configure CHECKOUT CMAKE_OPTIONS...: without MESHLAB_SOURCE_DIR, as it was configured before or the core alone
+configure() {
+    local checkout=$1 build launcher=()
+    shift
+    [[ -n ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]] || ! command -v ccache >/dev/null ||
+        launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    build=$(build_folder "$checkout")
+    quietly "$build/configure.log" cmake -S "$checkout" -B "$build" "${launcher[@]}" \
+        ${MESHLAB_SOURCE_DIR:+-DMESHLAB_SOURCE_DIR="$MESHLAB_SOURCE_DIR"} "$@" || fail "cmake could not configure the build"
+}
+
+# compile CHECKOUT TARGETS...: all targets when none is named. Where there is ccache, nothing is compiled twice, in
+# another checkout either.
+compile() {
+    local checkout=$1 build log
+    build=$(build_folder "$1")
+    log=$build/build.log
+    shift
+    CCACHE_DIR=${CCACHE_DIR:-$(compiled_folder)} CCACHE_MAXSIZE=${CCACHE_MAXSIZE:-1G} \
+        CCACHE_BASEDIR=$checkout CCACHE_NOHASHDIR=1 \
+        quietly "$log" cmake --build "$build" --parallel "$(nproc)" ${1:+--target "$@"} ||
+        fail "the build failed; its whole output is in $log"
+}

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# STAGE/bin/meshlab and meshlabserver: the installed MeshLab with our plugins beside its own, and with nothing written
+# outside STAGE.
+
+require product/server
+
+multiarch() {
+    dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch
+}
+
+installed_meshlab_folder() {
+    printf '/usr/lib/%s/meshlab\n' "$(multiarch)"
+}
+
+# stage_meshlab STAGE PLUGIN...
+stage_meshlab() {
+    local stage=$1
+    mkdir -p "$stage/bin"
+    copy_meshlab "$stage/system"
+    add_plugins "$stage/system" "${@:2}"
+    stage_program "$stage" meshlab
+    if [[ -e /usr/bin/meshlabserver ]]; then
+        stage_program "$stage" meshlabserver
+    else
+        stage_server "$@"
+    fi
+}
+
+# copy_meshlab FOLDER: MeshLab finds its libraries, plugins and shaders from the place of its executable, if that
+# one's folder is called "bin". Executables have to be copies, because Qt follows links.
+copy_meshlab() {
+    local folder=$1 installed libraries name
+    installed=$(installed_meshlab_folder)
+    libraries=$folder/lib/$(multiarch)/meshlab
+    mkdir -p "$folder/bin" "$folder/share" "$libraries/plugins"
+    for name in meshlab meshlabserver; do
+        [[ -e /usr/bin/$name ]] || continue
+        # A running MeshLab may hold the old copy: replace it instead of writing into it.
+        cmp -s "/usr/bin/$name" "$folder/bin/$name" || install "/usr/bin/$name" "$folder/bin/"
+    done
+    find "$libraries" -type l -delete
+    ln -s "$installed"/*.so "$libraries"
+    ln -s "$installed"/plugins/*.so "$libraries/plugins"
+    ln -sfn /usr/share/meshlab "$folder/share/meshlab"
+}
+
+# add_plugins FOLDER PLUGIN...: MeshLab loads both of two plugins with the same decorations and stops at their
+# parameters: ours replaces an installed one of the same name.
+add_plugins() {
+    local plugin
+    for plugin in "${@:2}"; do
+        ln -sfn "$plugin" "$1/lib/$(multiarch)/meshlab/plugins"
+    done
+}
+
+# stage_program STAGE NAME: from 2022.02 on, MeshLab would also load the plugins that the user has added: give it
+# another folder to look for them. Its OpenGL needs an X display, also on Wayland. Plugins that are compiled with
+# sanitizers need their library, $SANITIZER_LIBRARY, in the program.
+stage_program() {
+    write_program "$1/bin/$2" <<-END
+		#!/bin/sh
+		${SANITIZER_LIBRARY:+export LD_PRELOAD=$SANITIZER_LIBRARY}
+		XDG_DATA_HOME=$(printf %q "$1/system/data") QT_QPA_PLATFORM=xcb exec $(printf %q "$1/system/bin/$2") "\$@"
+	END
+}
+
+write_program() {
+    rm -f "$1"
+    cat >"$1"
+    chmod +x "$1"
+}

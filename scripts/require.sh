@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The parts that scripts are made of, each a file here with one subject. A script begins with
+#   source .../scripts/require.sh PART...       as environment/cache
+# and a part with the same without "source": each is read once, however many ask for it. Never source it without a
+# PART: bash would hand on the script's own arguments.
+# Parts are read inside a function: what they declare has to be global (declare -g).
+
+if ! declare -F require >/dev/null; then
+    SCRIPTS=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+    declare -A REQUIRED_PARTS=()
+
+    # require PART...
+    require() {
+        local part
+        for part in "$@"; do
+            [[ -z ${REQUIRED_PARTS[$part]:-} ]] || continue
+            REQUIRED_PARTS[$part]=yes
+            # shellcheck source=/dev/null
+            source "$SCRIPTS/$part.sh"
+        done
+    }
+fi
+require "$@"

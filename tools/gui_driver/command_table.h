@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QString>
+#include <QStringList>
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+namespace driver {
+
+// One line of the driver's script: NAME REST, where REST is also cut into words ("double quotes"
+// keep blanks).
+struct Command {
+    int line = 0;
+    QString name;
+    QString rest;
+    QStringList words;
+
+    const QString& word(int index) const;  // CommandError when there are fewer words
+    double number(int index) const;        // CommandError when it is not a number
+    QString wordOr(int index, const QString& otherwise) const;
+};
+
+// Ends the run: the process exits with code 3 and says which line failed and why.
+struct CommandError : std::runtime_error {
+    explicit CommandError(const QString& why) : std::runtime_error(why.toStdString()) {}
+};
+
+enum class Outcome {
+    Done,
+    Retry  // not yet: run the command again soon, until the time limit of a line is over
+};
+
+enum class Place {
+    MainWindow,  // refused while a modal box is in the way
+    ModalBox,    // meant to be run while a modal box is up
+    Everywhere   // answers modal boxes itself: no other command is run before it returns
+};
+
+class CommandTable {
+public:
+    using Handler = std::function<Outcome(const Command&)>;
+    struct Entry {
+        Handler handler;
+        Place place;
+    };
+
+    void add(const QString& name, Handler handler, Place place = Place::MainWindow);
+    // for commands that are done as soon as they return
+    void addSimple(const QString& name, std::function<void(const Command&)> handler,
+                   Place place = Place::MainWindow);
+
+    const Entry& find(const QString& name) const;  // CommandError when there is none
+
+private:
+    std::map<QString, Entry> entries_;
+};
+
+}  // namespace driver

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands are described in README.md.
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include <QFile>
+
+#include "modules.h"
+#include "report.h"
+
+namespace driver {
+namespace {
+
+constexpr double megabyte = 1 << 20;
+double noted = 0, allowed = 0;
+
+/// Megabytes that were allocated and not freed again.
+double heapInUse() {
+    const struct mallinfo2 info = mallinfo2();
+    return double(info.uordblks + info.hblkhd) / megabyte;
+}
+
+double grownBy() {
+    const double grown = heapInUse() - noted;
+    say(QString("memory in use has grown by %1 MB").arg(grown, 0, 'f', 2).toStdString());
+    return grown;
+}
+
+void noteMemory(const Command&) {
+    noted = heapInUse();
+    allowed = 0;
+}
+
+// MeshLab itself keeps some memory at each filter.
+void allowMemoryGrowth(const Command&) {
+    allowed = grownBy();
+    noted = heapInUse();
+}
+
+void expectMemoryGrowth(const Command& command) {
+    const double grown = grownBy();
+    if (grown > allowed + command.number(0))
+        throw CommandError(QString("memory in use has grown by %1 MB").arg(grown, 0, 'f', 2));
+}
+
+void setAddressSpace(rlim_t bytes) {
+    rlimit limit{};
+    getrlimit(RLIMIT_AS, &limit);
+    limit.rlim_cur = bytes < limit.rlim_max ? bytes : limit.rlim_max;
+    if (setrlimit(RLIMIT_AS, &limit) != 0) throw CommandError("the memory cannot be limited");
+}
+
+// Not more than this beyond what the process has now.
+void limitMemory(const Command& command) {
+    malloc_trim(0);
+    QFile file("/proc/self/statm");
+    if (!file.open(QIODevice::ReadOnly)) throw CommandError("cannot read " + file.fileName());
+    const double pages = file.readAll().split(' ').value(0).toDouble();
+    setAddressSpace(rlim_t(pages * double(sysconf(_SC_PAGESIZE)) + command.number(0) * megabyte));
+}
+
+}  // namespace
+
+void addMemoryCommands(CommandTable& table) {
+    table.addSimple("note-memory", noteMemory);
+    table.addSimple("allow-memory-growth", allowMemoryGrowth);
+    table.addSimple("expect-memory-growth", expectMemoryGrowth);
+    table.addSimple("limit-memory", limitMemory);
+    table.addSimple(
+        "unlimit-memory", [](const Command&) { setAddressSpace(RLIM_INFINITY); }, Place::ModalBox);
+}
+
+}  // namespace driver

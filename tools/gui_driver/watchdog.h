@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace driver {
+
+// Ends the process with a clear line when one script line takes too long. A thread of its own,
+// because a timer of the GUI thread never fires while a filter or a drawing hangs there. Time
+// during which the whole process stands still, as in a suspended machine, does not count.
+class Watchdog {
+public:
+    explicit Watchdog(std::chrono::milliseconds limit);
+    ~Watchdog();
+
+    void setLimit(std::chrono::milliseconds limit);
+    void watch(const std::string& what);  // starts the clock anew
+    void rest();                          // nothing to watch
+
+private:
+    void run();
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::chrono::milliseconds limit_;
+    std::chrono::milliseconds spent_{0};
+    std::string what_;
+    bool watching_ = false;
+    bool ending_ = false;
+    std::thread thread_;  // last: starts when all else is ready
+};
+
+}  // namespace driver
