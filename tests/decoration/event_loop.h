@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QTimer>
+#include <QWidget>
+
+/// Lets all happen that is due: control is back in the event loop once.
+inline void endTurn() {
+    QEventLoop loop;
+    QTimer::singleShot(0, &loop, &QEventLoop::quit);
+    loop.exec();
+}
+
+/// The same for so long.
+inline void wait(int milliseconds) {
+    QEventLoop loop;
+    QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
+    loop.exec();
+}
+
+/// A shown widget that counts how often it is redrawn.
+class CountingWidget : public QWidget {
+public:
+    CountingWidget() {
+        show();
+        QElapsedTimer clock;
+        clock.start();
+        while (redraws_ == 0 && clock.elapsed() < 5000)
+            wait(5);
+        wait(20);
+        redraws_ = 0;
+    }
+    int redraws() const { return redraws_; }
+
+protected:
+    void paintEvent(QPaintEvent*) override { ++redraws_; }
+
+private:
+    int redraws_ = 0;
+};

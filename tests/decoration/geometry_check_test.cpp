@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// When the geometry is looked at: at once after whatever may have changed it, now and then while
+// the camera moves.
+#include "geometry_check.h"
+
+#include <gtest/gtest.h>
+
+#include "event_loop.h"
+#include "press_count.h"
+
+namespace {
+
+class GeometryCheckTest : public testing::Test {
+protected:
+    /// A redraw for which the camera has moved.
+    bool isDueAfterMove(unsigned presses = 0) {
+        modelview_(0, 3) += 1;
+        return check_.isDue(modelview_, presses, &widget_);
+    }
+    bool isDueWithoutMove(unsigned presses = 0) {
+        return check_.isDue(modelview_, presses, &widget_);
+    }
+
+    CountingWidget widget_;
+    GeometryCheck check_;
+    Eigen::Matrix4d modelview_ = Eigen::Matrix4d::Identity();
+};
+
+TEST_F(GeometryCheckTest, IsDueUnlessTheCameraAloneHasMoved) {
+    EXPECT_TRUE(isDueWithoutMove()) << "the first redraw";
+    EXPECT_FALSE(isDueAfterMove());
+    EXPECT_TRUE(isDueWithoutMove());
+    EXPECT_FALSE(isDueAfterMove());
+    EXPECT_TRUE(isDueAfterMove(1)) << "a key or button was pressed";
+    EXPECT_FALSE(isDueAfterMove(1));
+}
+
+TEST_F(GeometryCheckTest, IsDueWithoutAWidgetToRedraw) {
+    isDueWithoutMove();
+    modelview_(0, 3) += 1;
+    EXPECT_TRUE(check_.isDue(modelview_, 0, nullptr));
+}
+
+/// Turning is smooth, but not for longer than a quarter of a second without a look.
+TEST_F(GeometryCheckTest, IsDueNowAndThenWhileTheCameraMoves) {
+    isDueWithoutMove();
+    QElapsedTimer clock;
+    clock.start();
+    while (!isDueAfterMove() && clock.elapsed() < 5000)
+        wait(10);
+    EXPECT_GE(clock.elapsed(), 240);
+    EXPECT_LT(clock.elapsed(), 5000);
+}
+
+TEST_F(GeometryCheckTest, RedrawsOnceMoreWhenTheCameraHasStopped) {
+    isDueWithoutMove();
+    ASSERT_FALSE(isDueAfterMove());
+    wait(1000);
+    EXPECT_EQ(widget_.redraws(), 1);
+}
+
+TEST_F(GeometryCheckTest, DoesNotRedrawWhenThereWasALookSince) {
+    isDueWithoutMove();
+    ASSERT_FALSE(isDueAfterMove());
+    ASSERT_TRUE(isDueWithoutMove());
+    wait(1000);
+    EXPECT_EQ(widget_.redraws(), 0);
+}
+
+TEST_F(GeometryCheckTest, MayOutliveTheWidget) {
+    auto widget = std::make_unique<QWidget>();
+    GeometryCheck check;
+    check.isDue(modelview_, 0, widget.get());
+    modelview_(0, 3) += 1;
+    ASSERT_FALSE(check.isDue(modelview_, 0, widget.get()));
+    widget.reset();
+    wait(400);
+}
+
+/// An event for whatever object there may be.
+void send(QEvent::Type type) {
+    QObject receiver;
+    QEvent event(type);
+    QCoreApplication::sendEvent(&receiver, &event);
+}
+
+TEST(PressCount, CountsKeysAndButtonsAnywhere) {
+    const PressCount count;
+    unsigned expected = 0;
+    for (QEvent::Type type :
+         {QEvent::KeyPress, QEvent::KeyRelease, QEvent::Shortcut, QEvent::MouseButtonPress,
+          QEvent::MouseButtonRelease, QEvent::MouseButtonDblClick, QEvent::TabletPress,
+          QEvent::TabletRelease, QEvent::TouchBegin, QEvent::TouchEnd, QEvent::Drop}) {
+        send(type);
+        EXPECT_EQ(count.value(), ++expected) << type;
+    }
+}
+
+/// Turning the camera is none of these.
+TEST(PressCount, DoesNotCountMoves) {
+    const PressCount count;
+    for (QEvent::Type type : {QEvent::MouseMove, QEvent::Wheel, QEvent::TouchUpdate, QEvent::Paint,
+                              QEvent::Enter, QEvent::User})
+        send(type);
+    EXPECT_EQ(count.value(), 0u);
+}
+
+}  // namespace

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who uses which lines, and how long they are kept.
+#include "line_cache.h"
+
+#include <gtest/gtest.h>
+
+#include "event_loop.h"
+
+namespace {
+
+meshlab_host::FieldKey keyOf(unsigned number) {
+    meshlab_host::FieldKey key;
+    key.stamp.hash = number;
+    return key;
+}
+
+/// Lines of the geometry with this number.
+PreparedLinesPointer linesOf(unsigned number) {
+    auto lines = std::make_shared<PreparedLines>();
+    lines->key = keyOf(number);
+    return lines;
+}
+
+class LineCacheTest : public testing::Test {
+protected:
+    /// Assigns new lines and keeps nothing but a watch on them.
+    std::weak_ptr<const PreparedLines> assign(LineCache::View view, int mesh, unsigned number) {
+        PreparedLinesPointer lines = linesOf(number);
+        cache_.assign(view, mesh, lines);
+        return lines;
+    }
+
+    LineCache cache_;
+    const int views_[2] = {};
+    const LineCache::View left_ = &views_[0], right_ = &views_[1];
+};
+
+TEST_F(LineCacheTest, KnowsWhoUsesWhichLines) {
+    const PreparedLinesPointer lines = linesOf(1), others = linesOf(2);
+    cache_.assign(left_, 0, lines);
+    cache_.assign(left_, 1, others);
+    cache_.assign(right_, 0, lines);
+    EXPECT_EQ(cache_.at(left_, 0), lines);
+    EXPECT_EQ(cache_.at(left_, 1), others);
+    EXPECT_EQ(cache_.at(right_, 0), lines);
+    EXPECT_EQ(cache_.at(right_, 1), nullptr);
+    cache_.assign(left_, 0, others);
+    EXPECT_EQ(cache_.at(left_, 0), others);
+    EXPECT_EQ(cache_.at(right_, 0), lines);
+}
+
+TEST_F(LineCacheTest, FindsLinesByTheirContent) {
+    assign(left_, 0, 1);
+    ASSERT_TRUE(cache_.find(keyOf(1)));
+    EXPECT_EQ(cache_.find(keyOf(1)), cache_.at(left_, 0));
+    EXPECT_EQ(cache_.find(keyOf(2)), nullptr);
+    meshlab_host::FieldKey other_options = keyOf(1);
+    other_options.options = {0.5};
+    EXPECT_EQ(cache_.find(other_options), nullptr);
+}
+
+/// MeshLab ends and starts a decoration at every occasion.
+TEST_F(LineCacheTest, FindsWhatIsReleasedUntilTheTurnEnds) {
+    const auto lines = assign(left_, 0, 1);
+    cache_.release(left_, 0);
+    EXPECT_EQ(cache_.at(left_, 0), nullptr);
+    ASSERT_TRUE(cache_.find(keyOf(1)));
+    endTurn();
+    EXPECT_TRUE(lines.expired());
+    EXPECT_EQ(cache_.find(keyOf(1)), nullptr);
+}
+
+TEST_F(LineCacheTest, KeepsWhatIsAssignedAgain) {
+    const auto lines = assign(left_, 0, 1);
+    cache_.release(left_, 0);
+    cache_.assign(left_, 0, cache_.find(keyOf(1)));
+    endTurn();
+    EXPECT_FALSE(lines.expired());
+    EXPECT_EQ(cache_.at(left_, 0), lines.lock());
+}
+
+TEST_F(LineCacheTest, KeepsLinesAsLongAsSomeoneUsesThem) {
+    const auto lines = assign(left_, 0, 1);
+    cache_.assign(right_, 7, lines.lock());
+    cache_.releaseView(left_);
+    endTurn();
+    EXPECT_FALSE(lines.expired());
+    cache_.release(right_, 7);
+    endTurn();
+    EXPECT_TRUE(lines.expired());
+}
+
+TEST_F(LineCacheTest, ReleasesAllOfAViewAndNoneOfAnother) {
+    const auto first = assign(left_, 0, 1), second = assign(left_, 5, 2);
+    const auto kept = assign(right_, 0, 3);
+    cache_.releaseView(left_);
+    endTurn();
+    EXPECT_TRUE(first.expired());
+    EXPECT_TRUE(second.expired());
+    EXPECT_FALSE(kept.expired());
+}
+
+TEST_F(LineCacheTest, ReleasesMeshesThatAreGone) {
+    const auto gone = assign(left_, 2, 1), kept = assign(left_, 3, 2);
+    const auto elsewhere = assign(right_, 2, 3);
+    cache_.releaseAllBut(left_, {0, 3, 9});
+    endTurn();
+    EXPECT_TRUE(gone.expired());
+    EXPECT_FALSE(kept.expired());
+    EXPECT_FALSE(elsewhere.expired());
+}
+
+/// MeshLab does not say which mesh of a view is gone, but starts all others anew before control is
+/// back in the event loop.
+TEST_F(LineCacheTest, ReleasesWhatIsNotAssignedAgainInTheSameTurn) {
+    const auto gone = assign(left_, 0, 1), kept = assign(left_, 1, 2);
+    const auto elsewhere = assign(right_, 0, 3);
+    endTurn();
+    cache_.releaseUnlessAssigned(left_);
+    EXPECT_TRUE(cache_.at(left_, 0)) << "not yet";
+    cache_.assign(left_, 1, kept.lock());
+    endTurn();
+    EXPECT_TRUE(gone.expired());
+    EXPECT_FALSE(kept.expired());
+    EXPECT_FALSE(elsewhere.expired());
+    assign(right_, 5, 4);
+    endTurn();
+    EXPECT_FALSE(kept.expired()) << "said once, done once";
+}
+
+TEST_F(LineCacheTest, ChecksGeometryWhereThereAreNoLines) {
+    QWidget widget;
+    const Eigen::Matrix4d still = Eigen::Matrix4d::Identity(), moved = 2 * still;
+    EXPECT_TRUE(cache_.isCheckDue(left_, 0, still, &widget));
+    assign(left_, 0, 1);
+    EXPECT_TRUE(cache_.isCheckDue(left_, 0, still, &widget)) << "the first redraw";
+    EXPECT_FALSE(cache_.isCheckDue(left_, 0, moved, &widget)) << "the camera has moved";
+    EXPECT_TRUE(cache_.isCheckDue(right_, 0, moved, &widget)) << "another view";
+}
+
+}  // namespace

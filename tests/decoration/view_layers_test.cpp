@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layers of a view, told one after the other, and what is done when they are not as expected.
+#include "view_layers.h"
+
+#include <gtest/gtest.h>
+
+#include "event_loop.h"
+
+namespace {
+
+using line_renderer::Surface;
+using line_renderer::SurfaceLayer;
+
+class ViewLayersTest : public testing::Test {
+protected:
+    /// A layer, moved so far; its surface may come out of the depth buffer.
+    SurfaceLayer layer(double shift, bool is_in_depth_buffer = false) const {
+        SurfaceLayer result;
+        result.surface = surface_;
+        result.transform(0, 3) = shift;
+        result.is_in_depth_buffer = is_in_depth_buffer;
+        return result;
+    }
+
+    /// Meshes 0, 1, ... in one redraw of the view. Returns of how many the layer was expected.
+    int redraw(const std::vector<SurfaceLayer>& layers) {
+        int expected = 0;
+        for (std::size_t i = 0; i < layers.size(); ++i)
+            expected += layers_.note(view_, &widget_, int(i), layers[i], i == 0);
+        return expected;
+    }
+
+    /// How often the view is drawn again after such a redraw.
+    int redrawsAfter(const std::vector<SurfaceLayer>& layers) {
+        const int before = widget_.redraws();
+        redraw(layers);
+        wait(100);
+        return widget_.redraws() - before;
+    }
+
+    CountingWidget widget_;
+    ViewLayers layers_;
+    const int name_ = 0;
+    const ViewLayers::View view_ = &name_;
+    const std::shared_ptr<const Surface> surface_ = std::make_shared<Surface>();
+};
+
+TEST_F(ViewLayersTest, AreExpectedAsTheyWereInTheLastRedraw) {
+    EXPECT_EQ(redraw({layer(1), layer(2)}), 0);
+    EXPECT_EQ(redraw({layer(1), layer(2)}), 2);
+    EXPECT_EQ(redraw({layer(1), layer(3)}), 1);
+    EXPECT_EQ(redraw({layer(1), layer(3), layer(4)}), 2);
+}
+
+TEST_F(ViewLayersTest, IncludeThoseThatAreStillToCome) {
+    redraw({layer(1), layer(2)});
+    layers_.note(view_, &widget_, 0, layer(7), true);
+    ASSERT_EQ(layers_.of(view_).size(), 2u);
+    EXPECT_EQ(layers_.of(view_)[0], layer(7));
+    EXPECT_EQ(layers_.of(view_)[1], layer(2));
+}
+
+TEST_F(ViewLayersTest, ForgetWhatARedrawHasNotComeTo) {
+    redraw({layer(1), layer(2)});
+    redraw({layer(1)});
+    layers_.note(view_, &widget_, 0, layer(1), true);
+    EXPECT_EQ(layers_.of(view_).size(), 1u);
+}
+
+TEST_F(ViewLayersTest, OfOneViewAreNotThoseOfAnother) {
+    const int other = 0;
+    redraw({layer(1), layer(2)});
+    EXPECT_TRUE(layers_.of(&other).empty());
+    EXPECT_FALSE(layers_.note(&other, nullptr, 0, layer(1), true));
+    layers_.forget(view_);
+    EXPECT_TRUE(layers_.of(view_).empty());
+    EXPECT_EQ(layers_.of(&other).size(), 1u);
+}
+
+TEST_F(ViewLayersTest, AreInTheDepthBufferOnlyTogether) {
+    EXPECT_FALSE(layers_.areInDepthBuffer(view_)) << "nothing is known";
+    redraw({layer(1, true), layer(2, true)});
+    EXPECT_TRUE(layers_.areInDepthBuffer(view_));
+    redraw({layer(1, true), layer(2, false)});
+    EXPECT_FALSE(layers_.areInDepthBuffer(view_));
+}
+
+/// Lines were drawn as if a layer were where it was before: the view is drawn once more.
+TEST_F(ViewLayersTest, RedrawAViewThatWasWrong) {
+    EXPECT_EQ(redrawsAfter({layer(1), layer(2)}), 1) << "the second one is new";
+    EXPECT_EQ(redrawsAfter({layer(1), layer(2)}), 0);
+    EXPECT_EQ(redrawsAfter({layer(1), layer(3)}), 1) << "the second one has moved";
+    EXPECT_EQ(redrawsAfter({layer(1)}), 1) << "the second one is gone";
+    EXPECT_EQ(redrawsAfter({layer(1)}), 0);
+    EXPECT_EQ(redrawsAfter({layer(4)}), 0) << "the first one is known before any line is drawn";
+}
+
+/// Where the depth buffer hides lines, it does not matter what was expected.
+TEST_F(ViewLayersTest, DoNotRedrawWhatTheDepthBufferHides) {
+    EXPECT_EQ(redrawsAfter({layer(1, true), layer(2, true)}), 0);
+    EXPECT_EQ(redrawsAfter({layer(1, true), layer(3, true)}), 0);
+    EXPECT_EQ(redrawsAfter({layer(1, true)}), 0);
+}
+
+TEST_F(ViewLayersTest, MayOutliveTheWidget) {
+    auto widget = std::make_unique<QWidget>();
+    layers_.note(view_, widget.get(), 0, layer(1), true);
+    layers_.note(view_, widget.get(), 1, layer(2), false);
+    widget.reset();
+    wait(50);
+    EXPECT_EQ(layers_.of(view_).size(), 2u);
+}
+
+}  // namespace

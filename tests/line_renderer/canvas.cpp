@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "canvas.h"
+
+#include <stdexcept>
+
+#include "known_functions.h"
+
+using line_renderer::LinePlacement;
+using line_renderer::SurfaceLayer;
+using line_renderer::SurfacePointer;
+
+bool findFunctions() {
+    return glewInit() == GLEW_OK;
+}
+
+Canvas::Canvas(int samples) {
+    glGenFramebuffers(1, &framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    const auto attach = [samples](GLuint& buffer, GLenum format, GLenum place) {
+        glGenRenderbuffers(1, &buffer);
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+    };
+    attach(colors_, GL_RGBA8, GL_COLOR_ATTACHMENT0);
+    attach(depths_, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw std::runtime_error("There is no framebuffer of this kind.");
+    glViewport(0, 0, width, height);
+    glMatrixMode(GL_PROJECTION);
+    glLoadMatrixd(projection().data());
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
+    glEnable(GL_DEPTH_TEST);
+    clear();
+}
+
+Canvas::~Canvas() {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteRenderbuffers(1, &colors_);
+    glDeleteRenderbuffers(1, &depths_);
+}
+
+void Canvas::clear(float alpha) const {
+    glClearColor(1, 1, 1, alpha);
+    glClearDepth(1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Canvas::putDepth(int x, int y, int columns, int rows, double z) const {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, columns, rows);
+    glClearDepth(depthOf(z));
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+QImage Canvas::picture() const {
+    QImage picture(width, height, QImage::Format_RGBA8888);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.bits());
+    return picture.mirrored();
+}
+
+Eigen::Matrix4d Canvas::projection() {
+    Eigen::Matrix4d result = Eigen::Vector4d(2.0 / width, 2.0 / height, -1, 1).asDiagonal();
+    result.topRightCorner<2, 1>() << -1, -1;
+    return result;
+}
+
+LinePlacement Canvas::placement() {
+    LinePlacement result;
+    result.to_eye = Eigen::Matrix4d::Identity();
+    result.projection = projection();
+    return result;
+}
+
+double inkOfColumn(const QImage& picture, int x) {
+    double ink = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        ink += 1 - picture.pixelColor(x, y).greenF();
+    return ink;
+}
+
+double inkOfRow(const QImage& picture, int y) {
+    double ink = 0;
+    for (int x = 0; x < picture.width(); ++x)
+        ink += 1 - colorAt(picture, x, y).greenF();
+    return ink;
+}
+
+double inkOf(const QImage& picture) {
+    double ink = 0;
+    for (int x = 0; x < picture.width(); ++x)
+        ink += inkOfColumn(picture, x);
+    return ink;
+}
+
+QColor colorAt(const QImage& picture, int x, int y) {
+    return picture.pixelColor(x, picture.height() - 1 - y);
+}
+
+void Rectangles::add(double x, double y, double columns, double rows, double z,
+                     const Eigen::Vector3f& normal) {
+    const auto first = std::uint32_t(surface_.vertices.size());
+    for (const auto& [right, up] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+        surface_.vertices.push_back(
+            {Eigen::Vector3d(x + right * columns, y + up * rows, z).cast<float>(), normal});
+    surface_.triangles.push_back({first, first + 1, first + 2});
+    surface_.triangles.push_back({first, first + 2, first + 3});
+}
+
+SurfacePointer Rectangles::surface() const {
+    return std::make_shared<line_renderer::Surface>(surface_);
+}
+
+SurfaceLayer layerOf(const SurfacePointer& surface) {
+    SurfaceLayer layer;
+    layer.surface = surface;
+    layer.diagonal = 1;
+    return layer;
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+/// An OpenGL context without a window, on the display, current until another one is. The first one
+/// makes OpenGL's functions known to GLEW.
+class GlContext {
+public:
+    /// In a share group of its own, or in that of `partner`.
+    /// @throws std::runtime_error if there is no OpenGL
+    explicit GlContext(const GlContext* partner = nullptr);
+    ~GlContext();
+
+    void makeCurrent();
+
+private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines behind a surface: left out, faint or dashed, by the depth buffer or by a texture.
+#include <cmath>
+
+#include "line_test.h"
+
+namespace {
+
+using laplacian_lines::LineKind;
+using laplacian_lines::LineSet;
+using line_renderer::HiddenLines;
+using line_renderer::LineAppearance;
+using line_renderer::LinePlacement;
+
+/// From left to right through the middle, half way between the ends of what is seen.
+const LineSet line = oneLine({{10, 60.5f, 0}, {150, 60.5f, 0}});
+
+LineAppearance appearanceOf(HiddenLines hidden) {
+    LineAppearance result = blackLines(4);
+    result.hidden = hidden;
+    return result;
+}
+
+class HiddenLinesTest : public LineTest {
+protected:
+    /// The line with a surface at this z over the right half of the canvas.
+    QImage lineWithSurfaceAt(double z, const LineAppearance& appearance,
+                             const LinePlacement& placement = Canvas::placement()) {
+        canvas_.clear();
+        canvas_.putDepth(80, 0, 80, Canvas::height, z);
+        return drawn(line, appearance, placement);
+    }
+};
+
+/// The line's width to the left and to the right of the middle.
+void expectWidths(const QImage& picture, double left, double right) {
+    for (int x : {20, 50, 76})
+        EXPECT_NEAR(inkOfColumn(picture, x), left, 0.05) << x;
+    for (int x : {84, 110, 140})
+        EXPECT_NEAR(inkOfColumn(picture, x), right, 0.05) << x;
+}
+
+TEST_F(HiddenLinesTest, AreLeftOutBehindASurface) {
+    const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
+    expectWidths(lineWithSurfaceAt(0.5, appearance), 4, 0);
+    expectWidths(lineWithSurfaceAt(-0.5, appearance), 4, 4);
+    expectWidths(lineWithSurfaceAt(0, appearance), 4, 4);
+}
+
+/// By 0.003 diagonals, outlines by 1.5 edges if that is more, the surface may come before a line.
+TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
+    const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
+    LinePlacement placement = Canvas::placement();
+    placement.diagonal = 10;
+    placement.mean_edge = 0.1;
+    expectWidths(lineWithSurfaceAt(0.029, appearance, placement), 4, 4);
+    expectWidths(lineWithSurfaceAt(0.031, appearance, placement), 4, 0);
+    LineSet outline = line;
+    for (LineKind kind : {LineKind::Contour, LineKind::Border}) {
+        outline.lines[0].kind = kind;
+        canvas_.clear();
+        canvas_.putDepth(80, 0, 80, Canvas::height, 0.149);
+        expectWidths(drawn(outline, appearance, placement), 4, 4);
+        canvas_.clear();
+        canvas_.putDepth(80, 0, 80, Canvas::height, 0.151);
+        expectWidths(drawn(outline, appearance, placement), 4, 0);
+    }
+}
+
+/// Also beside a surface that hides one half of it, as the form does along its outline.
+TEST_F(HiddenLinesTest, HaveTheirFullWidthAlongAnEdge) {
+    const auto widthUnder = [&](int y, int rows) {
+        canvas_.clear();
+        canvas_.putDepth(0, y, Canvas::width, rows, 0.5);
+        return inkOfColumn(drawn(line, appearanceOf(HiddenLines::LeftOut)), 80);
+    };
+    for (int edge : {60, 61})
+        EXPECT_NEAR(widthUnder(0, edge), 4, 0.05) << "from below to " << edge;
+    for (int edge : {61, 60})
+        EXPECT_NEAR(widthUnder(edge, Canvas::height - edge), 4, 0.05) << "from above to " << edge;
+    EXPECT_EQ(widthUnder(0, 66), 0);
+    EXPECT_EQ(widthUnder(55, Canvas::height - 55), 0);
+}
+
+/// Only those that lie deeper than four times what hides a line: no pieces along outlines.
+TEST_F(HiddenLinesTest, AreFaintIfWanted) {
+    const LineAppearance appearance = appearanceOf(HiddenLines::Faint);
+    expectWidths(lineWithSurfaceAt(0.5, appearance), 4, 1);
+    expectWidths(lineWithSurfaceAt(0.013, appearance), 4, 1);
+    expectWidths(lineWithSurfaceAt(0.011, appearance), 4, 0);
+    expectWidths(lineWithSurfaceAt(0.002, appearance), 4, 4);
+}
+
+TEST_F(HiddenLinesTest, AreDashedIfWanted) {
+    const QImage picture = lineWithSurfaceAt(0.5, appearanceOf(HiddenLines::Dashed));
+    for (int x : {20, 50, 76})
+        EXPECT_NEAR(inkOfColumn(picture, x), 4, 0.05);
+    // dashes of 5 pixels every 9, from the start of the line on
+    double ink = 0;
+    for (int x = 90; x < 90 + 45; ++x) {
+        ink += inkOfColumn(picture, x);
+        const double along = std::fmod(x + 0.5 - 10, 9);
+        const bool is_dash = along > 0.6 && along<4.4, is_gap = along> 5.6 && along < 8.4;
+        if (is_dash || is_gap) {
+            EXPECT_NEAR(inkOfColumn(picture, x), is_dash ? 4 : 0, 0.05) << x;
+        }
+    }
+    EXPECT_NEAR(ink, 4 * 25, 2);
+}
+
+TEST_F(HiddenLinesTest, HaveLongerDashesOnLargerPictures) {
+    LinePlacement placement = Canvas::placement();
+    placement.pixel_scale = 3;
+    const QImage picture = lineWithSurfaceAt(0.5, appearanceOf(HiddenLines::Dashed), placement);
+    const int dash = 10 + 27 * 4;  // begins here
+    EXPECT_NEAR(inkOfColumn(picture, dash + 13), 12, 0.1);
+    EXPECT_NEAR(inkOfColumn(picture, dash + 17), 0, 0.1);
+}
+
+/// Where points and wires are drawn, the texture has the surface alone. They come before it by
+/// little, and hide nothing; what comes by more does.
+TEST_F(HiddenLinesTest, AreThoseBehindTheTextureAndWellBehindTheDepthBuffer) {
+    Rectangles far;
+    far.add(80, 0, 80, Canvas::height, -0.5);
+    Rectangles near;
+    near.add(80, 0, 80, Canvas::height, 0.5);
+    line_renderer::SurfaceBuffers buffers;
+    LinePlacement placement = Canvas::placement();
+    placement.diagonal = 0.1;
+    placement.mark_pixels = 4;
+    const auto drawnOver = [&](const Rectangles& rectangles, double depth_buffer_z) {
+        canvas_.clear();
+        canvas_.putDepth(80, 0, 80, Canvas::height, depth_buffer_z);
+        const line_renderer::SurfacePointer surface = rectangles.surface();
+        placement.depths = depth_.update({layerOf(surface)}, buffers);
+        const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
+        line_renderer::RedrawClock clock;
+        renderer_.upload(line, appearance, placement);
+        renderer_.draw(appearance, placement, clock);
+        return canvas_.picture();
+    };
+    expectWidths(drawnOver(far, 0.01), 4, 4);
+    expectWidths(drawnOver(far, 0.9), 4, 0);
+    expectWidths(drawnOver(near, -0.9), 4, 0);
+}
+
+}  // namespace

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines that nothing hides: their width, colors, joints and ends, measured in pixels.
+#include <cmath>
+
+#include "line_program.h"
+#include "line_shaders.h"
+#include "line_test.h"
+
+namespace {
+
+using Eigen::Vector3f;
+using laplacian_lines::LineKind;
+using laplacian_lines::LineSet;
+using line_renderer::LineAppearance;
+
+const LineSet horizontal = oneLine({{20, 60.3f, 0}, {70, 60.3f, 0}, {140, 60.3f, 0}});
+const LineSet oblique = oneLine({{20, 20, 0}, {140, 90, 0}});
+
+/// Width of a line that crosses the columns 40 to 120, at this slope.
+double widthIn(const QImage& picture, double slope) {
+    double ink = 0;
+    for (int x = 40; x < 120; ++x)
+        ink += inkOfColumn(picture, x);
+    return ink / 80 / std::sqrt(1 + slope * slope);
+}
+
+TEST_F(LineTest, AreAsWideAsAsked) {
+    for (double width : {1.0, 1.6, 2.0, 3.5, 6.0, 9.0}) {
+        canvas_.clear();
+        EXPECT_NEAR(widthIn(drawn(horizontal, blackLines(width)), 0), width, 0.03);
+        canvas_.clear();
+        EXPECT_NEAR(widthIn(drawn(oblique, blackLines(width)), 70.0 / 120), width, 0.05);
+    }
+}
+
+TEST_F(LineTest, GrowWithThePixelsOfTheViewport) {
+    line_renderer::LinePlacement placement = Canvas::placement();
+    placement.pixel_scale = 2.5;
+    EXPECT_NEAR(widthIn(drawn(horizontal, blackLines(2), placement), 0), 5, 0.03);
+}
+
+/// Lines thinner than a pixel fade instead of breaking up.
+TEST_F(LineTest, FadeWhereTheyAreThin) {
+    const QImage picture = drawn(oblique, blackLines(0.5));
+    for (int x = 40; x < 120; ++x) {
+        EXPECT_GT(inkOfColumn(picture, x), 0.15) << x;
+        EXPECT_LT(inkOfColumn(picture, x), 0.5) << x;
+    }
+}
+
+TEST_F(LineTest, HaveRoundEnds) {
+    const double length = 120, width = 9;
+    EXPECT_NEAR(inkOf(drawn(horizontal, blackLines(width))),
+                length * width + std::acos(-1.0) * width * width / 4, 2);
+}
+
+/// Each kind in the color and the width of its own look.
+TEST_F(LineTest, HaveTheLookOfTheirKind) {
+    LineSet lines;
+    LineAppearance appearance;
+    const int rows = Canvas::height / int(laplacian_lines::line_kind_count);  // for each
+    for (std::size_t i = 0; i < laplacian_lines::line_kind_count; ++i) {
+        const float y = float(rows * int(i) + rows / 2) + 0.5f;
+        addLine(lines, {{20, y, 0}, {140, y, 0}}, LineKind(i));
+        const QColor color = QColor::fromHsv(int(70 * i) % 360, 200, 250 - int(10 * i));
+        appearance.looks[i] = {color.rgb(), 3 + 2 * double(i % 2)};
+    }
+    const QImage picture = drawn(lines, appearance);
+    for (std::size_t i = 0; i < laplacian_lines::line_kind_count; ++i) {
+        const int y = rows * int(i) + rows / 2, reach = 1 + int(i % 2);
+        for (int row : {y - reach, y, y + reach})
+            EXPECT_EQ(colorAt(picture, 80, row), appearance.looks[i].color) << "kind " << i;
+        for (int row : {y - reach - 1, y + reach + 1})
+            EXPECT_EQ(colorAt(picture, 80, row), QColor(Qt::white)) << "kind " << i;
+    }
+}
+
+/// More kinds than there are now can be drawn without a change.
+TEST_F(LineTest, HaveRoomForMoreLooks) {
+    const line_renderer::LineProgram program;
+    EXPECT_GE(line_renderer::most_looks, 16u);
+    GLint uniforms = 0, arrays = 0;
+    glGetProgramiv(program.id, GL_ACTIVE_UNIFORMS, &uniforms);
+    for (GLint i = 0; i < uniforms; ++i) {
+        char name[64];
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program.id, GLuint(i), sizeof name, nullptr, &size, &type, name);
+        const GLint location = glGetUniformLocation(program.id, name);
+        if (location != program.colors && location != program.depth_biases) continue;
+        ++arrays;
+        EXPECT_EQ(std::size_t(size), line_renderer::most_looks) << name;
+    }
+    EXPECT_EQ(arrays, 2);
+    glDeleteProgram(program.id);
+}
+
+TEST_F(LineTest, BlendByOpacityAndTheAlphaOfTheirColor) {
+    LineSet lines;
+    addLine(lines, {{20, 30.5f, 0}, {140, 30.5f, 0}}, LineKind::Laplacian, false, 0.25f);
+    addLine(lines, {{20, 80.5f, 0}, {140, 80.5f, 0}}, LineKind::Contour);
+    LineAppearance appearance = blackLines(5);
+    appearance.looks[std::size_t(LineKind::Contour)].color = QColor(0, 0, 0, 102);
+    const QImage picture = drawn(lines, appearance);
+    EXPECT_NEAR(colorAt(picture, 80, 30).greenF(), 0.75, 0.005);
+    EXPECT_NEAR(colorAt(picture, 80, 80).greenF(), 0.6, 0.005);
+}
+
+/// On a picture without background, the lines are what is seen.
+TEST_F(LineTest, AreOpaqueWhereThePictureIsNot) {
+    canvas_.clear(0);
+    const QImage picture = drawn(horizontal, blackLines(5));
+    EXPECT_EQ(colorAt(picture, 80, 60).alpha(), 255);
+    EXPECT_EQ(colorAt(picture, 80, 20).alpha(), 0);
+}
+
+/// No pixel of a line is painted twice, which its color would show, neither at joints nor where a
+/// closed line begins.
+TEST_F(LineTest, AreOfOneTone) {
+    LineSet lines;
+    addLine(lines, {{20, 20, 0}, {60, 50, 0}, {65, 90, 0}, {95, 95, 0}});
+    addLine(lines, {{110, 30, 0}, {145, 35, 0}, {130, 75, 0}, {110, 30, 0}}, LineKind::Contour,
+            true);
+    LineAppearance appearance;
+    appearance.looks.fill({QColor(0, 0, 0, 102), 6});
+    const QImage picture = drawn(lines, appearance);
+    double darkest = 1;
+    for (int x = 0; x < Canvas::width; ++x)
+        for (int y = 0; y < Canvas::height; ++y)
+            darkest = std::min(darkest, colorAt(picture, x, y).greenF());
+    EXPECT_NEAR(darkest, 0.6, 0.005);
+    for (const auto& point : lines.points)
+        EXPECT_LT(colorAt(picture, int(point.position.x()), int(point.position.y())).greenF(), 0.9)
+            << "a gap at " << point.position.transpose();
+}
+
+/// The last lines handed over are drawn, whether they are more or fewer, or none.
+TEST_F(LineTest, AreThoseHandedOverLast) {
+    const LineAppearance appearance = blackLines(3);
+    const double one = inkOf(drawn(horizontal, appearance));
+    LineSet many;
+    for (int i = 0; i < 20; ++i) {
+        const float y = 5.3f + 5 * float(i);
+        addLine(many, {{20, y, 0}, {70, y, 0}, {140, y, 0}});
+    }
+    canvas_.clear();
+    EXPECT_NEAR(inkOf(drawn(many, appearance)), 20 * one, 1);
+    canvas_.clear();
+    EXPECT_NEAR(inkOf(drawn(horizontal, appearance)), one, 0.01);
+    canvas_.clear();
+    EXPECT_EQ(inkOf(drawn(LineSet(), appearance)), 0);
+}
+
+/// With a camera in the scene, what lies behind it is cut off, and no line is turned over.
+TEST_F(LineTest, EndAtTheNearPlaneOfAPerspectiveView) {
+    line_renderer::LinePlacement placement = Canvas::placement();
+    placement.projection << 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.02, -0.202, 0, 0, -1, 0;
+    const QImage picture = drawn(oneLine({{-0.5f, 0, -1}, {1.5f, 0, 1}}), blackLines(4), placement);
+    EXPECT_NEAR(inkOfColumn(picture, 60), 4, 0.05) << "before the eye, to the left";
+    EXPECT_EQ(inkOfColumn(picture, 20), 0);
+    EXPECT_NEAR(inkOfColumn(picture, 150), 4, 0.05) << "to the near plane, far to the right";
+}
+
+}  // namespace

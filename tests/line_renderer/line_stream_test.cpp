@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The array that lines are handed over to OpenGL in.
+#include "line_stream.h"
+
+#include <gtest/gtest.h>
+
+#include "made_up_lines.h"
+
+namespace {
+
+using Eigen::Vector3f;
+using laplacian_lines::LineKind;
+using laplacian_lines::LineSet;
+using line_renderer::LineRadii;
+using line_renderer::neighbour_only;
+using line_renderer::nothing_here;
+using line_renderer::ScreenTransform;
+using line_renderer::StreamPoint;
+
+LineRadii equalRadii(float radius) {
+    LineRadii radii;
+    radii.full.fill(radius);
+    return radii;
+}
+
+std::vector<StreamPoint> streamOf(const LineSet& lines, const LineRadii& radii,
+                                  const ScreenTransform* screen = nullptr) {
+    const StreamPoint untouched = {{-7, -7, -7}, -7, -7, -7, -7};
+    std::vector<StreamPoint> stream(line_renderer::streamLength(lines) + 1, untouched);
+    line_renderer::writeStream(lines, radii, screen, stream.data());
+    EXPECT_EQ(stream.back().radius, untouched.radius) << "written beyond its length";
+    stream.pop_back();
+    return stream;
+}
+
+void expectPlace(const StreamPoint& point, const Vector3f& place) {
+    EXPECT_EQ(Vector3f(point.position[0], point.position[1], point.position[2]), place);
+}
+
+TEST(LineStream, PutsEachLineBetweenTwoMarks) {
+    LineSet lines = oneLine({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}});
+    addLine(lines, {{5, 1, 2}, {6, 1, 2}});
+    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(2));
+    ASSERT_EQ(stream.size(), 3u + 2 + 2 + 2);
+    for (std::size_t mark : {0, 4, 5, 8})
+        EXPECT_EQ(stream[mark].radius, nothing_here) << mark;
+    for (std::size_t point : {1, 2, 3, 6, 7})
+        EXPECT_EQ(stream[point].radius, 2) << point;
+    expectPlace(stream[2], {1, 0, 0});
+    expectPlace(stream[7], {6, 1, 2});
+}
+
+TEST(LineStream, JoinsTheEndsOfClosedLines) {
+    LineSet lines;
+    addLine(lines, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}, LineKind::Contour, true);
+    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(2));
+    ASSERT_EQ(stream.size(), 6u);
+    EXPECT_EQ(stream.front().radius, neighbour_only);
+    EXPECT_EQ(stream.back().radius, neighbour_only);
+    expectPlace(stream.front(), {1, 1, 0});
+    expectPlace(stream.back(), {1, 0, 0});
+}
+
+TEST(LineStream, LeavesOutLinesWithoutASegment) {
+    LineSet lines = oneLine({{0, 0, 0}});
+    addLine(lines, {});
+    EXPECT_EQ(line_renderer::streamLength(lines), 0u);
+    addLine(lines, {{0, 0, 0}, {1, 0, 0}});
+    EXPECT_EQ(streamOf(lines, equalRadii(2)).size(), 4u);
+}
+
+TEST(LineStream, HasTheNumberOfTheKindAsLook) {
+    LineSet lines;
+    LineRadii radii;
+    for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind) {
+        addLine(lines, {{0, 0, 0}, {1, 0, 0}}, LineKind(kind));
+        radii.full[kind] = 1 + float(kind);
+    }
+    const std::vector<StreamPoint> stream = streamOf(lines, radii);
+    ASSERT_EQ(stream.size(), 4 * laplacian_lines::line_kind_count);
+    for (std::size_t i = 0; i < stream.size(); ++i)
+        EXPECT_EQ(stream[i].look, float(i / 4)) << i;
+    for (std::size_t i = 1; i < stream.size(); i += 4)
+        EXPECT_EQ(stream[i].radius, 1 + float(i / 4)) << i;
+}
+
+TEST(LineStream, TapersWithTheWeight) {
+    LineSet lines = oneLine({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
+    lines.points[0].weight = 0;
+    lines.points[1].weight = 0.5f;
+    lines.points[3].weight = 7;  // counts as 1
+    lines.points[2].opacity = 0.25f;
+    LineRadii radii = equalRadii(4);
+    radii.least_share = 0.5f;
+    const std::vector<StreamPoint> stream = streamOf(lines, radii);
+    EXPECT_FLOAT_EQ(stream[1].radius, 2);
+    EXPECT_FLOAT_EQ(stream[2].radius, 3);
+    EXPECT_FLOAT_EQ(stream[4].radius, 4);
+    EXPECT_EQ(stream[3].opacity, 0.25f);
+}
+
+/// In pixels: half of 200 across for two units of clip coordinates, half of 100 up.
+ScreenTransform screen() {
+    ScreenTransform result;
+    result.half_viewport = {100, 50};
+    return result;
+}
+
+TEST(LineStream, MeasuresLinesOnTheScreen) {
+    LineSet lines = oneLine({{0, 0, 0}, {0.5f, 0, 0}, {0.5f, 0.5f, 0.9f}});
+    addLine(lines, {{0, 0, 0}, {0.03f, 0.08f, 0}});
+    const ScreenTransform transform = screen();
+    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(1), &transform);
+    EXPECT_FLOAT_EQ(stream[1].along, 0);
+    EXPECT_FLOAT_EQ(stream[2].along, 50);
+    EXPECT_FLOAT_EQ(stream[3].along, 75);
+    EXPECT_FLOAT_EQ(stream[6].along, 0) << "each line begins anew";
+    EXPECT_FLOAT_EQ(stream[7].along, 5);
+}
+
+TEST(LineStream, MeasuresNothingUnlessAsked) {
+    for (const StreamPoint& point : streamOf(oneLine({{0, 0, 0}, {0.5f, 0, 0}}), equalRadii(1)))
+        EXPECT_EQ(point.along, 0);
+}
+
+TEST(LineStream, HasNoLengthBehindTheEye) {
+    ScreenTransform transform = screen();
+    transform.to_clip.row(3) << 0, 0, 1, 0;  // w = z
+    const LineSet lines =
+        oneLine({{0, 0, 1}, {0.5f, 0, 1}, {0.5f, 0, -1}, {0, 0, 1}, {0.1f, 0, 1}});
+    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(1), &transform);
+    EXPECT_FLOAT_EQ(stream[2].along, 50);
+    EXPECT_FLOAT_EQ(stream[3].along, 50);
+    EXPECT_FLOAT_EQ(stream[4].along, 50);
+    EXPECT_FLOAT_EQ(stream[5].along, 60);
+}
+
+}  // namespace

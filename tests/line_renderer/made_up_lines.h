@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "laplacian_lines/line_set.h"
+
+/// Adds a line of full weight through these points, opaque unless told otherwise.
+inline void addLine(laplacian_lines::LineSet& lines, const std::vector<Eigen::Vector3f>& points,
+                    laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian,
+                    bool closed = false, float opacity = 1) {
+    laplacian_lines::Polyline line;
+    line.first = std::uint32_t(lines.points.size());
+    line.count = std::uint32_t(points.size());
+    line.kind = kind;
+    line.closed = closed;
+    for (const Eigen::Vector3f& point : points)
+        lines.points.push_back({point, 1, 0, opacity});
+    lines.lines.push_back(line);
+}
+
+inline laplacian_lines::LineSet oneLine(const std::vector<Eigen::Vector3f>& points) {
+    laplacian_lines::LineSet lines;
+    addLine(lines, points);
+    return lines;
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What OpenGL cannot do is refused with a reason, each time, and is not tried again; what older
+// versions can do in another way is done.
+#include "line_renderer/background_renderer.h"
+#include "line_renderer/surface_renderer.h"
+#include "line_test.h"
+
+namespace {
+
+using line_renderer::LinePlacement;
+
+int compiled = 0;
+PFNGLCOMPILESHADERPROC compile_shader = nullptr;
+
+void GLAPIENTRY countCompiled(GLuint shader) {
+    ++compiled;
+    compile_shader(shader);
+}
+
+PFNGLSHADERSOURCEPROC shader_source = nullptr;
+
+void GLAPIENTRY spoilSource(GLuint shader, GLsizei, const GLchar* const*, const GLint*) {
+    const GLchar* const nonsense = "#version 120\nvoid main() { no_such_thing = 1; }\n";
+    shader_source(shader, 1, &nonsense, nullptr);
+}
+
+/// What `call` says when it refuses, empty if it does not.
+template <class Call>
+std::string refusalOf(Call call) {
+    try {
+        call();
+    } catch (const std::runtime_error& refusal) {
+        return refusal.what();
+    }
+    return {};
+}
+
+class RefusalsTest : public LineTest {
+protected:
+    RefusalsTest() : counted_(__glewCompileShader, countCompiled) {
+        compile_shader = counted_.before();
+        compiled = 0;
+    }
+
+    QImage drawLine() { return drawn(oneLine({{9, 9, 0}, {90, 80, 0}}), blackLines(3)); }
+
+    Replaced<PFNGLCOMPILESHADERPROC> counted_;
+};
+
+TEST_F(RefusalsTest, ProgramsThatFailAreCompiledOnce) {
+    Rectangles rectangles;
+    rectangles.add(20, 20, 90, 70, 0);
+    const line_renderer::SurfacePointer surface = rectangles.surface();
+    line_renderer::SurfaceBuffers buffers;
+    line_renderer::SurfaceRenderer surfaces;
+    line_renderer::BackgroundRenderer background;
+    const auto paintSurface = [&] {
+        surfaces.paint(layerOf(surface), {}, Eigen::Matrix4d::Identity(), depth_.copy(), buffers);
+    };
+    const auto paintBackground = [&] { background.paint(Qt::red); };
+    std::string refusals[3];
+    {
+        const Replaced<PFNGLSHADERSOURCEPROC> spoilt(__glewShaderSource, spoilSource);
+        shader_source = spoilt.before();
+        refusals[0] = refusalOf([&] { drawLine(); });
+        refusals[1] = refusalOf(paintSurface);
+        refusals[2] = refusalOf(paintBackground);
+    }
+    const char* const beginnings[] = {"Lines cannot be drawn: ", "The surface cannot be painted: ",
+                                      "The background cannot be painted: "};
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(refusals[i].rfind(beginnings[i], 0), 0u) << refusals[i];
+        EXPECT_NE(refusals[i].find("no_such_thing"), std::string::npos) << refusals[i];
+    }
+    EXPECT_GT(compiled, 0);
+    compiled = 0;
+    for (int redraw = 0; redraw < 3; ++redraw) {
+        EXPECT_EQ(refusalOf([&] { drawLine(); }), refusals[0]);
+        EXPECT_EQ(refusalOf(paintSurface), refusals[1]);
+        EXPECT_EQ(refusalOf(paintBackground), refusals[2]);
+    }
+    EXPECT_EQ(compiled, 0);
+    EXPECT_EQ(inkOf(canvas_.picture()), 0);
+}
+
+TEST_F(RefusalsTest, ProgramsThatWorkAreCompiledOnce) {
+    drawLine();
+    EXPECT_EQ(compiled, 2);
+    drawLine();
+    EXPECT_EQ(compiled, 2);
+}
+
+TEST_F(RefusalsTest, LinesNeedInstancedDrawing) {
+    const Replaced<GLboolean> version(__GLEW_VERSION_3_3, GLboolean(GL_FALSE));
+    const Replaced<GLboolean> extension(__GLEW_ARB_instanced_arrays, GLboolean(GL_FALSE));
+    EXPECT_EQ(refusalOf([&] { drawLine(); }),
+              "Lines cannot be drawn: instanced drawing (OpenGL 3.3) is not available.");
+}
+
+TEST_F(RefusalsTest, PaintNeedsShaders) {
+    const Replaced<GLboolean> version(__GLEW_VERSION_2_0, GLboolean(GL_FALSE));
+    EXPECT_EQ(refusalOf([] { line_renderer::BackgroundRenderer().paint(Qt::red); }),
+              "The background cannot be painted: shaders (OpenGL 2.0) are not available.");
+}
+
+TEST_F(RefusalsTest, DepthsOfSurfacesNeedFramebuffers) {
+    const Replaced<GLboolean> version(__GLEW_VERSION_3_0, GLboolean(GL_FALSE));
+    const Replaced<GLboolean> extension(__GLEW_ARB_framebuffer_object, GLboolean(GL_FALSE));
+    line_renderer::SurfaceBuffers buffers;
+    EXPECT_EQ(refusalOf([&] { depth_.update({}, buffers); }),
+              "Lines over points and wires need framebuffer objects (OpenGL 3.0): show the layer "
+              "filled.");
+}
+
+TEST_F(RefusalsTest, DepthsOfSurfacesNeedAFramebufferThatIsComplete) {
+    const Replaced<PFNGLCHECKFRAMEBUFFERSTATUSPROC> incomplete(
+        __glewCheckFramebufferStatus, [](GLenum) -> GLenum { return GL_FRAMEBUFFER_UNSUPPORTED; });
+    line_renderer::SurfaceBuffers buffers;
+    GLint before = 0, after = 0;
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
+    EXPECT_EQ(refusalOf([&] { depth_.update({}, buffers); }),
+              "The depth of the surface cannot be drawn into a texture.");
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &after);
+    EXPECT_EQ(after, before);
+}
+
+TEST_F(RefusalsTest, LinesWithoutMemoryAreNotDrawn) {
+    const QImage expected = drawLine();
+    canvas_.clear();
+    {
+        const Replaced<PFNGLMAPBUFFERRANGEPROC> full(
+            __glewMapBufferRange,
+            [](GLenum, GLintptr, GLsizeiptr, GLbitfield) -> void* { return nullptr; });
+        EXPECT_EQ(refusalOf([&] { drawLine(); }),
+                  "Lines cannot be drawn: OpenGL has no memory for them.");
+        LinePlacement placement = Canvas::placement();
+        placement.depths = depth_.copy();
+        line_renderer::RedrawClock clock;
+        renderer_.draw(blackLines(3), placement, clock);
+        EXPECT_EQ(inkOf(canvas_.picture()), 0);
+    }
+    EXPECT_EQ(drawLine(), expected) << "the next try may succeed";
+}
+
+/// The same picture by the extensions of OpenGL 2.
+TEST_F(RefusalsTest, OlderVersionsDrawTheSame) {
+    const QImage expected = drawLine();
+    ASSERT_GT(inkOf(expected), 100);
+    canvas_.clear();
+    const Replaced<GLboolean> without_3_3(__GLEW_VERSION_3_3, GLboolean(GL_FALSE));
+    const Replaced<GLboolean> without_3_0(__GLEW_VERSION_3_0, GLboolean(GL_FALSE));
+    const Replaced<GLboolean> without_ranges(__GLEW_ARB_map_buffer_range, GLboolean(GL_FALSE));
+    const Replaced<GLboolean> without_array_objects(__GLEW_ARB_vertex_array_object,
+                                                    GLboolean(GL_FALSE));
+    EXPECT_EQ(drawLine(), expected);
+}
+
+}  // namespace

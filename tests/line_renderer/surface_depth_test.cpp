@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The depths that lines are compared with: copied from the depth buffer, or drawn.
+#include "line_renderer/surface_depth.h"
+#include "gl_test.h"
+
+namespace {
+
+using line_renderer::DepthTexture;
+using line_renderer::SurfaceLayer;
+using line_renderer::SurfacePointer;
+
+constexpr float tiny = 1e-6f;
+
+/// What a texture says about pixels of the canvas.
+class Depths {
+public:
+    explicit Depths(const DepthTexture& texture) {
+        glBindTexture(GL_TEXTURE_2D, texture.id);
+        GLint columns = 0, rows = 0;
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &columns);
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &rows);
+        EXPECT_FLOAT_EQ(texture.texel.x() * float(columns), 1);
+        EXPECT_FLOAT_EQ(texture.texel.y() * float(rows), 1);
+        columns_ = columns;
+        depths_.resize(std::size_t(columns) * std::size_t(rows));
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths_.data());
+        glBindTexture(GL_TEXTURE_2D, 0);
+    }
+    float at(int x, int y) const { return depths_.at(std::size_t(y * columns_ + x)); }
+
+private:
+    int columns_ = 0;
+    std::vector<float> depths_;
+};
+
+/// Counts the drawings into a texture.
+class DrawingCount {
+public:
+    DrawingCount() : replaced_(__glewGenFramebuffers, count) {
+        drawings = 0;
+        original = replaced_.before();
+    }
+    int value() const { return drawings; }
+
+private:
+    static void GLAPIENTRY count(GLsizei n, GLuint* framebuffers) {
+        ++drawings;
+        original(n, framebuffers);
+    }
+    static inline int drawings = 0;
+    static inline PFNGLGENFRAMEBUFFERSPROC original = nullptr;
+
+    Replaced<PFNGLGENFRAMEBUFFERSPROC> replaced_;
+};
+
+class SurfaceDepthTest : public GlTest {
+protected:
+    line_renderer::SurfaceBuffers buffers_;
+    line_renderer::SurfaceDepth depth_;
+};
+
+TEST_F(SurfaceDepthTest, CopiesTheDepthBuffer) {
+    canvas_.putDepth(30, 20, 50, 40, 0.5);
+    const DepthTexture texture = depth_.copy();
+    EXPECT_TRUE(texture.is_complete);
+    const Depths depths(texture);
+    EXPECT_NEAR(depths.at(40, 30), Canvas::depthOf(0.5), tiny);
+    EXPECT_NEAR(depths.at(79, 59), Canvas::depthOf(0.5), tiny);
+    EXPECT_EQ(depths.at(80, 59), 1);
+    EXPECT_EQ(depths.at(Canvas::width - 1, Canvas::height - 1), 1);
+}
+
+/// Lines of one layer must not hide those of the next, and copying takes time.
+TEST_F(SurfaceDepthTest, CopiesOnceARedraw) {
+    depth_.copy();
+    canvas_.putDepth(0, 0, Canvas::width, Canvas::height, 0.5);
+    EXPECT_EQ(Depths(depth_.copy()).at(80, 60), 1);
+    depth_.forgetDepthBuffer();
+    EXPECT_NEAR(Depths(depth_.copy()).at(80, 60), Canvas::depthOf(0.5), tiny);
+}
+
+TEST_F(SurfaceDepthTest, CopiesTheViewportWhereverItIs) {
+    canvas_.putDepth(100, 70, 60, 50, 0.5);
+    glViewport(100, 70, 20, 10);
+    EXPECT_NEAR(Depths(depth_.copy()).at(110, 75), Canvas::depthOf(0.5), tiny);
+    // another viewport of the same redraw, as large as there is
+    glViewport(0, 0, Canvas::width, Canvas::height);
+    const Depths depths(depth_.copy());
+    EXPECT_EQ(depths.at(10, 10), 1);
+    EXPECT_NEAR(depths.at(159, 119), Canvas::depthOf(0.5), tiny);
+}
+
+TEST_F(SurfaceDepthTest, CannotCopySeveralSamplesAPixel) {
+    EXPECT_TRUE(line_renderer::SurfaceDepth::canCopy());
+    const Canvas smooth(4);
+    EXPECT_FALSE(line_renderer::SurfaceDepth::canCopy());
+}
+
+TEST_F(SurfaceDepthTest, DrawsTheNearestOfAllLayers) {
+    Rectangles front, back;
+    front.add(20, 20, 40, 40, 0.5);
+    back.add(0, 0, 100, 120, -0.5);
+    const SurfacePointer surfaces[] = {front.surface(), back.surface()};
+    SurfaceLayer moved = layerOf(surfaces[0]);
+    moved.transform(0, 3) = 60;
+    canvas_.putDepth(0, 0, Canvas::width, Canvas::height, 0.9);
+    const DepthTexture texture = depth_.update({moved, layerOf(surfaces[1])}, buffers_);
+    EXPECT_FALSE(texture.is_complete);
+    const Depths depths(texture);
+    EXPECT_NEAR(depths.at(90, 30), Canvas::depthOf(0.5), tiny);
+    EXPECT_NEAR(depths.at(30, 30), Canvas::depthOf(-0.5), tiny);
+    EXPECT_EQ(depths.at(150, 110), 1) << "the depth buffer does not count";
+    EXPECT_NEAR(Depths(depth_.copy()).at(150, 110), Canvas::depthOf(0.9), tiny)
+        << "and is left as it was";
+}
+
+TEST_F(SurfaceDepthTest, LeavesOutBackFacesWhereTheyAreCulled) {
+    Rectangles rectangles;
+    rectangles.add(0, 0, 160, 120, 0.5);
+    const SurfacePointer surface = rectangles.surface();
+    SurfaceLayer layer = layerOf(surface);
+    layer.culls_back_faces = true;
+    EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(80, 60), Canvas::depthOf(0.5), tiny);
+    glFrontFace(GL_CW);
+    layer.transform(0, 3) = 1;  // something has changed
+    EXPECT_EQ(Depths(depth_.update({layer}, buffers_)).at(80, 60), 1);
+    layer.culls_back_faces = false;
+    EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(80, 60), Canvas::depthOf(0.5), tiny);
+}
+
+TEST_F(SurfaceDepthTest, DrawsOnlyWhatHasChanged) {
+    Rectangles rectangles;
+    rectangles.add(0, 0, 160, 120, 0.5);
+    const SurfacePointer surface = rectangles.surface();
+    SurfaceLayer layer = layerOf(surface);
+    const DrawingCount count;
+    const auto update = [&] { depth_.update({layer}, buffers_); };
+    update();
+    update();
+    EXPECT_EQ(count.value(), 1);
+    layer.transform(2, 3) = 0.25;
+    update();
+    EXPECT_EQ(count.value(), 2) << "the layer";
+    glScaled(1, 1, 0.5);
+    update();
+    EXPECT_EQ(count.value(), 3) << "the camera";
+    glViewport(0, 0, 100, 100);
+    update();
+    EXPECT_EQ(count.value(), 4) << "the viewport";
+    depth_.copy();
+    update();
+    EXPECT_EQ(count.value(), 5) << "the texture has held a copy";
+    update();
+    EXPECT_EQ(count.value(), 5);
+    EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(50, 50), Canvas::depthOf(0.375), tiny);
+}
+
+TEST_F(SurfaceDepthTest, IsEmptyWhereASurfaceIsGone) {
+    Rectangles rectangles;
+    rectangles.add(0, 0, 160, 120, 0.5);
+    const SurfaceLayer gone = layerOf(rectangles.surface());
+    EXPECT_EQ(Depths(depth_.update({gone}, buffers_)).at(80, 60), 1);
+}
+
+}  // namespace
