@@ -63,7 +63,7 @@ LineSet find_borders(const ExtractorData& data) {
 
 class Borders : public FixedKindLines {
 public:
-    explicit Borders(LineSet lines) : lines_(std::move(lines)) {}
+    explicit Borders(const ExtractorData& data) : lines_(find_borders(data)) {}
 
     void append(const ExtractorData&, const LocalEye&, const LineStyle& style,
                 LineSet& lines) const override {
@@ -76,12 +76,8 @@ private:
     const LineSet lines_;
 };
 
-std::unique_ptr<const FixedKindLines> find(const ExtractorData& data) {
-    return std::make_unique<const Borders>(find_borders(data));
-}
-
 }  // namespace
 
-const FixedKind borders = {LineKind::Border, find};
+const FixedKind borders = fixed_kind<Borders>(LineKind::Border);
 
 }  // namespace laplacian_lines

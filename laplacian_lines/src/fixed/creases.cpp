@@ -39,7 +39,7 @@ LineSet find_creases(const ExtractorData& data) {
 
 class Creases : public FixedKindLines {
 public:
-    explicit Creases(LineSet lines) : lines_(std::move(lines)) {}
+    explicit Creases(const ExtractorData& data) : lines_(find_creases(data)) {}
 
     void append(const ExtractorData&, const LocalEye&, const LineStyle& style,
                 LineSet& lines) const override {
@@ -54,12 +54,8 @@ private:
     const LineSet lines_;
 };
 
-std::unique_ptr<const FixedKindLines> find(const ExtractorData& data) {
-    return std::make_unique<const Creases>(find_creases(data));
-}
-
 }  // namespace
 
-const FixedKind creases = {LineKind::Crease, find};
+const FixedKind creases = fixed_kind<Creases>(LineKind::Crease);
 
 }  // namespace laplacian_lines

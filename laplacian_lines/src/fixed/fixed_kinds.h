@@ -26,6 +26,14 @@ struct FixedKind {
     std::unique_ptr<const FixedKindLines> (*find)(const ExtractorData& data);
 };
 
+/// A row whose lines are a class that is made from the data.
+template <class Lines>
+constexpr FixedKind fixed_kind(LineKind kind) {
+    return {kind, [](const ExtractorData& data) -> std::unique_ptr<const FixedKindLines> {
+                return std::make_unique<const Lines>(data);
+            }};
+}
+
 extern const FixedKind ridges;   ///< ridges.cpp
 extern const FixedKind borders;  ///< borders.cpp
 extern const FixedKind creases;  ///< creases.cpp

@@ -231,7 +231,7 @@ FoundRidges find_ridges(const ExtractorData& data) {
 
 class Ridges : public FixedKindLines {
 public:
-    explicit Ridges(FoundRidges found) : found_(std::move(found)) {}
+    explicit Ridges(const ExtractorData& data) : found_(find_ridges(data)) {}
 
     void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
@@ -262,12 +262,8 @@ private:
     const FoundRidges found_;
 };
 
-std::unique_ptr<const FixedKindLines> find(const ExtractorData& data) {
-    return std::make_unique<const Ridges>(find_ridges(data));
-}
-
 }  // namespace
 
-const FixedKind ridges = {LineKind::Ridge, find};
+const FixedKind ridges = fixed_kind<Ridges>(LineKind::Ridge);
 
 }  // namespace laplacian_lines
