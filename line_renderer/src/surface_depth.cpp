@@ -22,25 +22,25 @@ Viewport currentViewport() {
 }
 
 /// What a picture of some layers depends on.
-struct Sight {
+struct DrawnScene {
     std::vector<SurfaceLayer> layers;
     Eigen::Matrix4d modelview;
     Eigen::Matrix4d projection;
     Viewport viewport;
 
-    bool operator==(const Sight& other) const {
+    bool operator==(const DrawnScene& other) const {
         return layers == other.layers && modelview == other.modelview &&
                projection == other.projection && viewport == other.viewport;
     }
 };
 
-Sight currentSight(const std::vector<SurfaceLayer>& layers) {
-    Sight sight;
-    sight.layers = layers;
-    glGetDoublev(GL_MODELVIEW_MATRIX, sight.modelview.data());
-    glGetDoublev(GL_PROJECTION_MATRIX, sight.projection.data());
-    sight.viewport = currentViewport();
-    return sight;
+DrawnScene currentScene(const std::vector<SurfaceLayer>& layers) {
+    DrawnScene scene;
+    scene.layers = layers;
+    glGetDoublev(GL_MODELVIEW_MATRIX, scene.modelview.data());
+    glGetDoublev(GL_PROJECTION_MATRIX, scene.projection.data());
+    scene.viewport = currentViewport();
+    return scene;
 }
 
 /// By the fixed pipeline, as MeshLab's own drawing and ours, so that depths are the same.
@@ -75,12 +75,12 @@ public:
         copied_ = viewport;
     }
 
-    void update(const Sight& sight, SurfaceBuffers& buffers) {
-        enlarge(sight.viewport);
-        if (rendered_ == sight) return;
+    void update(const DrawnScene& scene, SurfaceBuffers& buffers) {
+        enlarge(scene.viewport);
+        if (rendered_ == scene) return;
         forget();
-        render(id_, sight.layers, buffers);
-        rendered_ = sight;
+        render(id_, scene.layers, buffers);
+        rendered_ = scene;
     }
 
     DepthTexture content() const {
@@ -115,7 +115,7 @@ private:
     GLint width_ = 0, height_ = 0;
     // what it holds: a copy of this part of the depth buffer, or these layers, or neither
     std::optional<Viewport> copied_;
-    std::optional<Sight> rendered_;
+    std::optional<DrawnScene> rendered_;
 };
 
 SurfaceDepth::SurfaceDepth() : textures_(std::make_unique<PerShareGroup<Texture>>()) {}
@@ -142,7 +142,7 @@ DepthTexture SurfaceDepth::copy() {
 DepthTexture SurfaceDepth::update(const std::vector<SurfaceLayer>& layers,
                                   SurfaceBuffers& buffers) {
     Texture& texture = textures_->current();
-    texture.update(currentSight(layers), buffers);
+    texture.update(currentScene(layers), buffers);
     return texture.content();
 }
 
