@@ -21,7 +21,7 @@ StageProgress no_reports() {
 }  // namespace
 
 LaplacianAlone::LaplacianAlone(const TriangleMesh& mesh)
-    : mesh_(prepare_mesh(mesh)), tree_(sort_in_space(mesh_)) {
+    : mesh_(prepare_mesh(mesh, Cuts::Left)), tree_(sort_in_space(mesh_)) {
     const PrecomputeOptions options;
     const VertexRanges ranges(mesh_);
     normals_ = vertex_normals(mesh_, ranges, options.normal_weighting, no_reports());

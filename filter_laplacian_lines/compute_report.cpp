@@ -35,6 +35,14 @@ QString leftOutLine(const MeshReport& report) {
     return parts.isEmpty() ? QString() : "Left out: " + parts.join(", ");
 }
 
+QString weldedLine(const MeshReport& report) {
+    return report.welded_vertices
+               ? "Cuts closed: " + counted(report.welded_vertices,
+                                           "duplicated vertex counts as another one",
+                                           "duplicated vertices count as others")
+               : QString();
+}
+
 QString kernelLine(const FieldScale& scale) {
     return QString(
                "Kernel size %1 in mesh units = %2 mean edges = %3 % of the bounding-box diagonal")
@@ -56,8 +64,8 @@ QString choicesLine(const PrecomputeOptions& options) {
 
 QStringList computeReport(const laplacian_lines::Field& field, const PrecomputeOptions& options,
                           double seconds) {
-    QStringList lines{meshLine(field.report), leftOutLine(field.report), kernelLine(field.scale),
-                      choicesLine(options)};
+    QStringList lines{meshLine(field.report), leftOutLine(field.report), weldedLine(field.report),
+                      kernelLine(field.scale), choicesLine(options)};
     lines << QString("Computed in %1 s, stored per vertex in %2")
                  .arg(seconds, 0, 'f', 2)
                  .arg(meshlab_host::fieldAttributeNames(field));

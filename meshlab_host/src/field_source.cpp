@@ -20,12 +20,18 @@ std::vector<double> optionValues(const laplacian_lines::PrecomputeOptions& optio
     return values;
 }
 
-QString computedLine(const QString& mesh_name, FieldStatus status, double seconds) {
+QString computedLine(const QString& mesh_name, FieldStatus status, std::size_t welded,
+                     double seconds) {
+    const QString cuts =
+        welded
+            ? QString(", %1 duplicated vertices welded where they cut the surface open").arg(welded)
+            : QString();
     return QString(
-               "Laplacian Lines: %1 has %2; computed with the default options in %3 s (to "
+               "Laplacian Lines: %1 has %2; computed with the default options in %3 s%4 (to "
                "choose others, run the filter Compute Laplacian Lines)")
         .arg(mesh_name, describe(status))
-        .arg(seconds, 0, 'f', 2);
+        .arg(seconds, 0, 'f', 2)
+        .arg(cuts);
 }
 
 }  // namespace
@@ -56,7 +62,8 @@ Field demandField(const CMeshO& mesh, const laplacian_lines::TriangleMesh& trian
     QElapsedTimer clock;
     clock.start();
     Field field = laplacian_lines::precompute(triangles, source.options, progress);
-    say(computedLine(mesh_name, source.status, 1e-3 * double(clock.elapsed())));
+    say(computedLine(mesh_name, source.status, field.report.welded_vertices,
+                     1e-3 * double(clock.elapsed())));
     return field;
 }
 

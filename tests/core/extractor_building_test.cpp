@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, ClusterNeighbours, testing::ValuesIn(test_meshe
 TEST_P(ClusterNeighbours, AreTheTwoTrianglesOfAnEdge) {
     const TriangleMesh& mesh = GetParam()->get().mesh;
     std::map<Edge, int> count;
-    for (const Triangle& t : prepare_mesh(mesh).triangles)
+    for (const Triangle& t : prepare_mesh(mesh, Cuts::Stitched).triangles)
         for (std::size_t k = 0; k < 3; ++k)
             ++count[undirected({t[k], t[(k + 1) % 3]})];
 

@@ -67,7 +67,7 @@ TriangleMesh mesh_for(const std::string& name) {
 /// What belkin_laplacian() takes, in the mesh's own order up to the sorting in space.
 struct Prepared {
     Prepared(const TriangleMesh& mesh, double size_in_edges, KernelMode mode)
-        : prepared(prepare_mesh(mesh)), tree(sort_in_space(prepared)) {
+        : prepared(prepare_mesh(mesh, Cuts::Left)), tree(sort_in_space(prepared)) {
         const Progress silent;
         const StageProgress stage(silent, 0, 1, "");
         const VertexRanges ranges(prepared);

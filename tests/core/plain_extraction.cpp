@@ -76,7 +76,7 @@ class PlainExtraction {
 public:
     PlainExtraction(const TriangleMesh& mesh, const Field& field, const View& view,
                     const LineStyle& style)
-        : mesh_(prepare_mesh(mesh)),
+        : mesh_(prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left)),
           eye_(local_eye(view, mesh_)),
           light_(view.light ? Eye{view.light->normalized().cast<float>(), 0} : eye_) {
         for (std::uint32_t v = 0; v < mesh_.size(); ++v)

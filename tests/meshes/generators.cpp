@@ -6,15 +6,12 @@
 #include <map>
 #include <random>
 
+#include "random_unit.h"
+
 namespace test_meshes {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-/// −1..1; the standard's distributions differ between libraries, its engines do not.
-double signed_unit(std::mt19937& random) {
-    return double(random()) / double(std::mt19937::max()) * 2 - 1;
-}
 
 /// The parameters of the grid's vertices, row by row.
 std::vector<Eigen::Vector2d> grid_parameters(const Grid& grid) {

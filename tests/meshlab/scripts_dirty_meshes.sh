@@ -61,6 +61,18 @@ try "3 3 3,4 4 4" "" "2 vertices without triangles"
 try "nan 0 0,3 3 3,inf 0 0,5 5 5" "3 0 1 1200,3 0 1201 1,3 7 7 8" \
     "2 vertices with non-finite coordinates, 2 triangles without area, 1 vertex without triangles"
 
+# each triangle with vertices of its own: 3 for each of the 2400, of which 1200 count
+awk '/^element vertex/ { $3 = 7200 }
+    /^end_header/ { print; inside = 1; next }
+    !inside { print; next }
+    NF == 3 { vertex[n++] = $0 }
+    NF == 4 { for (i = 2; i <= 4; ++i) print vertex[$i] }
+    END { for (i = 0; i < 7200; i += 3) print 3, i, i + 1, i + 2 }' "$WORK/torus.ply" >"$WORK/soup.ply"
+serve -i soup.ply -s script.mlx -o out.ply
+((SERVER_CODE == 0)) || fail "the soup was refused"
+expect_text "$WORK/log" '^Cuts closed: 6000 duplicated vertices count as others$'
+expect_text "$WORK/out.ply" '^element vertex 7200$'
+
 refuse "0 0 0,1 0 0,2 0 0" "3 0 1 2"
 refuse "0 0 0,1 0 0,0 nan 0" "3 0 1 2"
 refuse "0 0 0,1 0 0,0 1 0" ""

@@ -87,7 +87,7 @@ while ((enough - least > 8192)); do
     serve_within $middle -i torus.ply -s "$EXAMPLE" -o small.ply
     if ((SERVER_CODE == 0)); then enough=$middle; else least=$middle; fi
 done
-write_bumpy_torus 600 400 >"$WORK/large.ply"
+write_bumpy_torus 800 500 >"$WORK/large.ply"
 for more in 8192 32768 65536 98304; do
     serve_within $((enough + more)) -i large.ply -s "$EXAMPLE" -o none.ply
     ((SERVER_CODE == 1)) || fail "$more KB more than a small mesh needs: it ended with $SERVER_CODE"

@@ -50,6 +50,9 @@ struct PrecomputeOptions {
     bool correct_borders = true;   ///< make up for the half of the kernel a border lacks
     /// Weight sources q by (1 + c)²(2 − c)/4, c = n(p)·n(q): 1 for equal normals, 0 for opposite.
     bool skip_opposite_sheet = true;
+    /// Vertices of equal coordinates count as one where they cut the surface open: two borders run
+    /// along each other there, in opposite directions, and no third one.
+    bool weld_duplicates = true;
 };
 
 /// The automatic √h. Lengths in any unit; the result has the same one.

@@ -26,6 +26,7 @@ struct MeshReport {
     std::size_t non_finite_vertices = 0;    ///< a coordinate is NaN or infinite
     std::size_t unreferenced_vertices = 0;  ///< finite, but no usable triangle has it
     std::size_t degenerate_triangles = 0;   ///< zero area, repeated or non-finite corners
+    std::size_t welded_vertices = 0;        ///< for which another one at the same place counts
 };
 
 }  // namespace laplacian_lines

@@ -91,7 +91,9 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
                     "The Laplacian lines field belongs to another mesh; compute it again.");
     const StageProgress stage(progress, 0, 1, "Preparing the extraction of lines");
     stage.report(0);
-    const PreparedMesh prepared = prepare_geometry(mesh);
+    // Where the field was computed across cuts, lines go across them.
+    const PreparedMesh prepared =
+        prepare_geometry(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left);
     ExtractorData data;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;

@@ -31,6 +31,10 @@ double global_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& op
                : options.normal_sigma * mesh.mean_edge;
 }
 
+Cuts cuts_of(const PrecomputeOptions& options) {
+    return options.weld_duplicates ? Cuts::Stitched : Cuts::Left;
+}
+
 /// Within their range, which tiny kernels on tiny meshes exceed.
 float to_float(double x) {
     return float(std::clamp(x, -kLargestFloat, kLargestFloat));
@@ -81,12 +85,26 @@ public:
                                         by_d(s.yz), by_d(s.xz), by_d(s.xy)};
             field.kernel_sizes[v] = float(relative_sizes_[i] * kernel_size_ * d);
         });
+        copy_to_welded(field);
         field.scale = scale_of(mesh_, options_);
         field.report = mesh_.report;
         return field;
     }
 
 private:
+    /// Duplicated vertices have the values of those that count for them.
+    void copy_to_welded(Field& field) const {
+        const std::vector<std::uint32_t>& representative = mesh_.representative;
+        for_each_element(representative.size(), [&](std::size_t v) {
+            const std::uint32_t r = representative[v];
+            if (r == v) return;
+            field.normals[v] = field.normals[r];
+            field.laplacian_normals[v] = field.laplacian_normals[r];
+            field.shape_operators[v] = field.shape_operators[r];
+            field.kernel_sizes[v] = field.kernel_sizes[r];
+        });
+    }
+
     StageProgress stage(double begin, double end, const char* name) const {
         return {progress_, begin, end, name};
     }
@@ -155,7 +173,7 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
                  const Progress& progress) {
     validate(options);
     StageProgress(progress, 0, kPrepared, "Preparing the mesh").report(0);
-    PreparedMesh prepared = prepare_mesh(mesh);
+    PreparedMesh prepared = prepare_mesh(mesh, cuts_of(options));
     const StageProgress sorting(progress, kPrepared, kSorted, "Sorting in space");
     sorting.report(0);
     const SpatialTree tree = sort_in_space(prepared);
@@ -167,7 +185,7 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
 
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     validate(options);
-    return scale_of(prepare_mesh(mesh), options);
+    return scale_of(prepare_mesh(mesh, cuts_of(options)), options);
 }
 
 }  // namespace laplacian_lines

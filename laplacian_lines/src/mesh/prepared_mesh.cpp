@@ -8,6 +8,7 @@
 
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
+#include "mesh/stitching.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
@@ -88,6 +89,19 @@ std::vector<Triangle> usable_triangles(const Positions& positions,
                     "The mesh has no triangle with an area. Laplacian lines need a surface: for a "
                     "point cloud, reconstruct one first.");
     return usable;
+}
+
+/// Has triangles use the vertices that count, whose triangles now are neighbours.
+void stitch(const TriangleMesh& mesh, PreparedMesh& prepared) {
+    prepared.representative = stitch_cuts(mesh.positions, prepared.triangles);
+    const std::vector<std::uint32_t>& representative = prepared.representative;
+    if (representative.empty()) return;
+    for (std::uint32_t v = 0; v < representative.size(); ++v)
+        prepared.report.welded_vertices += representative[v] != v;
+    for_each_element(prepared.triangles.size(), [&](std::size_t t) {
+        for (std::uint32_t& v : prepared.triangles[t])
+            v = representative[v];
+    });
 }
 
 /// Around the mesh's centre, coordinates may be coarser than they were around the origin. Drops the
@@ -196,22 +210,24 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
     return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
 }
 
-PreparedMesh prepare_geometry(const TriangleMesh& mesh) {
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts) {
     check_indices(mesh);
     PreparedMesh prepared;
     prepared.report.vertices = mesh.positions.size();
     prepared.report.triangles = mesh.triangles.size();
     prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
+    if (cuts == Cuts::Stitched) stitch(mesh, prepared);
     do {
         keep_used_vertices(mesh, prepared);
         to_local_coordinates(mesh, prepared);
     } while (drop_lost_triangles(prepared));
+    prepared.report.unreferenced_vertices -= prepared.report.welded_vertices;
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
     return prepared;
 }
 
-PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
-    PreparedMesh prepared = prepare_geometry(mesh);
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts) {
+    PreparedMesh prepared = prepare_geometry(mesh, cuts);
     prepared.mean_edge = mean_edge(prepared);
     return prepared;
 }

@@ -18,6 +18,8 @@ struct PreparedMesh {
     std::vector<Triangle> triangles;             ///< indices into positions
     std::vector<double> masses;                  ///< [N], a third of the incident area; once sorted
     std::vector<std::uint32_t> original_vertex;  ///< [N] -> index in the input
+    /// The vertex that counts for each vertex of the input, see stitch_cuts(); empty: itself.
+    std::vector<std::uint32_t> representative;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, input units
     double diagonal = 0;                               ///< D, input units
     double mean_edge = 0;                              ///< ē, local
@@ -26,11 +28,14 @@ struct PreparedMesh {
     std::size_t size() const { return positions.size(); }
 };
 
+/// What to do about surfaces that duplicated vertices cut open.
+enum class Cuts { Left, Stitched };
+
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
-PreparedMesh prepare_mesh(const TriangleMesh& mesh);
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts);
 
 /// The same without the mean edge.
-PreparedMesh prepare_geometry(const TriangleMesh& mesh);
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts);
 
 /// Reorders vertices and triangles so that neighbours in space are neighbours in memory. The
 /// cyclic order of each triangle's corners is kept. Vertices are then the points of the returned

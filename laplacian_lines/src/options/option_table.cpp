@@ -83,6 +83,11 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "skip_opposite_sheet", "Skip Opposite Sheet",
             "Vertices count less the more they face another way, and not at all if they face the "
             "opposite way, so that the two sides of a thin wall do not disturb each other."),
+        boolean<&O::weld_duplicates>(
+            "weld_duplicates", "Weld Duplicated Vertices",
+            "Vertices at exactly the same place count as one where they cut the surface open, so "
+            "that files with texture seams and triangle soups show no lines along the cuts. The "
+            "mesh itself is not changed, and borders of holes stay."),
     };
     return table;
 }

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_scores.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "near_points.h"
+
+namespace benchmarks {
+
+using namespace laplacian_lines;
+using test_meshes::ArrisPiece;
+
+// Cosine of the angle between an arris and the viewer: arrises on the outline need no line.
+constexpr double kLeastFacing = 0.2;
+
+void CurvePoints::add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double step) {
+    const double length = (b - a).norm();
+    const int count = std::max(1, int(std::ceil(length / step)));
+    for (int i = 0; i < count; ++i) {
+        points.push_back(a + (i + 0.5) / count * (b - a));
+        lengths.push_back(length / count);
+    }
+}
+
+CurvePoints drawn_points(const LineSet& lines, LineKindSet kinds, double least_opacity,
+                         double step) {
+    CurvePoints curves;
+    for (const Polyline& line : lines.lines) {
+        if (!kinds[line.kind]) continue;
+        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i) {
+            const LinePoint &a = lines.points[i - 1], &b = lines.points[i];
+            if ((a.opacity + b.opacity) / 2 >= float(least_opacity))
+                curves.add(a.position.cast<double>(), b.position.cast<double>(), step);
+        }
+    }
+    return curves;
+}
+
+CurvePoints arris_points(const std::vector<ArrisPiece>& arrises, double step) {
+    CurvePoints curves;
+    for (const ArrisPiece& piece : arrises)
+        curves.add(piece.a, piece.b, step);
+    return curves;
+}
+
+Share& Share::operator+=(const Share& other) {
+    part += other.part;
+    all += other.all;
+    return *this;
+}
+
+Share share_near(const CurvePoints& curves, const CurvePoints& others, double reach) {
+    const NearPoints near(others.points, reach);
+    Share share;
+    for (std::size_t i = 0; i < curves.points.size(); ++i) {
+        share.all += curves.lengths[i];
+        if (near.has(curves.points[i])) share.part += curves.lengths[i];
+    }
+    return share;
+}
+
+double Score::f1() const {
+    const double r = recall.value(), p = precision.value();
+    return r + p > 0 ? 2 * r * p / (r + p) : 0;
+}
+
+Score& Score::operator+=(const Score& other) {
+    recall += other.recall;
+    precision += other.precision;
+    return *this;
+}
+
+Score compare(const CurvePoints& drawing, const CurvePoints& right, double reach) {
+    return {share_near(right, drawing, reach), share_near(drawing, right, reach)};
+}
+
+Truth::Truth(const std::vector<ArrisPiece>& arrises, double sharp_angle, double blunt_angle) {
+    for (const ArrisPiece& piece : arrises)
+        if (piece.angle >= sharp_angle)
+            sharp.push_back(piece);
+        else if (piece.angle >= blunt_angle)
+            blunt.push_back(piece);
+}
+
+Truth Truth::convex() const {
+    Truth truth;
+    const auto is_convex = [](const ArrisPiece& piece) { return piece.convex; };
+    std::copy_if(sharp.begin(), sharp.end(), std::back_inserter(truth.sharp), is_convex);
+    std::copy_if(blunt.begin(), blunt.end(), std::back_inserter(truth.blunt), is_convex);
+    return truth;
+}
+
+Truth Truth::facing(const Eigen::Vector3d& towards_viewer) const {
+    Truth truth;
+    truth.blunt = blunt;
+    for (const ArrisPiece& piece : sharp)
+        (piece.normal.dot(towards_viewer) > kLeastFacing * towards_viewer.norm() ? truth.sharp
+                                                                                 : truth.blunt)
+            .push_back(piece);
+    return truth;
+}
+
+Score score(const LineSet& lines, const Truth& truth, LineKindSet kinds, LineKindSet edges,
+            const Matching& matching) {
+    const double step = matching.step();
+    for (const LineKindDescription& row : line_kinds)
+        edges[row.kind] = edges[row.kind] && kinds[row.kind];
+    const CurvePoints right = arris_points(truth.sharp, step);
+    CurvePoints allowed = right;
+    for (const ArrisPiece& piece : truth.blunt)
+        allowed.add(piece.a, piece.b, step);
+    return {
+        share_near(right, drawn_points(lines, kinds, matching.least_opacity, step), matching.reach),
+        share_near(drawn_points(lines, edges, matching.least_opacity, step), allowed,
+                   matching.reach)};
+}
+
+}  // namespace benchmarks

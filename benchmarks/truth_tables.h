@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "truth_options.h"
+
+namespace benchmarks {
+
+/// Each prints a table to standard output.
+void print_stones(const TruthOptions& options);
+void print_parts(const TruthOptions& options);
+/// Drawings of noisy meshes against those of clean ones: of registered meshes and of files.
+void print_drawings(const TruthOptions& options);
+
+}  // namespace benchmarks

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/stitching.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <utility>
+
+#include "system/large_array.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr std::uint32_t kNobody = 0xffffffffu;
+
+std::uint64_t mixed(std::uint64_t x) {
+    x ^= x >> 31;
+    x *= 0x9e3779b97f4a7c15;
+    x ^= x >> 29;
+    x *= 0xbf58476d1ce4e5b9;
+    return x ^ x >> 32;
+}
+
+/// Whether each edge is passed as often in one direction as in the other. A border would have to
+/// hit one sum of 2^64.
+bool is_closed(const std::vector<Triangle>& triangles) {
+    std::vector<std::uint64_t> sums(block_count(triangles.size()));
+    in_blocks(triangles.size(), [&](std::size_t begin, std::size_t end) {
+        std::uint64_t sum = 0;
+        for (std::size_t t = begin; t < end; ++t)
+            for (unsigned k = 0; k < 3; ++k) {
+                const std::uint64_t u = triangles[t][k], v = triangles[t][(k + 1) % 3];
+                const std::uint64_t hash = mixed(std::min(u, v) << 32 | std::max(u, v));
+                sum += u < v ? hash : -hash;
+            }
+        sums[begin / kBlockElements] = sum;
+    });
+    return std::accumulate(sums.begin(), sums.end(), std::uint64_t(0)) == 0;
+}
+
+std::uint64_t hash_of(const Eigen::Vector3d& position) {
+    std::uint64_t hash = 0;
+    for (double x : position) {
+        x += 0.0;  // no −0
+        std::uint64_t bits;
+        std::memcpy(&bits, &x, sizeof bits);
+        hash = mixed(hash ^ bits);
+    }
+    return hash;
+}
+
+/// Vertices by their coordinates: a place is the first vertex there.
+struct Places {
+    std::vector<std::uint32_t> of_vertex;
+    std::vector<std::uint8_t> is_shared;  ///< by place: by several vertices
+    bool any_shared = false;
+};
+Places find_places(const std::vector<Eigen::Vector3d>& positions) {
+    const std::size_t n = positions.size();
+    std::size_t slots = 2;
+    while (slots < 2 * n)
+        slots *= 2;
+    std::vector<std::uint32_t> table = large_array(slots, kNobody);
+    std::vector<std::uint64_t> hashes = large_array<std::uint64_t>(n);
+    for_each_element(n, [&](std::size_t v) { hashes[v] = hash_of(positions[v]); });
+    Places places{large_array<std::uint32_t>(n), large_array(n, std::uint8_t(0))};
+    for (std::uint32_t v = 0; v < n; ++v) {
+        std::size_t slot = hashes[v] & (slots - 1);
+        while (table[slot] != kNobody && positions[table[slot]] != positions[v])  // NaN: no equal
+            slot = (slot + 1) & (slots - 1);
+        if (table[slot] == kNobody) {
+            table[slot] = v;
+        } else {
+            places.is_shared[table[slot]] = 1;
+            places.any_shared = true;
+        }
+        places.of_vertex[v] = table[slot];
+    }
+    return places;
+}
+
+/// A side of a triangle, from one vertex to another.
+struct Side {
+    std::uint32_t from, to;
+
+    std::pair<std::uint32_t, std::uint32_t> edge() const { return std::minmax(from, to); }
+};
+
+/// Calls visit(begin, end) for each run of elements of equal keys. Sorts them, equal ones in the
+/// order that they had.
+template <class Element, class Key, class Visit>
+void for_each_run(std::vector<Element>& elements, const Key& key, const Visit& visit) {
+    std::stable_sort(elements.begin(), elements.end(),
+                     [&](const Element& a, const Element& b) { return key(a) < key(b); });
+    for (auto begin = elements.begin(); begin != elements.end();) {
+        const auto end = std::find_if(begin, elements.end(),
+                                      [&](const Element& e) { return key(e) != key(*begin); });
+        visit(begin, end);
+        begin = end;
+    }
+}
+
+/// Sides on which no other triangle lies, between places that have several vertices.
+std::vector<Side> find_cut_sides(const std::vector<Triangle>& triangles, const Places& places) {
+    const auto is_shared = [&](std::uint32_t v) { return places.is_shared[places.of_vertex[v]]; };
+    std::vector<Side> sides, cuts;
+    for (const Triangle& t : triangles)
+        for (unsigned k = 0; k < 3; ++k)
+            if (is_shared(t[k]) && is_shared(t[(k + 1) % 3]))
+                sides.push_back({t[k], t[(k + 1) % 3]});
+    for_each_run(
+        sides, [](const Side& side) { return side.edge(); },
+        [&](auto begin, auto end) {
+            if (end - begin == 1) cuts.push_back(*begin);
+        });
+    return cuts;
+}
+
+/// Sets of vertices, each with its smallest number as root.
+class VertexSets {
+public:
+    explicit VertexSets(std::size_t n) : parent_(n) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    std::uint32_t root(std::uint32_t v) {
+        while (parent_[v] != v)
+            v = parent_[v] = parent_[parent_[v]];
+        return v;
+    }
+    void unite(std::uint32_t a, std::uint32_t b) {
+        a = root(a), b = root(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+    std::vector<std::uint32_t> roots() {
+        for (std::uint32_t v = 0; v < parent_.size(); ++v)
+            parent_[v] = root(v);
+        return std::move(parent_);
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& positions,
+                                       const std::vector<Triangle>& triangles) {
+    if (is_closed(triangles)) return {};
+    const Places places = find_places(positions);
+    if (!places.any_shared) return {};
+    std::vector<Side> cuts = find_cut_sides(triangles, places);
+    const auto at_places = [&](const Side& side) {
+        return Side{places.of_vertex[side.from], places.of_vertex[side.to]};
+    };
+    VertexSets sets(positions.size());
+    bool any = false;
+    for_each_run(
+        cuts, [&](const Side& side) { return at_places(side).edge(); },
+        [&](auto begin, auto end) {
+            if (end - begin != 2) return;
+            const Side a = begin[0], b = begin[1];
+            if (at_places(a).from != at_places(b).to) return;  // they disagree about the outside
+            sets.unite(a.from, b.to);
+            sets.unite(a.to, b.from);
+            any = true;
+        });
+    return any ? sets.roots() : std::vector<std::uint32_t>();
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces that duplicated vertices cut open have the field and the lines of the whole ones.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "helpers.h"
+#include "laplacian_lines/precompute.h"
+#include "mesh/stitching.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using test_meshes::mesh_named;
+
+/// Each triangle with vertices of its own, as STL files have them.
+TriangleMesh soup_of(const TriangleMesh& mesh) {
+    TriangleMesh soup;
+    for (const Triangle& t : mesh.triangles) {
+        Triangle own;
+        for (unsigned k = 0; k < 3; ++k) {
+            own[k] = std::uint32_t(soup.positions.size());
+            soup.positions.push_back(mesh.positions[t[k]]);
+        }
+        soup.triangles.push_back(own);
+    }
+    return soup;
+}
+
+/// Cut along the plane x = `at`: the triangles on each side have vertices of their own.
+TriangleMesh with_seam(const TriangleMesh& mesh, double at) {
+    TriangleMesh cut;
+    std::map<std::pair<bool, std::uint32_t>, std::uint32_t> vertices;
+    for (Triangle t : mesh.triangles) {
+        const bool side =
+            (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]).x() / 3 < at;
+        for (std::uint32_t& v : t) {
+            const auto [place, is_new] =
+                vertices.try_emplace({side, v}, std::uint32_t(cut.positions.size()));
+            if (is_new) cut.positions.push_back(mesh.positions[v]);
+            v = place->second;
+        }
+        cut.triangles.push_back(t);
+    }
+    return cut;
+}
+
+TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b) {
+    TriangleMesh both = a;
+    both.positions.insert(both.positions.end(), b.positions.begin(), b.positions.end());
+    const auto n = std::uint32_t(a.positions.size());
+    for (const Triangle& t : b.triangles)
+        both.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+    return both;
+}
+
+TriangleMesh inside_out(TriangleMesh mesh) {
+    for (Triangle& t : mesh.triangles)
+        std::swap(t[1], t[2]);
+    return mesh;
+}
+
+std::size_t sets_in(const TriangleMesh& mesh) {
+    const std::vector<std::uint32_t> representative = stitch_cuts(mesh.positions, mesh.triangles);
+    if (representative.empty()) return mesh.positions.size();
+    return std::set<std::uint32_t>(representative.begin(), representative.end()).size();
+}
+
+LineStyle borders_only() {
+    LineStyle style;
+    style.shows = LineKindSet();
+    style.shows[LineKind::Border] = true;
+    return style;
+}
+
+/// As the whole mesh's, up to the rounding of sums in another order.
+void expect_same_field(const TriangleMesh& whole, const TriangleMesh& cut) {
+    const Field expected = precompute(whole), field = precompute(cut);
+    EXPECT_EQ(field.report.welded_vertices, cut.positions.size() - whole.positions.size());
+    EXPECT_EQ(field.report.unreferenced_vertices, 0u);
+    EXPECT_NEAR(field.scale.mean_edge / expected.scale.mean_edge, 1, 1e-12);
+    std::map<std::array<double, 3>, std::size_t> vertex;
+    for (std::size_t v = 0; v < whole.positions.size(); ++v)
+        vertex[{whole.positions[v].x(), whole.positions[v].y(), whole.positions[v].z()}] = v;
+    double error = 0, size = 0;
+    for (std::size_t v = 0; v < cut.positions.size(); ++v) {
+        const Eigen::Vector3d& p = cut.positions[v];
+        const std::size_t w = vertex.at({p.x(), p.y(), p.z()});
+        EXPECT_LT((field.normals[v] - expected.normals[w]).norm(), 1e-4f);
+        error += (field.laplacian_normals[v] - expected.laplacian_normals[w]).squaredNorm();
+        size += expected.laplacian_normals[w].squaredNorm();
+    }
+    EXPECT_LT(error, 1e-6 * size);
+}
+
+void expect_same_lines(const TriangleMesh& whole, const TriangleMesh& cut) {
+    const LineExtractor expected(whole, precompute(whole)), extractor(cut, precompute(cut));
+    for (const View& view : helpers::random_views(whole, 5)) {
+        const LineSet a = helpers::extract(expected, view, LineStyle()),
+                      b = helpers::extract(extractor, view, LineStyle());
+        EXPECT_NEAR(double(a.lines.size()), double(b.lines.size()), 0.05 * double(a.lines.size()));
+        EXPECT_NEAR(helpers::total_length(a) / helpers::total_length(b), 1, 0.02);
+        const LineSet borders = helpers::extract(expected, view, borders_only());
+        EXPECT_EQ(helpers::extract(extractor, view, borders_only()).lines.size(),
+                  borders.lines.size());
+    }
+}
+
+class CutMesh : public testing::TestWithParam<const char*> {
+protected:
+    const TriangleMesh& whole() const { return mesh_named(GetParam()).mesh; }
+};
+INSTANTIATE_TEST_SUITE_P(Meshes, CutMesh,
+                         testing::Values("bumpy_sphere", "half_torus", "rounded_cube", "torus"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST_P(CutMesh, SoupHasTheFieldOfTheWhole) {
+    expect_same_field(whole(), soup_of(whole()));
+}
+
+TEST_P(CutMesh, SeamLeavesTheFieldAsItIs) {
+    const TriangleMesh cut = with_seam(whole(), 0.1);
+    ASSERT_GT(cut.positions.size(), whole().positions.size());
+    expect_same_field(whole(), cut);
+}
+
+TEST_P(CutMesh, HasTheLinesOfTheWhole) {
+    expect_same_lines(whole(), soup_of(whole()));
+    expect_same_lines(whole(), with_seam(whole(), 0.1));
+}
+
+TEST_P(CutMesh, StaysCutIfAskedTo) {
+    const TriangleMesh cut = with_seam(whole(), 0.1);
+    PrecomputeOptions options;
+    options.weld_duplicates = false;
+    const Field field = precompute(cut, options);
+    EXPECT_EQ(field.report.welded_vertices, 0u);
+    const LineExtractor extractor(cut, field), of_whole(whole(), precompute(whole()));
+    const View view = View::orthographic({1, 2, 3});
+    EXPECT_GT(helpers::total_length(helpers::extract(extractor, view, borders_only())),
+              helpers::total_length(helpers::extract(of_whole, view, borders_only())) + 0.5);
+}
+
+TEST(Stitching, LeavesSheetsThatLieUponEachOther) {
+    const TriangleMesh& sphere = mesh_named("bumpy_sphere").mesh;
+    EXPECT_EQ(sets_in(together(sphere, inside_out(sphere))), 2 * sphere.positions.size());
+    const TriangleMesh& open = mesh_named("half_torus").mesh;
+    EXPECT_EQ(sets_in(together(open, open)), 2 * open.positions.size());
+}
+
+TEST(Stitching, LeavesSolidsThatTouch) {
+    const TriangleMesh& cube = mesh_named("rounded_cube").mesh;
+    TriangleMesh beside = cube;
+    double low = 1e9, high = -1e9;
+    for (const Eigen::Vector3d& p : cube.positions)
+        low = std::min(low, p.x()), high = std::max(high, p.x());
+    for (Eigen::Vector3d& p : beside.positions)
+        p.x() += high - low;
+    EXPECT_EQ(sets_in(together(cube, beside)), 2 * cube.positions.size());
+}
+
+TEST(Stitching, LeavesPlacesWhereMoreThanTwoMeet) {
+    TriangleMesh book;  // three pages, each with vertices of its own at the spine
+    for (double angle : {0., 2., 4.}) {
+        const auto n = std::uint32_t(book.positions.size());
+        book.positions.insert(book.positions.end(),
+                              {{0, 0, 0}, {0, 0, 1}, {std::cos(angle), std::sin(angle), 0}});
+        book.triangles.push_back({n, n + 1, n + 2});
+    }
+    EXPECT_EQ(sets_in(book), book.positions.size());
+}
+
+TEST(Stitching, MinusZeroIsZero) {
+    TriangleMesh two;
+    two.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-0., 0, 0}, {0, 1, -0.}, {-1, 0, 0}};
+    two.triangles = {{0, 2, 1}, {3, 4, 5}};
+    EXPECT_EQ(sets_in(two), 4u);
+}
+
+}  // namespace
