@@ -66,8 +66,10 @@ Places find_places(const std::vector<Eigen::Vector3d>& positions) {
     for_each_element(n, [&](std::size_t v) { hashes[v] = hash_of(positions[v]); });
     Places places{large_array<std::uint32_t>(n), large_array(n, std::uint8_t(0))};
     for (std::uint32_t v = 0; v < n; ++v) {
+        places.of_vertex[v] = v;
+        if (!positions[v].allFinite()) continue;  // NaN equals nothing: each would pass all others
         std::size_t slot = hashes[v] & (slots - 1);
-        while (table[slot] != kNobody && positions[table[slot]] != positions[v])  // NaN: no equal
+        while (table[slot] != kNobody && positions[table[slot]] != positions[v])
             slot = (slot + 1) & (slots - 1);
         if (table[slot] == kNobody) {
             table[slot] = v;
