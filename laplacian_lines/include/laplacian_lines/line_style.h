@@ -49,6 +49,9 @@ struct LineStyle {
     /// Contours along edges of the mesh, between a triangle that faces the eye and one that does
     /// not, instead of the smooth zero crossings of n·l.
     bool mesh_silhouettes = false;
+    /// Contours along edges of the mesh only where triangles are so large, or meet at such angles,
+    /// that the zero crossings would lie beside the horizon.
+    bool exact_outlines = true;
     double shortest_contour = 0.005;  ///< least length of a contour or border, in D
     /// Least angle, in degrees, by which the surface turns across a ridge within a kernel, 2 k₁ √h.
     double ridge_angle = 45;

@@ -183,6 +183,11 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
             "mesh_silhouettes", "Mesh Silhouettes",
             "Draw outlines along the edges of the mesh, exactly where triangles turn away from the "
             "eye, instead of as smooth curves."),
+        boolean<&S::exact_outlines>(
+            "exact_outlines", "Exact Outlines",
+            "Outlines follow the edges of triangles that are large or meet at steep angles, and "
+            "are smooth curves elsewhere. Off: smooth curves everywhere, which lie beside the form "
+            "on meshes of few triangles."),
         real<&S::ridge_angle>(
             "ridge_angle", "Ridge Angle", 10, 180,
             "Least angle in degrees by which the surface turns across a ridge, within the size of "
