@@ -12,8 +12,8 @@ namespace laplacian_lines {
 namespace {
 
 // In D: less than two pixels of a picture of 400.
-constexpr double kFarthestContour = 0.005;
-constexpr double kLeastCoarsePatch = 0.02;  // diagonal of its box, D
+constexpr double kFarthestContour = 0.006;
+constexpr double kLeastCoarsePatch = 0.03;  // diagonal of its box, D
 // As far as the smoothing of normals reaches.
 constexpr int kRings = 2;
 constexpr double kSquaredCosineOfRings = 0.9925;  // of 5°
