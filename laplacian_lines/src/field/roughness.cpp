@@ -13,11 +13,11 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::size_t kSamples = 2048;
+constexpr std::size_t kSamples = 1024;
 // Standard deviations are 0.8, 1.6 and 3.2 mean edges: each Gaussian is the fourth power of the
 // next.
 constexpr double kWidest = 3.2;
-constexpr double kReach = 2.5 * kWidest;
+constexpr double kReach = 2.2 * kWidest;
 // In D. The surface has to be large against the reach.
 constexpr double kLargestEdge = 0.025;
 // Of a normal from the mean around it, in radians, exceeded by three quarters of them: less is
