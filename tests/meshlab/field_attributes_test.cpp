@@ -89,6 +89,7 @@ TEST_F(FieldAttributes, ComeBack) {
     writeField(mesh, field, options, geometryStamp(mesh));
     EXPECT_EQ(fieldStatus(mesh, geometryStamp(mesh)), FieldStatus::Current);
     EXPECT_EQ(readFieldRecord(mesh)->options.kernel_size, 3);
+    EXPECT_EQ(readFieldRecord(mesh)->options.normal_sigma, 0) << "automatic, whatever was chosen";
     const auto back = readField(mesh, geometryStamp(mesh));
     ASSERT_TRUE(back);
     expectSame(*back, field, coreTable());

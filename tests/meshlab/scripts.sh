@@ -19,12 +19,14 @@ small_torus "$WORK/torus.ply"
 accept
 expect_text "$WORK/log" 'Laplacian lines: 1200 vertices, 2400 triangles'
 expect_text "$WORK/log" '= 2\.00 mean edges ='
+expect_text "$WORK/log" 'Roughness [01]\.[0-9]+: normals smoothed by 0\.80 mean edges'
 expect_text "$WORK/log" 'Laplace Operator: Heat Kernel \(Belkin\), Normal Weighting: Area, Normal Smoothing: Gaussian, Gradient Estimator: Triangle Fit'
 expect_text "$WORK/log" 'stored per vertex in ll_normal, ll_laplacian_normal, ll_shape_diagonal, ll_shape_off_diagonal, ll_kernel_size'
 
 accept kernel_size=0.2 kernel_mode=1 laplace_operator=1 accuracy=0.01 normal_weighting=2 normal_smoothing=2 \
     normal_sigma=1.5 bilateral_angle=40 gradient_estimator=1 gradient_radius=2 correct_borders=false skip_opposite_sheet=false
 expect_text "$WORK/log" 'Kernel size 0\.2 in mesh units'
+expect_text "$WORK/log" 'Normals smoothed by 1\.50 mean edges'
 expect_text "$WORK/log" 'Kernel: Adaptive, Laplace Operator: Cotangent, Normal Weighting: Max, Normal Smoothing: Bilateral, Gradient Estimator: Least Squares'
 cp "$WORK/out.ply" "$WORK/all.ply"
 accept normal_weighting=1 normal_smoothing=0
