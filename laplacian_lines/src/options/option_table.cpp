@@ -184,7 +184,7 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
             "Draw outlines along the edges of the mesh, exactly where triangles turn away from the "
             "eye, instead of as smooth curves."),
         real<&S::ridge_angle>(
-            "ridge_angle", "Ridge Angle", 10, 180,
+            "ridge_angle", "Ridge Angle", 5, 180,
             "Least angle in degrees by which the surface turns across a ridge, within the size of "
             "the features that the lines show. Larger leaves out softer ridges."),
         real<&S::crease_angle>("crease_angle", "Crease Angle", 20, 180,
