@@ -51,7 +51,7 @@ struct LineStyle {
     bool mesh_silhouettes = false;
     double shortest_contour = 0.005;  ///< least length of a contour or border, in D
     /// Least angle, in degrees, by which the surface turns across a ridge within a kernel, 2 k₁ √h.
-    double ridge_angle = 11;
+    double ridge_angle = 10;
     /// Least angle between the normals of the triangles at a crease, degrees.
     double crease_angle = 60;
 };

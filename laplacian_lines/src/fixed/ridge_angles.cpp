@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "fixed/section_profile.h"
 #include "system/parallel.h"
@@ -13,9 +14,18 @@ namespace {
 
 using Form = RidgeCandidates::Form;
 
+/// Within which distance to each side an edge turns; its surroundings are as much again beyond.
+struct Scale {
+    float near;   ///< D
+    float share;  ///< of the turn that counts
+};
+// Edges of a form, and sharp ones of its details. What is fine has to turn more, since smaller
+// bumps do.
+constexpr Scale kScales[] = {{0.02f, 1}, {0.01f, 0.25f}};
+constexpr float kReach = 0.04f;  // of a section, to each side
+
 // In D.
-constexpr float kNear = 0.02f;         // to each side, within which an edge turns
-constexpr float kFar = 0.04f;          // within which its surroundings do
+constexpr float kMiddleReach = 0.01f;  // the middle of a turn is looked for within it
 constexpr float kStep = 0.003f;        // between the sections of a line
 constexpr float kMeanReach = 0.0075f;  // along the line, of the mean of sections
 constexpr float kBendReach = 0.005f;   // the same, of the direction of a section
@@ -25,24 +35,21 @@ constexpr float kSkew = 1.5f;
 // The share of the turn that has to be clear for the whole of it to count.
 constexpr float kClear = 0.3f;
 
-/// By how much the surface turns at a section, or at several in the mean; degrees.
+/// By how much the surface turns at a section, or at several in the mean, at one scale; degrees.
 struct Turn {
     float near[2] = {0, 0};  ///< on either side
-    float far[2] = {0, 0};
-    float middle = 0;  ///< where the near turn has its middle, D
+    float far[2] = {0, 0};   ///< within twice the distance
 
     Turn() = default;
-    explicit Turn(const SectionProfile& profile)
-        : near{-profile.angle(-kNear), profile.angle(kNear)},
-          far{-profile.angle(-kFar), profile.angle(kFar)},
-          middle(profile.middle(kNear)) {}
+    Turn(const SectionProfile& profile, float distance)
+        : near{-profile.angle(-distance), profile.angle(distance)},
+          far{-profile.angle(-2 * distance), profile.angle(2 * distance)} {}
 
     void add(const Turn& other, float share) {
         for (int side = 0; side < 2; ++side) {
             near[side] += share * other.near[side];
             far[side] += share * other.far[side];
         }
-        middle += share * other.middle;
     }
 
     /// An edge turns near and no more beyond; what turns evenly, far = 2 near, counts nothing.
@@ -53,12 +60,37 @@ struct Turn {
     }
 };
 
+/// A section, or the mean of several.
+struct Turns {
+    Turn at_scale[std::size(kScales)];
+    float middle = 0;  ///< where the turn has its middle, D
+
+    Turns() = default;
+    explicit Turns(const SectionProfile& profile) : middle(profile.middle(kMiddleReach)) {
+        for (std::size_t k = 0; k < std::size(kScales); ++k)
+            at_scale[k] = Turn(profile, kScales[k].near);
+    }
+
+    void add(const Turns& other, float share) {
+        for (std::size_t k = 0; k < std::size(kScales); ++k)
+            at_scale[k].add(other.at_scale[k], share);
+        middle += share * other.middle;
+    }
+
+    float edge_angle() const {
+        float angle = 0;
+        for (std::size_t k = 0; k < std::size(kScales); ++k)
+            angle = std::max(angle, kScales[k].share * at_scale[k].edge_angle());
+        return angle;
+    }
+};
+
 /// Memory of LineAngles; keeps its capacity.
 struct LineMemory {
     std::vector<float> ways;             // from the begin of the line to its points, D
     std::vector<std::uint32_t> samples;  // points that have a section
     std::vector<SectionProfile> profiles;
-    std::vector<Turn> turns;
+    std::vector<Turns> turns;
     std::vector<float> angles;
     std::vector<Eigen::Vector3f> moves;  // D
 };
@@ -76,13 +108,13 @@ public:
         if (memory_.profiles.size() < n) memory_.profiles.resize(n);
         memory_.turns.resize(n);
         for (std::size_t s = 0; s < n; ++s) {
-            probe.measure(section(memory_.samples[s]), kFar, memory_.profiles[s]);
-            memory_.turns[s] = Turn(memory_.profiles[s]);
+            probe.measure(section(memory_.samples[s]), kReach, memory_.profiles[s]);
+            memory_.turns[s] = Turns(memory_.profiles[s]);
         }
         memory_.angles.resize(n);
         memory_.moves.resize(n);
         for (std::size_t s = 0; s < n; ++s) {
-            const Turn turn = mean_turn(s);
+            const Turns turn = mean_turns(s);
             memory_.angles[s] = turn.edge_angle();
             memory_.moves[s] =
                 memory_.profiles[s].position(turn.middle) - forms_[memory_.samples[s]].position;
@@ -141,7 +173,7 @@ private:
         return {here.side, here.position, normal, is_left ? across : -across};
     }
 
-    Turn mean_turn(std::size_t s) const {
+    Turns mean_turns(std::size_t s) const {
         const auto is_near = [&](std::size_t other) {
             return std::abs(memory_.ways[memory_.samples[other]] -
                             memory_.ways[memory_.samples[s]]) <= kMeanReach;
@@ -151,7 +183,7 @@ private:
             --begin;
         while (end < memory_.samples.size() && is_near(end))
             ++end;
-        Turn mean;
+        Turns mean;
         for (std::size_t other = begin; other < end; ++other)
             mean.add(memory_.turns[other], 1 / float(end - begin));
         return mean;

@@ -192,6 +192,7 @@ RidgeCandidates find_ridge_candidates(const ExtractorData& data,
     const RidgeGraph graph(pieces);
     LineRules rules;
     rules.kind = LineKind::Ridge;
+    rules.least_length = kLeastRidgeLength;
     TracingMemory memory;
     RidgeCandidates candidates;
     trace_segments(data, rules, graph.graph(), memory, candidates.lines);

@@ -9,10 +9,14 @@
 
 namespace laplacian_lines {
 
+/// Over which a ridge is sharp somewhere, in D.
+constexpr float kLeastRidgeLength = 0.03f;
+
 /// Convex crest lines, sharp or not, whatever the view. With e₁ the direction of the largest
 /// curvature and t = tr S, they are the zeros of ∇t·e₁ at which ∇t falls along e₁; ∇t is the
 /// tangential part of Δn (Δn = −‖S‖² n + ∇t), so the heat kernel makes them as robust as Laplacian
-/// lines. Only where one convex curvature rules, k₁ > 2|k₂|.
+/// lines. Only where one convex curvature rules, k₁ > 2|k₂|,
+/// and no shorter ones than kLeastRidgeLength.
 struct RidgeCandidates {
     /// What there is at a point of a line, local.
     struct Form {

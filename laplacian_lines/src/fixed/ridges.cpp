@@ -13,8 +13,8 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr float kWeak = 0.5f;           // of the style's angle: continues what is sharper
-constexpr float kStrongLength = 0.03f;  // D; over which a ridge has the style's angle somewhere
+constexpr float kWeak = 0.5f;  // of the style's angle: continues what is sharper
+constexpr float kFading = 5;   // a soft edge is paler than a sharp one
 
 struct RidgeRules {
     float angle;  ///< degrees
@@ -25,7 +25,7 @@ struct RidgeRules {
     explicit RidgeRules(const LineStyle& style)
         // Angles differ less than slopes do: the eighth root.
         : angle(float(std::pow(threshold_factor(style.detail), 0.125) * style.ridge_angle)),
-          fading(float(style.fading)),
+          fading(kFading * float(style.fading)),
           // The contour of a rounded edge stays near its crest for long.
           clearance(style.shows[LineKind::Contour] ? 4 * float(style.contour_clearance) : 0),
           least_length(shortest_line(style)),
@@ -66,7 +66,8 @@ private:
                         const Polyline& whole, const Stretch& stretch, LineSet& lines) const {
         const LinePoint* points = found_.lines.points.data() + whole.first;
         const StretchLengths lengths = measure(stretch, points, rules.angle, float(data.diagonal));
-        if (stretch.count < 2 || lengths.all < rules.least_length || lengths.strong < kStrongLength)
+        if (stretch.count < 2 || lengths.all < rules.least_length ||
+            lengths.strong < kLeastRidgeLength)
             return;
         Polyline line = whole;
         line.first = std::uint32_t(lines.points.size());
