@@ -50,7 +50,9 @@ struct LineStyle {
     /// not, instead of the smooth zero crossings of n·l.
     bool mesh_silhouettes = false;
     double shortest_contour = 0.005;  ///< least length of a contour or border, in D
-    /// Least angle, in degrees, by which the surface turns across a ridge within a kernel, 2 k₁ √h.
+    /// Least angle, in degrees, by which the surface turns across a ridge within 2 % of D to both
+    /// sides, whatever the triangles' size, or a quarter of it within 1 %; that it turns as fast
+    /// beyond, or on one side only, counts against it. Weaker parts of a ridge go on down to half.
     double ridge_angle = 10;
     /// Least angle between the normals of the triangles at a crease, degrees.
     double crease_angle = 60;

@@ -35,6 +35,22 @@ struct Plane {
     }
 };
 
+/// The plane of a section, moved and turned so little that it clearly crosses the side that it
+/// begins on: not at an end of it, nor along it.
+Plane crossing_plane(const SectionProbe::Section& section, const VertexRecord& a,
+                     const VertexRecord& b) {
+    const Place from = between(a, b, 0), to = between(a, b, 1);
+    const Eigen::Vector3f edge = to.position - from.position;
+    const float length = edge.norm();
+    Plane plane = {section.point, section.normal.cross(section.across).normalized()};
+    if (!(length > 0)) return plane;
+    const float t = (section.point - from.position).dot(edge) / (length * length);
+    plane.origin += (std::clamp(t, 0.02f, 0.98f) - t) * edge;
+    const float crossing = plane.normal.dot(edge) / length;
+    if (std::abs(crossing) < 0.02f) plane.normal += (crossing < 0 ? -0.02f : 0.02f) / length * edge;
+    return plane;
+}
+
 /// Where the plane leaves the triangle that it enters by a side; that side becomes the one by which
 /// it leaves.
 Place leave(const std::vector<PlacedCluster>& clusters, const Plane& plane, MeshSide& at) {
@@ -55,7 +71,10 @@ Place leave(const std::vector<PlacedCluster>& clusters, const Plane& plane, Mesh
 }  // namespace
 
 void SectionProbe::measure(const Section& section, float reach, SectionProfile& profile) const {
-    const Plane plane = {section.point, section.normal.cross(section.across)};
+    const PlacedCluster& placed = placed_[section.side.cluster];
+    const auto& corners = placed.triangles[section.side.triangle].corners;
+    const Plane plane = crossing_plane(section, placed.records[corners[section.side.side]],
+                                       placed.records[corners[(section.side.side + 1) % 3]]);
     MeshSide at[2] = {section.side, sides_.across(section.side)};
     Place next[2];
     float along[2] = {0, 0};

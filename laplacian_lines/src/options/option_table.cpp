@@ -185,8 +185,8 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
             "eye, instead of as smooth curves."),
         real<&S::ridge_angle>(
             "ridge_angle", "Ridge Angle", 5, 180,
-            "Least angle in degrees by which the surface turns across a ridge, within the size of "
-            "the features that the lines show. Larger leaves out softer ridges."),
+            "Least angle in degrees by which the surface turns across a ridge, within 2 % of the "
+            "bounding-box diagonal to both sides. Larger leaves out softer ridges."),
         real<&S::crease_angle>("crease_angle", "Crease Angle", 20, 180,
                                "Least angle between two triangles of a crease, in degrees."),
         boolean<&S::exact_point_light>(
