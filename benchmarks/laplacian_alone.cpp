@@ -26,7 +26,7 @@ LaplacianAlone::LaplacianAlone(const TriangleMesh& mesh)
     const VertexRanges ranges(mesh_);
     normals_ = vertex_normals(mesh_, ranges, options.normal_weighting, no_reports());
     smooth_normals(mesh_, tree_, std::vector<float>(mesh_.size(), 1.f),
-                   options.normal_sigma * mesh_.mean_edge, options, no_reports(), normals_);
+                   automatic_normal_sigma(0) * mesh_.mean_edge, options, no_reports(), normals_);
     shape_operators_ = fit_triangles(mesh_, ranges, normals_, no_reports());
     smooth_over_one_rings(mesh_, ranges, normals_, 2, no_reports(), shape_operators_);
 }

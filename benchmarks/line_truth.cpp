@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // line_truth [OPTION VALUE]... [MESH...]: how much of the arrises of flaked stones and machined
-// parts is drawn, how much of what is drawn is one, and how much of a drawing noise leaves.
+// parts is drawn, how much of what is drawn is one, and how much of a drawing noise and
+// the terraces of segmented volumes leave.
 //
 // Recall is the share of the length of arrises that has a line within --reach; precision the share
 // of the length of ridges and creases that has an arris, sharp or blunt, within it; F1 their
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
         if (options.stones) print_stones(options);
         if (options.parts) print_parts(options);
         if (options.drawings) print_drawings(options);
+        if (options.terraces) print_terraces(options);
     } catch (const std::invalid_argument& error) {
         std::fprintf(stderr, "line_truth: %s\n%s", error.what(), truth_usage);
         return 2;

@@ -12,14 +12,15 @@ using namespace laplacian_lines;
 
 const char* const truth_usage =
     "line_truth [OPTION VALUE]... [MESH...]\n"
-    "  --only stones|parts|drawings   one of the tables\n"
+    "  --only stones|parts|drawings|terraces   one of the tables\n"
     "  --seeds 1,2,3                  of stones\n"
     "  --ripples 5                    of stones: how far they turn the surface, degrees\n"
     "  --radii 0.5,1,2                of edges, % of D\n"
     "  --resolutions 1,4,16           times 20,480 triangles (stones) or about 33,000 (parts)\n"
     "  --noise 0,10,20                of stones and parts, % of the mean edge\n"
     "  --drawing-noise 20,40          of drawings\n"
-    "  --reach 1                      between an arris and its line, % of D\n"
+    "  --voxels 80,160                along each axis, of terraces\n"
+    "  --reach 1                      between an arris and its line, % of D; also of terraces\n"
     "  --drawing-reach 0.5            between lines of two drawings\n"
     "  --sharp 15, --blunt 8          degrees: sharper arrises have to be drawn; may be drawn\n"
     "  --opacity 0.1                  the least that counts as drawn\n"
@@ -86,8 +87,17 @@ void choose_table(TruthOptions& options, const std::string& name) {
     options.stones = name == "stones";
     options.parts = name == "parts";
     options.drawings = name == "drawings";
-    if (!options.stones && !options.parts && !options.drawings)
+    options.terraces = name == "terraces";
+    if (!options.stones && !options.parts && !options.drawings && !options.terraces)
         throw std::invalid_argument("there is no table '" + name + "'");
+}
+
+std::vector<double> voxels(const std::string& text) {
+    const std::vector<double> values = numbers(text);
+    for (const double value : values)
+        if (value < 10 || value > 1000 || value != std::floor(value))
+            throw std::invalid_argument("voxels are whole numbers from 10 to 1000");
+    return values;
 }
 
 std::vector<double> resolutions(const std::string& text) {
@@ -116,6 +126,7 @@ const std::map<std::string, Setter>& setters() {
         {"--resolutions", [](O& o, const std::string& text) { o.resolutions = resolutions(text); }},
         {"--noise", list(&O::noise)},
         {"--drawing-noise", list(&O::drawing_noise)},
+        {"--voxels", [](O& o, const std::string& text) { o.voxels = voxels(text); }},
         {"--reach", one(&O::reach)},
         {"--drawing-reach", one(&O::drawing_reach)},
         {"--sharp", one(&O::sharp_angle)},

@@ -4,6 +4,7 @@
 #include "laplacian_lines/option_table.h"
 #include "meshlab_host/field_attributes.h"
 
+using laplacian_lines::Field;
 using laplacian_lines::FieldScale;
 using laplacian_lines::MeshReport;
 using laplacian_lines::PrecomputeOptions;
@@ -51,6 +52,16 @@ QString kernelLine(const FieldScale& scale) {
         .arg(100 * scale.kernel_size / scale.diagonal, 0, 'f', 2);
 }
 
+/// Empty without smoothing.
+QString smoothingLine(const Field& field, const PrecomputeOptions& options) {
+    if (!(field.scale.normal_sigma > 0)) return QString();
+    const bool is_automatic = options.normal_sigma == 0;
+    return (is_automatic ? QString("Roughness %1: normals").arg(field.report.roughness, 0, 'f', 2)
+                         : QString("Normals")) +
+           QString(" smoothed by %1 mean edges")
+               .arg(field.scale.normal_sigma / field.scale.mean_edge, 0, 'f', 2);
+}
+
 /// "Laplace Operator: Heat Kernel (Belkin), Normal Smoothing: Gaussian, ...": the choices made.
 QString choicesLine(const PrecomputeOptions& options) {
     QStringList parts;
@@ -64,8 +75,9 @@ QString choicesLine(const PrecomputeOptions& options) {
 
 QStringList computeReport(const laplacian_lines::Field& field, const PrecomputeOptions& options,
                           double seconds) {
-    QStringList lines{meshLine(field.report), leftOutLine(field.report), weldedLine(field.report),
-                      kernelLine(field.scale), choicesLine(options)};
+    QStringList lines{meshLine(field.report),        leftOutLine(field.report),
+                      weldedLine(field.report),      kernelLine(field.scale),
+                      smoothingLine(field, options), choicesLine(options)};
     lines << QString("Computed in %1 s, stored per vertex in %2")
                  .arg(seconds, 0, 'f', 2)
                  .arg(meshlab_host::fieldAttributeNames(field));

@@ -64,13 +64,11 @@ void setColors(const LineProgram& program, const LineAppearance& appearance, dou
 
 /// `unit`: length in eye coordinates of a length in mesh coordinates.
 void setDepthBiases(const LineProgram& program, const LinePlacement& placement, double unit) {
-    const double bias = laplacian_lines::kSightClearance * placement.diagonal;
-    const double outline_bias =
-        std::max(bias, laplacian_lines::kContourSightClearance * placement.mean_edge);
     PerLook<float> biases;
     for (std::size_t look = 0; look < biases.size(); ++look)
         biases[look] =
-            float(unit * (laplacian_lines::line_kinds[look].is_outline ? outline_bias : bias));
+            float(unit * laplacian_lines::sight_clearance(laplacian_lines::line_kinds[look].kind,
+                                                          placement.diagonal, placement.mean_edge));
     glUniform1fv(program.depth_biases, GLsizei(biases.size()), biases.data());
 }
 

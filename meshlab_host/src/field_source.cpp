@@ -20,18 +20,28 @@ std::vector<double> optionValues(const laplacian_lines::PrecomputeOptions& optio
     return values;
 }
 
-QString computedLine(const QString& mesh_name, FieldStatus status, std::size_t welded,
+/// What the mesh made the defaults do besides, each part after a comma; empty on most meshes.
+QString specialsOf(const Field& field) {
+    QString specials;
+    if (field.report.welded_vertices)
+        specials += QString(", %1 duplicated vertices welded where they cut the surface open")
+                        .arg(field.report.welded_vertices);
+    const double sigma = laplacian_lines::automatic_normal_sigma(field.report.roughness);
+    if (sigma > laplacian_lines::automatic_normal_sigma(0))
+        specials += QString(", roughness %1: normals smoothed by %2 mean edges")
+                        .arg(field.report.roughness, 0, 'f', 2)
+                        .arg(sigma, 0, 'f', 2);
+    return specials;
+}
+
+QString computedLine(const QString& mesh_name, FieldStatus status, const Field& field,
                      double seconds) {
-    const QString cuts =
-        welded
-            ? QString(", %1 duplicated vertices welded where they cut the surface open").arg(welded)
-            : QString();
     return QString(
                "Laplacian Lines: %1 has %2; computed with the default options in %3 s%4 (to "
                "choose others, run the filter Compute Laplacian Lines)")
         .arg(mesh_name, describe(status))
         .arg(seconds, 0, 'f', 2)
-        .arg(cuts);
+        .arg(specialsOf(field));
 }
 
 }  // namespace
@@ -62,8 +72,7 @@ Field demandField(const CMeshO& mesh, const laplacian_lines::TriangleMesh& trian
     QElapsedTimer clock;
     clock.start();
     Field field = laplacian_lines::precompute(triangles, source.options, progress);
-    say(computedLine(mesh_name, source.status, field.report.welded_vertices,
-                     1e-3 * double(clock.elapsed())));
+    say(computedLine(mesh_name, source.status, field, 1e-3 * double(clock.elapsed())));
     return field;
 }
 

@@ -167,6 +167,8 @@ TEST(TruthOptions, RefuseWhatTheyDoNotKnow) {
                                                {"--only", "bones"},
                                                {"--kinds", "ridge"},
                                                {"--resolutions", "2"},
+                                               {"--voxels", "80.5"},
+                                               {"--voxels", "0"},
                                                {"--seeds", "1,-1"},
                                                {"--reach", "0"},
                                                {"--seeds"},

@@ -201,7 +201,7 @@ TEST(Scale, HoldsDiagonalMeanEdgeAndAutomaticKernel) {
     EXPECT_DOUBLE_EQ(measured.diagonal, scale.diagonal);
     EXPECT_DOUBLE_EQ(measured.kernel_size, scale.kernel_size);
     EXPECT_DOUBLE_EQ(measured.mean_edge, scale.mean_edge);
-    EXPECT_DOUBLE_EQ(measured.normal_sigma, scale.normal_sigma);
+    EXPECT_EQ(measured.normal_sigma, 0) << "known only once the surface is looked at";
 }
 
 TEST(Scale, AutomaticKernelHasTwoRegimes) {

@@ -73,6 +73,7 @@ LineStyle all_crossings() {
     style.shortest_line = style.shortest_contour = 0;
     style.least_facing = -1;
     style.contour_clearance = 0;  // leaves out what faces away
+    style.exact_outlines = false;
     return style;
 }
 

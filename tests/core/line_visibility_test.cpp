@@ -104,8 +104,7 @@ void expect_true_visibility(const Scene& scene, const View& view) {
     const LineSet all = extract(scene.extractor, view, helpers::all_crossings());
     const LineSet seen = scene.visibility.visible_parts(view, all);
     const double d = scene.field.scale.diagonal;
-    const double clearance =
-        std::max(kSightClearance * d, kContourSightClearance * scene.field.scale.mean_edge);
+    const double clearance = sight_clearance(LineKind::Contour, d, scene.field.scale.mean_edge);
     int sure = 0, hidden = 0, wrong = 0;
     for (const LinePoint& point : all.points) {
         const Eigen::Vector3d p = point.position.cast<double>();

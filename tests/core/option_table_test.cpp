@@ -87,7 +87,7 @@ TYPED_TEST(OptionTable, ValuesMakeTheRoundTripAlone) {
 /// A member without a row could be set by no dialog: count the bytes of the members.
 TEST(OptionTables, DescribeEveryMember) {
     EXPECT_EQ(precompute_option_table().size(), 13u);
-    EXPECT_EQ(line_style_table().size(), 19 + line_kind_count);
+    EXPECT_EQ(line_style_table().size(), 20 + line_kind_count);
     EXPECT_EQ(sizeof(LineStyle), 17 * sizeof(double));
 }
 

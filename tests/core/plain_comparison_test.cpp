@@ -106,6 +106,7 @@ struct NamedStyle {
 std::vector<NamedStyle> styles() {
     LineStyle standard;
     standard.shows[LineKind::Ridge] = standard.shows[LineKind::Border] = false;
+    standard.exact_outlines = false;
     LineStyle all_strokes = standard;
     all_strokes.single_strokes = false;
     LineStyle exact = standard;

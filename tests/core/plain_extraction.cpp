@@ -86,6 +86,20 @@ public:
                 ++triangles_of_edge_[std::minmax(t[k], t[(k + 1) % 3])];
     }
 
+    /// Seen from both sides: its borders are long.
+    bool is_sheet() const {
+        double borders = 0, area = 0;
+        for (const Triangle& t : mesh_.triangles) {
+            area += area_vector(mesh_, t).norm() / 2;
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+                if (triangles_of_edge_.at(std::minmax(a, b)) != 2)
+                    borders += (mesh_.positions[a] - mesh_.positions[b]).norm();
+            }
+        }
+        return borders > 2 * std::sqrt(area);
+    }
+
     void extract(const LineRules& rules, float Vertex::*function, std::vector<PlainLine>& lines) {
         function_ = function;
         crossings_.clear();
@@ -294,8 +308,9 @@ std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& fi
     std::vector<PlainLine> lines;
     const LineRules laplacian = laplacian_line_strips.rules(style, !view.light);
     if (style.shows[LineKind::Laplacian]) extraction.extract(laplacian, &Vertex::laplacian, lines);
-    if (style.shows[LineKind::Contour])
-        extraction.extract(contour_rules(style), &Vertex::illumination, lines);
+    LineRules contours = contour_rules(style);
+    if (extraction.is_sheet()) contours.concave_thinning = LineRules::kNoThinning;
+    if (style.shows[LineKind::Contour]) extraction.extract(contours, &Vertex::illumination, lines);
     return lines;
 }
 

@@ -47,7 +47,7 @@ TEST_F(HiddenLinesTest, AreLeftOutBehindASurface) {
     expectWidths(lineWithSurfaceAt(0, appearance), 4, 4);
 }
 
-/// By 0.003 diagonals, outlines by 1.5 edges if that is more, the surface may come before a line.
+/// By 0.003 diagonals, contours by 1.5 edges if that is more, the surface may come before a line.
 TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
     const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
     LinePlacement placement = Canvas::placement();
@@ -56,15 +56,19 @@ TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
     expectWidths(lineWithSurfaceAt(0.029, appearance, placement), 4, 4);
     expectWidths(lineWithSurfaceAt(0.031, appearance, placement), 4, 0);
     LineSet outline = line;
-    for (LineKind kind : {LineKind::Contour, LineKind::Border}) {
+    const auto expect_limit = [&](LineKind kind, double limit) {
         outline.lines[0].kind = kind;
         canvas_.clear();
-        canvas_.putDepth(80, 0, 80, Canvas::height, 0.149);
+        canvas_.putDepth(80, 0, 80, Canvas::height, limit - 0.001);
         expectWidths(drawn(outline, appearance, placement), 4, 4);
         canvas_.clear();
-        canvas_.putDepth(80, 0, 80, Canvas::height, 0.151);
+        canvas_.putDepth(80, 0, 80, Canvas::height, limit + 0.001);
         expectWidths(drawn(outline, appearance, placement), 4, 0);
-    }
+    };
+    expect_limit(LineKind::Contour, 0.15);
+    expect_limit(LineKind::Border, 0.03);
+    placement.mean_edge = 1;  // contours follow edges then
+    expect_limit(LineKind::Contour, 0.03);
 }
 
 /// Also beside a surface that hides one half of it, as the form does along its outline.

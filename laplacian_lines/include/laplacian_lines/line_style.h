@@ -49,6 +49,9 @@ struct LineStyle {
     /// Contours along edges of the mesh, between a triangle that faces the eye and one that does
     /// not, instead of the smooth zero crossings of n·l.
     bool mesh_silhouettes = false;
+    /// Contours along edges of the mesh only where triangles are so large, or meet at such angles,
+    /// that the zero crossings would lie beside the horizon.
+    bool exact_outlines = true;
     double shortest_contour = 0.005;  ///< least length of a contour or border, in D
     /// Least angle, in degrees, by which the surface turns across a ridge within 2 % of D to both
     /// sides, whatever the triangles' size, or a quarter of it within 1 %; that it turns as fast

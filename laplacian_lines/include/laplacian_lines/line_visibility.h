@@ -13,9 +13,20 @@ namespace laplacian_lines {
 
 /// How far towards the eye a point of a line is moved before the surface can hide it, in D, and the
 /// least such move on contours, in mean edges: contours follow the smoothed normals, beyond the
-/// horizon of a coarse mesh.
+/// horizon of the triangles.
 constexpr double kSightClearance = 0.003;
 constexpr double kContourSightClearance = 1.5;
+/// Longest edge of triangles in which contours are smooth, in D; along others they follow edges.
+constexpr double kLargestSmoothTriangle = 0.03;
+
+/// The move for a kind of lines, in the unit of D and the mean edge.
+inline double sight_clearance(LineKind kind, double diagonal, double mean_edge) {
+    const double least = kSightClearance * diagonal;
+    const double beyond_horizon = kContourSightClearance * mean_edge;
+    const bool may_be_smooth = beyond_horizon <= kLargestSmoothTriangle * diagonal;
+    const bool is_beyond = describe(kind).is_on_horizon && may_be_smooth;
+    return is_beyond && beyond_horizon > least ? beyond_horizon : least;
+}
 
 /// Which parts of lines can be seen, by rays from points of the lines to the eye: exact, whatever
 /// the size of a picture. Built once for a mesh, which may be gone afterwards.

@@ -20,7 +20,8 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options = {}
                  const Progress& progress = {});
 
 /// Bounding-box diagonal and mean edge of the usable part of a mesh, with the kernel size and the
-/// smoothing that precompute() would use. @throws Error like precompute().
+/// smoothing that precompute() would use: 0 if it would choose by the roughness, which is not
+/// measured here. @throws Error like precompute().
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options = {});
 
 }  // namespace laplacian_lines

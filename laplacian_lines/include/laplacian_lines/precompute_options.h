@@ -43,7 +43,9 @@ struct PrecomputeOptions {
     double accuracy = 1e-3;
     NormalWeighting normal_weighting = NormalWeighting::Area;
     NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
-    double normal_sigma = 0.8;      ///< standard deviation of the smoothing, in mean edges
+    /// Standard deviation of the smoothing, in mean edges. 0 means automatic: 0.8, and up to 2.5 on
+    /// rough meshes, see automatic_normal_sigma(). NormalSmoothing::None is no smoothing.
+    double normal_sigma = 0;
     double bilateral_angle = 20.0;  ///< degrees between normals at which bilateral weights fade
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
     double gradient_radius = 3.0;  ///< ball of the least squares fit, in mean edges
@@ -57,6 +59,9 @@ struct PrecomputeOptions {
 
 /// The automatic √h. Lengths in any unit; the result has the same one.
 double automatic_kernel_size(double mean_edge, double diagonal);
+
+/// The automatic smoothing of normals in mean edges, given MeshReport::roughness.
+double automatic_normal_sigma(double roughness);
 
 /// @throws Error(InvalidOption) naming the first option that is out of range.
 void validate(const PrecomputeOptions& options);

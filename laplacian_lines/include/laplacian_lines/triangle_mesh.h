@@ -27,6 +27,10 @@ struct MeshReport {
     std::size_t unreferenced_vertices = 0;  ///< finite, but no usable triangle has it
     std::size_t degenerate_triangles = 0;   ///< zero area, repeated or non-finite corners
     std::size_t welded_vertices = 0;        ///< for which another one at the same place counts
+    /// Of the surface at the scale of its triangles: noise, or the terraces of segmented volumes.
+    /// No unit; scans have up to 1.1, terraces 1.3 to 3. 0: smooth, or not measured, which is so
+    /// unless the smoothing of the normals is automatic.
+    double roughness = 0;
 };
 
 }  // namespace laplacian_lines

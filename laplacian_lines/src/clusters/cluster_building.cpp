@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "clusters/cluster_sides.h"
+#include "clusters/coarseness.h"
 #include "rules/convexity.h"
 #include "system/parallel.h"
 
@@ -18,6 +19,9 @@ namespace {
 
 // About the part of the whole time at which each step ends.
 constexpr double kPartitioned = 0.4, kLinked = 0.6, kLaidOut = 0.65;
+
+// Least length of borders over the root of the area: 4 for a square, 2.5 for half a sphere.
+constexpr double kLeastSheetBorders = 2;
 
 /// The vectors of the linear forms, by VertexForm.
 constexpr Eigen::Vector3d LocalVertex::*kForms[] = {&LocalVertex::normal, &LocalVertex::laplacian};
@@ -88,14 +92,29 @@ ClusterBuilder::ClusterBuilder(const PreparedMesh& mesh, const Field& field, Ext
 
 void ClusterBuilder::build(const StageProgress& stage) {
     stage.report(0);
-    partition_ = partition(mesh_);
+    coarse_ = find_coarse_triangles(mesh_, field_);
+    partition_ = partition(mesh_, coarse_);
     stage.report(kPartitioned);
     data_.border_edge_count = link_clusters(mesh_, partition_);
     data_.vertex_count = std::uint32_t(mesh_.size());
+    data_.is_sheet = is_sheet();
     stage.report(kLinked);
     data_.allocate(lay_out());
     parallel_for<Values>(partition_.ranges.size(), stage.part(kLaidOut, 1),
                          [&](std::size_t c, Values& values) { write_cluster(c, values); });
+}
+
+bool ClusterBuilder::is_sheet() const {
+    const double borders = sum_of(3 * mesh_.triangles.size(), [&](std::size_t side) {
+        if (partition_.across[side] < Partition::kMany) return 0.;
+        const Triangle& t = mesh_.triangles[partition_.order[side / 3]];
+        return (mesh_.positions[t[side % 3]] - mesh_.positions[t[(side + 1) % 3]]).norm();
+    });
+    if (borders == 0) return false;
+    const double area = sum_of(mesh_.triangles.size(), [&](std::size_t i) {
+        return area_vector(mesh_, mesh_.triangles[i]).norm() / 2;
+    });
+    return borders > kLeastSheetBorders * std::sqrt(area);
 }
 
 std::size_t ClusterBuilder::lay_out() {
@@ -135,6 +154,7 @@ void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
     list_vertices(c, values);
     write_triangles(c, memory);
     mark_convex(c, values);
+    mark_coarse(c);
     write_vertices(c, values, memory);
     write_bounds(c, values);
 }
@@ -205,6 +225,15 @@ void ClusterBuilder::mark_convex(std::size_t c, const Values& values) {
     for (unsigned i = 0; i < cluster.triangle_count; ++i, corners += 3)
         if (convex[corners[0]] && convex[corners[1]] && convex[corners[2]])
             cluster.convex[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
+}
+
+void ClusterBuilder::mark_coarse(std::size_t c) {
+    const ClusterRange& range = partition_.ranges[c];
+    for (std::uint32_t p = range.begin; p < range.end; ++p) {
+        const std::uint32_t i = p - range.begin;
+        data_.clusters[c].coarse[i / kMaskGroup] |= std::uint64_t(coarse_[partition_.order[p]])
+                                                    << i % kMaskGroup;
+    }
 }
 
 void ClusterBuilder::write_vertices(std::size_t c, const Values& values,

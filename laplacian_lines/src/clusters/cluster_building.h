@@ -25,6 +25,7 @@ public:
 private:
     using Values = std::vector<LocalVertex>;  // of a cluster's vertices
 
+    bool is_sheet() const;
     /// Finds where the parts of each cluster begin. Returns the bytes that clusters need.
     std::size_t lay_out();
     void write_cluster(std::size_t cluster, Values& values);
@@ -33,12 +34,14 @@ private:
     void list_vertices(std::size_t cluster, Values& values);
     void write_triangles(std::size_t cluster, unsigned char* memory);
     void mark_convex(std::size_t cluster, const Values& values);
+    void mark_coarse(std::size_t cluster);
     void write_vertices(std::size_t cluster, const Values& values, unsigned char* memory) const;
     void write_bounds(std::size_t cluster, const Values& values);
 
     const PreparedMesh& mesh_;
     const Field& field_;
     ExtractorData& data_;
+    std::vector<std::uint8_t> coarse_;  // by triangle of the mesh
     Partition partition_;
     std::vector<std::size_t> first_vertex_;  // of each cluster in data_
 };

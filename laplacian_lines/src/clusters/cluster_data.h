@@ -38,7 +38,7 @@ struct VertexRecord {
 static_assert(sizeof(VertexRecord) == kCacheUnit, "a vertex record is one cache unit");
 
 /// Corners in cyclic order; neighbour k is across the edge from corner k to the next: the number of
-/// a triangle of the cluster with the same orientation, or of an edge to elsewhere, or
+/// a triangle of the cluster with the same orientation and coarseness, or of an edge to others, or
 /// kNoNeighbour where lines end (borders, edges of more than two triangles).
 struct ClusterTriangle {
     std::uint8_t corners[3];
@@ -62,6 +62,8 @@ struct Cluster {
     std::uint8_t vertex_count, triangle_count;
     /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex.
     std::uint64_t convex[kClusterTriangles / kMaskGroup];
+    /// Likewise: coarse ones, see coarseness.h, in which contours are no zeros.
+    std::uint64_t coarse[kClusterTriangles / kMaskGroup];
 };
 
 /// Offsets of the parts, in bytes.

@@ -62,16 +62,17 @@ private:
 /// Pairs the sides of one cluster.
 class SidePairing {
 public:
-    /// `corners` of `triangles`, which are at most kClusterVertices. Writes across[side] as in
-    /// Partition, plus `first_side`. Returns how many numbers (see kClusterNumbers) it may take.
-    unsigned pair(const std::uint8_t* corners, unsigned triangles, std::uint32_t first_side,
-                  std::uint32_t* across) {
+    /// `corners` of `triangles`, which are at most kClusterVertices, and which of them are coarse.
+    /// Writes across[side] as in Partition, plus `first_side`. Returns how many numbers (see
+    /// kClusterNumbers) it may take.
+    unsigned pair(const std::uint8_t* corners, const std::uint8_t* coarse, unsigned triangles,
+                  std::uint32_t first_side, std::uint32_t* across) {
         sort_sides(corners, 3 * triangles);
         unsigned numbers = triangles;
         for (unsigned begin = 0, end; begin < 3 * triangles; begin = end) {
             for (end = begin + 1; end < 3 * triangles && same_edge(begin, end); ++end) {
             }
-            numbers += link(begin, end, corners, first_side, across);
+            numbers += link(begin, end, corners, coarse, first_side, across);
         }
         return numbers;
     }
@@ -108,7 +109,8 @@ private:
 
     /// The sides of one edge. Returns how many of them may need a number.
     unsigned link(unsigned begin, unsigned end, const std::uint8_t* corners,
-                  std::uint32_t first_side, std::uint32_t* across) const {
+                  const std::uint8_t* coarse, std::uint32_t first_side,
+                  std::uint32_t* across) const {
         const unsigned count = end - begin;
         if (count != 2) {
             for (unsigned i = begin; i < end; ++i)
@@ -116,6 +118,10 @@ private:
             return count == 1;
         }
         const unsigned a = sides_[begin].number, b = sides_[begin + 1].number;
+        if (coarse[a / 3] != coarse[b / 3]) {
+            across[a] = across[b] = Partition::kNobody;
+            return 2;
+        }
         across[a] = first_side + b;
         across[b] = first_side + a;
         return corners[a] == corners[b] ? 2 : 0;  // of opposite orientation
@@ -126,8 +132,10 @@ private:
 
 class Partitioner {
 public:
-    Partitioner(const PreparedMesh& mesh, Partition& result)
+    Partitioner(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse,
+                Partition& result)
         : mesh_(mesh),
+          coarse_(coarse),
           result_(result),
           centres_(mesh.triangles.size()),
           spare_(mesh.triangles.size()),
@@ -163,6 +171,7 @@ private:
         explicit Worker(std::size_t vertices) : numbers(vertices) {}
         LocalNumbers numbers;
         SidePairing pairing;
+        std::uint8_t coarse[kClusterTriangles];  // of the cluster that is tried
     };
 
     TriangleCentre centre(std::uint32_t t) const {
@@ -243,8 +252,10 @@ private:
                 if (number >= kClusterVertices) return false;
                 *corners++ = std::uint8_t(number);
             }
+        for (std::uint32_t i = begin; i < end; ++i)
+            worker.coarse[i - begin] = coarse_[order[i]];
         const std::size_t first_side = 3 * std::size_t(begin);
-        if (worker.pairing.pair(result_.corners.data() + first_side, end - begin,
+        if (worker.pairing.pair(result_.corners.data() + first_side, worker.coarse, end - begin,
                                 std::uint32_t(first_side),
                                 result_.across.data() + first_side) > kClusterNumbers)
             return false;
@@ -253,6 +264,7 @@ private:
     }
 
     const PreparedMesh& mesh_;
+    const std::vector<std::uint8_t>& coarse_;
     Partition& result_;
     std::vector<TriangleCentre> centres_, spare_;
     std::vector<Worker> workers_;
@@ -261,9 +273,9 @@ private:
 
 }  // namespace
 
-Partition partition(const PreparedMesh& mesh) {
+Partition partition(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse) {
     Partition result;
-    if (!mesh.triangles.empty()) Partitioner(mesh, result).run();
+    if (!mesh.triangles.empty()) Partitioner(mesh, coarse, result).run();
     return result;
 }
 

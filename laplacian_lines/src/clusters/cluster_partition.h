@@ -23,13 +23,14 @@ struct Partition {
     std::vector<std::uint32_t> order;  ///< triangles by cluster, ascending within each
     std::vector<ClusterRange> ranges;
     std::vector<std::uint8_t> corners;  ///< [3 p + k]: the corner's number in its cluster
-    /// [side]: the other side of its edge within the cluster, kNobody if there is none and kMany if
-    /// there are several.
+    /// [side]: the other side of its edge within the cluster, kNobody if there is none or one of
+    /// the two triangles is coarse and the other is not, kMany if there are several.
     std::vector<std::uint32_t> across;
 };
 
 /// Cuts the mesh into pieces that are compact in space and keep within the limits of
-/// cluster_data.h, whatever the topology. The number of threads does not matter.
-Partition partition(const PreparedMesh& mesh);
+/// cluster_data.h, whatever the topology. `coarse`: by triangle, see coarseness.h. The number of
+/// threads does not matter.
+Partition partition(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse);
 
 }  // namespace laplacian_lines

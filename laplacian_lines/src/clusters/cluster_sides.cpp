@@ -117,7 +117,9 @@ private:
                                 owners_.is_shared(t[2])};
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t next = (k + 1) % 3, side = 3 * place + k;
-            if (!(shared[k] && shared[next]) && !is_reversed(side, partition_.across[side]))
+            const std::uint32_t across = partition_.across[side];
+            if (!(shared[k] && shared[next]) && !is_reversed(side, across) &&
+                across != Partition::kNobody)
                 continue;
             open.push_back({std::min(t[k], t[next]), std::max(t[k], t[next]), side});
         }

@@ -5,7 +5,8 @@
 
 namespace laplacian_lines {
 
-/// Marks the number of an edge that two clusters, or two triangles of opposite orientation, share.
+/// Marks the number of an edge that two clusters share, or two triangles of opposite orientation,
+/// or a coarse triangle and one that is not.
 constexpr std::uint32_t kSharedEdge = 0x80000000u;
 
 inline bool is_shared_edge(std::uint32_t across) {

@@ -7,6 +7,7 @@
 #include "field/cotangent_laplacian.h"
 #include "field/kernel_sizes.h"
 #include "field/normal_smoothing.h"
+#include "field/roughness.h"
 #include "field/shape_operators.h"
 #include "field/vertex_normals.h"
 #include "mesh/prepared_mesh.h"
@@ -24,8 +25,14 @@ constexpr double kFitCost = 20;  // of a pair of vertices in a fit, in those of 
 constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
 constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6, kLaplacian = 1;
 
-/// Standard deviation of the normals' smoothing in local units, before adaptation.
-double global_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options) {
+/// Whether the roughness decides how much normals are smoothed.
+bool smooths_by_roughness(const PrecomputeOptions& options) {
+    return options.normal_smoothing != NormalSmoothing::None && options.normal_sigma == 0;
+}
+
+/// Standard deviation of the normals' smoothing in local units, before adaptation; 0 if it is
+/// automatic.
+double chosen_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options) {
     return options.normal_smoothing == NormalSmoothing::None
                ? 0
                : options.normal_sigma * mesh.mean_edge;
@@ -41,10 +48,10 @@ float to_float(double x) {
 }
 
 /// In the input's units.
-FieldScale scale_of(const PreparedMesh& mesh, const PrecomputeOptions& options) {
+FieldScale scale_of(const PreparedMesh& mesh, const PrecomputeOptions& options,
+                    double normal_sigma) {
     const double d = mesh.diagonal;
-    return {d, mesh.mean_edge * d, global_kernel_size(mesh, options) * d,
-            global_normal_sigma(mesh, options) * d};
+    return {d, mesh.mean_edge * d, global_kernel_size(mesh, options) * d, normal_sigma * d};
 }
 
 /// The computation on the prepared mesh, step by step; everything in local units.
@@ -58,7 +65,7 @@ public:
           options_(options),
           progress_(progress),
           kernel_size_(global_kernel_size(mesh, options)),
-          normal_sigma_(global_normal_sigma(mesh, options)) {}
+          normal_sigma_(chosen_normal_sigma(mesh, options)) {}
 
     void run() {
         compute_normals();
@@ -86,8 +93,9 @@ public:
             field.kernel_sizes[v] = float(relative_sizes_[i] * kernel_size_ * d);
         });
         copy_to_welded(field);
-        field.scale = scale_of(mesh_, options_);
+        field.scale = scale_of(mesh_, options_, normal_sigma_);
         field.report = mesh_.report;
+        field.report.roughness = roughness_;
         return field;
     }
 
@@ -114,6 +122,10 @@ private:
                                                 stage(kSorted, kSizes, "Measuring edges"));
         normals_ = vertex_normals(mesh_, ranges_, options_.normal_weighting,
                                   stage(kSizes, kNormals, "Computing normals"));
+        if (smooths_by_roughness(options_)) {
+            roughness_ = measure_roughness(mesh_, tree_, relative_sizes_, normals_);
+            normal_sigma_ = automatic_normal_sigma(roughness_) * mesh_.mean_edge;
+        }
         smooth_normals(mesh_, tree_, relative_sizes_, normal_sigma_, options_,
                        stage(kNormals, kSmoothNormals, "Smoothing normals"), normals_);
     }
@@ -161,7 +173,7 @@ private:
     const VertexRanges ranges_;
     const PrecomputeOptions& options_;
     const Progress& progress_;
-    double kernel_size_, normal_sigma_;
+    double kernel_size_, normal_sigma_, roughness_ = 0;
     std::vector<float> relative_sizes_;
     std::vector<Eigen::Vector3d> normals_, laplacian_;
     ShapeOperators shape_operators_;
@@ -185,7 +197,8 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
 
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     validate(options);
-    return scale_of(prepare_mesh(mesh, cuts_of(options)), options);
+    const PreparedMesh prepared = prepare_mesh(mesh, cuts_of(options));
+    return scale_of(prepared, options, chosen_normal_sigma(prepared, options));
 }
 
 }  // namespace laplacian_lines

@@ -5,26 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "clusters/planes.h"
 #include "clusters/whole_mesh.h"
 
 namespace laplacian_lines {
-
-/// Planes N·(e − w p) = 0 in the homogeneous eye (e, w): N and N·p, one array for each number, so
-/// that a pass over all is vectorized.
-struct Planes {
-    std::vector<float> x, y, z, offset;
-
-    void resize(std::size_t n) {
-        for (auto* values : {&x, &y, &z, &offset})
-            values->resize(n);
-    }
-    void set(std::size_t i, const Eigen::Vector3d& normal, const Eigen::Vector3d& p) {
-        x[i] = float(normal.x());
-        y[i] = float(normal.y());
-        z[i] = float(normal.z());
-        offset[i] = float(normal.dot(p));
-    }
-};
 
 /// The mesh's own edges with their triangles, for the lines that follow edges.
 struct MeshEdges {

@@ -64,7 +64,11 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "normals are not changed). Bilateral keeps sharp edges."),
         real<&O::normal_sigma>(
             "normal_sigma", "Normal Smoothing Sigma", 0, 100,
-            "Standard deviation of the smoothing, in mean edge lengths. Raise it for noisy scans."),
+            "Standard deviation of the smoothing, in mean edge lengths. 0 means automatic: 0.8, "
+            "and "
+            "up to 2.5 on meshes that are rough, such as those from segmented volumes, whose "
+            "surfaces are terraced; the log says what was chosen. Set it for meshes on which that "
+            "draws too much or too little."),
         real<&O::bilateral_angle>(
             "bilateral_angle", "Bilateral Angle", 0.1, 180,
             "For bilateral smoothing: angle in degrees between two normals at which they hardly "
@@ -183,6 +187,11 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
             "mesh_silhouettes", "Mesh Silhouettes",
             "Draw outlines along the edges of the mesh, exactly where triangles turn away from the "
             "eye, instead of as smooth curves."),
+        boolean<&S::exact_outlines>(
+            "exact_outlines", "Exact Outlines",
+            "Outlines follow the edges of triangles that are large or meet at steep angles, and "
+            "are smooth curves elsewhere. Off: smooth curves everywhere, which lie beside the form "
+            "on meshes of few triangles."),
         real<&S::ridge_angle>(
             "ridge_angle", "Ridge Angle", 5, 180,
             "Least angle in degrees by which the surface turns across a ridge, within 2 % of the "

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clusters/coarse_horizon.h"
 #include "clusters/extractor_data.h"
 #include "clusters/local_eye.h"
 #include "fixed/fixed_lines.h"
 #include "laplacian_lines/error.h"
+#include "redraw/horizon.h"
 #include "redraw/kinds/silhouettes.h"
 #include "redraw/kinds/strip_kinds.h"
 #include "redraw/line_finishing.h"
@@ -15,7 +17,9 @@
 namespace laplacian_lines {
 
 struct LineExtractor::Data : ExtractorData {
-    explicit Data(ExtractorData&& data) : ExtractorData(std::move(data)) {}
+    explicit Data(ExtractorData&& data)
+        : ExtractorData(std::move(data)), horizon(find_coarse_horizon(*this)) {}
+    const CoarseHorizon horizon;
     mutable FixedLines fixed_lines;          // thread-safe
     mutable OnDemand<MeshEdges> mesh_edges;  // likewise
 };
@@ -24,6 +28,7 @@ struct ExtractionScratch::Memory {
     FoundStrips found;
     JoiningMemory joining;
     TracedLines traced;
+    HorizonMemory horizon;
     FinishingMemory finishing;
     SilhouetteMemory silhouettes;
 };
@@ -40,7 +45,7 @@ LineExtractor::LineExtractor(LineExtractor&&) noexcept = default;
 LineExtractor& LineExtractor::operator=(LineExtractor&&) noexcept = default;
 
 std::size_t LineExtractor::memory() const {
-    return data_->memory();
+    return data_->memory() + data_->horizon.memory();
 }
 
 namespace {
@@ -77,7 +82,8 @@ void set_eye(const LocalEye& eye, float out[4]) {
     Eigen::Map<Eigen::Vector4f>(out) << eye.eye, eye.w;
 }
 
-ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEye& eye) {
+ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEye& eye,
+                         bool is_sheet) {
     ExtractionTask task;
     const LocalEye light =
         view.light ? direction_to_local(*view.light, "The light has no finite direction.") : eye;
@@ -87,7 +93,8 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     task.exact_point_light = style.exact_point_light && light.w != 0;
     for (unsigned number = 0; number < kStripKindCount; ++number) {
         const StripKind* const kind = strip_kinds()[number];
-        const LineRules rules = kind->rules(style, task.light_at_eye);
+        LineRules rules = kind->rules(style, task.light_at_eye);
+        if (is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
         task.kinds[number] = {kind->is_wanted(style), least_facing, rules};
@@ -101,12 +108,15 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
                             LineSet& lines) const {
     validate(style);
     const LocalEye eye = eye_to_local(view, *data_);
-    const ExtractionTask task = make_task(view, style, eye);
+    const ExtractionTask task = make_task(view, style, eye, data_->is_sheet);
     ExtractionScratch::Memory& memory = *scratch.memory_;
     find_strips(*data_, task, memory.found);
     memory.traced.clear();
     for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
         join_strips(memory.found, kind, data_->border_edge_count, memory.joining);
+        const ExtractionTask::Wanted& wanted = task.kinds[kind];
+        if (wanted.lines && wanted.rules.leave_out_coarse && !data_->horizon.empty())
+            append_horizon(data_->horizon, eye, kind, memory.joining, memory.horizon);
         trace_lines(task.kinds[kind].rules, memory.joining.strips[kind], memory.traced);
     }
     finish_lines(*data_, memory.traced, memory.finishing, lines);

@@ -94,10 +94,10 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
         const Polyline& p = line.polyline;
         LineColumns columns = make_columns(memory[std::size_t(omp_get_thread_num())], size);
         collect_points(traced, line, columns);
-        simd_functions().finish_line(*line.rules,
-                                     {p.count, p.closed, p.length, p.strength, p.slope}, columns,
-                                     data.centre.data(), data.diagonal,
-                                     reinterpret_cast<float*>(lines.points.data() + p.first));
+        simd_functions().finish_line(
+            *line.rules, {p.count, p.closed, line.has_exact, p.length, p.strength, p.slope},
+            columns, data.centre.data(), data.diagonal,
+            reinterpret_cast<float*>(lines.points.data() + p.first));
         lines.lines[std::size_t(i)] = p;
     }
 }

@@ -18,6 +18,7 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
                       strip.length,
                       strip.strength,
                       strip.slope,
+                      false,
                       false});
     for (std::uint32_t side : {0u, 1u}) {
         const std::uint32_t edge = strip.edges[side], end = first_end + side;
@@ -64,12 +65,17 @@ void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_e
                    [&](const Strip& strip, const StripPoint* points) {
                        append(strip, points, memory.strips[kind], memory.end_at_edge);
                    });
-    const JoinedStrip* joined = memory.strips[kind].data();
+    memory.open_ends.clear();
+    std::uint32_t end = 0;
     for_each_strip(found, kind, memory.end_at_edge, [&](const Strip& strip, const StripPoint*) {
-        for (int side : {0, 1})  // what still waits
-            if (joined->links[side] == kNoEnd && strip.edges[side] < Strip::kClosed)
-                memory.end_at_edge[strip.edges[side]] = kNoEnd;
-        ++joined;
+        const JoinedStrip& joined = memory.strips[kind][end / 2];
+        for (unsigned side : {0u, 1u}) {  // what still waits
+            const std::uint32_t edge = strip.edges[side];
+            if (joined.links[side] != kNoEnd || edge >= Strip::kClosed) continue;
+            memory.end_at_edge[edge] = kNoEnd;
+            memory.open_ends.push_back({edge, end + side});
+        }
+        end += 2;
     });
     memory.in_use = false;
 }

@@ -15,17 +15,25 @@ struct JoinedStrip {
     std::uint32_t links[2];  ///< the end that goes on, or kNoEnd
     float length, strength, slope;
     bool visited;
+    bool exact;  ///< its points stay where they are, see LineSums::has_exact
+};
+
+/// Where nothing goes on at an edge that others share.
+struct OpenEnd {
+    std::uint32_t edge;
+    std::uint32_t end;  ///< of a strip
 };
 
 struct JoiningMemory {
     std::vector<JoinedStrip> strips[kStripKindCount];
     /// The end that waits at an edge; kNoEnd everywhere between uses.
     std::vector<std::uint32_t> end_at_edge;
-    bool in_use = false;  ///< an exception left end_at_edge behind
+    bool in_use = false;             ///< an exception left end_at_edge behind
+    std::vector<OpenEnd> open_ends;  ///< of the kind that was joined last
 };
 
 /// Replaces memory.strips[kind] by the strips of that kind, joined where two of them end at an
-/// edge.
+/// edge, and memory.open_ends by what is left over.
 void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_edge_count,
                  JoiningMemory& memory);
 

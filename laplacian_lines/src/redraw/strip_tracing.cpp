@@ -24,7 +24,8 @@ private:
     /// Follows the line that starts at an end of a strip, and keeps it if the rules accept it.
     void trace(std::uint32_t start) {
         if (strips_[start / 2].visited) return;
-        TracedLines::Line line{{}, std::uint32_t(traced_.ends.size()), 0, &rules_, strips_.data()};
+        TracedLines::Line line{
+            {}, std::uint32_t(traced_.ends.size()), 0, false, &rules_, strips_.data()};
         Polyline& p = line.polyline;
         p.first = traced_.point_count;
         p.kind = rules_.kind;
@@ -34,6 +35,7 @@ private:
             [&](std::uint32_t end) {
                 JoinedStrip& strip = strips_[end / 2];
                 strip.visited = true;
+                line.has_exact |= strip.exact;
                 traced_.ends.push_back(end);
                 p.count += strip.count - 1;
                 p.length += strip.length;

@@ -14,6 +14,7 @@ struct TracedLines {
     struct Line {
         Polyline polyline;  ///< with its place in the line set
         std::uint32_t first_end, end_count;
+        bool has_exact;  ///< as in LineSums
         const LineRules* rules;
         const JoinedStrip* strips;
     };

@@ -23,14 +23,17 @@ struct LineRules {
     bool leave_out_convex = false;
     /// Nothing in triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
     bool leave_out_away = false;
+    bool leave_out_coarse = false;  ///< nothing in coarse triangles, see coarseness.h
     bool use_slope = false;  ///< false: no slopes are computed or tested, nor tell the width
     float segment_slope = 0, line_slope = 0, full_slope = 1;
     float least_strength = kAnything;
     float least_length = kAnything;  ///< D
     /// Lines thin out where the surface is concave along the view, up to this cosine between the
     /// view vector v and −∇(n·v) = −Sv. Contours are hidden there by the surface before them, but
-    /// not by much, so that parts of a wide stroke would be seen.
+    /// not by much, so that parts of a wide stroke would be seen. From behind it would be what is
+    /// seen, so not on surfaces that are seen from both sides.
     float concave_thinning = 0;
+    static constexpr float kNoThinning = std::numeric_limits<float>::max();
     static constexpr float kFlat = 0.1f;  ///< ‖∇I‖·D; where it is less, signs are those of noise
     float fading = 0;                     ///< full opacity at (1 + fading) times a threshold
     int smoothing_passes = 0;             ///< of the positions, each with the weights 1-2-1

@@ -58,11 +58,8 @@ struct LineVisibility::Data {
 
     /// The parts of one line that are seen.
     LineSet seen_parts(const View& view, const LineSet& lines, const Polyline& line) const {
-        double clearance = kSightClearance * scale.diagonal, to_side = 0;
-        if (describe(line.kind).is_on_horizon) {
-            clearance = std::max(clearance, kContourSightClearance * scale.mean_edge);
-            to_side = kToSide * scale.diagonal;
-        }
+        const double clearance = sight_clearance(line.kind, scale.diagonal, scale.mean_edge);
+        const double to_side = describe(line.kind).is_on_horizon ? kToSide * scale.diagonal : 0;
         Sight sight(caster, view, clearance, to_side);
         const LinePoint* points = lines.points.data() + line.first;
         const auto is_seen = [&](const LinePlace& place) {

@@ -11,6 +11,7 @@ LineRules contour_rules(const LineStyle& style) {
     rules.kind = LineKind::Contour;
     rules.least_length = float(style.shortest_contour);
     rules.concave_thinning = 0.1f;
+    rules.leave_out_coarse = style.exact_outlines;
     rules.smoothing_passes = smoothing_passes(style.line_smoothing);
     return rules;
 }

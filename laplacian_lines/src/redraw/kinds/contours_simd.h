@@ -39,7 +39,10 @@ struct Contours {
 
     static inline const float* values(const Batch& batch, unsigned) { return batch.facing; }
 
-    static inline std::uint64_t unwanted(const LineRules&, const Cluster&, unsigned) { return 0; }
+    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
+                                         unsigned group) {
+        return rules.leave_out_coarse ? cluster.coarse[group] : 0;
+    }
 
     static inline const float* source(const ExtractionTask& task) { return task.eye; }
 

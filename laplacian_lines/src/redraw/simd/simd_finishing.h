@@ -32,9 +32,10 @@ enum class LineEnd {
 
 /// Passes of binomial smoothing (1-2-1) of a column of `count` values, which have a place before
 /// and places after them, as `spare` does. Returns the one of the two that holds the result. A
-/// closed line's first value and its copy stay equal.
+/// closed line's first value and its copy stay equal. Values stay as they are where `exact`, a
+/// column like them, is not 0; none is if it is null.
 static inline float* smooth(float* values, float* spare, std::size_t count, bool closed,
-                            LineEnd end, int passes) {
+                            LineEnd end, int passes, const float* exact = nullptr) {
     const std::size_t last = count - 1, places = whole_vectors(count);
     for (; passes > 0; --passes) {
         if (closed) {
@@ -53,10 +54,23 @@ static inline float* smooth(float* values, float* spare, std::size_t count, bool
             store(to + i,
                   (load_anywhere(from + i - 1) + 2 * load(from + i) + load_anywhere(from + i + 1)) /
                       4);
+        if (exact)
+            for (std::size_t i = 0; i < places; i += kLanes)
+                store(to + i, load(exact + i) != 0 ? load(from + i) : load(to + i));
         spare = values;
         values = to;
     }
     return values;
+}
+
+/// Weights that hold the slope of the segment that ends at a point become 0 where both of a point's
+/// segments may be moved.
+static inline void slopes_to_exact(std::size_t count, bool closed, float* weights) {
+    const std::size_t last = count - 1;
+    weights[0] = closed ? weights[last] : 0;
+    for (std::size_t i = 0; i < last; ++i)
+        weights[i] += weights[i + 1];
+    if (closed) weights[last] = weights[0];
 }
 
 /// Weights hold the slope of the segment that ends at a point; then the means of its segments.
@@ -178,6 +192,7 @@ static void finish_line(const LineRules& rules, const LineSums& line, LineColumn
                         const double centre[3], double diagonal, float* points) {
     const std::size_t count = line.count;
     const bool closed = line.closed;
+    const float* exact = nullptr;
     if (rules.use_slope) {
         // A line that only just passes the tests on whole lines is hardly seen, so that it does
         // not jump into the picture when the view turns a little further.
@@ -187,20 +202,26 @@ static void finish_line(const LineRules& rules, const LineSums& line, LineColumn
         const float least = by_slope < by_length ? by_slope : by_length;
         taper(rules, count, closed, least < by_strength ? least : by_strength, c);
     } else {
-        for (std::size_t i = 0; i < count; i += kLanes) {
-            store(c.weight + i, load(c.opacity + i));
-            store(c.opacity + i, Floats{} + 1);
-        }
+        float* const opacities = c.opacity;
+        c.opacity = c.weight;
+        c.weight = opacities;
         smooth_taper(count, closed, c.weight, c.spare);
+        if (line.has_exact) {
+            slopes_to_exact(count, closed, c.opacity);
+            exact = c.opacity;
+        }
     }
     for (float** column : {&c.x, &c.y, &c.z}) {
-        float* result =
-            smooth(*column, c.spare, count, closed, LineEnd::Reflected, rules.smoothing_passes);
+        float* result = smooth(*column, c.spare, count, closed, LineEnd::Reflected,
+                               rules.smoothing_passes, exact);
         if (result != *column) {
             c.spare = *column;
             *column = result;
         }
     }
+    if (!rules.use_slope)
+        for (std::size_t i = 0; i < count; i += kLanes)
+            store(c.opacity + i, Floats{} + 1);
     write_points(c, count, centre, diagonal, points);
 }
 

@@ -26,6 +26,8 @@ constexpr unsigned kColumnMargin = 31;
 struct LineSums {
     std::uint32_t count;  ///< points
     bool closed;
+    /// Segments of the slope kExactSegment, in kinds that do not use slopes, stay where they are.
+    bool has_exact;
     float length, strength, slope;
 };
 

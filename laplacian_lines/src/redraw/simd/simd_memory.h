@@ -19,6 +19,9 @@ struct StripPoint {
     float opacity;   ///< less than 1 where the crossing alone asks for fading
 };
 
+/// Slope of a segment that no smoothing may move.
+constexpr float kExactSegment = 1;
+
 /// A piece of a line within a cluster, with the positive side on its left.
 struct Strip {
     static constexpr std::uint32_t kNoEdge = 0xffffffffu, kClosed = 0xfffffffeu;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "field/roughness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "laplacian_lines/precompute_options.h"
+#include "sums/facing_weight.h"
+#include "sums/summation_cost.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr std::size_t kSamples = 1024;
+// Standard deviations are 0.8, 1.6 and 3.2 mean edges: each Gaussian is the fourth power of the
+// next.
+constexpr double kWidest = 3.2;
+constexpr double kReach = 2.2 * kWidest;
+// In D. The surface has to be large against the reach.
+constexpr double kLargestEdge = 0.025;
+// Of a normal from the mean around it, in radians, exceeded by three quarters of them: less is
+// smooth, more is rough if the scales say so.
+constexpr double kSmooth = 0.01, kRough = 0.03;
+// In mean edges. What serves scans best is the least; beyond, in proportion to the roughness, as
+// was best for drawings of terraces and of noisy smooth forms.
+constexpr double kLeastSigma = 0.8, kLargestSigma = 2.5, kSigmaOfRoughness = 0.7;
+constexpr double kLongest = 1e4;  // a tenth of a second, in units of pairs_cost()
+
+/// How far a normal turns: from what the triangles give to the first scale, and on to each next.
+using Turns = std::array<double, 3>;
+
+Turns turns_at(const PreparedMesh& mesh, const SpatialTree& tree,
+               const std::vector<Eigen::Vector3d>& normals, std::size_t i, double unit) {
+    const Eigen::Vector3d &p = mesh.positions[i], &n = normals[i];
+    const double reach = kReach * unit, falloff = 0.5 / (kWidest * kWidest * unit * unit);
+    std::array<Eigen::Vector3d, 4> means = {n, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                            Eigen::Vector3d::Zero()};
+    tree.visit_leaves(Eigen::AlignedBox3d(p), reach, [&](const SpatialTree::Leaf& leaf) {
+        for (std::uint32_t q = leaf.begin; q < leaf.end; ++q) {
+            const double squared = (mesh.positions[q] - p).squaredNorm();
+            if (squared > reach * reach) continue;
+            const Eigen::Vector3d weighted =
+                mesh.masses[q] * facing_weight(normals[q].dot(n)) * normals[q];
+            const double widest = std::exp(-falloff * squared);
+            const double middle = widest * widest * widest * widest;
+            means[3] += widest * weighted;
+            means[2] += middle * weighted;
+            means[1] += middle * middle * middle * middle * weighted;
+        }
+    });
+    Turns turns;
+    for (std::size_t k = 1; k < means.size(); ++k) {
+        means[k] = means[k].stableNormalized();
+        turns[k - 1] = (means[k] - means[k - 1]).norm();
+    }
+    return turns;
+}
+
+/// Of the turns at one scale. Noise is as large anywhere, form is not: it shows in the calm places.
+double lower_quartile(std::vector<Turns>& turns, std::size_t scale) {
+    const auto place = turns.begin() + std::ptrdiff_t((turns.size() - 1) / 4);
+    std::nth_element(turns.begin(), place, turns.end(),
+                     [scale](const Turns& a, const Turns& b) { return a[scale] < b[scale]; });
+    return (*place)[scale];
+}
+
+}  // namespace
+
+double measure_roughness(const PreparedMesh& mesh, const SpatialTree& tree,
+                         const std::vector<float>& relative_sizes,
+                         const std::vector<Eigen::Vector3d>& normals) {
+    const std::size_t count = std::min(kSamples, mesh.size());
+    if (mesh.mean_edge > kLargestEdge) return 0;
+    if (pairs_cost(tree, kReach * mesh.mean_edge) * double(count) / double(mesh.size()) > kLongest)
+        return 0;
+    std::vector<Turns> turns(count);
+    in_parallel<NoScratch>(count, [&](std::size_t sample, NoScratch&) {
+        const std::size_t i = sample * mesh.size() / count;
+        turns[sample] =
+            turns_at(mesh, tree, normals, i, mesh.mean_edge * double(relative_sizes[i]));
+    });
+    const double from_triangles = lower_quartile(turns, 0);
+    const double finer = lower_quartile(turns, 1), coarser = lower_quartile(turns, 2);
+    const double counts = std::clamp((from_triangles - kSmooth) / (kRough - kSmooth), 0., 1.);
+    return coarser > 0 ? counts * finer / coarser : 0;
+}
+
+double automatic_normal_sigma(double roughness) {
+    return std::clamp(kSigmaOfRoughness * roughness, kLeastSigma, kLargestSigma);
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How rough a surface is, and the smoothing that follows from it.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+#include <map>
+
+#include "closed_mesh.h"
+#include "helpers.h"
+#include "implicit_head.h"
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/precompute.h"
+#include "noise.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using Eigen::Vector3d;
+
+constexpr int kVoxels = 60;
+
+const TriangleMesh& terraces() {
+    static const TriangleMesh mesh = test_meshes::terraced_head(kVoxels);
+    return mesh;
+}
+
+/// Standard deviation of the smoothing in mean edges.
+double sigma_of(const Field& field) {
+    return field.scale.normal_sigma / field.scale.mean_edge;
+}
+
+double sigma_of(const TriangleMesh& mesh) {
+    return sigma_of(precompute(mesh));
+}
+
+TEST(MarchingCubes, MakesClosedSpheresThatFaceOutwards) {
+    const auto ball = [](const Vector3d& p) { return p.norm() - 0.7; };
+    const test_meshes::Volume volume = test_meshes::sampled(ball, 40, 1);
+    const double exact = 4 / 3. * std::acos(-1.) * std::pow(0.7, 3), voxel = 2 / 39.;
+    for (const bool labels : {false, true}) {
+        const TriangleMesh mesh =
+            test_meshes::marching_cubes(labels ? test_meshes::labels_of(volume) : volume);
+        EXPECT_EQ(helpers::edges_without_partner(mesh), 0u);
+        EXPECT_NEAR(helpers::volume(mesh), exact, 0.02 * exact);
+        for (const Vector3d& p : mesh.positions)
+            ASSERT_NEAR(ball(p), 0, labels ? voxel / 2 : voxel * voxel);
+    }
+}
+
+TEST(MarchingCubes, PutsVerticesOfLabelsHalfwayBetweenVoxels) {
+    const double half_voxel = 1.1 / (kVoxels - 1);
+    for (const Vector3d& p : terraces().positions) {
+        const Vector3d halves = (p + Vector3d::Constant(1.1)) / half_voxel;
+        int odd = 0;
+        for (const double x : halves) {
+            ASSERT_NEAR(x, std::round(x), 1e-9);
+            odd += std::abs(std::lround(x)) % 2;
+        }
+        ASSERT_EQ(odd, 1);
+    }
+}
+
+/// Any sign of opposite corners: polygons of neighbouring cells fit.
+TEST(MarchingCubes, ClosesSurfacesOfRandomLabels) {
+    unsigned state = 1;
+    const auto random = [&](const Vector3d& p) {
+        state = state * 1664525u + 1013904223u;
+        return p.cwiseAbs().maxCoeff() < 0.99 && state >> 31 ? -0.5 : 0.5;
+    };
+    const TriangleMesh mesh = test_meshes::marching_cubes(test_meshes::sampled(random, 12, 1));
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            ++balance[{t[k], t[(k + 1) % 3]}];
+            --balance[{t[(k + 1) % 3], t[k]}];
+        }
+    ASSERT_GT(balance.size(), 1000u);
+    for (const auto& [edge, count] : balance)
+        ASSERT_EQ(count, 0);
+    EXPECT_GT(helpers::volume(mesh), 0);
+}
+
+TEST(Roughness, OfSmoothAndCoarseMeshesChangesNothing) {
+    for (const test_meshes::MeshEntry& entry : test_meshes::all_entries())
+        if (!entry.has(test_meshes::kUnusable)) {
+            EXPECT_NEAR(sigma_of(entry.get().mesh), 0.8, 1e-9) << entry.name;
+        }
+    EXPECT_NEAR(sigma_of(test_meshes::smooth_head(kVoxels)), 0.8, 1e-9);
+    EXPECT_EQ(precompute(test_meshes::sphere(5).mesh).report.roughness, 0);
+}
+
+TEST(Roughness, TellsTerracesAndNoiseOnSmoothForms) {
+    const Field rough = precompute(terraces());
+    EXPECT_GT(rough.report.roughness, 1.6);
+    EXPECT_GT(sigma_of(rough), 1.2);
+    EXPECT_LT(sigma_of(rough), 1.7);
+    EXPECT_GT(sigma_of(test_meshes::terraced_head(100)), sigma_of(rough))
+        << "more voxels: the same terraces on a form that is smoother at their scale";
+    EXPECT_GT(sigma_of(test_meshes::with_noise(test_meshes::sphere(5).mesh, 0.4)), 1.6);
+}
+
+TEST(Roughness, HasTheSmoothingInProportionWithinLimits) {
+    EXPECT_EQ(automatic_normal_sigma(0), 0.8);
+    EXPECT_EQ(automatic_normal_sigma(1.1), 0.8);
+    EXPECT_NEAR(automatic_normal_sigma(2), 1.4, 1e-12);
+    EXPECT_EQ(automatic_normal_sigma(100), 2.5);
+}
+
+TEST(Roughness, DoesNotDependOnSizeAndPlace) {
+    TriangleMesh moved = terraces();
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    for (Vector3d& p : moved.positions)
+        p = 250 * (turn * p) + Vector3d(10, 20, 30);
+    // Vertices are sampled in an order that follows the axes.
+    EXPECT_NEAR(precompute(moved).report.roughness, precompute(terraces()).report.roughness, 0.2);
+}
+
+TEST(Roughness, DoesNotDependOnTheNumberOfThreads) {
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const Field one = precompute(terraces());
+    for (const int threads : {2, 3, 8}) {
+        omp_set_num_threads(threads);
+        const Field field = precompute(terraces());
+        EXPECT_EQ(field.report.roughness, one.report.roughness) << threads;
+        EXPECT_TRUE(helpers::same_fields(one, field)) << threads;
+    }
+    omp_set_num_threads(before);
+}
+
+TEST(Roughness, IsOverruledByASigmaAndByNoSmoothing) {
+    PrecomputeOptions options;
+    for (const double sigma : {0.3, 0.8, 3.}) {
+        options.normal_sigma = sigma;
+        const Field field = precompute(terraces(), options);
+        EXPECT_NEAR(sigma_of(field), sigma, 1e-9);
+        EXPECT_EQ(field.report.roughness, 0) << "not measured";
+        EXPECT_DOUBLE_EQ(measure_scale(terraces(), options).normal_sigma, field.scale.normal_sigma);
+    }
+    options.normal_sigma = 0;
+    options.normal_smoothing = NormalSmoothing::None;
+    EXPECT_EQ(precompute(terraces(), options).scale.normal_sigma, 0);
+}
+
+TEST(Roughness, GivesTheFieldOfTheSigmaThatItChooses) {
+    const Field field = precompute(terraces());
+    PrecomputeOptions options;
+    options.normal_sigma = automatic_normal_sigma(field.report.roughness);
+    EXPECT_TRUE(helpers::same_fields(field, precompute(terraces(), options)));
+}
+
+/// Of all kinds of lines from an eye in front, in D.
+double drawn_length(const TriangleMesh& mesh, const PrecomputeOptions& options) {
+    const Field field = precompute(mesh, options);
+    const double d = field.scale.diagonal;
+    const LineSet lines = helpers::extract(LineExtractor(mesh, field),
+                                           View::perspective(d * Vector3d(0.5, 0.3, 1.4)), {});
+    double length = 0;
+    for (const Polyline& line : lines.lines)
+        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
+            length += double((lines.points[i].position - lines.points[i - 1].position).norm()) / d;
+    return length;
+}
+
+/// tests/benchmarks/terraces_test.cpp has where they are drawn.
+TEST(Roughness, HasTerracesDrawnWithAsManyLinesAsTheSmoothForm) {
+    PrecomputeOptions little;
+    little.normal_sigma = 0.8;
+    const double smooth = drawn_length(test_meshes::smooth_head(80), {});
+    const TriangleMesh terraced = test_meshes::terraced_head(80);
+    EXPECT_NEAR(drawn_length(terraced, {}), smooth, 0.2 * smooth);
+    EXPECT_GT(drawn_length(terraced, little), 1.4 * smooth);
+}
+
+}  // namespace

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "marching_cubes.h"
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+
+namespace test_meshes {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3i;
+using laplacian_lines::TriangleMesh;
+
+/// Bit k of a corner's number is its coordinate along axis k.
+Vector3i corner_place(int corner) {
+    return {corner & 1, corner >> 1 & 1, corner >> 2 & 1};
+}
+
+// The corners of each face of a cell, counterclockwise as seen from outside of the cell.
+constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                              {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+
+class Cells {
+public:
+    explicit Cells(const Volume& volume) : volume_(volume) {
+        Vector3i cell;
+        for (cell.z() = 0; cell.z() + 1 < volume.size; ++cell.z())
+            for (cell.y() = 0; cell.y() + 1 < volume.size; ++cell.y())
+                for (cell.x() = 0; cell.x() + 1 < volume.size; ++cell.x())
+                    add_cell(cell);
+    }
+    TriangleMesh mesh;
+
+private:
+    static constexpr int kNone = -1;
+
+    bool is_inside(const Vector3i& voxel) const { return volume_.values[volume_.index(voxel)] < 0; }
+
+    void add_cell(const Vector3i& cell) {
+        std::array<bool, 8> inside;
+        int count = 0;
+        for (int c = 0; c < 8; ++c)
+            count += inside[std::size_t(c)] = is_inside(cell + corner_place(c));
+        if (count == 0 || count == 8) return;
+        std::array<int, 64> next;
+        follow_faces(inside, next);
+        for (int crossing = 0; crossing < 64; ++crossing)
+            if (next[std::size_t(crossing)] != kNone) add_polygon(cell, crossing, next);
+    }
+
+    /// A crossing is 8 times the corner inside plus the corner outside. In each face, the line
+    /// that leaves a crossing towards the outside goes around the corners inside before it.
+    static void follow_faces(const std::array<bool, 8>& inside, std::array<int, 64>& next) {
+        next.fill(kNone);
+        for (const auto& face : kFaces)
+            for (int k = 0; k < 4; ++k) {
+                const auto corner = [&](int i) { return face[(k + i + 4) % 4]; };
+                const auto in = [&](int i) { return inside[std::size_t(corner(i))]; };
+                if (!in(0) || in(1)) continue;
+                int first = 0;
+                while (in(first - 1))
+                    --first;
+                next[std::size_t(8 * corner(0) + corner(1))] =
+                    8 * corner(first) + corner(first - 1);
+            }
+    }
+
+    /// Its crossings are taken off the list.
+    void add_polygon(const Vector3i& cell, int crossing, std::array<int, 64>& next) {
+        const std::uint32_t first = vertex(cell, crossing);
+        std::uint32_t last = 0;
+        for (int count = 0; crossing != kNone; ++count) {
+            const std::uint32_t v = vertex(cell, crossing);
+            if (count >= 2) mesh.triangles.push_back({first, v, last});
+            last = v;
+            const int after = next[std::size_t(crossing)];
+            next[std::size_t(crossing)] = kNone;
+            crossing = next[std::size_t(after)] == kNone ? kNone : after;
+        }
+    }
+
+    std::uint32_t vertex(const Vector3i& cell, int crossing) {
+        const Vector3i a = cell + corner_place(crossing / 8), b = cell + corner_place(crossing % 8);
+        const std::size_t ia = volume_.index(a), ib = volume_.index(b);
+        const std::uint64_t low = std::min(ia, ib),
+                            axis = (a - b).cwiseAbs().dot(Vector3i(0, 1, 2));
+        const auto [found, is_new] =
+            vertices_.try_emplace(3 * low + axis, std::uint32_t(mesh.positions.size()));
+        if (is_new) {
+            const double fa = double(volume_.values[ia]), fb = double(volume_.values[ib]);
+            const Vector3d place = a.cast<double>() + fa / (fa - fb) * (b - a).cast<double>();
+            mesh.positions.push_back(volume_.place(place));
+        }
+        return found->second;
+    }
+
+    const Volume& volume_;
+    std::unordered_map<std::uint64_t, std::uint32_t> vertices_;  // by edge of the grid
+};
+
+}  // namespace
+
+std::size_t Volume::index(const Vector3i& voxel) const {
+    const auto n = std::size_t(size);
+    return std::size_t(voxel.x()) + n * (std::size_t(voxel.y()) + n * std::size_t(voxel.z()));
+}
+
+Vector3d Volume::place(const Vector3d& voxel) const {
+    return half_width * (2 / double(size - 1) * voxel - Vector3d::Ones());
+}
+
+Volume sampled(const std::function<double(const Vector3d&)>& value, int size, double half_width) {
+    Volume volume;
+    volume.size = size;
+    volume.half_width = half_width;
+    volume.values.reserve(std::size_t(size) * std::size_t(size) * std::size_t(size));
+    for (int z = 0; z < size; ++z)
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x)
+                volume.values.push_back(float(value(volume.place(Vector3d(x, y, z)))));
+    return volume;
+}
+
+Volume labels_of(const Volume& volume) {
+    Volume labels = volume;
+    for (float& value : labels.values)
+        value = value < 0 ? -0.5f : 0.5f;
+    return labels;
+}
+
+TriangleMesh marching_cubes(const Volume& volume) {
+    return std::move(Cells(volume).mesh);
+}
+
+}  // namespace test_meshes
