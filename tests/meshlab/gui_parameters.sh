@@ -36,7 +36,7 @@ setdeco Single Strokes = off
 expect-lines single_strokes=0
 expect-other-lines
 setdeco Single Strokes = on
-$(change "Ridge Angle" ridge_angle 12 45)
+$(change "Ridge Angle" ridge_angle 40 10)
 setdeco Mesh Silhouettes = on
 expect-lines mesh_silhouettes=1
 setdeco Mesh Silhouettes = off

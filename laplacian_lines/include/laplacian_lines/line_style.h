@@ -53,8 +53,10 @@ struct LineStyle {
     /// that the zero crossings would lie beside the horizon.
     bool exact_outlines = true;
     double shortest_contour = 0.005;  ///< least length of a contour or border, in D
-    /// Least angle, in degrees, by which the surface turns across a ridge within a kernel, 2 k₁ √h.
-    double ridge_angle = 45;
+    /// Least angle, in degrees, by which the surface turns across a ridge within 2 % of D to both
+    /// sides, whatever the triangles' size, or a quarter of it within 1 %; that it turns as fast
+    /// beyond, or on one side only, counts against it. Weaker parts of a ridge go on down to half.
+    double ridge_angle = 10;
     /// Least angle between the normals of the triangles at a crease, degrees.
     double crease_angle = 60;
 };

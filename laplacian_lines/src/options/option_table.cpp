@@ -193,9 +193,9 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
             "are smooth curves elsewhere. Off: smooth curves everywhere, which lie beside the form "
             "on meshes of few triangles."),
         real<&S::ridge_angle>(
-            "ridge_angle", "Ridge Angle", 10, 180,
-            "Least angle in degrees by which the surface turns across a ridge, within the size of "
-            "the features that the lines show. Larger leaves out softer ridges."),
+            "ridge_angle", "Ridge Angle", 5, 180,
+            "Least angle in degrees by which the surface turns across a ridge, within 2 % of the "
+            "bounding-box diagonal to both sides. Larger leaves out softer ridges."),
         real<&S::crease_angle>("crease_angle", "Crease Angle", 20, 180,
                                "Least angle between two triangles of a crease, in degrees."),
         boolean<&S::exact_point_light>(

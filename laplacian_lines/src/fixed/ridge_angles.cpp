@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixed/ridge_angles.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "fixed/section_profile.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+using Form = RidgeCandidates::Form;
+
+/// Within which distance to each side an edge turns; its surroundings are as much again beyond.
+struct Scale {
+    float near;   ///< D
+    float share;  ///< of the turn that counts
+};
+// Edges of a form, and sharp ones of its details. What is fine has to turn more, since smaller
+// bumps do.
+constexpr Scale kScales[] = {{0.02f, 1}, {0.01f, 0.25f}};
+constexpr float kReach = 0.04f;  // of a section, to each side
+
+// In D.
+constexpr float kMiddleReach = 0.01f;  // the middle of a turn is looked for within it
+constexpr float kStep = 0.003f;        // between the sections of a line
+constexpr float kMeanReach = 0.0075f;  // along the line, of the mean of sections
+constexpr float kBendReach = 0.005f;   // the same, of the direction of a section
+
+// What the sides differ by counts so much more than what they have in common.
+constexpr float kSkew = 1.5f;
+// The share of the turn that has to be clear for the whole of it to count.
+constexpr float kClear = 0.3f;
+
+/// By how much the surface turns at a section, or at several in the mean, at one scale; degrees.
+struct Turn {
+    float near[2] = {0, 0};  ///< on either side
+    float far[2] = {0, 0};   ///< within twice the distance
+
+    Turn() = default;
+    Turn(const SectionProfile& profile, float distance)
+        : near{-profile.angle(-distance), profile.angle(distance)},
+          far{-profile.angle(-2 * distance), profile.angle(2 * distance)} {}
+
+    void add(const Turn& other, float share) {
+        for (int side = 0; side < 2; ++side) {
+            near[side] += share * other.near[side];
+            far[side] += share * other.far[side];
+        }
+    }
+
+    /// An edge turns near and no more beyond; what turns evenly, far = 2 near, counts nothing.
+    float edge_angle() const {
+        const float a = 2 * near[0] - far[0], b = 2 * near[1] - far[1];
+        const float clear = a + b - kSkew * std::abs(a - b), all = near[0] + near[1];
+        return all > 0 ? all * std::clamp(clear / (kClear * all), 0.f, 1.f) : 0;
+    }
+};
+
+/// A section, or the mean of several.
+struct Turns {
+    Turn at_scale[std::size(kScales)];
+    float middle = 0;  ///< where the turn has its middle, D
+
+    Turns() = default;
+    explicit Turns(const SectionProfile& profile) : middle(profile.middle(kMiddleReach)) {
+        for (std::size_t k = 0; k < std::size(kScales); ++k)
+            at_scale[k] = Turn(profile, kScales[k].near);
+    }
+
+    void add(const Turns& other, float share) {
+        for (std::size_t k = 0; k < std::size(kScales); ++k)
+            at_scale[k].add(other.at_scale[k], share);
+        middle += share * other.middle;
+    }
+
+    float edge_angle() const {
+        float angle = 0;
+        for (std::size_t k = 0; k < std::size(kScales); ++k)
+            angle = std::max(angle, kScales[k].share * at_scale[k].edge_angle());
+        return angle;
+    }
+};
+
+/// Memory of LineAngles; keeps its capacity.
+struct LineMemory {
+    std::vector<float> ways;             // from the begin of the line to its points, D
+    std::vector<std::uint32_t> samples;  // points that have a section
+    std::vector<SectionProfile> profiles;
+    std::vector<Turns> turns;
+    std::vector<float> angles;
+    std::vector<Eigen::Vector3f> moves;  // D
+};
+
+/// The angles of one line.
+class LineAngles {
+public:
+    LineAngles(std::uint32_t count, const Form* forms, LineMemory& memory)
+        : count_(count), forms_(forms), memory_(memory) {}
+
+    void measure(const SectionProbe& probe) {
+        measure_ways();
+        choose_samples();
+        const std::size_t n = memory_.samples.size();
+        if (memory_.profiles.size() < n) memory_.profiles.resize(n);
+        memory_.turns.resize(n);
+        for (std::size_t s = 0; s < n; ++s) {
+            probe.measure(section(memory_.samples[s]), kReach, memory_.profiles[s]);
+            memory_.turns[s] = Turns(memory_.profiles[s]);
+        }
+        memory_.angles.resize(n);
+        memory_.moves.resize(n);
+        for (std::size_t s = 0; s < n; ++s) {
+            const Turns turn = mean_turns(s);
+            memory_.angles[s] = turn.edge_angle();
+            memory_.moves[s] =
+                memory_.profiles[s].position(turn.middle) - forms_[memory_.samples[s]].position;
+        }
+    }
+
+    /// Linear between the samples. `diagonal`: D
+    void write(float diagonal, LinePoint* points) const {
+        const std::vector<std::uint32_t>& samples = memory_.samples;
+        std::size_t s = 0;
+        for (std::uint32_t i = 0; i < count_; ++i) {
+            while (s + 2 < samples.size() && samples[s + 1] < i)
+                ++s;
+            const float begin = memory_.ways[samples[s]], end = memory_.ways[samples[s + 1]];
+            const float t = end > begin ? (memory_.ways[i] - begin) / (end - begin) : 0;
+            points[i].gradient = (1 - t) * memory_.angles[s] + t * memory_.angles[s + 1];
+            points[i].position +=
+                diagonal * ((1 - t) * memory_.moves[s] + t * memory_.moves[s + 1]);
+        }
+    }
+
+private:
+    void measure_ways() {
+        memory_.ways.assign(1, 0);
+        for (std::uint32_t i = 1; i < count_; ++i)
+            memory_.ways.push_back(memory_.ways.back() +
+                                   (forms_[i].position - forms_[i - 1].position).norm());
+    }
+
+    /// Both ends are among them.
+    void choose_samples() {
+        memory_.samples.assign(1, 0);
+        for (std::uint32_t i = 1; i + 1 < count_; ++i)
+            if (memory_.ways[i] - memory_.ways[memory_.samples.back()] >= kStep)
+                memory_.samples.push_back(i);
+        memory_.samples.push_back(count_ - 1);
+    }
+
+    /// Across the line, to its left; the mean of the directions nearby, which noise moves less.
+    SectionProbe::Section section(std::uint32_t i) const {
+        const Form& here = forms_[i];
+        const std::vector<float>& ways = memory_.ways;
+        std::uint32_t first = i, last = i;
+        while (first > 0 && ways[i] - ways[first - 1] <= kBendReach)
+            --first;
+        while (last + 1 < count_ && ways[last + 1] - ways[i] <= kBendReach)
+            ++last;
+        Eigen::Vector3f bend = Eigen::Vector3f::Zero();
+        for (std::uint32_t j = first; j <= last; ++j)
+            bend += forms_[j].bend.dot(here.bend) < 0 ? -forms_[j].bend : forms_[j].bend;
+        const Eigen::Vector3f along = forms_[std::min(last + 1, count_ - 1)].position -
+                                      forms_[first > 0 ? first - 1 : 0].position;
+        const Eigen::Vector3f normal = here.normal.normalized();
+        const Eigen::Vector3f across = (bend - normal.dot(bend) * normal).normalized();
+        const bool is_left = across.dot(normal.cross(along)) >= 0;
+        return {here.side, here.position, normal, is_left ? across : -across};
+    }
+
+    Turns mean_turns(std::size_t s) const {
+        const auto is_near = [&](std::size_t other) {
+            return std::abs(memory_.ways[memory_.samples[other]] -
+                            memory_.ways[memory_.samples[s]]) <= kMeanReach;
+        };
+        std::size_t begin = s, end = s + 1;
+        while (begin > 0 && is_near(begin - 1))
+            --begin;
+        while (end < memory_.samples.size() && is_near(end))
+            ++end;
+        Turns mean;
+        for (std::size_t other = begin; other < end; ++other)
+            mean.add(memory_.turns[other], 1 / float(end - begin));
+        return mean;
+    }
+
+    const std::uint32_t count_;
+    const Form* const forms_;
+    LineMemory& memory_;
+};
+
+}  // namespace
+
+void measure_ridge_angles(const ExtractorData& data, const std::vector<PlacedCluster>& placed,
+                          RidgeCandidates& candidates) {
+    const MeshSides sides(data, placed);
+    const SectionProbe probe(placed, sides);
+    LineSet& lines = candidates.lines;
+    in_parallel<LineMemory>(lines.lines.size(), [&](std::size_t number, LineMemory& memory) {
+        const Polyline& line = lines.lines[number];
+        LineAngles angles(line.count, candidates.forms.data() + line.first, memory);
+        angles.measure(probe);
+        angles.write(float(data.diagonal), lines.points.data() + line.first);
+    });
+}
+
+}  // namespace laplacian_lines

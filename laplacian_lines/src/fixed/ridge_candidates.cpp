@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixed/ridge_candidates.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "fixed/segment_tracing.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr float kDominance = 2;
+// 1/D; less is the roundness of the whole form. The same whatever the mesh and the kernel.
+constexpr float kLeastCurvature = 4;
+
+/// The sharpest bend at a vertex.
+struct Bend {
+    Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< e₁, unit, of either sign
+    float curvature = 0;                                  ///< k₁; 0: no candidate
+    float derivative = 0;                                 ///< ∇(tr S)·e₁
+};
+
+/// The vector of place v of linear forms.
+Eigen::Vector3f read_form(const float* forms, unsigned v) {
+    const float* form = forms + v / kFormGroup * 4 * kFormGroup + v % kFormGroup;
+    return {form[0], form[kFormGroup], form[2 * kFormGroup]};
+}
+
+Eigen::Vector3f normal_of(const VertexRecord& record) {
+    const auto& s = record.shape_operator;
+    return {s[0][3], s[1][3], s[2][3]};
+}
+
+/// `laplacian`: Δn·D²
+Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian) {
+    const Eigen::Matrix3f s =
+        Eigen::Map<const Eigen::Matrix<float, 4, 3>>(record.shape_operator[0]).topRows<3>();
+    const Eigen::Vector3f u = normal_of(record).unitOrthogonal();
+    const Eigen::Vector3f v = normal_of(record).cross(u);
+    const Eigen::Vector3f su = s * u, sv = s * v;
+    // In the tangent plane's basis (u, v): the mean of the diagonal and what differs from it.
+    const float mean = (u.dot(su) + v.dot(sv)) / 2;
+    const float x = (u.dot(su) - v.dot(sv)) / 2, y = u.dot(sv);
+    const float range = std::hypot(x, y);
+    const float k1 = mean + range, k2 = mean - range;
+    if (!(k1 >= kLeastCurvature) || !(k1 > kDominance * std::abs(k2))) return {};
+    Bend bend;
+    bend.curvature = k1;
+    bend.direction =
+        (x > 0 ? ((range + x) * u + y * v).eval() : (y * u + (range - x) * v).eval()).normalized();
+    bend.derivative = bend.direction.dot(laplacian);
+    return bend;
+}
+
+/// A zero on an edge between two vertices of the mesh.
+struct Zero {
+    std::uint64_t edge;  ///< the smaller vertex, then the larger one
+    RidgeCandidates::Form form;
+};
+
+/// A piece of a ridge in a triangle.
+struct Piece {
+    Zero ends[2];
+};
+
+/// Finds the pieces of ridges in one cluster.
+class ClusterRidges {
+public:
+    ClusterRidges(const PlacedCluster& placed, std::uint32_t number)
+        : placed_(placed), number_(number) {
+        for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
+            bends_[v] = bend(placed.records[v], read_form(placed.laplacians, v));
+    }
+
+    void find(std::vector<Piece>& pieces) const {
+        for (unsigned t = 0; t < placed_.cluster->triangle_count; ++t)
+            add(t, pieces);
+    }
+
+private:
+    void add(unsigned triangle, std::vector<Piece>& pieces) const {
+        const std::uint8_t* t = placed_.triangles[triangle].corners;
+        const Bend* b[3] = {&bends_[t[0]], &bends_[t[1]], &bends_[t[2]]};
+        if (b[0]->curvature == 0 || b[1]->curvature == 0 || b[2]->curvature == 0) return;
+        const float sign[3] = {1, sign_to(*b[0], *b[1]), sign_to(*b[0], *b[2])};
+        // The directions turn around a point inside: no field of directions, so no ridge.
+        if (sign[1] * sign[2] * sign_to(*b[1], *b[2]) < 0) return;
+        float f[3];
+        Eigen::Vector3f e = Eigen::Vector3f::Zero();
+        for (int k = 0; k < 3; ++k) {
+            f[k] = sign[k] * b[k]->derivative;
+            e += sign[k] * b[k]->direction;
+        }
+        if ((f[0] < 0) == (f[1] < 0) && (f[0] < 0) == (f[2] < 0)) return;
+        if (!falls_along(t, f, e)) return;
+        Piece piece;
+        int found = 0;
+        for (int k = 0; k < 3; ++k)
+            if ((f[k] < 0) != (f[(k + 1) % 3] < 0)) piece.ends[found++] = zero(triangle, k);
+        pieces.push_back(piece);
+    }
+
+    static float sign_to(const Bend& a, const Bend& b) {
+        return a.direction.dot(b.direction) < 0 ? -1.f : 1.f;
+    }
+
+    Eigen::Vector3f position(unsigned v) const {
+        return Eigen::Map<const Eigen::Vector3f>(placed_.records[v].position);
+    }
+
+    /// Whether the linear interpolant of f falls along e: a maximum of the curvature.
+    bool falls_along(const std::uint8_t t[3], const float f[3], const Eigen::Vector3f& e) const {
+        const Eigen::Vector3f a = position(t[0]);
+        const Eigen::Vector3f u = position(t[1]) - a;
+        const Eigen::Vector3f v = position(t[2]) - a;
+        const Eigen::Vector3f area = u.cross(v);
+        const Eigen::Vector3f df = (f[1] - f[0]) * v.cross(area) + (f[2] - f[0]) * area.cross(u);
+        return df.dot(e) < 0;
+    }
+
+    /// On a side of a triangle; the same, but for the side, from the triangles on both sides.
+    Zero zero(unsigned triangle, int side) const {
+        const auto& corners = placed_.triangles[triangle].corners;
+        unsigned a = corners[side], b = corners[(side + 1) % 3];
+        if (placed_.vertices[b] < placed_.vertices[a]) std::swap(a, b);
+        const float fa = std::abs(bends_[a].derivative), sum = fa + std::abs(bends_[b].derivative);
+        const float t = sum > 0 ? fa / sum : 0.5f;
+        const Eigen::Vector3f bend_a = bends_[a].curvature * bends_[a].direction;
+        const Eigen::Vector3f bend_b = bends_[b].curvature * bends_[b].direction;
+        return {std::uint64_t(placed_.vertices[a]) << 32 | placed_.vertices[b],
+                {(1 - t) * position(a) + t * position(b),
+                 (1 - t) * normal_of(placed_.records[a]) + t * normal_of(placed_.records[b]),
+                 (1 - t) * bend_a + t * sign_to(bends_[a], bends_[b]) * bend_b,
+                 {number_, std::uint8_t(triangle), std::uint8_t(side)}}};
+    }
+
+    const PlacedCluster& placed_;
+    const std::uint32_t number_;
+    Bend bends_[kClusterVertices];
+};
+
+/// In the order of the clusters.
+std::vector<std::vector<Piece>> find_pieces(const std::vector<PlacedCluster>& placed) {
+    std::vector<std::vector<Piece>> pieces(placed.size());
+    in_parallel<NoScratch>(placed.size(), [&](std::size_t c, NoScratch&) {
+        ClusterRidges(placed[c], std::uint32_t(c)).find(pieces[c]);
+    });
+    return pieces;
+}
+
+/// Joins the pieces at their ends.
+class RidgeGraph {
+public:
+    explicit RidgeGraph(const std::vector<std::vector<Piece>>& pieces) {
+        for (const std::vector<Piece>& of_cluster : pieces)
+            for (const Piece& piece : of_cluster) {
+                const std::uint32_t begin = crossing(piece.ends[0]);
+                graph_.segments.push_back({begin, crossing(piece.ends[1]), 0});
+            }
+    }
+    const CrossingGraph& graph() const { return graph_; }
+    /// The zero that a traced point comes from. Above 2^24 crossings, one beside it.
+    const Zero& zero(const LinePoint& point) const {
+        return *zeros_[std::min(std::size_t(point.gradient), zeros_.size() - 1)];
+    }
+
+private:
+    std::uint32_t crossing(const Zero& zero) {
+        const auto number = std::uint32_t(zeros_.size());
+        const auto [place, is_new] = crossing_of_edge_.try_emplace(zero.edge, number);
+        if (is_new) {
+            // Its number travels through the tracing in place of a gradient.
+            graph_.crossings.push_back({zero.form.position, float(number), 1});
+            zeros_.push_back(&zero);
+        }
+        return place->second;
+    }
+
+    CrossingGraph graph_;
+    std::vector<const Zero*> zeros_;  // by crossing
+    std::unordered_map<std::uint64_t, std::uint32_t> crossing_of_edge_;
+};
+
+}  // namespace
+
+RidgeCandidates find_ridge_candidates(const ExtractorData& data,
+                                      const std::vector<PlacedCluster>& placed) {
+    const std::vector<std::vector<Piece>> pieces = find_pieces(placed);
+    const RidgeGraph graph(pieces);
+    LineRules rules;
+    rules.kind = LineKind::Ridge;
+    rules.least_length = kLeastRidgeLength;
+    TracingMemory memory;
+    RidgeCandidates candidates;
+    trace_segments(data, rules, graph.graph(), memory, candidates.lines);
+    for (const LinePoint& point : candidates.lines.points)
+        candidates.forms.push_back(graph.zero(point).form);
+    for (Polyline& line : candidates.lines.lines)
+        line.strength = 0;
+    return candidates;
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "laplacian_lines/line_set.h"
+
+namespace laplacian_lines {
+
+/// Successive points of a line; of a closed one they may run over its end.
+struct Stretch {
+    std::uint32_t first, count;
+    std::uint32_t period;  ///< points of the line, without the copy of a closed one's first
+    bool is_closed;        ///< all of a closed line
+
+    /// The place of point i in the line.
+    std::uint32_t point(std::uint32_t i) const { return (first + i) % period; }
+};
+
+/// Calls use(stretch) for the longest stretches of which all points have at least this gradient.
+template <class Use>
+void for_each_stretch(const Polyline& line, const LinePoint* points, float least, Use use) {
+    const std::uint32_t period = line.closed ? line.count - 1 : line.count;
+    const auto is_in = [&](std::uint32_t i) { return points[i % period].gradient >= least; };
+    std::uint32_t begin = 0;
+    if (line.closed) {
+        while (begin < period && is_in(begin))
+            ++begin;
+        if (begin == period) return use(Stretch{0, line.count, period, true});
+    }
+    for (std::uint32_t i = begin; i < begin + period;) {
+        const std::uint32_t first = i;
+        while (i < begin + period && is_in(i))
+            ++i;
+        if (i > first)
+            use(Stretch{first, i - first, period, false});
+        else
+            ++i;
+    }
+}
+
+/// In D.
+struct StretchLengths {
+    float all = 0;
+    float strong = 0;  ///< of the longest part of it that has the angle
+};
+
+inline StretchLengths measure(const Stretch& stretch, const LinePoint* points, float angle,
+                              float diagonal) {
+    StretchLengths lengths;
+    float strong = 0;
+    for (std::uint32_t i = 1; i < stretch.count; ++i) {
+        const LinePoint &a = points[stretch.point(i - 1)], &b = points[stretch.point(i)];
+        const float length = (b.position - a.position).norm() / diagonal;
+        lengths.all += length;
+        strong = std::min(a.gradient, b.gradient) >= angle ? strong + length : 0;
+        lengths.strong = std::max(lengths.strong, strong);
+    }
+    return lengths;
+}
+
+}  // namespace laplacian_lines
