@@ -19,7 +19,7 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 LineStyle nothing() {
     LineStyle style = helpers::all_crossings();
-    style.shows[LineKind::Laplacian] = style.shows[LineKind::Contour] = false;
+    style.shows = LineKindSet();
     return style;
 }
 

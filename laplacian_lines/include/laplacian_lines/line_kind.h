@@ -84,8 +84,7 @@ inline constexpr std::array line_kinds = {
     LineKindDescription{LineKind::Crease, "creases", "Creases",
                         "Draw edges of the mesh at which triangles meet at an angle: for meshes of "
                         "few triangles, such as those of CAD programs.",
-                        "crease", "creases", LineGradient::Angle}
-        .unless_asked_for(),
+                        "crease", "creases", LineGradient::Angle},
 };
 inline constexpr std::size_t line_kind_count = line_kinds.size();
 

@@ -53,7 +53,7 @@ struct LineStyle {
     /// Least angle, in degrees, by which the surface turns across a ridge within a kernel, 2 k₁ √h.
     double ridge_angle = 45;
     /// Least angle between the normals of the triangles at a crease, degrees.
-    double crease_angle = 60;
+    double crease_angle = 40;
 };
 
 /// What the style's detail multiplies thresholds by: 1 at 50, falling. Thresholds on lengths are

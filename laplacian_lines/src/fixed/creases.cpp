@@ -1,57 +1,188 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chains of edges of the mesh whose triangles meet at an angle.
+// Creases: chains of edges of the mesh at which the form has an edge.
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
 
-#include "fixed/edge_chains.h"
+#include "fixed/crease_edges.h"
+#include "fixed/crease_surroundings.h"
 #include "fixed/fixed_kinds.h"
+#include "fixed/segment_tracing.h"
 #include "fixed/showing.h"
+#include "system/chains.h"
+#include "system/on_demand.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr float kDegrees = 57.29577951308232f;
-// Less is not called a crease, whatever the style asks for.
-constexpr float kLeastCreaseAngle = 20;  // degrees
+constexpr std::uint32_t kFewEdges = 6;  // connected ones, that a single bad vertex may have
 
-Eigen::Vector3f normal(const MeshEdges& mesh, std::uint32_t triangle) {
-    const Planes& planes = mesh.planes;
-    return {planes.x[triangle], planes.y[triangle], planes.z[triangle]};
-}
+/// The creases that a style's angle leaves, joined to lines.
+struct TracedCreases {
+    float least_angle;  ///< of the style
+    LineSet lines;      ///< points in mesh coordinates; gradient: the larger angle of the edges
+    /// Which edge goes on from a point to the next one of its line, by point; none from the last.
+    std::vector<const CreaseEdge*> edges;
+    /// What belongs together: all lines that are connected with a line, or a line with a loose end
+    /// alone, by line.
+    struct Net {
+        std::uint32_t edges = 0;
+        float length = 0;  ///< D
+    };
+    std::vector<Net> nets;
+};
 
-/// Between the normals of the triangles at an edge, in degrees; 0 at borders.
-float angle_at(const MeshEdges& mesh, const MeshEdges::Edge& edge) {
-    if (edge.is_border()) return 0;
-    const float cosine = normal(mesh, edge.triangles[0]).dot(normal(mesh, edge.triangles[1]));
-    return std::acos(std::clamp(cosine, -1.f, 1.f)) * kDegrees;
-}
-
-/// A point's `gradient` is the largest angle at its vertex.
-LineSet find_creases(const ExtractorData& data) {
-    const MeshEdges mesh = find_mesh_edges(rebuild_mesh(data));
-    CollectedEdges collected;
-    EdgeCollector collector(mesh, collected);
-    for (const MeshEdges::Edge& edge : mesh.edges)
-        if (const float angle = angle_at(mesh, edge); angle >= kLeastCreaseAngle)
-            collector.add(edge, angle);
-    return trace_all(data, LineKind::Crease, collector.finish());
-}
-
-class Creases : public FixedKindLines {
+/// Joins edges to lines, which end where other than two of them meet.
+class CreaseTracer {
 public:
-    explicit Creases(const ExtractorData& data) : lines_(find_creases(data)) {}
+    CreaseTracer(const ExtractorData& data, const std::vector<CreaseEdge>& edges, float least_angle,
+                 TracedCreases& traced)
+        : data_(data), traced_(traced) {
+        traced.least_angle = least_angle;
+        for (const CreaseEdge& edge : edges) {
+            if (edge.shown_up_to < least_angle) continue;
+            edges_.push_back(&edge);
+            const std::uint32_t begin = crossing(edge, 0);
+            graph_.segments.push_back({begin, crossing(edge, 1), 0});
+        }
+    }
 
-    void append(const ExtractorData&, const LocalEye&, const LineStyle& style,
-                LineSet& lines) const override {
-        const float angle = float(style.crease_angle);
-        append_lines(
-            lines_, {shortest_line(style), 0}, [](std::size_t) { return true; },
-            [&](std::size_t i) { return angle_opacity(lines_.points[i].gradient, angle, 0); },
-            lines);
+    void run() {
+        link_halves(graph_, memory_);
+        memory_.visited.assign(edges_.size(), 0);
+        for_each_chain(
+            std::uint32_t(edges_.size()),
+            [&](std::uint32_t half) { return memory_.linked_half[half]; },
+            [&](std::uint32_t half) {
+                if (!memory_.visited[half / 2]) trace(half);
+            });
+        find_nets();
     }
 
 private:
-    const LineSet lines_;
+    std::uint32_t crossing(const CreaseEdge& edge, int end) {
+        const auto number = std::uint32_t(graph_.crossings.size());
+        const auto [place, is_new] = crossing_of_vertex_.try_emplace(edge.vertices[end], number);
+        if (is_new) {
+            graph_.crossings.push_back({edge.positions[end], 0, 1});
+            net_.push_back(number);
+        }
+        float& angle = graph_.crossings[place->second].gradient;
+        angle = std::max(angle, edge.angle);
+        return place->second;
+    }
+
+    std::uint32_t crossing_at(std::uint32_t half) const {
+        const Segment& segment = graph_.segments[half / 2];
+        return half % 2 == 0 ? segment.begin : segment.end;
+    }
+
+    void add_point(std::uint32_t number, const CreaseEdge* edge) {
+        const Crossing& c = graph_.crossings[number];
+        traced_.lines.points.push_back(
+            {(data_.centre + data_.diagonal * c.position.cast<double>()).cast<float>(), 1,
+             c.gradient, 1});
+        traced_.edges.push_back(edge);
+    }
+
+    void trace(std::uint32_t start) {
+        Polyline line;
+        line.kind = LineKind::Crease;
+        line.first = std::uint32_t(traced_.lines.points.size());
+        std::uint32_t last = start;
+        line.closed = follow_chain(
+            start, [&](std::uint32_t half) { return memory_.linked_half[half]; },
+            [&](std::uint32_t half) {
+                memory_.visited[half / 2] = 1;
+                const CreaseEdge& edge = *edges_[half / 2];
+                add_point(crossing_at(half), &edge);
+                line.length += (edge.positions[1] - edge.positions[0]).norm();
+                join_nets(crossing_at(half), crossing_at(half ^ 1));
+                last = half ^ 1;
+            });
+        add_point(crossing_at(last), nullptr);
+        line.count = std::uint32_t(traced_.lines.points.size()) - line.first;
+        ends_.push_back({crossing_at(start), crossing_at(last)});
+        traced_.lines.lines.push_back(line);
+    }
+
+    std::uint32_t net_of(std::uint32_t crossing) {
+        while (net_[crossing] != crossing)
+            crossing = net_[crossing] = net_[net_[crossing]];
+        return crossing;
+    }
+    void join_nets(std::uint32_t a, std::uint32_t b) { net_[net_of(a)] = net_of(b); }
+
+    bool is_loose(const std::array<std::uint32_t, 2>& ends) const {
+        return memory_.degree[ends[0]] == 1 || memory_.degree[ends[1]] == 1;
+    }
+
+    void find_nets() {
+        std::vector<TracedCreases::Net> nets(net_.size());
+        const auto of_line = [&](std::size_t i) -> TracedCreases::Net {
+            return {traced_.lines.lines[i].count - 1, traced_.lines.lines[i].length};
+        };
+        for (std::size_t i = 0; i < ends_.size(); ++i) {
+            TracedCreases::Net& net = nets[net_of(ends_[i][0])];
+            net.edges += of_line(i).edges;
+            net.length += of_line(i).length;
+        }
+        for (std::size_t i = 0; i < ends_.size(); ++i)
+            traced_.nets.push_back(is_loose(ends_[i]) ? of_line(i) : nets[net_of(ends_[i][0])]);
+    }
+
+    const ExtractorData& data_;
+    TracedCreases& traced_;
+    std::vector<const CreaseEdge*> edges_;  // by segment
+    CrossingGraph graph_;
+    TracingMemory memory_;
+    std::unordered_map<std::uint32_t, std::uint32_t> crossing_of_vertex_;
+    std::vector<std::array<std::uint32_t, 2>> ends_;  // by line
+    std::vector<std::uint32_t> net_;  // by crossing: another one of the same net, in the end itself
+};
+
+class Creases : public FixedKindLines {
+public:
+    explicit Creases(const ExtractorData&) {}
+
+    void append(const ExtractorData& data, const LocalEye&, const LineStyle& style,
+                LineSet& lines) const override {
+        const auto traced = trace(data, float(style.crease_angle));
+        const float shortest = shortest_line(style);
+        append_lines(
+            traced->lines, {},
+            [&](std::size_t line) {
+                const TracedCreases::Net& net = traced->nets[line];
+                return net.edges >= kFewEdges || net.length >= shortest;
+            },
+            [&](std::size_t) { return 1.f; }, lines);
+    }
+
+private:
+    /// Those of the last angle that was asked for are kept. Thread-safe.
+    std::shared_ptr<const TracedCreases> trace(const ExtractorData& data, float least_angle) const {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!traced_ || traced_->least_angle != least_angle) {
+            const auto traced = std::make_shared<TracedCreases>();
+            CreaseTracer(data, edges(data, least_angle), least_angle, *traced).run();
+            traced_ = traced;
+        }
+        return traced_;
+    }
+
+    /// Smaller angles than the default one are seldom asked for, and take long on rough scans.
+    const std::vector<CreaseEdge>& edges(const ExtractorData& data, float least_angle) const {
+        const float least = least_angle < kEdgeAngle ? 0 : kEdgeAngle;
+        return (least > 0 ? edges_ : more_edges_).get([&] {
+            return find_crease_edges(data, least);
+        });
+    }
+
+    mutable OnDemand<std::vector<CreaseEdge>> edges_, more_edges_;
+    mutable std::mutex mutex_;
+    mutable std::shared_ptr<const TracedCreases> traced_;
 };
 
 }  // namespace
