@@ -31,11 +31,11 @@ public:
         const std::vector<Candidate> candidates = find_candidates();
         std::vector<float> shown(candidates.size());
         const std::size_t parts = (candidates.size() + kEdgesAtATime - 1) / kEdgesAtATime;
-        in_parallel<VisitedTriangles>(parts, [&](std::size_t part, VisitedTriangles& memory) {
+        in_parallel<NoScratch>(parts, [&](std::size_t part, NoScratch&) {
             const std::size_t begin = part * kEdgesAtATime;
             const std::size_t end = std::min(candidates.size(), begin + kEdgesAtATime);
             for (std::size_t i = begin; i < end; ++i)
-                shown[i] = shown_up_to(candidates[i].bent, memory);
+                shown[i] = shown_up_to(candidates[i].bent);
         });
         std::vector<CreaseEdge> edges;
         for (std::size_t i = 0; i < candidates.size(); ++i)
@@ -74,10 +74,10 @@ private:
     }
 
     /// 0: not at all.
-    float shown_up_to(const BentEdge& edge, VisitedTriangles& memory) const {
-        const bool alone = edge.angle < kEdgeAngle && is_bent_alone(graph_, edge, memory);
+    float shown_up_to(const BentEdge& edge) const {
+        const bool alone = edge.angle < kEdgeAngle && is_bent_alone(graph_, edge);
         const float shown = alone ? kEdgeAngle : edge.angle;
-        return shown >= least_angle_ && is_edge_of_form(graph_, edge, memory) ? shown : 0;
+        return shown >= least_angle_ && is_edge_of_form(graph_, edge) ? shown : 0;
     }
 
     CreaseEdge make_edge(const Candidate& candidate, float shown_up_to) const {

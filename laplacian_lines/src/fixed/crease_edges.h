@@ -17,6 +17,8 @@ struct CreaseEdge {
     /// The largest LineStyle::crease_angle with which it is drawn: its angle, or more where the
     /// surface around is flat or where it closes a gap of a crease.
     float shown_up_to;
+
+    float length() const { return (positions[1] - positions[0]).norm(); }
 };
 
 /// All edges that a style with this crease angle, in degrees, or a larger one may draw. The number

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Creases: chains of edges of the mesh at which the form has an edge.
-#include <algorithm>
-#include <array>
 #include <memory>
 #include <mutex>
-#include <unordered_map>
 
-#include "fixed/crease_edges.h"
 #include "fixed/crease_surroundings.h"
+#include "fixed/crease_tracing.h"
 #include "fixed/fixed_kinds.h"
-#include "fixed/segment_tracing.h"
 #include "fixed/showing.h"
-#include "system/chains.h"
 #include "system/on_demand.h"
 
 namespace laplacian_lines {
@@ -19,145 +14,74 @@ namespace {
 
 constexpr std::uint32_t kFewEdges = 6;  // connected ones, that a single bad vertex may have
 
-/// The creases that a style's angle leaves, joined to lines.
-struct TracedCreases {
-    float least_angle;  ///< of the style
-    LineSet lines;      ///< points in mesh coordinates; gradient: the larger angle of the edges
-    /// Which edge goes on from a point to the next one of its line, by point; none from the last.
-    std::vector<const CreaseEdge*> edges;
-    /// What belongs together: all lines that are connected with a line, or a line with a loose end
-    /// alone, by line.
-    struct Net {
-        std::uint32_t edges = 0;
-        float length = 0;  ///< D
-    };
-    std::vector<Net> nets;
-};
-
-/// Joins edges to lines, which end where other than two of them meet.
-class CreaseTracer {
+/// Which edges lie between a triangle that faces the eye and one that does not. Where contours are
+/// drawn there is one.
+class HorizonEdges {
 public:
-    CreaseTracer(const ExtractorData& data, const std::vector<CreaseEdge>& edges, float least_angle,
-                 TracedCreases& traced)
-        : data_(data), traced_(traced) {
-        traced.least_angle = least_angle;
-        for (const CreaseEdge& edge : edges) {
-            if (edge.shown_up_to < least_angle) continue;
-            edges_.push_back(&edge);
-            const std::uint32_t begin = crossing(edge, 0);
-            graph_.segments.push_back({begin, crossing(edge, 1), 0});
-        }
-    }
+    HorizonEdges(const LocalEye& eye, const LineStyle& style)
+        : eye_(eye), drawn_(style.shows[LineKind::Contour]) {}
 
-    void run() {
-        link_halves(graph_, memory_);
-        memory_.visited.assign(edges_.size(), 0);
-        for_each_chain(
-            std::uint32_t(edges_.size()),
-            [&](std::uint32_t half) { return memory_.linked_half[half]; },
-            [&](std::uint32_t half) {
-                if (!memory_.visited[half / 2]) trace(half);
-            });
-        find_nets();
+    bool contain(const CreaseEdge& edge) const {
+        if (!drawn_) return false;
+        const Eigen::Vector3f l = eye_.towards(edge.positions[0]);
+        return (edge.normals[0].dot(l) < 0) != (edge.normals[1].dot(l) < 0);
     }
 
 private:
-    std::uint32_t crossing(const CreaseEdge& edge, int end) {
-        const auto number = std::uint32_t(graph_.crossings.size());
-        const auto [place, is_new] = crossing_of_vertex_.try_emplace(edge.vertices[end], number);
-        if (is_new) {
-            graph_.crossings.push_back({edge.positions[end], 0, 1});
-            net_.push_back(number);
-        }
-        float& angle = graph_.crossings[place->second].gradient;
-        angle = std::max(angle, edge.angle);
-        return place->second;
-    }
-
-    std::uint32_t crossing_at(std::uint32_t half) const {
-        const Segment& segment = graph_.segments[half / 2];
-        return half % 2 == 0 ? segment.begin : segment.end;
-    }
-
-    void add_point(std::uint32_t number, const CreaseEdge* edge) {
-        const Crossing& c = graph_.crossings[number];
-        traced_.lines.points.push_back(
-            {(data_.centre + data_.diagonal * c.position.cast<double>()).cast<float>(), 1,
-             c.gradient, 1});
-        traced_.edges.push_back(edge);
-    }
-
-    void trace(std::uint32_t start) {
-        Polyline line;
-        line.kind = LineKind::Crease;
-        line.first = std::uint32_t(traced_.lines.points.size());
-        std::uint32_t last = start;
-        line.closed = follow_chain(
-            start, [&](std::uint32_t half) { return memory_.linked_half[half]; },
-            [&](std::uint32_t half) {
-                memory_.visited[half / 2] = 1;
-                const CreaseEdge& edge = *edges_[half / 2];
-                add_point(crossing_at(half), &edge);
-                line.length += (edge.positions[1] - edge.positions[0]).norm();
-                join_nets(crossing_at(half), crossing_at(half ^ 1));
-                last = half ^ 1;
-            });
-        add_point(crossing_at(last), nullptr);
-        line.count = std::uint32_t(traced_.lines.points.size()) - line.first;
-        ends_.push_back({crossing_at(start), crossing_at(last)});
-        traced_.lines.lines.push_back(line);
-    }
-
-    std::uint32_t net_of(std::uint32_t crossing) {
-        while (net_[crossing] != crossing)
-            crossing = net_[crossing] = net_[net_[crossing]];
-        return crossing;
-    }
-    void join_nets(std::uint32_t a, std::uint32_t b) { net_[net_of(a)] = net_of(b); }
-
-    bool is_loose(const std::array<std::uint32_t, 2>& ends) const {
-        return memory_.degree[ends[0]] == 1 || memory_.degree[ends[1]] == 1;
-    }
-
-    void find_nets() {
-        std::vector<TracedCreases::Net> nets(net_.size());
-        const auto of_line = [&](std::size_t i) -> TracedCreases::Net {
-            return {traced_.lines.lines[i].count - 1, traced_.lines.lines[i].length};
-        };
-        for (std::size_t i = 0; i < ends_.size(); ++i) {
-            TracedCreases::Net& net = nets[net_of(ends_[i][0])];
-            net.edges += of_line(i).edges;
-            net.length += of_line(i).length;
-        }
-        for (std::size_t i = 0; i < ends_.size(); ++i)
-            traced_.nets.push_back(is_loose(ends_[i]) ? of_line(i) : nets[net_of(ends_[i][0])]);
-    }
-
-    const ExtractorData& data_;
-    TracedCreases& traced_;
-    std::vector<const CreaseEdge*> edges_;  // by segment
-    CrossingGraph graph_;
-    TracingMemory memory_;
-    std::unordered_map<std::uint32_t, std::uint32_t> crossing_of_vertex_;
-    std::vector<std::array<std::uint32_t, 2>> ends_;  // by line
-    std::vector<std::uint32_t> net_;  // by crossing: another one of the same net, in the end itself
+    const LocalEye& eye_;
+    const bool drawn_;
 };
+
+void append_part(const TracedCreases& traced, const Polyline& line, std::uint32_t from,
+                 std::uint32_t edges, LineSet& lines) {
+    Polyline part = line;
+    part.closed = line.closed && edges == line.count - 1;
+    part.first = std::uint32_t(lines.points.size());
+    part.count = edges + 1;
+    part.length = 0;
+    for (std::uint32_t i = 0; i <= edges; ++i) {
+        const std::uint32_t place = line.first + (from + i) % (line.count - 1);
+        const bool is_last = from + i == line.count - 1;
+        lines.points.push_back(traced.lines.points[is_last ? line.first + line.count - 1 : place]);
+        if (i < edges) part.length += traced.edges[place]->length();
+    }
+    lines.lines.push_back(part);
+}
+
+/// Appends the parts of a line that are not on the horizon.
+void append_line(const TracedCreases& traced, const Polyline& line, const HorizonEdges& horizon,
+                 LineSet& lines) {
+    const std::uint32_t edges = line.count - 1;
+    const auto is_hidden = [&](std::uint32_t i) {
+        return horizon.contain(*traced.edges[line.first + i % edges]);
+    };
+    std::uint32_t start = 0;  // of a closed line, behind an edge that is left out, if there is one
+    if (line.closed)
+        while (start < edges && !is_hidden(start))
+            ++start;
+    if (start == edges) start = 0;
+    for (std::uint32_t i = start, end; i < start + edges; i = end) {
+        for (end = i; end < start + edges && !is_hidden(end); ++end) {
+        }
+        if (end > i) append_part(traced, line, i % edges, end - i, lines);
+        if (end < start + edges) ++end;
+    }
+}
 
 class Creases : public FixedKindLines {
 public:
     explicit Creases(const ExtractorData&) {}
 
-    void append(const ExtractorData& data, const LocalEye&, const LineStyle& style,
+    void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
         const auto traced = trace(data, float(style.crease_angle));
         const float shortest = shortest_line(style);
-        append_lines(
-            traced->lines, {},
-            [&](std::size_t line) {
-                const TracedCreases::Net& net = traced->nets[line];
-                return net.edges >= kFewEdges || net.length >= shortest;
-            },
-            [&](std::size_t) { return 1.f; }, lines);
+        const HorizonEdges horizon(eye, style);
+        for (std::size_t i = 0; i < traced->lines.lines.size(); ++i) {
+            const TracedCreases::Net& net = traced->nets[i];
+            if (net.edges >= kFewEdges || net.length >= shortest)
+                append_line(*traced, traced->lines.lines[i], horizon, lines);
+        }
     }
 
 private:
@@ -165,9 +89,8 @@ private:
     std::shared_ptr<const TracedCreases> trace(const ExtractorData& data, float least_angle) const {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!traced_ || traced_->least_angle != least_angle) {
-            const auto traced = std::make_shared<TracedCreases>();
-            CreaseTracer(data, edges(data, least_angle), least_angle, *traced).run();
-            traced_ = traced;
+            traced_ = std::make_shared<const TracedCreases>(
+                trace_creases(data, edges(data, least_angle), least_angle));
         }
         return traced_;
     }

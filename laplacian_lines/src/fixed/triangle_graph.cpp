@@ -22,6 +22,8 @@ struct EdgeNotes {
 };
 
 class GraphBuilder {
+    using Node = TriangleGraph::Node;
+
 public:
     GraphBuilder(const ExtractorData& data, TriangleGraph& graph)
         : data_(data),
@@ -34,7 +36,8 @@ public:
             graph.first.push_back(count);
             count += cluster.triangle_count;
         }
-        graph.triangles = large_array<TriangleGraph::Node>(count);
+        graph.triangles.reset(new Node[count]);  // written by all threads
+        advise_huge_pages(graph.triangles.get(), count * sizeof(Node));
     }
 
     void run() {
@@ -43,8 +46,6 @@ public:
     }
 
 private:
-    using Node = TriangleGraph::Node;
-
     void write(std::size_t c) {
         const PlacedCluster& placed = placed_[c];
         const auto first_record = std::uint32_t(placed.records - graph_.records);
@@ -52,7 +53,7 @@ private:
             Node& node = graph_.triangles[graph_.first[c] + t];
             for (unsigned k = 0; k < 3; ++k)
                 node.corners[k] = first_record + placed.triangles[t].corners[k];
-            node.normal = normal(node);
+            set_plane(node);
             node.reversed = 0;
             for_each_side(c, t, [&](unsigned k, std::uint8_t neighbour, std::uint32_t vertex) {
                 if (neighbour == kNoNeighbour)
@@ -93,13 +94,16 @@ private:
         return data_.border_edges[cluster.first_border_edge + neighbour - cluster.triangle_count];
     }
 
-    Eigen::Vector3f normal(const Node& node) const {
+    void set_plane(Node& node) const {
         const auto corner = [&](unsigned k) {
             return Eigen::Map<const Eigen::Vector3f>(graph_.records[node.corners[k]].position);
         };
-        const Eigen::Vector3f area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-        const float length = area.norm();
-        return length > 0 ? Eigen::Vector3f(area / length) : Eigen::Vector3f::Zero();
+        const Eigen::Vector3f a = corner(0), b = corner(1), c = corner(2);
+        const Eigen::Vector3f product = (b - a).cross(c - a);
+        const float length = product.norm();
+        node.area = length / 2;
+        node.normal = length > 0 ? Eigen::Vector3f(product / length) : Eigen::Vector3f::Zero();
+        node.centre = (a + b + c) / 3;
     }
 
     const ExtractorData& data_;

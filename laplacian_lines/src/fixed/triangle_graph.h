@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "clusters/extractor_data.h"
@@ -16,7 +17,9 @@ struct TriangleGraph {
 
     /// Side k is from corner k to the next.
     struct Node {
-        Eigen::Vector3f normal;       ///< unit; zero where floats leave no area
+        Eigen::Vector3f normal;  ///< unit; zero where floats leave no area
+        Eigen::Vector3f centre;
+        float area;
         std::uint32_t corners[3];     ///< in `records`
         std::uint32_t neighbours[3];  ///< by side; kNone where the surface ends
         std::uint32_t reversed;       ///< bit k: neighbour k has the opposite orientation
@@ -25,7 +28,7 @@ struct TriangleGraph {
         float sign_across(unsigned k) const { return reversed >> k & 1 ? -1.f : 1.f; }
     };
     const VertexRecord* records = nullptr;  ///< those of the extractor's data
-    std::vector<Node> triangles;            ///< cluster by cluster
+    std::unique_ptr<Node[]> triangles;      ///< cluster by cluster
     std::vector<std::uint32_t> first;       ///< of each cluster
 
     Eigen::Vector3f position(std::uint32_t triangle, unsigned corner) const {
