@@ -84,7 +84,7 @@ Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
 }  // namespace
 
 ClusterBuilder::ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data)
-    : mesh_(mesh), field_(field), data_(data) {}
+    : mesh_(mesh), field_(field), data_(data), plain_(mesh) {}
 
 void ClusterBuilder::build(const StageProgress& stage) {
     stage.report(0);
@@ -135,6 +135,7 @@ void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
     list_vertices(c, values);
     write_triangles(c, memory);
     mark_convex(c, values);
+    mark_plain(c);
     write_vertices(c, values, memory);
     write_bounds(c, values);
 }
@@ -205,6 +206,14 @@ void ClusterBuilder::mark_convex(std::size_t c, const Values& values) {
     for (unsigned i = 0; i < cluster.triangle_count; ++i, corners += 3)
         if (convex[corners[0]] && convex[corners[1]] && convex[corners[2]])
             cluster.convex[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
+}
+
+void ClusterBuilder::mark_plain(std::size_t c) {
+    Cluster& cluster = data_.clusters[c];
+    const std::uint32_t* triangles = partition_.order.data() + partition_.ranges[c].begin;
+    for (unsigned i = 0; i < cluster.triangle_count; ++i)
+        if (plain_.contain(triangles[i]))
+            cluster.plain[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
 }
 
 void ClusterBuilder::write_vertices(std::size_t c, const Values& values,

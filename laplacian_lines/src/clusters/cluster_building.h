@@ -3,6 +3,7 @@
 
 #include "clusters/cluster_partition.h"
 #include "clusters/extractor_data.h"
+#include "clusters/plain_places.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -33,12 +34,14 @@ private:
     void list_vertices(std::size_t cluster, Values& values);
     void write_triangles(std::size_t cluster, unsigned char* memory);
     void mark_convex(std::size_t cluster, const Values& values);
+    void mark_plain(std::size_t cluster);
     void write_vertices(std::size_t cluster, const Values& values, unsigned char* memory) const;
     void write_bounds(std::size_t cluster, const Values& values);
 
     const PreparedMesh& mesh_;
     const Field& field_;
     ExtractorData& data_;
+    const PlainPlaces plain_;
     Partition partition_;
     std::vector<std::size_t> first_vertex_;  // of each cluster in data_
 };

@@ -62,6 +62,8 @@ struct Cluster {
     std::uint8_t vertex_count, triangle_count;
     /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex.
     std::uint64_t convex[kClusterTriangles / kMaskGroup];
+    /// A bit for each triangle: of PlainPlaces, see LineRules::leave_out_plain.
+    std::uint64_t plain[kClusterTriangles / kMaskGroup];
 };
 
 /// Offsets of the parts, in bytes.
