@@ -105,7 +105,8 @@ struct NamedStyle {
 /// The kinds of lines that are zeros of functions.
 std::vector<NamedStyle> styles() {
     LineStyle standard;
-    standard.shows[LineKind::Ridge] = standard.shows[LineKind::Border] = false;
+    standard.shows[LineKind::Ridge] = standard.shows[LineKind::Border] =
+        standard.shows[LineKind::Crease] = false;
     LineStyle all_strokes = standard;
     all_strokes.single_strokes = false;
     LineStyle exact = standard;

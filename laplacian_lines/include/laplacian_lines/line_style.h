@@ -52,7 +52,8 @@ struct LineStyle {
     double shortest_contour = 0.005;  ///< least length of a contour or border, in D
     /// Least angle, in degrees, by which the surface turns across a ridge within a kernel, 2 k₁ √h.
     double ridge_angle = 45;
-    /// Least angle between the normals of the triangles at a crease, degrees.
+    /// Least angle between the normals of the triangles at a crease, degrees. Where the surface on
+    /// both sides is much flatter than the edge, edges of 20 degrees and more count as 40.
     double crease_angle = 40;
 };
 
