@@ -133,7 +133,7 @@ private:
             for (const std::uint32_t v : t) {
                 if (first[v].isZero(0)) first[v] = normal;
                 vertices_[v].least_cosine =
-                    std::min(vertices_[v].least_cosine, normal.dot(first[v]));
+                    std::min(vertices_[v].least_cosine, std::abs(normal.dot(first[v])));
             }
         }
         for (const Vertex& v : vertices_)

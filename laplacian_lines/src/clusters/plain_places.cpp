@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "system/parallel.h"
@@ -22,8 +23,9 @@ void raise(std::atomic<T>& place, T value) {
     }
 }
 
+/// Whichever side each of them is seen from.
 Around compare(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    const double cosine = a.dot(b);
+    const double cosine = std::abs(a.dot(b));
     return cosine >= kFlat ? Around::Flat : cosine <= kSharp ? Around::Sharp : Around::Round;
 }
 
