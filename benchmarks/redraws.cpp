@@ -34,7 +34,7 @@ LineStyle all_zeros(LineKind kind) {
     style.segment_slope = style.line_slope = style.line_smoothing = 0;
     style.shortest_line = style.shortest_contour = 0;
     style.reject_phantoms = style.single_strokes = style.shows[LineKind::Ridge] =
-        style.shows[LineKind::Border] = false;
+        style.shows[LineKind::Border] = style.shows[LineKind::Crease] = false;
     style.least_facing = -1;
     style.shows[LineKind::Laplacian] = kind == LineKind::Laplacian;
     style.shows[LineKind::Contour] = kind == LineKind::Contour;
@@ -52,7 +52,8 @@ Redraws::Redraws(const TriangleMesh& mesh, const Field& field)
       laplacian_(plain_, field.laplacian_normals),
       traced_(plain_, field.laplacian_normals),
       diagonal_(field.scale.diagonal) {
-    style_.shows[LineKind::Ridge] = style_.shows[LineKind::Border] = false;
+    style_.shows[LineKind::Ridge] = style_.shows[LineKind::Border] =
+        style_.shows[LineKind::Crease] = false;
     extractor_seconds_ =
         seconds([&] { extractor_ = std::make_unique<LineExtractor>(mesh, field); });
     curvature_seconds_ =

@@ -9,7 +9,7 @@ source "$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")/../../scripts/require.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-"$1" --only octahedron --set mesh_silhouettes=1 --set creases=1 --pictures "$work/pictures" --json "$work/report.json" \
+"$1" --only octahedron --set mesh_silhouettes=1 --pictures "$work/pictures" --json "$work/report.json" \
     >"$work/table"
 cat "$work/table"
 grep -qE '^octahedron +sharp +8 +[0-9]+[op] +1\.0000 +1\.0000 ' "$work/table" || fail "no line of an octahedron"
@@ -18,7 +18,7 @@ grep -q '^the worst: octahedron$' "$work/table" || fail "the worst are not named
 [[ $(stat -c %s "$work/pictures/octahedron.ppm") == $((15 + 3 * 400 * 400)) ]] || fail "no picture of 400 x 400"
 grep -q '"name": "octahedron"' "$work/report.json" || fail "no JSON"
 
-"$1" --only octahedron --set contours=0 --set ridges=0 >"$work/empty"
+"$1" --only octahedron --set contours=0 --set ridges=0 --set creases=0 >"$work/empty"
 ! cmp -s "$work/table" "$work/empty" || fail "the style does not matter"
 
 ! "$1" --set no_such_key=1 2>"$work/log" || fail "an unknown option is taken"

@@ -95,7 +95,6 @@ TEST(DrawingMeasures, OfCreasesAndSilhouettesOfACubeAreWithoutFault) {
     options.size = 200;
     options.views = 4;
     options.style.mesh_silhouettes = true;
-    options.style.shows[LineKind::Crease] = true;
     options.style.shows[LineKind::Laplacian] = options.style.shows[LineKind::Ridge] = false;
     const MeshMeasures cube = measure_drawing(test_meshes::cube(4), options);
     ASSERT_EQ(cube.views.size(), 4u);

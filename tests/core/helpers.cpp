@@ -68,7 +68,8 @@ LineStyle all_crossings() {
     style.gradient_threshold = style.strength_threshold = 0;
     style.reject_phantoms = style.single_strokes = false;
     style.line_smoothing = 0;
-    style.shows[LineKind::Ridge] = style.shows[LineKind::Border] = false;
+    style.shows[LineKind::Ridge] = style.shows[LineKind::Border] = style.shows[LineKind::Crease] =
+        false;
     style.segment_slope = style.line_slope = 0;
     style.shortest_line = style.shortest_contour = 0;
     style.least_facing = -1;

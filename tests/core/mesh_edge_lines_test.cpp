@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "edges_of_lines.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
 #include "reference_lines.h"
@@ -15,11 +16,12 @@
 namespace {
 
 using namespace laplacian_lines;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using helpers::Edge;
+using helpers::edges_of;
 
 LineStyle nothing() {
     LineStyle style = helpers::all_crossings();
-    style.shows[LineKind::Laplacian] = style.shows[LineKind::Contour] = false;
+    style.shows = LineKindSet();
     return style;
 }
 
@@ -45,27 +47,6 @@ LineStyle silhouettes() {
 LineSet lines_of(const TriangleMesh& mesh, const LineStyle& style,
                  const View& view = View::perspective({3, 2, 4})) {
     return helpers::extract(LineExtractor(mesh, precompute(mesh)), view, style);
-}
-
-/// The edges that a line set goes along. Every pair of its points must be an edge.
-std::multiset<Edge> edges_of(const TriangleMesh& mesh, const LineSet& lines) {
-    std::map<std::array<float, 3>, std::uint32_t> vertex;
-    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-        const Eigen::Vector3f p = mesh.positions[v].cast<float>();
-        vertex[{p.x(), p.y(), p.z()}] = v;
-    }
-    const auto find = [&](const Eigen::Vector3f& p) -> std::uint32_t {
-        for (const auto& [q, v] : vertex)
-            if ((p - Eigen::Vector3f(q[0], q[1], q[2])).norm() < 1e-5) return v;
-        ADD_FAILURE() << "a point that is no vertex";
-        return 0;
-    };
-    std::multiset<Edge> edges;
-    for (const Polyline& line : lines.lines)
-        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
-            edges.insert(
-                std::minmax(find(lines.points[i - 1].position), find(lines.points[i].position)));
-    return edges;
 }
 
 std::map<Edge, std::vector<Eigen::Vector4d>> planes_of_edges(const TriangleMesh& mesh) {

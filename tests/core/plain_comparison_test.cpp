@@ -71,9 +71,11 @@ bool take(std::vector<PlainLine>& plain, const Polyline& line, const LinePoint* 
 }
 
 void expect_plain_lines(const LineSet& lines, std::vector<PlainLine> plain, double diagonal) {
-    for (const Polyline& line : lines.lines)
+    for (const Polyline& line : lines.lines) {
+        if (line.kind == LineKind::Crease) continue;
         EXPECT_TRUE(take(plain, line, lines.points.data() + line.first, diagonal))
             << "no such line of " << line.count << " points";
+    }
     for (const PlainLine& line : plain)
         EXPECT_TRUE(line.uncertain)
             << "missing: a line of " << line.polyline.count << " points, kind "
@@ -105,7 +107,8 @@ struct NamedStyle {
 /// The kinds of lines that are zeros of functions.
 std::vector<NamedStyle> styles() {
     LineStyle standard;
-    standard.shows[LineKind::Ridge] = standard.shows[LineKind::Border] = false;
+    standard.shows[LineKind::Ridge] = standard.shows[LineKind::Border] =
+        standard.shows[LineKind::Crease] = false;
     standard.exact_outlines = false;
     LineStyle all_strokes = standard;
     all_strokes.single_strokes = false;
@@ -114,7 +117,10 @@ std::vector<NamedStyle> styles() {
     LineStyle detailed = standard;
     detailed.detail = 100;
     detailed.fading = 0;
+    LineStyle with_creases = helpers::all_crossings();
+    with_creases.shows[LineKind::Crease] = true;  // which leaves out plain places
     return {{"default", standard},
+            {"with creases", with_creases},
             {"all strokes", all_strokes},
             {"exact point light", exact},
             {"detail 100 without fading", detailed},

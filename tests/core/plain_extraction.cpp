@@ -45,6 +45,7 @@ struct Vertex {
     float slope_scale;
     Eigen::Vector3f normal;
     float laplacian, illumination;  // ΔI, n·l
+    double least_cosine = 1;        // between triangles around it
 };
 
 ShapeOperator interpolate(float t, const ShapeOperator& a, const ShapeOperator& b) {
@@ -72,6 +73,8 @@ struct Segment {
     float slope;
 };
 
+constexpr double kSharp = 0.7660444431189781;  // cos 40°
+
 class PlainExtraction {
 public:
     PlainExtraction(const TriangleMesh& mesh, const Field& field, const View& view,
@@ -81,6 +84,7 @@ public:
           light_(view.light ? Eye{view.light->normalized().cast<float>(), 0} : eye_) {
         for (std::uint32_t v = 0; v < mesh_.size(); ++v)
             vertices_.push_back(make_vertex(field, v, style.exact_point_light));
+        find_around();
         for (const Triangle& t : mesh_.triangles)
             for (int k = 0; k < 3; ++k)
                 ++triangles_of_edge_[std::minmax(t[k], t[(k + 1) % 3])];
@@ -131,6 +135,36 @@ private:
             linear_form(field.laplacian_normals[v].cast<double>() * d * d, p, light_);
         if (exact_point_light) vertex.laplacian -= light_.w * vertex.shape_operator.trace();
         return vertex;
+    }
+
+    /// The least cosine between triangles at a vertex and the first one of them.
+    void find_around() {
+        std::vector<Eigen::Vector3d> first(mesh_.size(), Eigen::Vector3d::Zero());
+        for (const Triangle& t : mesh_.triangles) {
+            const Eigen::Vector3d normal = (mesh_.positions[t[1]] - mesh_.positions[t[0]])
+                                               .cross(mesh_.positions[t[2]] - mesh_.positions[t[0]])
+                                               .normalized();
+            for (const std::uint32_t v : t) {
+                if (first[v].isZero(0)) first[v] = normal;
+                vertices_[v].least_cosine =
+                    std::min(vertices_[v].least_cosine, std::abs(normal.dot(first[v])));
+            }
+        }
+        for (const Vertex& v : vertices_)
+            has_edges_ = has_edges_ || v.least_cosine <= kSharp;
+    }
+
+    bool is_plain(const Vertex& a, const Vertex& b, const Vertex& c) const {
+        const double flat = std::cos(0.1 / 57.29577951308232);
+        bool all_flat = true, all_plain = true;
+        for (const Vertex* v : {&a, &b, &c}) {
+            all_flat = all_flat && v->least_cosine >= flat;
+            all_plain = all_plain && (v->least_cosine >= flat || v->least_cosine <= kSharp);
+        }
+        const float longest =
+            std::max({(a.position - b.position).norm(), (b.position - c.position).norm(),
+                      (c.position - a.position).norm()});
+        return has_edges_ && (all_flat || (all_plain && longest > 0.02f));
     }
 
     float value(std::uint32_t v) const { return vertices_[v].*function_; }
@@ -204,6 +238,7 @@ private:
             if (rules.leave_out_convex && is_convex(a.shape_operator) &&
                 is_convex(b.shape_operator) && is_convex(c.shape_operator))
                 return;
+            if (rules.leave_out_plain && is_plain(a, b, c)) return;
             if (rules.leave_out_away && a.illumination < 0 && b.illumination < 0 &&
                 c.illumination < 0)
                 return;
@@ -296,6 +331,7 @@ private:
     std::vector<Vertex> vertices_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles_of_edge_;
     float Vertex::*function_ = nullptr;
+    bool has_edges_ = false;
     std::map<std::pair<std::uint32_t, std::uint32_t>, Crossing> crossings_;
     std::vector<Segment> segments_;
 };

@@ -40,11 +40,12 @@ $(change "Ridge Angle" ridge_angle 40 10)
 setdeco Mesh Silhouettes = on
 expect-lines mesh_silhouettes=1
 setdeco Mesh Silhouettes = off
-setdeco Creases = on
 setdeco Crease Angle = 20
-expect-lines creases=1 crease_angle=20
+expect-lines crease_angle=20
+setdeco Crease Angle = 40
 setdeco Creases = off
-setdeco Crease Angle = 60
+expect-lines creases=0
+setdeco Creases = on
 $(change "Line Smoothing" line_smoothing 10 1.2)
 expect-lines
 setdeco Least Slope of a Segment = 0

@@ -13,7 +13,7 @@ enum class LineKind : std::uint32_t {
     Contour,  ///< where the surface turns away from the eye
     Ridge,    ///< convex crest lines
     Border,   ///< where the surface ends
-    Crease,   ///< edges of the mesh between triangles at an angle
+    Crease,   ///< edges of the mesh that are edges of the form
 };
 
 /// What LinePoint::gradient is on lines of a kind.
@@ -81,11 +81,11 @@ inline constexpr std::array line_kinds = {
                         "Draw the borders of holes and open surfaces.", "border", "borders",
                         LineGradient::None}
         .as_outline(),
-    LineKindDescription{LineKind::Crease, "creases", "Creases",
-                        "Draw edges of the mesh at which triangles meet at an angle: for meshes of "
-                        "few triangles, such as those of CAD programs.",
-                        "crease", "creases", LineGradient::Angle}
-        .unless_asked_for(),
+    LineKindDescription{
+        LineKind::Crease, "creases", "Creases",
+        "Draw sharp edges of the form, on meshes of few triangles, such as those of "
+        "CAD programs, and of many.",
+        "crease", "creases", LineGradient::Angle},
 };
 inline constexpr std::size_t line_kind_count = line_kinds.size();
 

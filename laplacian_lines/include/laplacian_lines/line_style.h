@@ -57,8 +57,9 @@ struct LineStyle {
     /// sides, whatever the triangles' size, or a quarter of it within 1 %; that it turns as fast
     /// beyond, or on one side only, counts against it. Weaker parts of a ridge go on down to half.
     double ridge_angle = 10;
-    /// Least angle between the normals of the triangles at a crease, degrees.
-    double crease_angle = 60;
+    /// Least angle between the normals of the triangles at a crease, degrees. Where the surface on
+    /// both sides is much flatter than the edge, edges of 20 degrees and more count as 40.
+    double crease_angle = 40;
 };
 
 /// What the style's detail multiplies thresholds by: 1 at 50, falling. Thresholds on lengths are

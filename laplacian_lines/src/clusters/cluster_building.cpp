@@ -88,7 +88,7 @@ Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
 }  // namespace
 
 ClusterBuilder::ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data)
-    : mesh_(mesh), field_(field), data_(data) {}
+    : mesh_(mesh), field_(field), data_(data), plain_(mesh) {}
 
 void ClusterBuilder::build(const StageProgress& stage) {
     stage.report(0);
@@ -155,6 +155,7 @@ void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
     write_triangles(c, memory);
     mark_convex(c, values);
     mark_coarse(c);
+    mark_plain(c);
     write_vertices(c, values, memory);
     write_bounds(c, values);
 }
@@ -234,6 +235,14 @@ void ClusterBuilder::mark_coarse(std::size_t c) {
         data_.clusters[c].coarse[i / kMaskGroup] |= std::uint64_t(coarse_[partition_.order[p]])
                                                     << i % kMaskGroup;
     }
+}
+
+void ClusterBuilder::mark_plain(std::size_t c) {
+    Cluster& cluster = data_.clusters[c];
+    const std::uint32_t* triangles = partition_.order.data() + partition_.ranges[c].begin;
+    for (unsigned i = 0; i < cluster.triangle_count; ++i)
+        if (plain_.contain(triangles[i]))
+            cluster.plain[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
 }
 
 void ClusterBuilder::write_vertices(std::size_t c, const Values& values,

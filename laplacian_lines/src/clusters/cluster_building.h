@@ -3,6 +3,7 @@
 
 #include "clusters/cluster_partition.h"
 #include "clusters/extractor_data.h"
+#include "clusters/plain_places.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -35,6 +36,7 @@ private:
     void write_triangles(std::size_t cluster, unsigned char* memory);
     void mark_convex(std::size_t cluster, const Values& values);
     void mark_coarse(std::size_t cluster);
+    void mark_plain(std::size_t cluster);
     void write_vertices(std::size_t cluster, const Values& values, unsigned char* memory) const;
     void write_bounds(std::size_t cluster, const Values& values);
 
@@ -42,6 +44,7 @@ private:
     const Field& field_;
     ExtractorData& data_;
     std::vector<std::uint8_t> coarse_;  // by triangle of the mesh
+    const PlainPlaces plain_;
     Partition partition_;
     std::vector<std::size_t> first_vertex_;  // of each cluster in data_
 };

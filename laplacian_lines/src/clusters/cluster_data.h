@@ -64,6 +64,8 @@ struct Cluster {
     std::uint64_t convex[kClusterTriangles / kMaskGroup];
     /// Likewise: coarse ones, see coarseness.h, in which contours are no zeros.
     std::uint64_t coarse[kClusterTriangles / kMaskGroup];
+    /// A bit for each triangle: of PlainPlaces, see LineRules::leave_out_plain.
+    std::uint64_t plain[kClusterTriangles / kMaskGroup];
 };
 
 /// Offsets of the parts, in bytes.

@@ -1,57 +1,111 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chains of edges of the mesh whose triangles meet at an angle.
-#include <algorithm>
-#include <cmath>
+// Creases: chains of edges of the mesh at which the form has an edge.
+#include <memory>
+#include <mutex>
 
-#include "fixed/edge_chains.h"
+#include "fixed/crease_surroundings.h"
+#include "fixed/crease_tracing.h"
 #include "fixed/fixed_kinds.h"
 #include "fixed/showing.h"
+#include "system/on_demand.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr float kDegrees = 57.29577951308232f;
-// Less is not called a crease, whatever the style asks for.
-constexpr float kLeastCreaseAngle = 20;  // degrees
+constexpr std::uint32_t kFewEdges = 6;  // connected ones, that a single bad vertex may have
 
-Eigen::Vector3f normal(const MeshEdges& mesh, std::uint32_t triangle) {
-    const Planes& planes = mesh.planes;
-    return {planes.x[triangle], planes.y[triangle], planes.z[triangle]};
+/// Which edges lie between a triangle that faces the eye and one that does not. Where contours are
+/// drawn there is one.
+class HorizonEdges {
+public:
+    HorizonEdges(const LocalEye& eye, const LineStyle& style)
+        : eye_(eye), drawn_(style.shows[LineKind::Contour]) {}
+
+    bool contain(const CreaseEdge& edge) const {
+        if (!drawn_) return false;
+        const Eigen::Vector3f l = eye_.towards(edge.positions[0]);
+        return (edge.normals[0].dot(l) < 0) != (edge.normals[1].dot(l) < 0);
+    }
+
+private:
+    const LocalEye& eye_;
+    const bool drawn_;
+};
+
+void append_part(const TracedCreases& traced, const Polyline& line, std::uint32_t from,
+                 std::uint32_t edges, LineSet& lines) {
+    Polyline part = line;
+    part.closed = line.closed && edges == line.count - 1;
+    part.first = std::uint32_t(lines.points.size());
+    part.count = edges + 1;
+    part.length = 0;
+    for (std::uint32_t i = 0; i <= edges; ++i) {
+        const std::uint32_t place = line.first + (from + i) % (line.count - 1);
+        const bool is_last = from + i == line.count - 1;
+        lines.points.push_back(traced.lines.points[is_last ? line.first + line.count - 1 : place]);
+        if (i < edges) part.length += traced.edges[place]->length();
+    }
+    lines.lines.push_back(part);
 }
 
-/// Between the normals of the triangles at an edge, in degrees; 0 at borders.
-float angle_at(const MeshEdges& mesh, const MeshEdges::Edge& edge) {
-    if (edge.is_border()) return 0;
-    const float cosine = normal(mesh, edge.triangles[0]).dot(normal(mesh, edge.triangles[1]));
-    return std::acos(std::clamp(cosine, -1.f, 1.f)) * kDegrees;
-}
-
-/// A point's `gradient` is the largest angle at its vertex.
-LineSet find_creases(const ExtractorData& data) {
-    const MeshEdges mesh = find_mesh_edges(rebuild_mesh(data));
-    CollectedEdges collected;
-    EdgeCollector collector(mesh, collected);
-    for (const MeshEdges::Edge& edge : mesh.edges)
-        if (const float angle = angle_at(mesh, edge); angle >= kLeastCreaseAngle)
-            collector.add(edge, angle);
-    return trace_all(data, LineKind::Crease, collector.finish());
+/// Appends the parts of a line that are not on the horizon.
+void append_line(const TracedCreases& traced, const Polyline& line, const HorizonEdges& horizon,
+                 LineSet& lines) {
+    const std::uint32_t edges = line.count - 1;
+    const auto is_hidden = [&](std::uint32_t i) {
+        return horizon.contain(*traced.edges[line.first + i % edges]);
+    };
+    std::uint32_t start = 0;  // of a closed line, behind an edge that is left out, if there is one
+    if (line.closed)
+        while (start < edges && !is_hidden(start))
+            ++start;
+    if (start == edges) start = 0;
+    for (std::uint32_t i = start, end; i < start + edges; i = end) {
+        for (end = i; end < start + edges && !is_hidden(end); ++end) {
+        }
+        if (end > i) append_part(traced, line, i % edges, end - i, lines);
+        if (end < start + edges) ++end;
+    }
 }
 
 class Creases : public FixedKindLines {
 public:
-    explicit Creases(const ExtractorData& data) : lines_(find_creases(data)) {}
+    explicit Creases(const ExtractorData&) {}
 
-    void append(const ExtractorData&, const LocalEye&, const LineStyle& style,
+    void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
-        const float angle = float(style.crease_angle);
-        append_lines(
-            lines_, {shortest_line(style), 0}, [](std::size_t) { return true; },
-            [&](std::size_t i) { return angle_opacity(lines_.points[i].gradient, angle, 0); },
-            lines);
+        const auto traced = trace(data, float(style.crease_angle));
+        const float shortest = shortest_line(style);
+        const HorizonEdges horizon(eye, style);
+        for (std::size_t i = 0; i < traced->lines.lines.size(); ++i) {
+            const TracedCreases::Net& net = traced->nets[i];
+            if (net.edges >= kFewEdges || net.length >= shortest)
+                append_line(*traced, traced->lines.lines[i], horizon, lines);
+        }
     }
 
 private:
-    const LineSet lines_;
+    /// Those of the last angle that was asked for are kept. Thread-safe.
+    std::shared_ptr<const TracedCreases> trace(const ExtractorData& data, float least_angle) const {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!traced_ || traced_->least_angle != least_angle) {
+            traced_ = std::make_shared<const TracedCreases>(
+                trace_creases(data, edges(data, least_angle), least_angle));
+        }
+        return traced_;
+    }
+
+    /// Smaller angles than the default one are seldom asked for, and take long on rough scans.
+    const std::vector<CreaseEdge>& edges(const ExtractorData& data, float least_angle) const {
+        const float least = least_angle < kEdgeAngle ? 0 : kEdgeAngle;
+        return (least > 0 ? edges_ : more_edges_).get([&] {
+            return find_crease_edges(data, least);
+        });
+    }
+
+    mutable OnDemand<std::vector<CreaseEdge>> edges_, more_edges_;
+    mutable std::mutex mutex_;
+    mutable std::shared_ptr<const TracedCreases> traced_;
 };
 
 }  // namespace

@@ -13,27 +13,6 @@ std::uint32_t crossing_at(const CrossingGraph& graph, std::uint32_t half) {
     return half % 2 == 0 ? s.begin : s.end;
 }
 
-void link_halves(const CrossingGraph& graph, TracingMemory& memory) {
-    memory.linked_half.assign(2 * graph.segments.size(), kNoEnd);
-    memory.half_of_crossing.assign(graph.crossings.size(), kNoEnd);
-    memory.degree.assign(graph.crossings.size(), 0);
-    for (std::uint32_t half = 0; half < memory.linked_half.size(); ++half) {
-        const std::uint32_t c = crossing_at(graph, half);
-        std::uint8_t& degree = memory.degree[c];
-        if (degree < 3) ++degree;
-        std::uint32_t& first = memory.half_of_crossing[c];
-        if (degree == 1) {
-            first = half;
-        } else if (degree == 2) {
-            memory.linked_half[half] = first;
-            memory.linked_half[first] = half;
-        } else if (memory.linked_half[first] != kNoEnd) {  // a third segment: a junction
-            memory.linked_half[memory.linked_half[first]] = kNoEnd;
-            memory.linked_half[first] = kNoEnd;
-        }
-    }
-}
-
 class SegmentTracer {
 public:
     SegmentTracer(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,
@@ -107,6 +86,27 @@ private:
 };
 
 }  // namespace
+
+void link_halves(const CrossingGraph& graph, TracingMemory& memory) {
+    memory.linked_half.assign(2 * graph.segments.size(), kNoEnd);
+    memory.half_of_crossing.assign(graph.crossings.size(), kNoEnd);
+    memory.degree.assign(graph.crossings.size(), 0);
+    for (std::uint32_t half = 0; half < memory.linked_half.size(); ++half) {
+        const std::uint32_t c = crossing_at(graph, half);
+        std::uint8_t& degree = memory.degree[c];
+        if (degree < 3) ++degree;
+        std::uint32_t& first = memory.half_of_crossing[c];
+        if (degree == 1) {
+            first = half;
+        } else if (degree == 2) {
+            memory.linked_half[half] = first;
+            memory.linked_half[first] = half;
+        } else if (memory.linked_half[first] != kNoEnd) {  // a third segment: a junction
+            memory.linked_half[memory.linked_half[first]] = kNoEnd;
+            memory.linked_half[first] = kNoEnd;
+        }
+    }
+}
 
 void trace_segments(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,
                     TracingMemory& memory, LineSet& lines) {

@@ -19,6 +19,10 @@ struct TracingMemory {
     std::vector<std::uint8_t> visited;  ///< by segment
 };
 
+/// Fills `linked_half`: which ends of segments go on into each other. Where other than two meet,
+/// none do.
+void link_halves(const CrossingGraph& graph, TracingMemory& memory);
+
 /// Joins segments to lines, drops those that the rules on whole lines refuse, and appends the rest
 /// to `lines`. Works on any graph: a crossing where other than two segments meet (a border, a
 /// non-manifold edge) ends all lines there.

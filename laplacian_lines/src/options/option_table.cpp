@@ -197,7 +197,10 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
             "Least angle in degrees by which the surface turns across a ridge, within 2 % of the "
             "bounding-box diagonal to both sides. Larger leaves out softer ridges."),
         real<&S::crease_angle>("crease_angle", "Crease Angle", 20, 180,
-                               "Least angle between two triangles of a crease, in degrees."),
+                               "Least angle between two triangles of a crease, in degrees. Up to "
+                               "40, edges of 20 and more between flat surfaces are drawn as "
+                               "well. Larger leaves out softer edges; smaller shows facets of "
+                               "round forms of few triangles."),
         boolean<&S::exact_point_light>(
             "exact_point_light", "Exact Point Light",
             "Use the exact Laplacian of a point light at the eye instead of the paper's form. The "

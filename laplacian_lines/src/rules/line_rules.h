@@ -21,6 +21,8 @@ struct LineRules {
     /// Nothing in triangles with is_convex() at all corners, where concave_only would accept
     /// crossings at most near n ∥ l, the middle of the lit side.
     bool leave_out_convex = false;
+    /// Nothing in triangles without a form of their own, see PlainPlaces.
+    bool leave_out_plain = false;
     /// Nothing in triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
     bool leave_out_away = false;
     bool leave_out_coarse = false;  ///< nothing in coarse triangles, see coarseness.h

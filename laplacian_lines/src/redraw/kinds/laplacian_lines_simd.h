@@ -88,7 +88,8 @@ struct LaplacianLines {
 
     static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
                                          unsigned group) {
-        return rules.leave_out_convex ? cluster.convex[group] : 0;
+        return (rules.leave_out_convex ? cluster.convex[group] : 0) |
+               (rules.leave_out_plain ? cluster.plain[group] : 0);
     }
 
     static inline const float* source(const ExtractionTask& task) { return task.light; }

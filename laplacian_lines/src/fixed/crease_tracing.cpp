@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixed/crease_tracing.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include "fixed/segment_tracing.h"
+#include "system/chains.h"
+
+namespace laplacian_lines {
+namespace {
+
+/// Joins edges to lines, which end where other than two of them meet.
+class CreaseTracer {
+public:
+    CreaseTracer(const ExtractorData& data, const std::vector<CreaseEdge>& edges, float least_angle,
+                 TracedCreases& traced)
+        : data_(data), traced_(traced) {
+        traced.least_angle = least_angle;
+        for (const CreaseEdge& edge : edges) {
+            if (edge.shown_up_to < least_angle) continue;
+            edges_.push_back(&edge);
+            const std::uint32_t begin = crossing(edge, 0);
+            graph_.segments.push_back({begin, crossing(edge, 1), 0});
+        }
+    }
+
+    void run() {
+        link_halves(graph_, memory_);
+        memory_.visited.assign(edges_.size(), 0);
+        for_each_chain(
+            std::uint32_t(edges_.size()),
+            [&](std::uint32_t half) { return memory_.linked_half[half]; },
+            [&](std::uint32_t half) {
+                if (!memory_.visited[half / 2]) trace(half);
+            });
+        find_nets();
+    }
+
+private:
+    std::uint32_t crossing(const CreaseEdge& edge, int end) {
+        const auto number = std::uint32_t(graph_.crossings.size());
+        const auto [place, is_new] = crossing_of_vertex_.try_emplace(edge.vertices[end], number);
+        if (is_new) {
+            graph_.crossings.push_back({edge.positions[end], 0, 1});
+            net_.push_back(number);
+        }
+        float& angle = graph_.crossings[place->second].gradient;
+        angle = std::max(angle, edge.angle);
+        return place->second;
+    }
+
+    std::uint32_t crossing_at(std::uint32_t half) const {
+        const Segment& segment = graph_.segments[half / 2];
+        return half % 2 == 0 ? segment.begin : segment.end;
+    }
+
+    void add_point(std::uint32_t number, const CreaseEdge* edge) {
+        const Crossing& c = graph_.crossings[number];
+        traced_.lines.points.push_back(
+            {(data_.centre + data_.diagonal * c.position.cast<double>()).cast<float>(), 1,
+             c.gradient, 1});
+        traced_.edges.push_back(edge);
+    }
+
+    void trace(std::uint32_t start) {
+        Polyline line;
+        line.kind = LineKind::Crease;
+        line.first = std::uint32_t(traced_.lines.points.size());
+        std::uint32_t last = start;
+        line.closed = follow_chain(
+            start, [&](std::uint32_t half) { return memory_.linked_half[half]; },
+            [&](std::uint32_t half) {
+                memory_.visited[half / 2] = 1;
+                const CreaseEdge& edge = *edges_[half / 2];
+                add_point(crossing_at(half), &edge);
+                line.length += edge.length();
+                join_nets(crossing_at(half), crossing_at(half ^ 1));
+                last = half ^ 1;
+            });
+        add_point(crossing_at(last), nullptr);
+        line.count = std::uint32_t(traced_.lines.points.size()) - line.first;
+        ends_.push_back({crossing_at(start), crossing_at(last)});
+        traced_.lines.lines.push_back(line);
+    }
+
+    std::uint32_t net_of(std::uint32_t crossing) {
+        while (net_[crossing] != crossing)
+            crossing = net_[crossing] = net_[net_[crossing]];
+        return crossing;
+    }
+    void join_nets(std::uint32_t a, std::uint32_t b) { net_[net_of(a)] = net_of(b); }
+
+    bool is_loose(const std::array<std::uint32_t, 2>& ends) const {
+        return memory_.degree[ends[0]] == 1 || memory_.degree[ends[1]] == 1;
+    }
+
+    void find_nets() {
+        std::vector<TracedCreases::Net> nets(net_.size());
+        const auto of_line = [&](std::size_t i) -> TracedCreases::Net {
+            return {traced_.lines.lines[i].count - 1, traced_.lines.lines[i].length};
+        };
+        for (std::size_t i = 0; i < ends_.size(); ++i) {
+            TracedCreases::Net& net = nets[net_of(ends_[i][0])];
+            net.edges += of_line(i).edges;
+            net.length += of_line(i).length;
+        }
+        for (std::size_t i = 0; i < ends_.size(); ++i)
+            traced_.nets.push_back(is_loose(ends_[i]) ? of_line(i) : nets[net_of(ends_[i][0])]);
+    }
+
+    const ExtractorData& data_;
+    TracedCreases& traced_;
+    std::vector<const CreaseEdge*> edges_;  // by segment
+    CrossingGraph graph_;
+    TracingMemory memory_;
+    std::unordered_map<std::uint32_t, std::uint32_t> crossing_of_vertex_;
+    std::vector<std::array<std::uint32_t, 2>> ends_;  // by line
+    std::vector<std::uint32_t> net_;  // by crossing: another one of the same net, in the end itself
+};
+
+}  // namespace
+
+TracedCreases trace_creases(const ExtractorData& data, const std::vector<CreaseEdge>& edges,
+                            float least_angle) {
+    TracedCreases traced;
+    CreaseTracer(data, edges, least_angle, traced).run();
+    return traced;
+}
+
+}  // namespace laplacian_lines

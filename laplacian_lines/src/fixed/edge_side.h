@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "fixed/crease_surroundings.h"
+
+namespace laplacian_lines {
+
+/// The surface on one side of a bent edge: triangles from the one at the edge on, in rings.
+class EdgeSide {
+public:
+    static constexpr std::size_t kMostTriangles = 24;
+
+    /// Of the edge's own triangle, or of the one beyond. Signs turn normals to agree with that of
+    /// the edge's own triangle.
+    EdgeSide(const TriangleGraph& graph, const BentEdge& edge, bool beyond) : graph_(graph) {
+        const TriangleGraph::Node& own = graph.triangles[edge.triangle];
+        const std::uint32_t other = own.neighbours[edge.side];
+        const float sign = own.sign_across(edge.side);
+        start_ = beyond ? other : edge.triangle;
+        opposite_ = beyond ? edge.triangle : other;
+        sign_ = beyond ? sign : 1;
+        const Eigen::Vector3f a = graph.position(edge.triangle, edge.side);
+        const Eigen::Vector3f b = graph.position(edge.triangle, (edge.side + 1) % 3);
+        middle_ = (a + b) / 2;
+        along_ = b - a;
+        length_ = along_.norm();
+        if (length_ > 0) along_ /= length_;
+        const Eigen::Vector3f inwards = own.normal.cross(along_);
+        const Eigen::Vector3f outwards = sign * graph.triangles[other].normal.cross(-along_);
+        away_ = beyond ? outwards - inwards : inwards - outwards;
+    }
+
+    float length() const { return length_; }                     ///< of the edge
+    const Eigen::Vector3f& middle() const { return middle_; }    ///< of the edge
+    const Eigen::Vector3f& direction() const { return along_; }  ///< of the edge, unit
+    /// Of the triangle at the edge.
+    float height() const { return length_ > 0 ? 2 * graph_.triangles[start_].area / length_ : 0; }
+    /// Whether side k of a triangle is the edge itself.
+    bool is_edge(std::uint32_t triangle, unsigned k) const {
+        return triangle == start_ && graph_.triangles[triangle].neighbours[k] == opposite_;
+    }
+
+    /// Whether a place is on this side of the plane that halves the angle at the edge, and within
+    /// these distances of the edge.
+    bool is_near(const Eigen::Vector3f& p, float across, float along) const {
+        const Eigen::Vector3f way = p - middle_;
+        const float farthest = across + along + length_ / 2;
+        return way.dot(away_) > 0 && std::abs(way.dot(along_)) <= length_ / 2 + along &&
+               way.squaredNorm() <= farthest * farthest;
+    }
+
+    /// Calls visit(triangle, sign) for triangles as far as there is a way from one to the next with
+    /// passes(triangle, side) into those for which holds(triangle), and while `visit` is true.
+    /// Returns whether it always was.
+    template <class Passes, class Holds, class Visit>
+    bool visit(const Passes& passes, const Holds& holds, const Visit& visit) const {
+        std::uint32_t visited[kMostTriangles] = {start_};
+        float signs[kMostTriangles] = {sign_};
+        std::size_t count = 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!visit(visited[i], signs[i])) return false;
+            const TriangleGraph::Node& node = graph_.triangles[visited[i]];
+            for (unsigned k = 0; k < 3 && count < kMostTriangles; ++k) {
+                const std::uint32_t next = node.neighbours[k];
+                if (next == TriangleGraph::kNone || next == opposite_ || !holds(next) ||
+                    std::find(visited, visited + count, next) != visited + count ||
+                    !passes(visited[i], k))
+                    continue;
+                signs[count] = signs[i] * node.sign_across(k);
+                visited[count++] = next;
+            }
+        }
+        return true;
+    }
+
+private:
+    const TriangleGraph& graph_;
+    std::uint32_t start_, opposite_;
+    float sign_, length_;
+    Eigen::Vector3f middle_, along_, away_;
+};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "clusters/extractor_data.h"
+
+namespace laplacian_lines {
+
+/// The triangles of all clusters, each with its neighbours in whichever cluster they are: for what
+/// looks around on the mesh once. Local coordinates.
+struct TriangleGraph {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    /// Side k is from corner k to the next.
+    struct Node {
+        Eigen::Vector3f normal;  ///< unit; zero where floats leave no area
+        Eigen::Vector3f centre;
+        float area;
+        std::uint32_t corners[3];     ///< in `records`
+        std::uint32_t neighbours[3];  ///< by side; kNone where the surface ends
+        std::uint32_t reversed;       ///< bit k: neighbour k has the opposite orientation
+
+        /// What makes the neighbour's normal point to the same side as this one's.
+        float sign_across(unsigned k) const { return reversed >> k & 1 ? -1.f : 1.f; }
+    };
+    const VertexRecord* records = nullptr;  ///< those of the extractor's data
+    std::unique_ptr<Node[]> triangles;      ///< cluster by cluster
+    std::vector<std::uint32_t> first;       ///< of each cluster
+
+    Eigen::Vector3f position(std::uint32_t triangle, unsigned corner) const {
+        return Eigen::Map<const Eigen::Vector3f>(
+            records[triangles[triangle].corners[corner]].position);
+    }
+    /// Between a triangle and its neighbour across side k, which there has to be.
+    float cosine_across(std::uint32_t triangle, unsigned k) const {
+        const Node& node = triangles[triangle];
+        return node.sign_across(k) * node.normal.dot(triangles[node.neighbours[k]].normal);
+    }
+};
+
+/// The number of threads does not matter. The data must outlive the graph.
+TriangleGraph build_triangle_graph(const ExtractorData& data);
+
+}  // namespace laplacian_lines
