@@ -65,7 +65,7 @@ class Borders : public FixedKindLines {
 public:
     explicit Borders(const ExtractorData& data) : lines_(find_borders(data)) {}
 
-    void append(const ExtractorData&, const LocalEye&, const LineStyle& style,
+    void append(const ExtractorData&, FixedLines&, const LocalEye&, const LineStyle& style,
                 LineSet& lines) const override {
         append_lines(
             lines_, {kPinhole * shortest_line(style), 0}, [](std::size_t) { return true; },

@@ -72,7 +72,7 @@ class Creases : public FixedKindLines {
 public:
     explicit Creases(const ExtractorData&) {}
 
-    void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
+    void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
         const auto traced = trace(data, float(style.crease_angle));
         const float shortest = shortest_line(style);
@@ -82,6 +82,12 @@ public:
             if (net.edges >= kFewEdges || net.length >= shortest)
                 append_line(*traced, traced->lines.lines[i], horizon, lines);
         }
+    }
+
+    std::shared_ptr<const LineSet> whole(const ExtractorData& data,
+                                         const LineStyle& style) const override {
+        const auto traced = trace(data, float(style.crease_angle));
+        return {traced, &traced->lines};
     }
 
 private:

@@ -11,13 +11,21 @@
 
 namespace laplacian_lines {
 
-/// The lines of one kind on a mesh, found once.
+class FixedLines;
+
+/// The lines of one kind on a mesh, found once. Thread-safe.
 class FixedKindLines {
 public:
     virtual ~FixedKindLines() = default;
-    /// Appends what the style shows of them. The eye matters only for the nearness of contours.
-    virtual void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
-                        LineSet& lines) const = 0;
+    /// Appends what the style shows of them. The eye matters only for the nearness of contours,
+    /// `all` for what other kinds draw already.
+    virtual void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
+                        const LineStyle& style, LineSet& lines) const = 0;
+    /// What the style can show of them from any eye, the same object as long as that is the same;
+    /// null for kinds that nobody asks.
+    virtual std::shared_ptr<const LineSet> whole(const ExtractorData&, const LineStyle&) const {
+        return nullptr;
+    }
 };
 
 /// A kind of lines that do not depend on the view.

@@ -6,10 +6,21 @@ namespace laplacian_lines {
 void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                         LineSet& lines) {
     for (std::size_t i = 0; i < kFixedKindCount; ++i) {
-        const FixedKind* const kind = fixed_kinds()[i];
-        if (style.shows[kind->kind])
-            found_[i].get([&] { return kind->find(data); })->append(data, eye, style, lines);
+        if (style.shows[fixed_kinds()[i]->kind])
+            find(data, i).append(data, *this, eye, style, lines);
     }
+}
+
+std::shared_ptr<const LineSet> FixedLines::whole(const ExtractorData& data, LineKind kind,
+                                                 const LineStyle& style) {
+    for (std::size_t i = 0; i < kFixedKindCount; ++i)
+        if (fixed_kinds()[i]->kind == kind && style.shows[kind])
+            return find(data, i).whole(data, style);
+    return nullptr;
+}
+
+const FixedKindLines& FixedLines::find(const ExtractorData& data, std::size_t number) {
+    return *found_[number].get([&] { return fixed_kinds()[number]->find(data); });
 }
 
 }  // namespace laplacian_lines

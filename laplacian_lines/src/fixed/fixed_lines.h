@@ -13,7 +13,13 @@ public:
     void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines);
 
+    /// FixedKindLines::whole() of a kind, if the style shows it; null otherwise.
+    std::shared_ptr<const LineSet> whole(const ExtractorData& data, LineKind kind,
+                                         const LineStyle& style);
+
 private:
+    const FixedKindLines& find(const ExtractorData& data, std::size_t number);
+
     std::array<OnDemand<std::unique_ptr<const FixedKindLines>>, kFixedKindCount> found_;
 };
 

@@ -2,8 +2,11 @@
 // Shows of the convex crest lines what is sharp enough, with its weaker continuations.
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "fixed/fixed_kinds.h"
+#include "fixed/fixed_lines.h"
+#include "fixed/near_lines.h"
 #include "fixed/ridge_angles.h"
 #include "fixed/showing.h"
 #include "fixed/stretches.h"
@@ -13,8 +16,9 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr float kWeak = 0.5f;  // of the style's angle: continues what is sharper
-constexpr float kFading = 5;   // a soft edge is paler than a sharp one
+constexpr float kWeak = 0.5f;         // of the style's angle: continues what is sharper
+constexpr float kNearCrease = 0.01f;  // D
+constexpr float kFading = 5;          // a soft edge is paler than a sharp one
 
 struct RidgeRules {
     float angle;  ///< degrees
@@ -48,22 +52,25 @@ public:
         }
     }
 
-    void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
-                LineSet& lines) const override {
+    void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
+                const LineStyle& style, LineSet& lines) const override {
         const RidgeRules rules(style);
+        const auto along = along_creases(data, all.whole(data, LineKind::Crease, style));
         for (std::size_t number = 0; number < found_.lines.lines.size(); ++number) {
             const Polyline& line = found_.lines.lines[number];
             if (sharpest_[number] < rules.angle || line.length < rules.least_length) continue;
             for_each_stretch(line, found_.lines.points.data() + line.first, kWeak * rules.angle,
                              [&](const Stretch& stretch) {
-                                 append_stretch(data, eye, rules, line, stretch, lines);
+                                 append_stretch(data, eye, rules, line, stretch, along.get(),
+                                                lines);
                              });
         }
     }
 
 private:
     void append_stretch(const ExtractorData& data, const LocalEye& eye, const RidgeRules& rules,
-                        const Polyline& whole, const Stretch& stretch, LineSet& lines) const {
+                        const Polyline& whole, const Stretch& stretch,
+                        const std::vector<std::uint8_t>* along, LineSet& lines) const {
         const LinePoint* points = found_.lines.points.data() + whole.first;
         const StretchLengths lengths = measure(stretch, points, rules.angle, float(data.diagonal));
         if (stretch.count < 2 || lengths.all < rules.least_length ||
@@ -76,9 +83,12 @@ private:
         line.length = lengths.all;
         for (std::uint32_t i = 0; i < stretch.count; ++i) {
             LinePoint point = points[stretch.point(i)];
+            const std::uint32_t place = whole.first + stretch.point(i);
             point.opacity = point.weight =
-                angle_opacity(point.gradient, kWeak * rules.angle, rules.fading) *
-                clearance(data, eye, rules, point, found_.forms[whole.first + stretch.point(i)]);
+                along && (*along)[place]
+                    ? 0
+                    : angle_opacity(point.gradient, kWeak * rules.angle, rules.fading) *
+                          clearance(data, eye, rules, point, found_.forms[place]);
             lines.points.push_back(point);
         }
         smooth_positions(line, lines.points.data() + line.first, rules.smoothing_passes);
@@ -93,6 +103,23 @@ private:
         return clearance_opacity(facing, std::max(gradient, 1e-6f), rules.clearance);
     }
 
+    /// Which points only double creases; null if none does.
+    std::shared_ptr<const std::vector<std::uint8_t>> along_creases(
+        const ExtractorData& data, const std::shared_ptr<const LineSet>& creases) const {
+        if (!creases || creases->lines.empty()) return nullptr;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (creases_ != creases) {
+            const NearLines near(*creases, kNearCrease * float(data.diagonal));
+            along_ =
+                std::make_shared<const std::vector<std::uint8_t>>(points_along(found_.lines, near));
+            creases_ = creases;
+        }
+        return along_;
+    }
+
+    mutable std::mutex mutex_;
+    mutable std::shared_ptr<const LineSet> creases_;  // that along_ belongs to
+    mutable std::shared_ptr<const std::vector<std::uint8_t>> along_;
     RidgeCandidates found_;
     std::vector<float> sharpest_;  // the largest angle of a line's points, by line
 };
