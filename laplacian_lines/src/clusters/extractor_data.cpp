@@ -17,7 +17,9 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr double kPrepared = 0.1;            // about the part of the whole time that it takes
+constexpr double kPrepared = 0.1;  // about the part of the whole time that it takes
+// Normals of clean meshes are smoothed by less, in mean edges: automatic_normal_sigma().
+constexpr double kLargestSmoothSigma = 0.85;
 constexpr std::size_t kHugePage = 2u << 20;  // bytes; clusters are read in no order of addresses
 
 template <class T>
@@ -97,6 +99,7 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     ExtractorData data;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
+    data.is_rough = field.scale.normal_sigma > kLargestSmoothSigma * field.scale.mean_edge;
     ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
     return data;
 }

@@ -30,6 +30,7 @@ struct ExtractorData {
     std::vector<float> bounds;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     double diagonal = 1;                               ///< D, mesh units
+    bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
 
     /// Memory for the clusters, aligned to cache units, for the builder to fill, and for their

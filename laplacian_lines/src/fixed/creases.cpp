@@ -74,6 +74,7 @@ public:
 
     void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
+        if (data.is_rough) return;
         const auto traced = trace(data, float(style.crease_angle));
         const float shortest = shortest_line(style);
         const HorizonEdges horizon(eye, style);
@@ -86,6 +87,7 @@ public:
 
     std::shared_ptr<const LineSet> whole(const ExtractorData& data,
                                          const LineStyle& style) const override {
+        if (data.is_rough) return nullptr;
         const auto traced = trace(data, float(style.crease_angle));
         return {traced, &traced->lines};
     }
