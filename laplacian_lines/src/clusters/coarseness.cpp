@@ -13,7 +13,8 @@ namespace {
 
 // In D: less than two pixels of a picture of 400.
 constexpr double kFarthestContour = 0.006;
-constexpr double kLeastCoarsePatch = 0.03;  // diagonal of its box, D
+constexpr double kLeastCoarsePatch = 0.03;    // diagonal of its box, D
+constexpr double kLargestSmoothSigma = 0.85;  // mean edges
 // As far as the smoothing of normals reaches.
 constexpr int kRings = 2;
 constexpr double kSquaredCosineOfRings = 0.9925;  // of 5°
@@ -45,8 +46,12 @@ Lean lean_of(const PreparedMesh& mesh, const Field& field, const Triangle& t) {
     return lean;
 }
 
+bool is_large(const Lean& lean) {
+    return lean.squared_size > kLargestSmoothTriangle * kLargestSmoothTriangle;
+}
+
 bool is_coarse(const Lean& lean) {
-    return lean.squared_size > kLargestSmoothTriangle * kLargestSmoothTriangle ||
+    return is_large(lean) ||
            lean.squared_size * (1 - lean.of_corner) > kFarthestContour * kFarthestContour;
 }
 
@@ -103,10 +108,16 @@ void grow_patches(const PreparedMesh& mesh, const Field& field, std::vector<std:
 
 }  // namespace
 
+bool is_rough(const FieldScale& scale) {
+    return scale.normal_sigma > kLargestSmoothSigma * scale.mean_edge;
+}
+
 std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const Field& field) {
     std::vector<std::uint8_t> coarse(mesh.triangles.size());
+    const bool only_large = is_rough(field.scale);
     for_each_element(coarse.size(), [&](std::size_t i) {
-        coarse[i] = is_coarse(lean_of(mesh, field, mesh.triangles[i]));
+        const Lean lean = lean_of(mesh, field, mesh.triangles[i]);
+        coarse[i] = only_large ? is_large(lean) : is_coarse(lean);
     });
     const auto has_coarse = [&] {
         return std::find(coarse.begin(), coarse.end(), 1) != coarse.end();

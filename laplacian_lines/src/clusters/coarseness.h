@@ -9,12 +9,16 @@
 
 namespace laplacian_lines {
 
+/// Whether edges of the mesh are those of noise or voxels, not of the form: its normals are
+/// smoothed by more than those of clean meshes, see automatic_normal_sigma().
+bool is_rough(const FieldScale& scale);
+
 /// Which triangles are coarse, 1 or 0 for each. In a fine one the zero of n·l lies near the horizon
 /// of the triangles: a contour's triangle is seen at most as steeply as its plane leans away from
 /// the normals n of its corners, so the two are at most its size times the sine of that angle
 /// apart in the picture. In a coarse one that is too far, or it is large: there contours follow its
-/// edges. A few in fine surroundings, such as bad triangles of a scan, do not count.
-/// The number of threads does not matter.
+/// edges. A few in fine surroundings, such as bad triangles of a scan, do not count, and on rough
+/// meshes only large ones do. The number of threads does not matter.
 std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const Field& field);
 
 }  // namespace laplacian_lines

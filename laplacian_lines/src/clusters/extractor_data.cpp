@@ -10,6 +10,7 @@
 #endif
 
 #include "clusters/cluster_building.h"
+#include "clusters/coarseness.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "mesh/prepared_mesh.h"
@@ -17,9 +18,7 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr double kPrepared = 0.1;  // about the part of the whole time that it takes
-// Normals of clean meshes are smoothed by less, in mean edges: automatic_normal_sigma().
-constexpr double kLargestSmoothSigma = 0.85;
+constexpr double kPrepared = 0.1;            // about the part of the whole time that it takes
 constexpr std::size_t kHugePage = 2u << 20;  // bytes; clusters are read in no order of addresses
 
 template <class T>
@@ -99,7 +98,7 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     ExtractorData data;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
-    data.is_rough = field.scale.normal_sigma > kLargestSmoothSigma * field.scale.mean_edge;
+    data.is_rough = is_rough(field.scale);
     ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
     return data;
 }
