@@ -54,7 +54,8 @@ public:
             enter = std::max(enter, std::min(a, b));
             leave = std::min(leave, std::max(a, b));
         }
-        return enter <= leave + kOverlap * std::abs(enter);
+        // Beside the slab of an axis that an endless ray is at right angles to, both are ∞.
+        return std::isfinite(enter) && enter <= leave + kOverlap * std::abs(enter);
     }
 
     bool intersectObject(int triangle) {
