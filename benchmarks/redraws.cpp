@@ -34,7 +34,8 @@ LineStyle all_zeros(LineKind kind) {
     style.segment_slope = style.line_slope = style.line_smoothing = 0;
     style.shortest_line = style.shortest_contour = 0;
     style.reject_phantoms = style.single_strokes = style.shows[LineKind::Ridge] =
-        style.shows[LineKind::Border] = style.shows[LineKind::Crease] = false;
+        style.shows[LineKind::Border] = style.shows[LineKind::Crease] = style.exact_outlines =
+            false;
     style.least_facing = -1;
     style.shows[LineKind::Laplacian] = kind == LineKind::Laplacian;
     style.shows[LineKind::Contour] = kind == LineKind::Contour;

@@ -136,7 +136,7 @@ TEST(Roughness, IsOverruledByASigmaAndByNoSmoothing) {
         options.normal_sigma = sigma;
         const Field field = precompute(terraces(), options);
         EXPECT_NEAR(sigma_of(field), sigma, 1e-9);
-        EXPECT_EQ(field.report.roughness, 0) << "not measured";
+        EXPECT_GT(field.report.roughness, 1.5) << "whether or not it decides";
         EXPECT_DOUBLE_EQ(measure_scale(terraces(), options).normal_sigma, field.scale.normal_sigma);
     }
     options.normal_sigma = 0;
@@ -171,7 +171,7 @@ TEST(Roughness, HasTerracesDrawnWithAsManyLinesAsTheSmoothForm) {
     const double smooth = drawn_length(test_meshes::smooth_head(80), {});
     const TriangleMesh terraced = test_meshes::terraced_head(80);
     EXPECT_NEAR(drawn_length(terraced, {}), smooth, 0.2 * smooth);
-    EXPECT_GT(drawn_length(terraced, little), 1.4 * smooth);
+    EXPECT_GT(drawn_length(terraced, little), 1.2 * smooth);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ setdeco Hidden Lines = Dashed
 $(snapshots dashed)
 END
 for view in perspective orthographic dashed; do
-    expect_same_picture "$WORK/$view.png" "$WORK/${view}_1.png" 10
+    expect_same_picture "$WORK/$view.png" "$WORK/${view}_1.png" 20
     expect_same_picture "$WORK/$view.png" "$WORK/${view}_again.png" 10
     for tiles in 2 3; do
         expect_same_width "$view" "$tiles"

@@ -18,12 +18,14 @@ constexpr double kSightClearance = 0.003;
 constexpr double kContourSightClearance = 1.5;
 /// Longest edge of triangles in which contours are smooth, in D; along others they follow edges.
 constexpr double kLargestSmoothTriangle = 0.03;
+/// Largest mean edge, in D, of meshes that have many of them.
+constexpr double kLargestSmoothMeanEdge = 0.025;
 
 /// The move for a kind of lines, in the unit of D and the mean edge.
 inline double sight_clearance(LineKind kind, double diagonal, double mean_edge) {
     const double least = kSightClearance * diagonal;
     const double beyond_horizon = kContourSightClearance * mean_edge;
-    const bool may_be_smooth = beyond_horizon <= kLargestSmoothTriangle * diagonal;
+    const bool may_be_smooth = mean_edge <= kLargestSmoothMeanEdge * diagonal;
     const bool is_beyond = describe(kind).is_on_horizon && may_be_smooth;
     return is_beyond && beyond_horizon > least ? beyond_horizon : least;
 }

@@ -28,8 +28,7 @@ struct MeshReport {
     std::size_t degenerate_triangles = 0;   ///< zero area, repeated or non-finite corners
     std::size_t welded_vertices = 0;        ///< for which another one at the same place counts
     /// Of the surface at the scale of its triangles: noise, or the terraces of segmented volumes.
-    /// No unit; scans have up to 1.1, terraces 1.5 to 3. 0: smooth, or not measured, which is so
-    /// unless the smoothing of the normals is automatic.
+    /// No unit; scans have up to 1.1, terraces 1.5 to 3. 0: smooth.
     double roughness = 0;
 };
 

@@ -11,10 +11,13 @@
 namespace laplacian_lines {
 namespace {
 
-// In D: less than two pixels of a picture of 400.
+// In D: about two pixels of a picture of 400.
 constexpr double kFarthestContour = 0.006;
-constexpr double kLeastCoarsePatch = 0.03;    // diagonal of its box, D
-constexpr double kLargestSmoothSigma = 0.85;  // mean edges
+constexpr double kLargestRoughTriangle = 0.06;  // whose contours are smooth on rough meshes, D
+constexpr double kLeastCoarsePatch = 0.03;      // diagonal of its box, D
+// Clean scans have up to 0.3 or, with many small forms, 1; those with noise of 20 % of the edges
+// 0.8 and more, and so do terraces.
+constexpr double kLargestRoughness = 0.8;
 // As far as the smoothing of normals reaches.
 constexpr int kRings = 2;
 constexpr double kSquaredCosineOfRings = 0.9925;  // of 5°
@@ -46,12 +49,12 @@ Lean lean_of(const PreparedMesh& mesh, const Field& field, const Triangle& t) {
     return lean;
 }
 
-bool is_large(const Lean& lean) {
-    return lean.squared_size > kLargestSmoothTriangle * kLargestSmoothTriangle;
+bool is_larger(const Lean& lean, double size) {
+    return lean.squared_size > size * size;
 }
 
 bool is_coarse(const Lean& lean) {
-    return is_large(lean) ||
+    return is_larger(lean, kLargestSmoothTriangle) ||
            lean.squared_size * (1 - lean.of_corner) > kFarthestContour * kFarthestContour;
 }
 
@@ -108,16 +111,16 @@ void grow_patches(const PreparedMesh& mesh, const Field& field, std::vector<std:
 
 }  // namespace
 
-bool is_rough(const FieldScale& scale) {
-    return scale.normal_sigma > kLargestSmoothSigma * scale.mean_edge;
+bool is_rough(const MeshReport& report) {
+    return report.roughness > kLargestRoughness;
 }
 
 std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const Field& field) {
     std::vector<std::uint8_t> coarse(mesh.triangles.size());
-    const bool only_large = is_rough(field.scale);
+    const bool only_large = is_rough(field.report);
     for_each_element(coarse.size(), [&](std::size_t i) {
         const Lean lean = lean_of(mesh, field, mesh.triangles[i]);
-        coarse[i] = only_large ? is_large(lean) : is_coarse(lean);
+        coarse[i] = only_large ? is_larger(lean, kLargestRoughTriangle) : is_coarse(lean);
     });
     const auto has_coarse = [&] {
         return std::find(coarse.begin(), coarse.end(), 1) != coarse.end();

@@ -9,9 +9,8 @@
 
 namespace laplacian_lines {
 
-/// Whether edges of the mesh are those of noise or voxels, not of the form: its normals are
-/// smoothed by more than those of clean meshes, see automatic_normal_sigma().
-bool is_rough(const FieldScale& scale);
+/// Whether edges of the mesh are those of noise or voxels, not of the form.
+bool is_rough(const MeshReport& report);
 
 /// Which triangles are coarse, 1 or 0 for each. In a fine one the zero of n·l lies near the horizon
 /// of the triangles: a contour's triangle is seen at most as steeply as its plane leans away from

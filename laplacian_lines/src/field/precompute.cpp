@@ -122,10 +122,9 @@ private:
                                                 stage(kSorted, kSizes, "Measuring edges"));
         normals_ = vertex_normals(mesh_, ranges_, options_.normal_weighting,
                                   stage(kSizes, kNormals, "Computing normals"));
-        if (smooths_by_roughness(options_)) {
-            roughness_ = measure_roughness(mesh_, tree_, relative_sizes_, normals_);
+        roughness_ = measure_roughness(mesh_, tree_, relative_sizes_, normals_);
+        if (smooths_by_roughness(options_))
             normal_sigma_ = automatic_normal_sigma(roughness_) * mesh_.mean_edge;
-        }
         smooth_normals(mesh_, tree_, relative_sizes_, normal_sigma_, options_,
                        stage(kNormals, kSmoothNormals, "Smoothing normals"), normals_);
     }
