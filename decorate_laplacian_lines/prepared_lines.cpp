@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <new>
 
+#include "laplacian_lines/line_visibility.h"
 #include "meshlab_host/mesh_conversion.h"
 
 using laplacian_lines::Field;
@@ -35,7 +36,7 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
         const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
         const Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say);
         result->diagonal = field.scale.diagonal;
-        result->mean_edge = field.scale.mean_edge;
+        result->mean_edge = laplacian_lines::sight_edge(field.scale);
         result->surface = line_renderer::makeSurface(triangles, field);
         result->extractor.emplace(triangles, field);
     } catch (const std::bad_alloc&) {

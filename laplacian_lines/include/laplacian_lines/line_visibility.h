@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "laplacian_lines/field.h"
@@ -20,6 +21,13 @@ constexpr double kContourSightClearance = 1.5;
 constexpr double kLargestSmoothTriangle = 0.03;
 /// Largest mean edge, in D, of meshes that have many of them.
 constexpr double kLargestSmoothMeanEdge = 0.025;
+
+/// The mean edge that sight_clearance() means: larger where normals are smoothed by more than the
+/// usual 0.8 mean edges, since contours are then farther beyond the horizon.
+inline double sight_edge(const FieldScale& scale) {
+    constexpr double usual_sigma = 0.8;
+    return std::max(scale.mean_edge, scale.normal_sigma / usual_sigma);
+}
 
 /// The move for a kind of lines, in the unit of D and the mean edge.
 inline double sight_clearance(LineKind kind, double diagonal, double mean_edge) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "clusters/mesh_sides.h"
 
+#include <utility>
+
 namespace laplacian_lines {
 namespace {
 
@@ -28,9 +30,10 @@ MeshSide MeshSides::across(const MeshSide& from) const {
     const PlacedCluster& placed = placed_[from.cluster];
     const std::uint8_t neighbour = placed.triangles[from.triangle].neighbours[from.side];
     if (neighbour == kNoNeighbour) return {};
-    const auto [a, b] = ends(placed, from.triangle, from.side);
+    std::array there = ends(placed, from.triangle, from.side);
+    std::swap(there[0], there[1]);
     const auto found = [&](const MeshSide& side) {
-        return ends(placed_[side.cluster], side.triangle, side.side) == std::array{b, a};
+        return ends(placed_[side.cluster], side.triangle, side.side) == there;
     };
     if (is_shared(from)) {
         for (const MeshSide& side : shared_[edge_number(from)])

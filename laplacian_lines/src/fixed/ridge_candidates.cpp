@@ -96,7 +96,7 @@ private:
         }
         if ((f[0] < 0) == (f[1] < 0) && (f[0] < 0) == (f[2] < 0)) return;
         if (!falls_along(t, f, e)) return;
-        Piece piece;
+        Piece piece{};
         int found = 0;
         for (int k = 0; k < 3; ++k)
             if ((f[k] < 0) != (f[(k + 1) % 3] < 0)) piece.ends[found++] = zero(triangle, k);

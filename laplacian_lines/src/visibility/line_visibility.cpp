@@ -58,7 +58,7 @@ struct LineVisibility::Data {
 
     /// The parts of one line that are seen.
     LineSet seen_parts(const View& view, const LineSet& lines, const Polyline& line) const {
-        const double clearance = sight_clearance(line.kind, scale.diagonal, scale.mean_edge);
+        const double clearance = sight_clearance(line.kind, scale.diagonal, sight_edge(scale));
         const double to_side = describe(line.kind).is_on_horizon ? kToSide * scale.diagonal : 0;
         Sight sight(caster, view, clearance, to_side);
         const LinePoint* points = lines.points.data() + line.first;
