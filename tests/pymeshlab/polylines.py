@@ -37,8 +37,9 @@ for name in ("ll_kind", "ll_strength", "ll_slope"):
     assert all(len(set(attributes[name][number == line])) == 1 for line in set(number)), name
 
 # the default view is a perspective one from +z; hidden lines on demand
-everything = create(**parameters, visible_only=False)
-assert length(*everything[:2]) > 1.05 * length(points, edges)
+from_the_side = {**parameters, "viewpoint": [0.5, -3, 1]}
+seen, everything = create(**from_the_side), create(**from_the_side, visible_only=False)
+assert length(*everything[:2]) > 1.05 * length(*seen[:2])
 from_above = create()
 assert from_above[0].shape != points.shape or (from_above[0] != points).any()
 orthographic = create(view="Orthographic, along the View Direction", view_direction=[0, 0, 1])
