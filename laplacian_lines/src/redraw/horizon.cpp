@@ -127,6 +127,7 @@ private:
             std::uint32_t(m_.segments.size()),
             [this](std::uint32_t half) { return m_.links[half]; },
             [this](std::uint32_t half) { trace(half); });
+        m_.points.resize(m_.points.size() + kPointMargin);  // append_points() reads beyond
     }
 
     void trace(std::uint32_t start) {
