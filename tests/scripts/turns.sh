@@ -15,10 +15,13 @@ end_test() {
 }
 trap end_test EXIT
 
-# begin NAME [COMMAND]: a script that takes its turn, tells so in NAME.has and goes on with COMMAND; sets PROCESS
+# begin NAME [COMMAND [LATER]]: a script that takes its turn, tells so in NAME.has, runs COMMAND, ends its turn, tells so in
+# NAME.done and goes on with LATER; sets PROCESS
 begin() {
-    bash -euc 'source "$1" environment/turns; take_turn "$2/build"; touch "$2/$3.has"; eval "$4"; end_turn; touch "$2/$3.done"' \
-        bash "$scripts/require.sh" "$work" "$1" "${2:-:}" 2>"$work/$1.log" &
+    # shellcheck disable=SC2016 # for that script
+    bash -euc 'source "$1" environment/turns
+        take_turn "$2/build"; touch "$2/$3.has"; eval "$4"; end_turn; touch "$2/$3.done"; eval "$5"' \
+        bash "$scripts/require.sh" "$work" "$1" "${2:-:}" "${3:-:}" 2>"$work/$1.log" &
     PROCESS=$!
     begun+=("$PROCESS")
 }
@@ -28,7 +31,8 @@ await() {
     until test "$@"; do sleep 0.05; done
 }
 
-begin first 'while :; do sleep 0.1; done'
+forever='while :; do sleep 0.1; done'
+begin first "$forever"
 first=$PROCESS
 await -e "$work/first.has"
 
@@ -46,7 +50,7 @@ kill -KILL "$first"
 wait "$PROCESS" || fail "the turn does not end with the script that has it"
 [[ -e $work/second.done ]] || fail "the second script has not done its work"
 
-begin third 'true'
+begin third : "$forever"
 await -e "$work/third.done"
 begin fourth
 wait "$PROCESS"
