@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "decoration_parameters.h"
+#include "line_scale.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/live_meshes.h"
@@ -53,6 +54,12 @@ QString statistics(const laplacian_lines::LineSet& lines, const RedrawClock& clo
 /// The widget that is being painted, null if it is none.
 QWidget* widgetOf(QPainter* painter) {
     return painter ? dynamic_cast<QWidget*>(painter->device()) : nullptr;
+}
+
+double lineScale(QPainter* painter) {
+    const QWidget* widget = widgetOf(painter);
+    const QVariant scale = widget ? widget->property(line_scale_property) : QVariant();
+    return scale.isValid() ? scale.toDouble() : 1;
 }
 
 double devicePixelRatio(QPainter* painter) {
@@ -174,7 +181,8 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     layer.view = view;
     layer.widget = widgetOf(painter);
     layer.is_first = beginsRedraw(painter);
-    layer.placement.pixel_scale = devicePixelRatio(painter) * tiles_.scale(camera);
+    layer.placement.pixel_scale =
+        devicePixelRatio(painter) * lineScale(painter) * tiles_.scale(camera);
     drawing_.draw(layer, lines_, chosen, clock);
     if (!lines.first_redraw) lines.first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};

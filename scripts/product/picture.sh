@@ -6,20 +6,63 @@ require environment/messages product/display product/models product/private_home
 readonly LINES_ACTION="Laplacian Lines"
 readonly SHEET_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf # of DISPLAY_PACKAGES
 readonly MESHLAB_MINUTES=15 # more than a mesh of ten million triangles takes to load and prepare
+readonly DRIVER_ERROR=3     # the exit code of MeshLab when the driver ends it
+readonly LINE_SIDE=900      # the shorter side, in pixels, of a picture whose lines have the widths of a window
+declare -gA NAMED_VIEWS=([front]="0,0" [right]="90,0" [back]="180,0" [left]="-90,0" [top]="0,90" [bottom]="0,-90")
+
+# What the options of a picture say
+PICTURE_SIZE=1200x900 PICTURE_UP=y PICTURE_ZOOM=1 PICTURE_PROJECTION=perspective
+declare -ga PICTURE_VIEWS=() PICTURE_OPTIONS=()
+
+# picture_option OPTION [VALUE]...: sets them by the first of the words, and OPTION_WORDS to how many it has
+picture_option() {
+    local option=$1 value=${2:-} number='[0-9]+(\.[0-9]+)?'
+    OPTION_WORDS=2
+    case $option in
+    --size)
+        [[ $value =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || fail "--size needs WIDTHxHEIGHT, such as 1200x900"
+        PICTURE_SIZE=$value
+        ;;
+    --view)
+        [[ -n ${NAMED_VIEWS[${value:-none}]:-} || $value =~ ^-?$number,-?(0*[1-8]?[0-9](\.[0-9]+)?|0*90(\.0+)?)$ ]] ||
+            fail "--view needs front, back, left, right, top or bottom, or AZIMUTH,ELEVATION in degrees, such as 30,15; the elevation is from -90 to 90"
+        PICTURE_VIEWS+=("$value")
+        ;;
+    --up)
+        [[ $value =~ ^[xyz]$ ]] || fail "--up needs the axis that points upwards: x, y or z"
+        PICTURE_UP=$value
+        ;;
+    --zoom)
+        [[ $value =~ ^$number$ ]] && awk -v zoom="$value" 'BEGIN { exit !(zoom >= 0.1 && zoom <= 10) }' ||
+            fail "--zoom needs a factor from 0.1 to 10"
+        PICTURE_ZOOM=$value
+        ;;
+    --orthographic)
+        PICTURE_PROJECTION=orthographic
+        OPTION_WORDS=1
+        ;;
+    esac
+    PICTURE_OPTIONS+=("$option")
+}
 
 # run_meshlab STAGE FOLDER: MeshLab with the driver script FOLDER/script; its chatter goes to FOLDER/log.
 run_meshlab() {
-    LAPLACIAN_LINES_DRIVER=$2/script "$1/bin/meshlab" >"$2/log" 2>&1
+    # bash's own remark on a signal goes nowhere
+    { LAPLACIAN_LINES_DRIVER=$2/script "$1/bin/meshlab" >"$2/log" 2>&1; } 2>/dev/null
 }
 
-# What went wrong, in the driver's words, else the last lines of MeshLab's own.
+# explain_failure FOLDER CODE: why MeshLab has ended, in a line
 explain_failure() {
-    local reason
-    reason=$(sed -n 's/^meshlab_driver: error: line [0-9]*: //p' "$1/log" | tail -n 1)
+    local log=$1/log code=$2 reason doing
+    reason=$(sed -n 's/^meshlab_driver: reason: //p' "$log" | tail -n 1)
+    [[ -n $reason ]] || reason=$(sed -n 's/^meshlab_driver: error: //p' "$log" | tail -n 1)
+    doing=$(sed -n 's/^meshlab_driver: line [0-9]*: //p' "$log" | tail -n 1)
     if [[ -n $reason ]]; then
-        say "$reason"
+        printf '%s\n' "$reason"
+    elif [[ $doing == "load "* ]]; then
+        printf "MeshLab's own reader of .%s files has ended MeshLab (exit code %d); the file may be damaged\n" "${doing##*.}" "$code"
     else
-        tail -n 5 "$1/log" >&2
+        printf 'MeshLab has ended with code %d; the last it said: %s\n' "$code" "$(tail -n 1 "$log")"
     fi
 }
 
@@ -32,14 +75,13 @@ user_settings() {
 open_window() {
     local stage=$1 folder=$2
     {
-        printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "open $MESH" "check $LINES_ACTION on"
+        printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "load $MESH" "check $LINES_ACTION on"
         user_settings "$folder"
     } >"$folder/script"
     say "opening MeshLab; $LINES_ACTION is under Render"
-    run_meshlab "$stage" "$folder" || {
-        explain_failure "$folder"
-        fail "MeshLab ended with an error"
-    }
+    local code=0
+    run_meshlab "$stage" "$folder" || code=$?
+    ((code == 0)) || fail "$MESH: $(explain_failure "$folder" "$code")"
 }
 
 check_picture() {
@@ -47,55 +89,116 @@ check_picture() {
     [[ -d $(dirname "$1") && -w $(dirname "$1") ]] || fail "cannot write into the folder of $1"
 }
 
-# picture_script FOLDER SIZE VIEW: a drawing on white paper that the mesh fills, written to FOLDER/picture.png. The style
-# Publication looks the same, but what the user sets besides would not count; framed before that, all drawings of a mesh
-# lie on each other.
-picture_script() {
-    local folder=$1 size=$2 view=$3
-    printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "open $MESH" \
-        "check Show Info Panel off" "check Show Trackball off" "check $LINES_ACTION on" \
-        "setdeco Surface = Paper" "setdeco Background = Paper Color" "size $size"
-    [[ -z $view ]] || printf 'orbit %s\n' "${view/,/ }"
-    printf 'fill-view\n'
-    user_settings "$folder"
-    printf '%s\n' "grab $folder/picture.png" quit
+# frame_command VIEW: has the mesh fill the view, as seen from there
+frame_command() {
+    local view=${NAMED_VIEWS[${1:-front}]:-$1}
+    printf 'frame %s %s %s %s\n' "${view/,/ }" "$PICTURE_UP" "$PICTURE_ZOOM" "$PICTURE_PROJECTION"
 }
 
-# draw STAGE FOLDER PICTURE SIZE VIEW: one picture of MESH, written to PICTURE
-draw() {
-    local stage=$1 folder=$2 picture=$3 size=$4 view=$5
-    picture_script "$folder" "$size" "$view" >"$folder/script"
-    say "drawing $size in MeshLab"
-    (
-        use_private_home "$folder/home"
-        run_meshlab "$stage" "$folder"
-    ) || {
-        explain_failure "$folder"
-        fail "no picture was written"
-    }
-    mv "$folder/picture.png" "$picture"
+# drawing MESH VIEW: the file of this drawing, by the numbers of both
+drawing() {
+    printf '%s/drawing_%d_%d.png\n' "$DRAWINGS" "$1" "$2"
 }
 
-# take_pictures STAGE FOLDER PICTURE SIZE VIEWS MESHES: VIEWS and MESHES name arrays. One picture, or a sheet of one for
-# each mesh and view.
-take_pictures() {
-    local stage=$1 folder=$2 picture=$3 size=$4 target mesh view
-    local -n all_views=$5 all_meshes=$6
+# drawing_script FIRST FOLDER: draws the meshes from the FIRST-th on by one MeshLab, on white paper. What stands between
+# "together" and the end of its line is done before MeshLab redraws: each redraw of a large mesh takes its time. The style
+# Publication looks the same, but what the user sets besides would not count.
+drawing_script() {
+    local mesh view settings=()
+    mapfile -t settings < <(user_settings "$2")
+    printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "check Show Layer Dialog on" "check Show Info Panel off" \
+        "check Show Trackball off" "size $PICTURE_SIZE" "scale-lines $LINE_SIDE"
+    for ((mesh = $1; mesh < ${#MESH_FILES[@]}; ++mesh)); do
+        printf '%s\n' "load ${MESH_FILES[mesh]}" "size $PICTURE_SIZE"
+        printf 'together %s' draw-lines
+        printf ' ; %s' "setdeco Surface = Paper" "setdeco Background = Paper Color" "${settings[@]}"
+        for view in "${!PICTURE_VIEWS[@]}"; do
+            printf ' ; %s' "$(frame_command "${PICTURE_VIEWS[view]}")" "grab $(drawing "$mesh" "$view")"
+        done
+        printf ' ; %s\n' "trigger Delete Current Mesh"
+    done
+    printf 'quit\n'
+}
+
+# first_undrawn FIRST: the first mesh from there on whose drawings are not all there, or the number of meshes
+first_undrawn() {
+    local mesh=$1
+    while ((mesh < ${#MESH_FILES[@]})) && [[ -e $(drawing "$mesh" $((${#PICTURE_VIEWS[@]} - 1))) ]]; do
+        ((++mesh))
+    done
+    printf '%d\n' "$mesh"
+}
+
+# draw_meshes STAGE FOLDER: all drawings of MESH_FILES, by as few MeshLabs as their failures allow. Sets FAILED_MESHES.
+draw_meshes() {
+    local stage=$1 folder=$2 first=0 undrawn code
+    while ((first < ${#MESH_FILES[@]})); do
+        drawing_script "$first" "$folder" >"$folder/script"
+        code=0
+        (
+            use_private_home "$folder/home"
+            run_meshlab "$stage" "$folder"
+        ) || code=$?
+        undrawn=$(first_undrawn "$first")
+        # It may have been brought down by what was drawn before: only a mesh that comes first is to blame.
+        if ((undrawn < ${#MESH_FILES[@]})) && ((code == DRIVER_ERROR || undrawn == first)); then
+            say "${MESH_NAMES[undrawn]}: $(explain_failure "$folder" "$code")"
+            FAILED_MESHES+=("${MESH_NAMES[undrawn]}")
+            ((++undrawn))
+        fi
+        first=$undrawn
+    done
+}
+
+# prepare_meshes FOLDER MESH...: fills MESH_FILES and MESH_NAMES with what MeshLab is to draw; FAILED_MESHES with the rest
+prepare_meshes() {
+    local folder=$1 mesh file
+    MESH_FILES=() MESH_NAMES=() FAILED_MESHES=()
+    shift
+    for mesh in "$@"; do
+        mkdir "$folder/${#MESH_FILES[@]}_${#FAILED_MESHES[@]}"
+        if file=$(prepare_mesh "$mesh" "$folder/${#MESH_FILES[@]}_${#FAILED_MESHES[@]}" && printf '%s' "$MESH"); then
+            MESH_FILES+=("$file")
+            MESH_NAMES+=("${mesh:-$(basename "$file")}")
+        else
+            FAILED_MESHES+=("$mesh")
+        fi
+    done
+}
+
+# put_together FILE: the one drawing that there is, or a sheet of all
+put_together() {
+    local target=$1 mesh view label
     local -a sheet=()
-    target=$(readlink -f "$(dirname "$picture")")/$(basename "$picture")
-    # room for the window around the view and for the dialogs beside it
-    start_display $((${size%x*} + 600)) $((${size#*x} + 300))
-    for mesh in "${all_meshes[@]}"; do
-        prepare_mesh "$mesh" "$folder"
-        for view in "${all_views[@]}"; do
-            draw "$stage" "$folder" "$folder/sheet_${#sheet[@]}.png" "$size" "$view"
-            sheet+=(-label "$(basename "$MESH") ${view/,/°, }${view:+°}" "$folder/sheet_${#sheet[@]}.png")
+    for mesh in "${!MESH_FILES[@]}"; do
+        for view in "${!PICTURE_VIEWS[@]}"; do
+            [[ -e $(drawing "$mesh" "$view") ]] || continue
+            label=${PICTURE_VIEWS[view]}
+            [[ $label != *,* ]] || label="${label/,/°, }°"
+            sheet+=(-label "$(basename "${MESH_FILES[mesh]}") $label" "$(drawing "$mesh" "$view")")
         done
     done
-    if ((${#sheet[@]} == 3)); then
-        mv "$folder/sheet_0.png" "$target"
+    ((${#sheet[@]})) || fail "no picture was written"
+    if ((${#MESH_FILES[@]} + ${#FAILED_MESHES[@]} == 1 && ${#PICTURE_VIEWS[@]} == 1)); then
+        mv "${sheet[2]}" "$target"
     else
         montage -font "$SHEET_FONT" -pointsize 18 "${sheet[@]}" -geometry +8+8 "$target" || fail "ImageMagick's montage could not put the sheet together"
     fi
     say "the picture is $target"
+}
+
+# take_pictures STAGE FOLDER PICTURE MESH...: one picture, or a sheet of one for each mesh and view, as the options say.
+# A sheet goes on without the meshes that fail, and then ends with an error.
+take_pictures() {
+    local stage=$1 folder=$2 picture=$3 target
+    target=$(readlink -f "$(dirname "$picture")")/$(basename "$picture")
+    ((${#PICTURE_VIEWS[@]})) || PICTURE_VIEWS=("")
+    DRAWINGS=$folder
+    prepare_meshes "$folder" "${@:4}"
+    # room for the window around the view and for the dialogs beside it
+    start_display $((${PICTURE_SIZE%x*} + 600)) $((${PICTURE_SIZE#*x} + 300))
+    say "drawing $((${#MESH_FILES[@]} * ${#PICTURE_VIEWS[@]})) times $PICTURE_SIZE in MeshLab"
+    draw_meshes "$stage" "$folder"
+    put_together "$target"
+    ((${#FAILED_MESHES[@]} == 0)) || fail "not drawn: ${FAILED_MESHES[*]}"
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# STAGE/bin/meshlabserver for MeshLab 2022.02 and later, which have none: our own program of the same arguments.
+# STAGE/bin/meshlabserver: MeshLab 2020.09 has one; for later versions, our own program of the same arguments.
 
-require product/stage
+require environment/messages product/stage
 
 # stage_server STAGE PLUGIN...: with the filters among the plugins
 stage_server() {
@@ -15,4 +15,25 @@ stage_server() {
         printf ' %q' "$(dirname "$stage")/bin/laplacian_lines_server" "${arguments[@]}"
         printf ' "$@"\n'
     } | write_program "$stage/bin/meshlabserver"
+}
+
+# blame_reader STAGE ARGS...: MeshLab 2020.09's meshlabserver has ended by a signal, which loses what it has said: says
+# which of the meshes to read does that alone
+blame_reader() {
+    local stage=$1 word is_mesh=false
+    shift
+    for word in "$@"; do
+        [[ $word != -* ]] || is_mesh=false
+        if $is_mesh && ends_by_signal "$stage/bin/meshlabserver" -i "$word"; then
+            say "$word: MeshLab's own reader of .${word##*.} files ends meshlabserver; the file may be damaged"
+        fi
+        [[ $word != -i ]] || is_mesh=true
+    done
+}
+
+# ends_by_signal COMMAND...
+ends_by_signal() {
+    local code=0
+    { "$@" >/dev/null 2>&1; } 2>/dev/null || code=$?
+    ((code > 128 && code < 192)) # signals; 255 is meshlabserver's own
 }

@@ -8,6 +8,7 @@ CommandTable allCommands() {
     addWindowCommands(table);
     addActionCommands(table);
     addModalCommands(table);
+    addDrawingCommands(table);
     addMouseCommands(table);
     addPictureCommands(table);
     addLogCommands(table);

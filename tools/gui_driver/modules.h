@@ -11,7 +11,9 @@ void addActionCommands(
     CommandTable& table);  // action_commands.cpp: menus, filter dialog, decoration parameters
 void addModalCommands(
     CommandTable& table);  // modal_commands.cpp: boxes that wait for an answer, snapshots
-void addMouseCommands(CommandTable& table);    // mouse_commands.cpp
+void addDrawingCommands(
+    CommandTable& table);                    // drawing_commands.cpp: what makes a drawing of a mesh
+void addMouseCommands(CommandTable& table);  // mouse_commands.cpp
 void addPictureCommands(CommandTable& table);  // picture_commands.cpp
 void addLogCommands(CommandTable& table);      // log_commands.cpp
 void addMemoryCommands(CommandTable& table);   // memory_commands.cpp

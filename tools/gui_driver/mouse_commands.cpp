@@ -4,7 +4,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
-#include <algorithm>
 
 #include "gui.h"
 #include "modules.h"
@@ -91,64 +90,6 @@ void pressKey(const Command&) {
     }
 }
 
-/// The part of the view that shows other than the background, the colour of its corner, in its
-/// pixels; empty when nothing does.
-QRect drawnPart(const QImage& picture) {
-    const int border = 2;  // MeshLab may outline the current view
-    const QRect all = picture.rect().adjusted(border, border, -border, -border);
-    const QRgb background = picture.pixel(all.topLeft());
-    QRect drawn;
-    for (int y = all.top(); y <= all.bottom(); ++y)
-        for (int x = all.left(); x <= all.right(); ++x)
-            if (picture.pixel(x, y) != background) drawn |= QRect(x, y, 1, 1);
-    return drawn;
-}
-
-QImage repaintedView() {
-    QGLWidget* area = requireView();
-    area->repaint();
-    return area->grabFrameBuffer();
-}
-
-/// Whether a frame along the view's border, a twentieth wide, shows nothing but the background.
-bool hasMargin() {
-    const QImage picture = repaintedView();
-    const int margin = std::min(picture.width(), picture.height()) / 20;
-    const QRect drawn = drawnPart(picture);
-    return drawn.isEmpty() ||
-           picture.rect().adjusted(margin, margin, -margin, -margin).contains(drawn);
-}
-
-void zoomUntilMargin() {
-    const double step = 0.25;       // notches
-    const int most_steps = 8 * 12;  // a mesh that is nowhere to be seen must not keep us here
-    for (int i = 0; i < most_steps && hasMargin(); ++i)
-        turnWheel(-step, Qt::NoModifier);
-    for (int i = 0; i < most_steps && !hasMargin(); ++i)
-        turnWheel(step, Qt::NoModifier);
-}
-
-/// Shifts what is seen into the middle of the view.
-void centre() {
-    const QImage picture = repaintedView();
-    const QRect drawn = drawnPart(picture);
-    if (drawn.isEmpty()) return;
-    const QGLWidget* area = requireView();
-    const QPointF middle(area->width() / 2., area->height() / 2.);
-    const QPoint pixels = picture.rect().center() - drawn.center();
-    dragMouse(middle, middle + QPointF(pixels) * area->width() / picture.width(), Qt::MiddleButton,
-              Qt::NoModifier);
-}
-
-void fillView(const Command&) {
-    const int rounds = 2;  // what is nearer to the eye shifts faster
-    for (int i = 0; i < rounds; ++i) {
-        zoomUntilMargin();
-        centre();
-    }
-    zoomUntilMargin();
-}
-
 }  // namespace
 
 void addMouseCommands(CommandTable& table) {
@@ -158,7 +99,6 @@ void addMouseCommands(CommandTable& table) {
     table.addSimple("release", [](const Command& c) { sendOne(QEvent::MouseButtonRelease, c); });
     table.addSimple("wheel", wheel);
     table.addSimple("press-key", pressKey);
-    table.addSimple("fill-view", fillView);
 }
 
 }  // namespace driver

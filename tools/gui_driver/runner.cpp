@@ -18,6 +18,7 @@ QString describe(const Command& command) {
 }
 
 [[noreturn]] void endAt(const QString& where, const std::exception& why) {
+    say(std::string("reason: ") + why.what());  // alone, for ./run to tell its user
     endWithError(where.toStdString() + ": " + why.what());
 }
 

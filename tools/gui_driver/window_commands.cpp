@@ -151,7 +151,6 @@ void addWindowCommands(CommandTable& table) {
     table.addSimple("camera", [](const Command& c) { loadCamera(c.rest); });
     table.addSimple("save-camera", [](const Command& c) { saveCamera(c.rest); });
     table.addSimple("look", [](const Command& c) { lookFrom(c); });
-    table.addSimple("orbit", [](const Command& c) { orbit(c); });
     table.addSimple("slot", invokeSlot);
     table.add("leave", leave, Place::Everywhere);
     table.addSimple("select-layer", [](const Command& c) { clickLayer(c, Name); });

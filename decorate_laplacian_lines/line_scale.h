@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A property of the widget of a view, a number: lines are drawn so many times as wide as the
+/// parameters say. For pictures that are larger or smaller than what is usual in a window.
+constexpr const char* line_scale_property = "laplacian_lines_scale";

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What ./run takes as options of a picture, and what it says of others, before anything is built.
+set -euo pipefail
+
+run=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../run")
+
+# refuses REASON ARGS...
+refuses() {
+    local code=0 said
+    said=$(DISPLAY='' "$run" "${@:2}" 2>&1) || code=$?
+    [[ $code == 1 && $said =~ $1 ]] || {
+        printf './run %s ended with %s and said: %s\n' "${*:2}" "$code" "$said"
+        exit 1
+    }
+}
+
+# accepts OPTIONS...: the complaint is about what follows
+accepts() {
+    refuses 'unknown option --end' --picture picture.png "$@" --end
+}
+
+for view in front back left right top bottom 0,0 30,15 -200.5,-90 0,90 0,90.0 10,-89.9 10,07; do
+    accepts --view "$view"
+done
+for view in '' above 30 30,91 0,90.1 0,-100 0,900 30,15,2 'front top' '[front'; do
+    refuses '--view needs front, back' --picture picture.png --view "$view"
+done
+refuses '--view needs' --picture picture.png --view
+accepts --up x --up y --up z
+for axis in '' w X -z xy; do
+    refuses '--up needs the axis' --picture picture.png --up "$axis"
+done
+accepts --zoom 2 --zoom 0.1 --zoom 10 --orthographic --size 1x20000
+for zoom in '' 0 0.09 11 -1 1e0 2x .; do
+    refuses '--zoom needs a factor' --picture picture.png --zoom "$zoom"
+done
+for size in '' 0x10 10 10x 1200X900; do
+    refuses '--size needs WIDTHxHEIGHT' --picture picture.png --size "$size"
+done
+for mode in --server --python; do
+    refuses '--zoom goes with --picture' --zoom 2 "$mode"
+done

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands are described in README.md.
+#include <GL/glew.h>  // before any other GL header
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "box_answerer.h"
+#include "frame.h"
+#include "gui.h"
+#include "line_scale.h"
+#include "log_text.h"
+#include "modules.h"
+#include "report.h"
+#include "situation.h"
+
+namespace driver {
+namespace {
+
+const QString decoration = "Laplacian Lines";
+
+/// What MeshLab's boxes say is only an error if there is no mesh afterwards. The place of the file
+/// is known to the caller.
+Outcome load(const Command& command) {
+    const std::size_t layers = presentSituation().layers.size();
+    BoxAnswerer boxes;
+    bool opened = false;
+    QMetaObject::invokeMethod(requireMainWindow(), "importMeshWithLayerManagement",
+                              Qt::DirectConnection, Q_RETURN_ARG(bool, opened),
+                              Q_ARG(QString, command.rest));
+    const QString said = boxes.takeTexts().join("; ");
+    if (!opened || presentSituation().layers.size() <= layers)
+        throw CommandError("MeshLab cannot read it" + (said.isEmpty() ? "" : ": " + said));
+    if (!said.isEmpty()) say("remark: " + said.toStdString());
+    return Outcome::Done;
+}
+
+/// Why the decoration has not been drawn, as it says in the log; empty if it does not.
+QString refusal() {
+    const MeshModel* layer = presentSituation().current;
+    const QString beginning = decoration + ": " + (layer ? layer->label() + ": " : QString());
+    const QString log = logText();
+    const int place = log.lastIndexOf(beginning);
+    return place < 0 ? QString() : log.mid(place + beginning.size()).section('\n', 0, 0);
+}
+
+void drawLines(const Command&) {
+    QAction* action = requireAction(decoration);
+    if (!action->isChecked()) action->trigger();
+    if (action->isChecked()) return;
+    const QString reason = refusal();
+    throw CommandError(reason.isEmpty() ? "MeshLab does not draw the lines" : reason);
+}
+
+void scaleLines(const Command& command) {
+    QGLWidget* area = requireView();
+    area->setProperty(line_scale_property,
+                      std::min(area->width(), area->height()) / command.number(0));
+    area->update();
+}
+
+}  // namespace
+
+void addDrawingCommands(CommandTable& table) {
+    table.add("load", load, Place::Everywhere);
+    table.addSimple("draw-lines", drawLines);
+    table.addSimple("scale-lines", scaleLines);
+    table.addSimple("frame", frame);
+}
+
+}  // namespace driver

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "obj_importer.h"
+
+#include <QFile>
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include <wrap/io_trimesh/import_obj.h>
+
+namespace vcg {
+namespace tri {
+namespace io {
+
+/// Whether an index that was read and made to count from 0 is one of `count` elements; those from
+/// the end, which were -1 and less in the file, are made to count from the beginning. As in the
+/// reader of later versions, but for what leads nowhere: there it has faces vanish, or reads
+/// beyond the vertices. Files without texture coordinates may have faces with indices of some.
+template <>
+inline bool ImporterOBJ<CMeshO>::GoodObjIndex(int& index, const int count) {
+    if (index < -1) index += count + 1;
+    if (index >= 0 && index < count) return true;
+    if (count > 0)
+        throw std::runtime_error(
+            "A face refers to a vertex, a normal or a texture coordinate that the file does not "
+            "have.");
+    index = 0;
+    return false;
+}
+
+}  // namespace io
+}  // namespace tri
+}  // namespace vcg
+
+namespace {
+
+using Reader = vcg::tri::io::ImporterOBJ<CMeshO>;
+
+/// The reader believes the file.
+void checkEdges(CMeshO& mesh) {
+    const auto is_vertex = [&](const CVertexO* vertex) {
+        return vertex >= mesh.vert.data() && vertex < mesh.vert.data() + mesh.vert.size();
+    };
+    for (CEdgeO& edge : mesh.edge)
+        if (!is_vertex(edge.V(0)) || !is_vertex(edge.V(1)))
+            throw std::runtime_error("A line refers to a vertex that the file does not have.");
+}
+
+/// What is wrong though the mesh could be read, else nothing.
+QString read(const QString& file_name, MeshModel& mesh, int& mask, vcg::CallBackPos* progress) {
+    const QByteArray name = QFile::encodeName(file_name);
+    Reader::Info info;
+    info.cb = progress;
+    if (!Reader::LoadMask(name, info)) throw std::runtime_error("The file is empty.");
+    mesh.Enable(info.mask);
+    const int result = Reader::Open(mesh.cm, name, info);
+    if (Reader::ErrorCritical(result)) throw std::runtime_error(Reader::ErrorMsg(result));
+    checkEdges(mesh.cm);
+    mesh.Enable(info.mask);  // the reader may have found polygons
+    mask = info.mask;
+    for (std::string& texture : mesh.cm.textures)
+        std::replace(texture.begin(), texture.end(), '\\', '/');
+    return result == Reader::E_NOERROR ? QString() : QString(Reader::ErrorMsg(result));
+}
+
+}  // namespace
+
+QList<MeshIOInterface::Format> ObjImporter::importFormats() const {
+    return {{"Alias Wavefront Object", "OBJ"}, {"Quad Object", "QOBJ"}};
+}
+
+bool ObjImporter::open(const QString&, const QString& file_name, MeshModel& mesh, int& mask,
+                       const RichParameterList&, vcg::CallBackPos* progress, QWidget*) {
+    mask = 0;
+    try {
+        errorMessage = read(file_name, mesh, mask, progress);
+        return true;
+    } catch (const std::exception& error) {
+        errorMessage = error.what();
+        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(file_name), error.what());  // meshlabserver
+        return false;
+    }
+}
+
+MESHLAB_PLUGIN_NAME_EXPORTER(ObjImporter)
