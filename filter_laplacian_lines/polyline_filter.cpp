@@ -10,6 +10,7 @@
 #include "laplacian_lines/line_visibility.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/current_view.h"
+#include "meshlab_host/edge_look.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/mesh_conversion.h"
@@ -76,6 +77,7 @@ void addLayer(const LineSet& lines, const Source& source, const laplacian_lines:
     meshlab_host::setColors(lines, colors, layer->cm);
     meshlab_host::setNormals(source.triangles, field, layer->cm);
     layer->cm.Tr = source.transform;
+    meshlab_host::showAsLines(document, layer->id());
 }
 
 }  // namespace
