@@ -5,8 +5,10 @@
 #include <stdexcept>
 
 #include "decoration_parameters.h"
+#include "laplacian_lines/error.h"
 #include "line_scale.h"
 #include "meshlab_host/camera.h"
+#include "meshlab_host/drawn_style.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/live_meshes.h"
 #include "meshlab_host/log.h"
@@ -88,6 +90,14 @@ QString refusalLine(const MeshModel& mesh, const QString& refusal) {
     return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
 }
 
+void noteForFilters(const RichParameterList& parameters) {
+    try {
+        meshlab_host::noteDrawnStyle(drawnStyleOf(readDecorationParameters(parameters)));
+    } catch (const laplacian_lines::Error&) {
+        // redraws say what is wrong
+    }
+}
+
 }  // namespace
 
 DecorateLaplacianLines::DecorateLaplacianLines() : DecoratePluginBase(description()) {}
@@ -96,7 +106,10 @@ void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
     listDecorationParameters(list);
 }
 
-bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GLArea* view) {
+bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& parameters,
+                                   GLArea* view) {
+    // here and not at redraws: MeshLab starts decorations anew whenever a parameter changes
+    noteForFilters(parameters);
     QString refusal;
     try {
         refusal = demandLines(mesh, view)->failure;

@@ -76,6 +76,10 @@ double readParameter(const ParameterDescription& d, double fallback,
     return *value;
 }
 
+std::optional<double> defaultOf(const RichParameter& parameter) {
+    return number(parameter.value());
+}
+
 void addPlace(const PlaceDescription& d, const Eigen::Vector3d& value, RichParameterList& list) {
     const Point3m point(Scalarm(value.x()), Scalarm(value.y()), Scalarm(value.z()));
     if (d.kind == PlaceKind::Position)
