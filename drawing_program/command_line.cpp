@@ -34,10 +34,11 @@ const std::map<QString, line_drawing::Arrangement> arrangements = {
     {"third", line_drawing::Arrangement::ThirdAngle}};
 const std::map<QString, line_drawing::StrokeStyle> strokes = {
     {"tapered", line_drawing::StrokeStyle::Tapered}, {"plain", line_drawing::StrokeStyle::Plain}};
+const std::map<QString, bool> furniture = {{"all", true}, {"none", false}};
 
-QStringList takeValue(QStringList& rest, const QString& option) {
+QString takeValue(QStringList& rest, const QString& option) {
     if (rest.isEmpty()) refuse(option + " needs a value; see --help.");
-    return {rest.takeFirst()};
+    return rest.takeFirst();
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ QStringList takeValue(QStringList& rest, const QString& option) {
 CommandLine parseCommandLine(const QStringList& arguments) {
     CommandLine result;
     SheetOptions& options = result.options;
-    QString views = "front", strokes_word;
+    QString views = "front";
     UpAxis up = UpAxis::Y;
     const std::map<QString, std::function<void(const QString&, const QString&)>> readers = {
         {"--views", [&](const QString&, const QString& v) { views = v; }},
@@ -61,6 +62,11 @@ CommandLine parseCommandLine(const QStringList& arguments) {
          }},
         {"--strokes",
          [&](const QString& o, const QString& v) { options.strokes = chosen(o, v, strokes); }},
+        {"--furniture",
+         [&](const QString& o, const QString& v) {
+             options.has_view_names = options.has_scale_bar = options.has_notes =
+                 chosen(o, v, furniture);
+         }},
         {"--title", [&](const QString&, const QString& v) { options.title = v; }}};
     QStringList rest = arguments, names;
     while (!rest.isEmpty()) {
@@ -68,7 +74,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         if (word == "-h" || word == "--help") {
             result.help = true;
         } else if (const auto reader = readers.find(word); reader != readers.end()) {
-            reader->second(word, takeValue(rest, word).first());
+            reader->second(word, takeValue(rest, word));
         } else if (word.startsWith("--")) {
             refuse("unknown option " + word + "; see --help.");
         } else {
@@ -99,5 +105,6 @@ const char* usage() {
            "  --paper a5..a0|fit   fit: as large as the drawing (a4)\n"
            "  --arrangement first|third   of the views: first or third angle (first)\n"
            "  --strokes tapered|plain     lines that swell and taper, or of even width (tapered)\n"
-           "  --title TEXT\n";
+           "  --title TEXT         above the note of scale, size and file\n"
+           "  --furniture all|none names of views, scale bar, projection symbol, notes (all)\n";
 }

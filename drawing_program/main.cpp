@@ -56,6 +56,11 @@ int runCatchingAll(const QStringList& arguments) {
     return 1;
 }
 
+/// Qt misses folders that only programs with windows need.
+void passOn(QtMsgType, const QMessageLogContext&, const QString& message) {
+    if (!message.startsWith("QStandardPaths:")) say(stderr, message);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -64,6 +69,7 @@ int main(int argc, char** argv) {
         arguments << QString::fromLocal8Bit(argv[i]);
     qputenv("QT_QPA_PLATFORM", "offscreen");  // for fonts; nothing is shown
     int no_arguments = 1;                     // Qt would take some of ours for its own
+    qInstallMessageHandler(passOn);
     const QGuiApplication application(no_arguments, argv);
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's, and readers of meshes expect points
     QLocale::setDefault(QLocale::C);

@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 using Cubic = std::array<Vector2d, 4>;
 
-constexpr double cosine_of_corner = 0.7071;  // 45°
+constexpr double cosine_of_corner = 0.9063;  // 25°
 constexpr double corner_reach = 10;          // tolerances
 constexpr int most_improvements = 4;
 constexpr std::size_t longest_run = 256;  // points of a curve: bounds the work on a bad fit
@@ -40,7 +40,7 @@ public:
 
     /// points[first..last], with unit tangents inwards at both ends.
     void fit(std::size_t first, std::size_t last, const Vector2d& begin, const Vector2d& end) {
-        if (last - first == 1) return path_.lineTo(points_[last].x(), points_[last].y());
+        if (isStraight(first, last)) return path_.lineTo(points_[last].x(), points_[last].y());
         if (last - first > longest_run)
             return split(first, first + (last - first) / 2, last, begin, end);
         std::vector<double> parameters = chordLengths(first, last);
@@ -66,6 +66,17 @@ public:
     }
 
 private:
+    bool isStraight(std::size_t first, std::size_t last) const {
+        const Vector2d way = (points_[last] - points_[first]).stableNormalized();
+        if (way.isZero()) return false;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            const Vector2d off = points_[i] - points_[first];
+            const double across = way.x() * off.y() - way.y() * off.x();
+            if (across * across > squared_tolerance_ / 400) return false;
+        }
+        return true;
+    }
+
     void split(std::size_t first, std::size_t middle, std::size_t last, const Vector2d& begin,
                const Vector2d& end) {
         const Vector2d tangent = tangentThrough(middle, first, last);
@@ -153,11 +164,20 @@ private:
     QPainterPath& path_;
 };
 
-/// Points with no two of one place in a row: a curve has no direction between these.
-Points withoutRepeats(const Points& points) {
+/// Points at most `step` apart, so that curves near them are near the line between them, too; no
+/// two of one place in a row, since a curve has no direction between these.
+Points refine(const Points& points, double step) {
     Points result;
-    for (const Vector2d& p : points)
-        if (result.empty() || p != result.back()) result.push_back(p);
+    for (const Vector2d& p : points) {
+        if (!result.empty()) {
+            const Vector2d from = result.back(), way = p - from;
+            const double pieces = std::ceil(way.norm() / step);
+            if (!(pieces > 0)) continue;
+            for (double i = 1; i < pieces; ++i)
+                result.push_back(from + way * (i / pieces));
+        }
+        result.push_back(p);
+    }
     return result;
 }
 
@@ -201,7 +221,7 @@ std::vector<std::size_t> findCorners(const Points& points, bool closed, double r
 }
 
 void fitCurve(const Points& given, bool closed, double tolerance, QPainterPath& path) {
-    Points points = withoutRepeats(given);
+    Points points = refine(given, corner_reach * tolerance);
     if (points.size() < 2) return;
     closed = closed && points.size() > 3 && points.front() == points.back();
     std::vector<std::size_t> corners = findCorners(points, closed, corner_reach * tolerance);

@@ -16,7 +16,7 @@ namespace line_drawing {
 void fitCurve(const std::vector<Eigen::Vector2d>& points, bool closed, double tolerance,
               QPainterPath& path);
 
-/// Where `points` turn by more than 45° within `reach`; ends of open lines are none.
+/// Where `points` turn by more than 25° within `reach`; ends of open lines are none.
 std::vector<std::size_t> findCorners(const std::vector<Eigen::Vector2d>& points, bool closed,
                                      double reach);
 

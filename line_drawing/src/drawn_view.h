@@ -11,8 +11,8 @@
 namespace line_drawing {
 
 struct DrawnPoint {
-    Eigen::Vector2d position;  ///< x right, y up
-    double weight;             ///< 0..1, share of the full width
+    Eigen::Vector2d position;
+    double weight;  ///< 0..1, share of the full width
 };
 
 struct DrawnLine {
@@ -21,11 +21,22 @@ struct DrawnLine {
     std::vector<DrawnPoint> points;
 };
 
-/// A view of a mesh in millimetres of the object, with the middle of its bounding box at (0, 0).
+/// A view of a mesh in millimetres of the object, x right, y up, with the middle of its bounding
+/// box at (0, 0).
 struct DrawnView {
     ViewFrame frame;
     Eigen::AlignedBox2d bounds;  ///< of the surface
     std::vector<DrawnLine> lines;
+};
+
+/// Where a view is on its sheet.
+struct Placement {
+    double scale;            ///< millimetres of the sheet in one of the object
+    Eigen::Vector2d middle;  ///< of the view, in the sheet's coordinates
+
+    Eigen::Vector2d onSheet(const Eigen::Vector2d& p) const {
+        return {middle.x() + scale * p.x(), middle.y() - scale * p.y()};
+    }
 };
 
 /// The part of the mesh that has triangles.

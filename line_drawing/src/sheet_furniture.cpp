@@ -99,6 +99,16 @@ QString noteOf(const SheetLayout& layout, const Eigen::Vector3d& size,
     return parts.join(" · ");
 }
 
+/// Lines of text with the lower left corner at `corner`.
+SheetLayer notes(const QPointF& corner, double width, const QString& note, const QString& title) {
+    SheetLayer layer{"title", "Title", {}, {}};
+    layer.texts.push_back({corner, note_height, Qt::AlignLeft, elided(note, note_height, width)});
+    if (!title.isEmpty())
+        layer.texts.push_back({corner - QPointF(0, 1.6 * note_height), title_height, Qt::AlignLeft,
+                               elided(title, title_height, width)});
+    return layer;
+}
+
 bool showsSides(const std::vector<DrawnView>& views) {
     return std::count_if(views.begin(), views.end(),
                          [](const DrawnView& view) { return view.frame.side != Side::Other; }) > 1;
@@ -136,18 +146,9 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
         }
         group.layers.push_back(std::move(layer));
     }
-    const double room = right - sheet_margin;
-    SheetLayer title{"title", "Title", {}, {}};
-    title.texts.push_back({{sheet_margin, bottom},
-                           note_height,
-                           Qt::AlignLeft,
-                           elided(noteOf(layout, object_size, options), note_height, room)});
-    if (!options.title.isEmpty())
-        title.texts.push_back({{sheet_margin, bottom - 1.6 * note_height},
-                               title_height,
-                               Qt::AlignLeft,
-                               elided(options.title, title_height, room)});
-    group.layers.push_back(std::move(title));
+    if (options.has_notes)
+        group.layers.push_back(notes({sheet_margin, bottom}, right - sheet_margin,
+                                     noteOf(layout, object_size, options), options.title));
     return group;
 }
 

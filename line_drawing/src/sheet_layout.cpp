@@ -66,17 +66,21 @@ Cell cellOf(Side side) {
 }
 
 std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, Arrangement arrangement) {
+    constexpr int in_a_row = 4;
     std::vector<Cell> cells;
-    int others = 0;
+    int left = 0;
     for (const DrawnView& view : views) {
         Cell cell = cellOf(view.frame.side);
         if (arrangement == Arrangement::ThirdAngle && view.frame.side != Side::Back)
             cell = {-cell.row, -cell.column};
-        if (view.frame.side == Side::Other) {
-            cell = {2 + others / 4, others % 4 - 1};
-            ++others;
-        }
+        left = std::min(left, cell.column);
         cells.push_back(cell);
+    }
+    int others = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (views[i].frame.side != Side::Other) continue;
+        cells[i] = {2 + others / in_a_row, left + others % in_a_row};
+        ++others;
     }
     return cells;
 }

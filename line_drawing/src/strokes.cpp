@@ -21,10 +21,10 @@ struct Spine {
     double length = 0;
 };
 
-Spine spineOf(const DrawnLine& line, const Placement& placement, double pen) {
+Spine spineOf(const DrawnLine& line, double pen) {
     Spine spine;
     for (const DrawnPoint& point : line.points) {
-        const Vector2d p = placement.onSheet(point.position);
+        const Vector2d& p = point.position;
         if (!spine.points.empty()) {
             const double step = (p - spine.points.back()).norm();
             if (step == 0) continue;
@@ -78,15 +78,14 @@ QPainterPath taperedStroke(const Spine& spine, bool closed, double tolerance) {
 
 }  // namespace
 
-std::optional<SheetPath> drawStroke(const DrawnLine& line, const Placement& placement,
-                                    const SheetOptions& options) {
+std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& options) {
     const double pen = options.pens[std::size_t(line.line_class)];
     const bool is_tapered = options.strokes == StrokeStyle::Tapered;
     // a faint line tapers from the width of a clear one
     const double full = line.line_class == LineClass::Fine && is_tapered
                             ? options.pens[std::size_t(LineClass::Inner)]
                             : pen;
-    const Spine spine = spineOf(line, placement, full);
+    const Spine spine = spineOf(line, full);
     if (spine.points.size() < 2 || spine.length < options.shortest_line) return {};
     if (*std::max_element(spine.widths.begin(), spine.widths.end()) < thinnest_middle) return {};
     const bool closed = line.closed && spine.points.size() > 3;

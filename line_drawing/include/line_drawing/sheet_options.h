@@ -41,8 +41,9 @@ struct SheetOptions {
     double tolerance = 0.02;     ///< of curves against the lines, mm on paper
     QString title;               ///< empty: none
     QString source;              ///< name of the file of the object; empty: none
-    bool has_scale_bar = true;
-    bool has_view_names = true;
+    bool has_view_names = true;  ///< below the views, if there are several
+    bool has_scale_bar = true;   ///< with the symbol of the projection
+    bool has_notes = true;       ///< title, scale, size of the object, source
     laplacian_lines::LineStyle style;
 };
 
