@@ -56,11 +56,6 @@ struct LineKindDescription {
         row.is_on_horizon = true;
         return row;
     }
-    constexpr LineKindDescription unless_asked_for() const {
-        LineKindDescription row = *this;
-        row.shown = false;
-        return row;
-    }
 };
 
 /// One row a kind, in the order of their numbers.

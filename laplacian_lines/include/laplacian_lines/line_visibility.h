@@ -6,6 +6,7 @@
 
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_set.h"
+#include "laplacian_lines/precompute_options.h"
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
@@ -17,16 +18,13 @@ namespace laplacian_lines {
 /// horizon of the triangles.
 constexpr double kSightClearance = 0.003;
 constexpr double kContourSightClearance = 1.5;
-/// Longest edge of triangles in which contours are smooth, in D; along others they follow edges.
-constexpr double kLargestSmoothTriangle = 0.03;
 /// Largest mean edge, in D, of meshes that have many of them.
 constexpr double kLargestSmoothMeanEdge = 0.025;
 
 /// The mean edge that sight_clearance() means: larger where normals are smoothed by more than the
-/// usual 0.8 mean edges, since contours are then farther beyond the horizon.
+/// usual, since contours are then farther beyond the horizon.
 inline double sight_edge(const FieldScale& scale) {
-    constexpr double usual_sigma = 0.8;
-    return std::max(scale.mean_edge, scale.normal_sigma / usual_sigma);
+    return std::max(scale.mean_edge, scale.normal_sigma / automatic_normal_sigma(0));
 }
 
 /// The move for a kind of lines, in the unit of D and the mean edge.

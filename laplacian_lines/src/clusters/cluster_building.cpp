@@ -153,9 +153,7 @@ void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
     std::memset(memory, 0, cluster_layout(cluster).end);
     list_vertices(c, values);
     write_triangles(c, memory);
-    mark_convex(c, values);
-    mark_coarse(c);
-    mark_plain(c);
+    mark_triangles(c, values);
     write_vertices(c, values, memory);
     write_bounds(c, values);
 }
@@ -216,33 +214,22 @@ void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
     }
 }
 
-void ClusterBuilder::mark_convex(std::size_t c, const Values& values) {
+void ClusterBuilder::mark_triangles(std::size_t c, const Values& values) {
     Cluster& cluster = data_.clusters[c];
+    const std::uint32_t first = partition_.ranges[c].begin;
+    const auto mark = [&](std::uint64_t* bits, const auto& is_marked) {
+        for (unsigned i = 0; i < cluster.triangle_count; ++i)
+            bits[i / kMaskGroup] |= std::uint64_t(is_marked(i)) << i % kMaskGroup;
+    };
     bool convex[kClusterVertices];
     std::transform(values.begin(), values.end(), convex,
                    [](const LocalVertex& v) { return is_convex(v.shape_operator); });
-    const std::uint8_t* corners =
-        partition_.corners.data() + 3 * std::size_t(partition_.ranges[c].begin);
-    for (unsigned i = 0; i < cluster.triangle_count; ++i, corners += 3)
-        if (convex[corners[0]] && convex[corners[1]] && convex[corners[2]])
-            cluster.convex[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
-}
-
-void ClusterBuilder::mark_coarse(std::size_t c) {
-    const ClusterRange& range = partition_.ranges[c];
-    for (std::uint32_t p = range.begin; p < range.end; ++p) {
-        const std::uint32_t i = p - range.begin;
-        data_.clusters[c].coarse[i / kMaskGroup] |= std::uint64_t(coarse_[partition_.order[p]])
-                                                    << i % kMaskGroup;
-    }
-}
-
-void ClusterBuilder::mark_plain(std::size_t c) {
-    Cluster& cluster = data_.clusters[c];
-    const std::uint32_t* triangles = partition_.order.data() + partition_.ranges[c].begin;
-    for (unsigned i = 0; i < cluster.triangle_count; ++i)
-        if (plain_.contain(triangles[i]))
-            cluster.plain[i / kMaskGroup] |= std::uint64_t(1) << i % kMaskGroup;
+    mark(cluster.convex, [&](unsigned i) {
+        const std::uint8_t* corners = &partition_.corners[3 * std::size_t(first + i)];
+        return convex[corners[0]] && convex[corners[1]] && convex[corners[2]];
+    });
+    mark(cluster.coarse, [&](unsigned i) { return coarse_[partition_.order[first + i]] != 0; });
+    mark(cluster.plain, [&](unsigned i) { return plain_.contain(partition_.order[first + i]); });
 }
 
 void ClusterBuilder::write_vertices(std::size_t c, const Values& values,

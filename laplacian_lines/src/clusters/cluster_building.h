@@ -34,9 +34,7 @@ private:
     /// Lists the cluster's vertices with their values.
     void list_vertices(std::size_t cluster, Values& values);
     void write_triangles(std::size_t cluster, unsigned char* memory);
-    void mark_convex(std::size_t cluster, const Values& values);
-    void mark_coarse(std::size_t cluster);
-    void mark_plain(std::size_t cluster);
+    void mark_triangles(std::size_t cluster, const Values& values);
     void write_vertices(std::size_t cluster, const Values& values, unsigned char* memory) const;
     void write_bounds(std::size_t cluster, const Values& values);
 

@@ -42,10 +42,6 @@ private:
     static bool is_coarse(const Cluster& cluster, unsigned triangle) {
         return cluster.coarse[triangle / kMaskGroup] >> triangle % kMaskGroup & 1;
     }
-    static Eigen::Vector3d position(const VertexRecord& record) {
-        return Eigen::Map<const Eigen::Vector3f>(record.position).cast<double>();
-    }
-
     void add_cluster(const PlacedCluster& placed) {
         const Cluster& cluster = *placed.cluster;
         std::vector<std::uint32_t> places(cluster.triangle_count, kNoPlace);
@@ -60,7 +56,7 @@ private:
 
     std::uint32_t add_triangle(const PlacedCluster& placed, const ClusterTriangle& triangle) {
         const auto corner = [&](unsigned k) {
-            return position(placed.records[triangle.corners[k]]);
+            return position_of(placed.records[triangle.corners[k]]).cast<double>().eval();
         };
         const Eigen::Vector3d area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
         const std::size_t place = horizon_.planes.size();
@@ -104,12 +100,11 @@ private:
     }
 
     void add_vertex(const VertexRecord& record) {
-        const auto& s = record.shape_operator;
         const std::size_t place = horizon_.positions.size();
-        horizon_.positions.push_back(Eigen::Map<const Eigen::Vector3f>(record.position));
+        horizon_.positions.push_back(position_of(record));
         horizon_.facing.resize(place + 1);
-        horizon_.facing.set(place, Eigen::Vector3f(s[0][3], s[1][3], s[2][3]).cast<double>(),
-                            position(record));
+        horizon_.facing.set(place, normal_of(record).cast<double>(),
+                            position_of(record).cast<double>());
     }
 
     const ExtractorData& data_;

@@ -42,6 +42,14 @@ struct ExtractorData {
     std::size_t memory() const;  ///< bytes
 };
 
+inline Eigen::Vector3f position_of(const VertexRecord& record) {
+    return Eigen::Map<const Eigen::Vector3f>(record.position);
+}
+inline Eigen::Vector3f normal_of(const VertexRecord& record) {
+    const auto& columns = record.shape_operator;
+    return {columns[0][3], columns[1][3], columns[2][3]};
+}
+
 /// A cluster with where its parts are.
 struct PlacedCluster {
     const Cluster* cluster;

@@ -7,6 +7,7 @@
 
 #include "fixed/segment_tracing.h"
 #include "system/chains.h"
+#include "system/disjoint_sets.h"
 
 namespace laplacian_lines {
 namespace {
@@ -44,16 +45,11 @@ private:
         const auto [place, is_new] = crossing_of_vertex_.try_emplace(edge.vertices[end], number);
         if (is_new) {
             graph_.crossings.push_back({edge.positions[end], 0, 1});
-            net_.push_back(number);
+            nets_.add();
         }
         float& angle = graph_.crossings[place->second].gradient;
         angle = std::max(angle, edge.angle);
         return place->second;
-    }
-
-    std::uint32_t crossing_at(std::uint32_t half) const {
-        const Segment& segment = graph_.segments[half / 2];
-        return half % 2 == 0 ? segment.begin : segment.end;
     }
 
     void add_point(std::uint32_t number, const CreaseEdge* edge) {
@@ -74,40 +70,33 @@ private:
             [&](std::uint32_t half) {
                 memory_.visited[half / 2] = 1;
                 const CreaseEdge& edge = *edges_[half / 2];
-                add_point(crossing_at(half), &edge);
+                add_point(crossing_at(graph_, half), &edge);
                 line.length += edge.length();
-                join_nets(crossing_at(half), crossing_at(half ^ 1));
+                nets_.unite(crossing_at(graph_, half), crossing_at(graph_, half ^ 1));
                 last = half ^ 1;
             });
-        add_point(crossing_at(last), nullptr);
+        add_point(crossing_at(graph_, last), nullptr);
         line.count = std::uint32_t(traced_.lines.points.size()) - line.first;
-        ends_.push_back({crossing_at(start), crossing_at(last)});
+        ends_.push_back({crossing_at(graph_, start), crossing_at(graph_, last)});
         traced_.lines.lines.push_back(line);
     }
-
-    std::uint32_t net_of(std::uint32_t crossing) {
-        while (net_[crossing] != crossing)
-            crossing = net_[crossing] = net_[net_[crossing]];
-        return crossing;
-    }
-    void join_nets(std::uint32_t a, std::uint32_t b) { net_[net_of(a)] = net_of(b); }
 
     bool is_loose(const std::array<std::uint32_t, 2>& ends) const {
         return memory_.degree[ends[0]] == 1 || memory_.degree[ends[1]] == 1;
     }
 
     void find_nets() {
-        std::vector<TracedCreases::Net> nets(net_.size());
+        std::vector<TracedCreases::Net> nets(nets_.size());
         const auto of_line = [&](std::size_t i) -> TracedCreases::Net {
             return {traced_.lines.lines[i].count - 1, traced_.lines.lines[i].length};
         };
         for (std::size_t i = 0; i < ends_.size(); ++i) {
-            TracedCreases::Net& net = nets[net_of(ends_[i][0])];
+            TracedCreases::Net& net = nets[nets_.root(ends_[i][0])];
             net.edges += of_line(i).edges;
             net.length += of_line(i).length;
         }
         for (std::size_t i = 0; i < ends_.size(); ++i)
-            traced_.nets.push_back(is_loose(ends_[i]) ? of_line(i) : nets[net_of(ends_[i][0])]);
+            traced_.nets.push_back(is_loose(ends_[i]) ? of_line(i) : nets[nets_.root(ends_[i][0])]);
     }
 
     const ExtractorData& data_;
@@ -117,7 +106,7 @@ private:
     TracingMemory memory_;
     std::unordered_map<std::uint32_t, std::uint32_t> crossing_of_vertex_;
     std::vector<std::array<std::uint32_t, 2>> ends_;  // by line
-    std::vector<std::uint32_t> net_;  // by crossing: another one of the same net, in the end itself
+    DisjointSets nets_;                               // of crossings
 };
 
 }  // namespace

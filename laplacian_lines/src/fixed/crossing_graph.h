@@ -29,4 +29,10 @@ struct CrossingGraph {
     std::vector<Segment> segments;
 };
 
+/// Where half `half % 2` of segment `half / 2` begins.
+inline std::uint32_t crossing_at(const CrossingGraph& graph, std::uint32_t half) {
+    const Segment& s = graph.segments[half / 2];
+    return half % 2 == 0 ? s.begin : s.end;
+}
+
 }  // namespace laplacian_lines

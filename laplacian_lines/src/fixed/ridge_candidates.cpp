@@ -30,11 +30,6 @@ Eigen::Vector3f read_form(const float* forms, unsigned v) {
     return {form[0], form[kFormGroup], form[2 * kFormGroup]};
 }
 
-Eigen::Vector3f normal_of(const VertexRecord& record) {
-    const auto& s = record.shape_operator;
-    return {s[0][3], s[1][3], s[2][3]};
-}
-
 /// `laplacian`: Δn·D²
 Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian) {
     const Eigen::Matrix3f s =
@@ -108,9 +103,7 @@ private:
         return a.direction.dot(b.direction) < 0 ? -1.f : 1.f;
     }
 
-    Eigen::Vector3f position(unsigned v) const {
-        return Eigen::Map<const Eigen::Vector3f>(placed_.records[v].position);
-    }
+    Eigen::Vector3f position(unsigned v) const { return position_of(placed_.records[v]); }
 
     /// Whether the linear interpolant of f falls along e: a maximum of the curvature.
     bool falls_along(const std::uint8_t t[3], const float f[3], const Eigen::Vector3f& e) const {

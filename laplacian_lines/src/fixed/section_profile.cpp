@@ -17,13 +17,8 @@ struct Place {
 };
 
 Place between(const VertexRecord& a, const VertexRecord& b, float t) {
-    const auto number = [&](auto of) -> Eigen::Vector3f { return (1 - t) * of(a) + t * of(b); };
-    return {number([](const VertexRecord& r) -> Eigen::Vector3f {
-                return Eigen::Map<const Eigen::Vector3f>(r.position);
-            }),
-            number([](const VertexRecord& r) -> Eigen::Vector3f {
-                return {r.shape_operator[0][3], r.shape_operator[1][3], r.shape_operator[2][3]};
-            })};
+    return {(1 - t) * position_of(a) + t * position_of(b),
+            (1 - t) * normal_of(a) + t * normal_of(b)};
 }
 
 /// The plane of a section.
@@ -31,7 +26,7 @@ struct Plane {
     Eigen::Vector3f origin, normal;
 
     float height(const VertexRecord& record) const {
-        return normal.dot(Eigen::Map<const Eigen::Vector3f>(record.position) - origin);
+        return normal.dot(position_of(record) - origin);
     }
 };
 

@@ -8,11 +8,6 @@
 namespace laplacian_lines {
 namespace {
 
-std::uint32_t crossing_at(const CrossingGraph& graph, std::uint32_t half) {
-    const Segment& s = graph.segments[half / 2];
-    return half % 2 == 0 ? s.begin : s.end;
-}
-
 class SegmentTracer {
 public:
     SegmentTracer(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,

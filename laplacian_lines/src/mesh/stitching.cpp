@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "system/disjoint_sets.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
@@ -119,31 +120,6 @@ std::vector<Side> find_cut_sides(const std::vector<Triangle>& triangles, const P
     return cuts;
 }
 
-/// Sets of vertices, each with its smallest number as root.
-class VertexSets {
-public:
-    explicit VertexSets(std::size_t n) : parent_(n) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    std::uint32_t root(std::uint32_t v) {
-        while (parent_[v] != v)
-            v = parent_[v] = parent_[parent_[v]];
-        return v;
-    }
-    void unite(std::uint32_t a, std::uint32_t b) {
-        a = root(a), b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-    std::vector<std::uint32_t> roots() {
-        for (std::uint32_t v = 0; v < parent_.size(); ++v)
-            parent_[v] = root(v);
-        return std::move(parent_);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
-
 }  // namespace
 
 std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& positions,
@@ -155,7 +131,7 @@ std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& posit
     const auto at_places = [&](const Side& side) {
         return Side{places.of_vertex[side.from], places.of_vertex[side.to]};
     };
-    VertexSets sets(positions.size());
+    DisjointSets sets(positions.size());
     bool any = false;
     for_each_run(
         cuts, [&](const Side& side) { return at_places(side).edge(); },
@@ -167,7 +143,7 @@ std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& posit
             sets.unite(a.to, b.from);
             any = true;
         });
-    return any ? sets.roots() : std::vector<std::uint32_t>();
+    return any ? sets.take_roots() : std::vector<std::uint32_t>();
 }
 
 }  // namespace laplacian_lines

@@ -97,13 +97,18 @@ private:
 
     /// Links the halves of an end in pairs, each with what goes on most straight.
     void link_all(std::uint32_t first) {
+        const std::uint32_t second = m_.next_at_end[first];
+        if (second != kNoEnd && m_.next_at_end[second] == kNoEnd) return link(first, second);
         for (std::uint32_t half = first; half != kNoEnd; half = m_.next_at_end[half]) {
             if (m_.links[half] != kNoEnd) continue;
             const std::uint32_t best = straightest(half);
-            if (best == kNoEnd) continue;
-            m_.links[half] = best;
-            m_.links[best] = half;
+            if (best != kNoEnd) link(half, best);
         }
+    }
+
+    void link(std::uint32_t half, std::uint32_t other) {
+        m_.links[half] = other;
+        m_.links[other] = half;
     }
 
     std::uint32_t straightest(std::uint32_t half) const {

@@ -10,7 +10,7 @@ namespace laplacian_lines {
 
 /// Memory of append_silhouettes(); keeps its capacity.
 struct SilhouetteMemory {
-    std::vector<std::uint8_t> faces_away;  ///< by triangle
+    std::vector<float> facing;  ///< by triangle
     CollectedEdges edges;
     TracingMemory tracing;
 };

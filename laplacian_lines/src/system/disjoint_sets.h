@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace laplacian_lines {
+
+/// Sets of the numbers from 0 on, each with its smallest number as root.
+class DisjointSets {
+public:
+    /// Each of n numbers is a set of its own.
+    explicit DisjointSets(std::size_t n = 0) : parent_(n) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    std::size_t size() const { return parent_.size(); }
+
+    /// A set of the next number.
+    void add() { parent_.push_back(std::uint32_t(parent_.size())); }
+
+    std::uint32_t root(std::uint32_t number) {
+        while (parent_[number] != number)
+            number = parent_[number] = parent_[parent_[number]];
+        return number;
+    }
+    /// Makes one of the sets of a and b, and returns its root.
+    std::uint32_t unite(std::uint32_t a, std::uint32_t b) {
+        const auto [smaller, larger] = std::minmax({root(a), root(b)});
+        return parent_[larger] = smaller;
+    }
+    /// By number. Nothing is left in the sets.
+    std::vector<std::uint32_t> take_roots() {
+        for (std::uint32_t number = 0; number < parent_.size(); ++number)
+            parent_[number] = root(number);
+        return std::move(parent_);
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace laplacian_lines
