@@ -174,7 +174,11 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     layer.view = view;
     layer.widget = widgetOf(painter);
     layer.is_first = beginsRedraw(painter);
-    layer.placement.pixel_scale = devicePixelRatio(painter) * tiles_.scale(camera);
+    const double tiles = tiles_.scale(camera);
+    layer.placement.pixel_scale = devicePixelRatio(painter) * tiles;
+    if (tiles > 1)
+        layer.placement.picture_to_clip = tiles_.camera().projection * tiles_.camera().modelview *
+                                          meshlab_host::layerTransform(mesh.cm);
     drawing_.draw(layer, lines_, chosen, clock);
     if (!lines.first_redraw) lines.first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};
