@@ -142,11 +142,27 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
     const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
     if (!alive.empty()) cache_.releaseAllBut(view, alive);
     const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
+    const auto prepare = [&] {
+        return prepareLines(mesh.cm, mesh.label(), source, [this](const QString& s) { say(s); });
+    };
     PreparedLinesPointer lines = cache_.find(source.key);
-    if (!lines || lines->lacked_memory)
-        lines = prepareLines(mesh.cm, mesh.label(), source, [this](const QString& s) { say(s); });
+    if (!lines || lines->lacked_memory) lines = prepare();
+    if (lines->lacked_memory && kept_.drop()) lines = prepare();
     cache_.assign(view, mesh.id(), lines);
+    keep(mesh, lines);
     return lines;
+}
+
+void DecorateLaplacianLines::keep(const MeshModel& mesh, const PreparedLinesPointer& lines) {
+    QObject* const document = meshlab_host::documentOf(mesh);
+    if (!document) return;
+    if (watched_documents_.insert(document).second) {
+        meshlab_host::whenMeshesChange(document, this, [=](const std::vector<int>& alive) {
+            kept_.forgetAllBut(document, alive);
+        });
+        connect(document, &QObject::destroyed, this, [=] { watched_documents_.erase(document); });
+    }
+    kept_.keep(document, mesh.id(), lines);
 }
 
 PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh, GLArea* view,

@@ -39,6 +39,7 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
         result->mean_edge = laplacian_lines::sight_edge(field.scale);
         result->surface = line_renderer::makeSurface(triangles, field);
         result->extractor.emplace(triangles, field);
+        result->bytes = result->extractor->memory() + line_renderer::bytesOf(*result->surface);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";
         result->lacked_memory = true;

@@ -19,6 +19,7 @@ struct PreparedLines {
     line_renderer::SurfacePointer surface;       ///< set if there is an extractor
     QString failure;                             ///< one sentence, empty if there is an extractor
     bool lacked_memory = false;                  ///< why it failed: another try may succeed
+    std::size_t bytes = 0;                       ///< of extractor and surface
     double preparation = 0;                      ///< time it took, milliseconds
     mutable std::optional<double> first_redraw;  ///< the plugin's time of it, milliseconds
 };
