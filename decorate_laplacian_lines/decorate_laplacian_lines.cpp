@@ -92,7 +92,8 @@ void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
 bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GLArea* view) {
     QString refusal;
     try {
-        refusal = demandLines(mesh, view)->failure;
+        meshlab_host::WindowProgress progress;
+        refusal = demandLines(mesh, view, &progress)->failure;
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
     }
@@ -138,12 +139,14 @@ void DecorateLaplacianLines::meshGone(GLArea* view) {
     cache_.releaseUnlessAssigned(view);
 }
 
-PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view) {
+PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view,
+                                                         meshlab_host::WindowProgress* shown) {
     const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
     if (!alive.empty()) cache_.releaseAllBut(view, alive);
     const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
     const auto prepare = [&] {
-        return prepareLines(mesh.cm, mesh.label(), source, [this](const QString& s) { say(s); });
+        const auto say_line = [this](const QString& line) { say(line); };
+        return prepareLines(mesh.cm, mesh.label(), source, say_line, shown);
     };
     PreparedLinesPointer lines = cache_.find(source.key);
     if (!lines || lines->lacked_memory) lines = prepare();

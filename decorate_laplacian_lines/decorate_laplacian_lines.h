@@ -40,8 +40,10 @@ protected:
     void meshGone(GLArea* view) override;
 
 private:
-    /// Lines of the mesh's present geometry, found or prepared, and assigned to the view.
-    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view);
+    /// Lines of the mesh's present geometry, found or prepared, and assigned to the view. `shown`
+    /// is null while a view is painted.
+    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view,
+                                     meshlab_host::WindowProgress* shown = nullptr);
     /// The view's lines, if they still belong to the mesh, as far as this is looked at while the
     /// camera moves; otherwise null.
     PreparedLinesPointer currentLines(const MeshModel& mesh, GLArea* view, QPainter* painter);

@@ -9,6 +9,7 @@
 #include "laplacian_lines/line_extractor.h"
 #include "line_renderer/surface.h"
 #include "meshlab_host/field_source.h"
+#include "meshlab_host/window_progress.h"
 
 /// A mesh made ready for line extraction, or the reason why it cannot be.
 struct PreparedLines {
@@ -27,7 +28,9 @@ using PreparedLinesPointer = std::shared_ptr<const PreparedLines>;
 
 /// Prepares the lines of a mesh: from its attributes if they belong to it, otherwise by computing
 /// the field with the default options, which takes seconds for a million triangles and is then
-/// told to `say`. The mesh is not changed. Throws nothing but std::bad_alloc from the very end.
+/// told to `say`; `shown` is where progress is. The mesh is not changed. Throws nothing but
+/// std::bad_alloc from the very end.
 PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
-                                  const std::function<void(const QString&)>& say);
+                                  const std::function<void(const QString&)>& say,
+                                  meshlab_host::WindowProgress* shown = nullptr);
