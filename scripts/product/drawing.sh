@@ -8,8 +8,7 @@ DRAWING_PACKAGES=(fonts-dejavu-core)
 # build_drawing_program CHECKOUT
 build_drawing_program() {
     ensure_toolchain "${DRAWING_PACKAGES[@]}"
-    configure "$1"
-    compile "$1" laplacian_lines_drawing
+    build_targets "$1" laplacian_lines_drawing
 }
 
 # run_drawing CHECKOUT FOLDER ARGS...: ARGS as the program takes them, but that MESH may be missing or gzipped; FOLDER

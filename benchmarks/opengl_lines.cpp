@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// line_drawing [--tolerance PIXELS] [--eyes N] [--subdivide N] [--zoom Z] [--dashed] MESH: what
+// opengl_lines [--tolerance PIXELS] [--eyes N] [--subdivide N] [--zoom Z] [--dashed] MESH: what
 // OpenGL takes for the lines of a mesh in a view of 1000 x 700, with all their points and with
 // those that can be seen; and by how much the pictures differ. Needs a display; by software with
 // LIBGL_ALWAYS_SOFTWARE=1.
@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
             subdivide(mesh, field);
         report(compareDrawings(mesh, field, arguments.options));
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "line_drawing: %s\n", error.what());
+        std::fprintf(stderr, "opengl_lines: %s\n", error.what());
         return 1;
     }
 }
