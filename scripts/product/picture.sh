@@ -23,9 +23,18 @@ explain_failure() {
     fi
 }
 
+# user_settings FOLDER: the driver's commands in FOLDER/settings, if there is such a file
+user_settings() {
+    [[ ! -e $1/settings ]] || cat "$1/settings"
+}
+
+# open_window STAGE FOLDER: of MESH. MeshLab keeps what was set in its dialogs only if it is told to.
 open_window() {
     local stage=$1 folder=$2
-    printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "open $MESH" "check $LINES_ACTION on" >"$folder/script"
+    {
+        printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "open $MESH" "check $LINES_ACTION on"
+        user_settings "$folder"
+    } >"$folder/script"
     say "opening MeshLab; $LINES_ACTION is under Render"
     run_meshlab "$stage" "$folder" || {
         explain_failure "$folder"
@@ -38,20 +47,24 @@ check_picture() {
     [[ -d $(dirname "$1") && -w $(dirname "$1") ]] || fail "cannot write into the folder of $1"
 }
 
-# picture_script FILE SIZE VIEW: a drawing on white paper that the mesh fills
+# picture_script FOLDER SIZE VIEW: a drawing on white paper that the mesh fills, written to FOLDER/picture.png. The style
+# Publication looks the same, but what the user sets besides would not count; framed before that, all drawings of a mesh
+# lie on each other.
 picture_script() {
-    local picture=$1 size=$2 view=$3
+    local folder=$1 size=$2 view=$3
     printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "open $MESH" \
         "check Show Info Panel off" "check Show Trackball off" "check $LINES_ACTION on" \
-        "setdeco Drawing Style = Publication (Black on White)" "size $size"
+        "setdeco Surface = Paper" "setdeco Background = Paper Color" "size $size"
     [[ -z $view ]] || printf 'orbit %s\n' "${view/,/ }"
-    printf '%s\n' fill-view "grab $picture" quit
+    printf 'fill-view\n'
+    user_settings "$folder"
+    printf '%s\n' "grab $folder/picture.png" quit
 }
 
 # draw STAGE FOLDER PICTURE SIZE VIEW: one picture of MESH, written to PICTURE
 draw() {
     local stage=$1 folder=$2 picture=$3 size=$4 view=$5
-    picture_script "$folder/picture.png" "$size" "$view" >"$folder/script"
+    picture_script "$folder" "$size" "$view" >"$folder/script"
     say "drawing $size in MeshLab"
     (
         use_private_home "$folder/home"
