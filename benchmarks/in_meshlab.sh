@@ -79,8 +79,7 @@ filter_seconds() {
 
 ensure_packages "${DISPLAY_PACKAGES[@]}"
 ensure_toolchain
-configure "$root" -DLAPLACIAN_LINES_BUILD_DRIVER=ON
-compile "$root" meshlab_plugins
+build_targets "$root" meshlab_plugins -- -DLAPLACIAN_LINES_BUILD_DRIVER=ON
 stage_meshlab "$build/stage" "$build"/plugins/*.so "$build"/driver/*.so
 prepare_mesh "${1:-}" "$work"
 measure

@@ -2,7 +2,8 @@
 # Read by CPack for each of its generators: the .deb holds what "cmake --install" installs, the .zip loose files.
 if(CPACK_GENERATOR STREQUAL "DEB")
   set(CPACK_SET_DESTDIR ON) # MeshLab's plugin folder is an absolute one
-  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+  # with DESTDIR, CPack makes the folder of this prefix, and the package would own it
+  set(CPACK_INSTALL_PREFIX /usr)
   set(CPACK_COMPONENTS_ALL plugins documentation)
 else()
   set(CPACK_COMPONENTS_ALL loose)

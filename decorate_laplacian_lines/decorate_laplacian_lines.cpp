@@ -5,8 +5,10 @@
 #include <stdexcept>
 
 #include "decoration_parameters.h"
+#include "laplacian_lines/error.h"
 #include "line_scale.h"
 #include "meshlab_host/camera.h"
+#include "meshlab_host/drawn_style.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/live_meshes.h"
 #include "meshlab_host/log.h"
@@ -88,6 +90,14 @@ QString refusalLine(const MeshModel& mesh, const QString& refusal) {
     return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
 }
 
+void noteForFilters(const RichParameterList& parameters) {
+    try {
+        meshlab_host::noteDrawnStyle(drawnStyleOf(readDecorationParameters(parameters)));
+    } catch (const laplacian_lines::Error&) {
+        // redraws say what is wrong
+    }
+}
+
 }  // namespace
 
 DecorateLaplacianLines::DecorateLaplacianLines() : DecoratePluginBase(description()) {}
@@ -96,10 +106,14 @@ void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
     listDecorationParameters(list);
 }
 
-bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GLArea* view) {
+bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& parameters,
+                                   GLArea* view) {
+    // here and not at redraws: MeshLab starts decorations anew whenever a parameter changes
+    noteForFilters(parameters);
     QString refusal;
     try {
-        refusal = demandLines(mesh, view)->failure;
+        meshlab_host::WindowProgress progress;
+        refusal = demandLines(mesh, view, &progress)->failure;
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
     }
@@ -145,15 +159,33 @@ void DecorateLaplacianLines::meshGone(GLArea* view) {
     cache_.releaseUnlessAssigned(view);
 }
 
-PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view) {
+PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view,
+                                                         meshlab_host::WindowProgress* shown) {
     const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
     if (!alive.empty()) cache_.releaseAllBut(view, alive);
     const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
+    const auto prepare = [&] {
+        const auto say_line = [this](const QString& line) { say(line); };
+        return prepareLines(mesh.cm, mesh.label(), source, say_line, shown);
+    };
     PreparedLinesPointer lines = cache_.find(source.key);
-    if (!lines || lines->lacked_memory)
-        lines = prepareLines(mesh.cm, mesh.label(), source, [this](const QString& s) { say(s); });
+    if (!lines || lines->lacked_memory) lines = prepare();
+    if (lines->lacked_memory && kept_.drop()) lines = prepare();
     cache_.assign(view, mesh.id(), lines);
+    keep(mesh, lines);
     return lines;
+}
+
+void DecorateLaplacianLines::keep(const MeshModel& mesh, const PreparedLinesPointer& lines) {
+    QObject* const document = meshlab_host::documentOf(mesh);
+    if (!document) return;
+    if (watched_documents_.insert(document).second) {
+        meshlab_host::whenMeshesChange(document, this, [=](const std::vector<int>& alive) {
+            kept_.forgetAllBut(document, alive);
+        });
+        connect(document, &QObject::destroyed, this, [=] { watched_documents_.erase(document); });
+    }
+    kept_.keep(document, mesh.id(), lines);
 }
 
 PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh, GLArea* view,
@@ -181,8 +213,11 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     layer.view = view;
     layer.widget = widgetOf(painter);
     layer.is_first = beginsRedraw(painter);
-    layer.placement.pixel_scale =
-        devicePixelRatio(painter) * lineScale(painter) * tiles_.scale(camera);
+    const double tiles = tiles_.scale(camera);
+    layer.placement.pixel_scale = devicePixelRatio(painter) * lineScale(painter) * tiles;
+    if (tiles > 1)
+        layer.placement.picture_to_clip = tiles_.camera().projection * tiles_.camera().modelview *
+                                          meshlab_host::layerTransform(mesh.cm);
     drawing_.draw(layer, lines_, chosen, clock);
     if (!lines.first_redraw) lines.first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};

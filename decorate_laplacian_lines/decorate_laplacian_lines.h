@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
+
 #include "complaints.h"
+#include "kept_lines.h"
 #include "laplacian_lines/line_extractor.h"
 #include "line_cache.h"
 #include "line_renderer/redraw_clock.h"
@@ -37,8 +40,10 @@ protected:
     void meshGone(GLArea* view) override;
 
 private:
-    /// Lines of the mesh's present geometry, found or prepared, and assigned to the view.
-    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view);
+    /// Lines of the mesh's present geometry, found or prepared, and assigned to the view. `shown`
+    /// is null while a view is painted.
+    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view,
+                                     meshlab_host::WindowProgress* shown = nullptr);
     /// The view's lines, if they still belong to the mesh, as far as this is looked at while the
     /// camera moves; otherwise null.
     PreparedLinesPointer currentLines(const MeshModel& mesh, GLArea* view, QPainter* painter);
@@ -49,7 +54,12 @@ private:
     /// Adds why a mesh has no lines to its document's log, which is `log`.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
+    /// Keeps lines as long as the mesh and its document live and memory allows.
+    void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
+
     LineCache cache_;
+    KeptLines kept_;
+    std::set<QObject*> watched_documents_;
     Complaints complaints_;
     meshlab_host::SnapshotTiles tiles_;
     ViewDrawing drawing_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "decoration_parameters.h"
 
+#include <algorithm>
+
 #include "decoration_table.h"
 #include "laplacian_lines/option_table.h"
 #include "meshlab_host/parameters.h"
@@ -84,4 +86,15 @@ DecorationParameters readDecorationParameters(const RichParameterList& list) {
     result.appearance.looks = looksOf(result.lines);
     putIntoEffect(result.drawing_style, result);
     return result;
+}
+
+meshlab_host::DrawnStyle drawnStyleOf(const DecorationParameters& parameters) {
+    meshlab_host::DrawnStyle drawn;
+    drawn.style = parameters.style;
+    if (parameters.light == Light::FixedToTheCamera) drawn.light = parameters.camera_light;
+    drawn.shows_hidden = parameters.appearance.hidden != line_renderer::HiddenLines::LeftOut;
+    std::transform(parameters.appearance.looks.begin(), parameters.appearance.looks.end(),
+                   drawn.colors.begin(),
+                   [](const line_renderer::LineLook& look) { return look.color.rgb(); });
+    return drawn;
 }

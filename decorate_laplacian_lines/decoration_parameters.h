@@ -6,6 +6,7 @@
 #include "line_renderer/line_appearance.h"
 #include "line_renderer/surface_renderer.h"
 #include "meshlab_host/camera.h"
+#include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"
 
 /// A choice of looks by one parameter, which then counts more than the others it stands for.
@@ -36,3 +37,6 @@ void listDecorationParameters(RichParameterList& list);
 /// The drawing style is already put into effect in what it stands for.
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
 DecorationParameters readDecorationParameters(const RichParameterList& list);
+
+/// What of it filters can do as well.
+meshlab_host::DrawnStyle drawnStyleOf(const DecorationParameters& parameters);

@@ -12,9 +12,9 @@
 #include "press_count.h"
 
 /// Who uses which prepared lines. Lines are found by content, so that two views, or two layers with
-/// the same geometry, share them, and they live as long as someone uses them. MeshLab ends and
-/// starts a decoration at every occasion: what is released stays findable until control is back in
-/// the event loop. GUI thread only.
+/// the same geometry, share them, as long as someone uses or keeps them (KeptLines). MeshLab ends
+/// and starts a decoration at every occasion: what is released stays findable until control is back
+/// in the event loop. GUI thread only.
 class LineCache {
 public:
     using View = const void*;  ///< a name, never followed

@@ -13,6 +13,9 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
+/// Share of the time that computing the field takes; the rest is building the extractor.
+constexpr double field_share = 0.65;
+
 /// An hourglass while the GUI thread is busy.
 class WaitCursor {
 public:
@@ -26,7 +29,11 @@ public:
 
 PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
-                                  const std::function<void(const QString&)>& say) {
+                                  const std::function<void(const QString&)>& say,
+                                  meshlab_host::WindowProgress* shown) {
+    const auto step = [&](double begin, double end) {
+        return shown ? shown->step(begin, end) : laplacian_lines::Progress();
+    };
     QElapsedTimer clock;
     clock.start();
     auto result = std::make_shared<PreparedLines>();
@@ -34,11 +41,13 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
     try {
         const WaitCursor wait_cursor;
         const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
-        const Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say);
+        const Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say,
+                                                      step(0, field_share));
         result->diagonal = field.scale.diagonal;
         result->mean_edge = laplacian_lines::sight_edge(field.scale);
         result->surface = line_renderer::makeSurface(triangles, field);
-        result->extractor.emplace(triangles, field);
+        result->extractor.emplace(triangles, field, step(field_share, 1));
+        result->bytes = result->extractor->memory() + line_renderer::bytesOf(*result->surface);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";
         result->lacked_memory = true;

@@ -9,6 +9,7 @@
 #include "laplacian_lines/line_extractor.h"
 #include "line_renderer/surface.h"
 #include "meshlab_host/field_source.h"
+#include "meshlab_host/window_progress.h"
 
 /// A mesh made ready for line extraction, or the reason why it cannot be.
 struct PreparedLines {
@@ -19,6 +20,7 @@ struct PreparedLines {
     line_renderer::SurfacePointer surface;       ///< set if there is an extractor
     QString failure;                             ///< one sentence, empty if there is an extractor
     bool lacked_memory = false;                  ///< why it failed: another try may succeed
+    std::size_t bytes = 0;                       ///< of extractor and surface
     double preparation = 0;                      ///< time it took, milliseconds
     mutable std::optional<double> first_redraw;  ///< the plugin's time of it, milliseconds
 };
@@ -26,7 +28,9 @@ using PreparedLinesPointer = std::shared_ptr<const PreparedLines>;
 
 /// Prepares the lines of a mesh: from its attributes if they belong to it, otherwise by computing
 /// the field with the default options, which takes seconds for a million triangles and is then
-/// told to `say`. The mesh is not changed. Throws nothing but std::bad_alloc from the very end.
+/// told to `say`; `shown` is where progress is. The mesh is not changed. Throws nothing but
+/// std::bad_alloc from the very end.
 PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
-                                  const std::function<void(const QString&)>& say);
+                                  const std::function<void(const QString&)>& say,
+                                  meshlab_host::WindowProgress* shown = nullptr);

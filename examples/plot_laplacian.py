@@ -9,8 +9,11 @@
 # %%
 import sys
 
-MESH = sys.argv[1] if len(sys.argv) > 1 else "bunny.ply"
-PICTURE = sys.argv[2] if len(sys.argv) > 2 else "laplacian.png"
+MESH, PICTURE = "scan.ply", "laplacian.png"
+if "ipykernel" not in sys.modules:
+    if not 2 <= len(sys.argv) <= 3:
+        sys.exit("usage: plot_laplacian.py MESH [PICTURE.png]")
+    MESH, PICTURE = sys.argv[1:] + [PICTURE][len(sys.argv) - 2 :]
 
 # %%
 import laplacian_lines
@@ -18,11 +21,14 @@ import matplotlib
 import numpy
 import pymeshlab
 
-laplacian_lines.load()
-meshes = pymeshlab.MeshSet()
-meshes.load_new_mesh(MESH)
-# Twice the automatic size shows less of the noise: pymeshlab.PercentageValue(2), say. 0 is automatic.
-meshes.compute_laplacian_lines_per_vertex(kernel_size=pymeshlab.PureValue(0))
+try:
+    laplacian_lines.load()
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(MESH)
+    # Twice the automatic size shows less of the noise: pymeshlab.PercentageValue(2), say. 0 is automatic.
+    meshes.compute_laplacian_lines_per_vertex(kernel_size=pymeshlab.PureValue(0))
+except pymeshlab.PyMeshLabException as error:
+    sys.exit(f"{MESH} cannot be plotted: {error}")
 
 # %% [markdown]
 # The results are arrays with a row per vertex. Δn has the unit 1/length²; times the square of the kernel size it is a

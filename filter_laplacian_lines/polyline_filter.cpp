@@ -9,17 +9,19 @@
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
 #include "meshlab_host/camera.h"
+#include "meshlab_host/current_view.h"
+#include "meshlab_host/edge_look.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/progress.h"
 #include "polyline_parameters.h"
+#include "polyline_view.h"
 
 using laplacian_lines::Error;
 using laplacian_lines::ErrorCode;
 using laplacian_lines::LineSet;
 using laplacian_lines::View;
-using meshlab_host::CurrentView;
 
 namespace {
 
@@ -40,50 +42,6 @@ struct Source {
     Matrix44m transform;
     Eigen::Matrix4d layer;
 };
-
-/// An eye in world coordinates.
-struct Eye {
-    Eigen::Vector4d place;  ///< homogeneous
-    QString words;          ///< for the log
-};
-
-QString inWords(const Eigen::Vector3d& v) {
-    return QString("%1 %2 %3").arg(v.x(), 0, 'g', 6).arg(v.y(), 0, 'g', 6).arg(v.z(), 0, 'g', 6);
-}
-
-Eye perspective(const Eigen::Vector3d& viewpoint) {
-    return {viewpoint.homogeneous(), "perspective, from the viewpoint " + inWords(viewpoint)};
-}
-
-Eye orthographic(const Eigen::Vector3d& direction) {
-    Eigen::Vector4d place = Eigen::Vector4d::Zero();
-    place.head<3>() = direction;
-    return {place, "orthographic, along the view direction " + inWords(direction)};
-}
-
-Eye eyeOf(const PolylineParameters& chosen) {
-    if (chosen.view == ViewChoice::Perspective) return perspective(chosen.viewpoint);
-    if (chosen.view == ViewChoice::Orthographic) return orthographic(chosen.view_direction);
-    const std::optional<CurrentView> window = meshlab_host::currentView();
-    if (!window)
-        throw Error(ErrorCode::InvalidOption,
-                    "There is no window with a current view. Set \"View\" to 1 (Perspective) and "
-                    "give a viewpoint, or to 2 (Orthographic) and give a view direction.");
-    return window->is_orthographic ? orthographic(window->towards_viewer)
-                                   : perspective(window->eye);
-}
-
-/// In mesh coordinates.
-View viewOf(const Eye& eye, const PolylineParameters& chosen, const Eigen::Matrix4d& layer) {
-    std::optional<View> view = meshlab_host::viewFromWorld(eye.place, layer);
-    if (view && chosen.light == LightChoice::FromADirection)
-        view->light = meshlab_host::directionInMesh(chosen.light_direction,
-                                                    Eigen::Matrix4d::Identity(), layer);
-    if (!view)
-        throw Error(ErrorCode::InvalidOption,
-                    "The layer's transformation cannot be inverted. Reset it, or freeze it.");
-    return *view;
-}
 
 LineSet extract(const Source& source, const laplacian_lines::Field& field, const View& view,
                 const PolylineParameters& chosen, vcg::CallBackPos* progress) {
@@ -111,13 +69,15 @@ LineSet extract(const Source& source, const laplacian_lines::Field& field, const
 }
 
 void addLayer(const LineSet& lines, const Source& source, const laplacian_lines::Field& field,
-              MeshDocument& document) {
+              const meshlab_host::KindColors& colors, MeshDocument& document) {
     const QString name = QFileInfo(source.name).completeBaseName() + "_laplacian_lines";
     MeshModel* layer = document.addNewMesh("", name);
-    layer->updateDataMask(MeshModel::MM_VERTQUALITY);
+    layer->updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
     meshlab_host::toEdgeMesh(lines, layer->cm);
+    meshlab_host::setColors(lines, colors, layer->cm);
     meshlab_host::setNormals(source.triangles, field, layer->cm);
     layer->cm.Tr = source.transform;
+    meshlab_host::showAsLines(document, layer->id());
 }
 
 }  // namespace
@@ -152,16 +112,22 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     const PolylineParameters chosen = readPolylineParameters(run.parameters);
     const MeshModel& mesh = *run.document.mm();
     const Source source(mesh);
-    const Eye eye = eyeOf(chosen);
+    Eigen::AlignedBox3d box = boxOf(source.triangles);
+    if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.layer));
+    const Eye eye = eyeOf(chosen, box.center(), meshlab_host::currentView());
     const View view = viewOf(eye, chosen, source.layer);
     const laplacian_lines::Field field = meshlab_host::demandField(
         mesh.cm, source.triangles, source.name, meshlab_host::fieldSource(mesh.cm), run.say,
         meshlab_host::progressTo(run.progress, 0, field_share));
     const LineSet lines = extract(source, field, view, chosen, run.progress);
     meshlab_host::beginStep(run.progress, 1, "Adding a layer");
-    addLayer(lines, source, field, run.document);
+    addLayer(lines, source, field, chosen.colors, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")
                 .arg(source.name, kindsInWords(lines))
                 .arg(lines.segment_count())
                 .arg(eye.words));
+    const QString warning = nearnessWarning(eye, box);
+    if (!warning.isEmpty()) run.say(warning);
+    addResults(eye, run.results);
+    run.results["sees_all"] = warning.isEmpty();
 }

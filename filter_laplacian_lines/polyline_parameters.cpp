@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polyline_parameters.h"
 
+#include "laplacian_lines/error.h"
 #include "laplacian_lines/option_rows.h"
-#include "meshlab_host/camera.h"
-#include "meshlab_host/parameters.h"
 
 namespace {
 
@@ -18,15 +17,40 @@ const QString key_prefix;  // scripts use the keys as they are
 struct PlaceRow {
     PlaceDescription description;
     Eigen::Vector3d Parameters::*value;
+    const Row& (*choice)();  ///< of the parameter that says whether it counts,
+    int counts_at;           ///< and its value for that
 };
+
+const std::vector<SideView>& sideViews() {
+    static const std::vector<SideView> views = {{"Front", {0, 0, 1}}, {"Back", {0, 0, -1}},
+                                                {"Left", {-1, 0, 0}}, {"Right", {1, 0, 0}},
+                                                {"Top", {0, 1, 0}},   {"Bottom", {0, -1, 0}}};
+    return views;
+}
+
+std::vector<const char*> viewNames() {
+    std::vector<const char*> names = {"Current View of the Window",
+                                      "Perspective, from the Viewpoint",
+                                      "Orthographic, along the View Direction"};
+    for (const SideView& side : sideViews())
+        names.push_back(side.name);
+    return names;
+}
 
 const Row& viewRow() {
     static const Row row = rows::choice<&Parameters::view>(
-        "view", "View",
-        {"Current View of the Window", "Perspective, from the Viewpoint",
-         "Orthographic, along the View Direction"},
-        "From where the lines are seen. The current view of the window needs a window: scripts "
-        "take one of the others.");
+        "view", "View", viewNames(),
+        "From where the lines are seen: as in the window, which scripts have none of; from the "
+        "viewpoint or the direction below; or from one side of the object, orthographic, as in "
+        "MeshLab's menu: Front looks along -z with y upward.");
+    return row;
+}
+
+const Row& settingsRow() {
+    static const Row row = rows::choice<&Parameters::settings>(
+        "settings", "Settings", {"As Set Below", "As the Decoration"},
+        "As the Decoration: lines, hidden lines, light and colors as the decoration Laplacian "
+        "Lines has drawn them last, whatever is set below. Needs a window in which it has.");
     return row;
 }
 
@@ -50,7 +74,9 @@ const PlaceRow& viewpointRow() {
         {"viewpoint", "Viewpoint",
          "Position of the eye, for perspective views. Get: View Pos. takes that of the window.",
          PlaceKind::Position},
-        &Parameters::viewpoint};
+        &Parameters::viewpoint,
+        viewRow,
+        int(ViewChoice::Perspective)};
     return row;
 }
 
@@ -60,7 +86,9 @@ const PlaceRow& viewDirectionRow() {
          "From the object to the viewer, for orthographic views. Get: View Dir. takes that of the "
          "window.",
          PlaceKind::Direction},
-        &Parameters::view_direction};
+        &Parameters::view_direction,
+        viewRow,
+        int(ViewChoice::Orthographic)};
     return row;
 }
 
@@ -68,7 +96,9 @@ const PlaceRow& lightDirectionRow() {
     static const PlaceRow row = {
         {"light_direction", "Light Direction", "From the object to the light, if that is distant.",
          PlaceKind::Direction},
-        &Parameters::light_direction};
+        &Parameters::light_direction,
+        lightRow,
+        int(LightChoice::FromADirection)};
     return row;
 }
 
@@ -78,6 +108,7 @@ void visitRows(Visitor& visitor) {
     visitor.visit(viewRow());
     visitor.visit(viewpointRow());
     visitor.visit(viewDirectionRow());
+    visitor.visit(settingsRow());
     visitor.visit(visibleRow());
     for (const auto& row : laplacian_lines::line_style_table())
         if (!row.for_experts) visitor.visit(row);
@@ -123,7 +154,39 @@ struct ParameterReader {
     }
 };
 
+/// Notes what a dialog and a script may hold.
+struct Describer {
+    std::vector<meshlab_host::ParameterDescription> parameters;
+    std::vector<PlaceUse> places;
+
+    template <class Options>
+    void visit(const laplacian_lines::OptionDescription<Options>& row) {
+        parameters.push_back(meshlab_host::describe(row, key_prefix));
+    }
+    void visit(const PlaceRow& row) {
+        places.push_back({row.description.name, row.choice().key, row.counts_at});
+    }
+};
+
+void takeFromDecoration(Parameters& parameters) {
+    const std::optional<meshlab_host::DrawnStyle> drawn = meshlab_host::drawnStyle();
+    if (!drawn)
+        throw laplacian_lines::Error(
+            laplacian_lines::ErrorCode::InvalidOption,
+            "The decoration Laplacian Lines has drawn nothing here. Switch it on in MeshLab's "
+            "window first, or set \"Settings\" to 0 (As Set Below).");
+    parameters.style = drawn->style;
+    parameters.visible_only = !drawn->shows_hidden;
+    parameters.light = LightChoice::AtTheEye;
+    parameters.camera_light = drawn->light;
+    parameters.colors = drawn->colors;
+}
+
 }  // namespace
+
+const SideView& sideView(ViewChoice choice) {
+    return sideViews().at(std::size_t(choice) - std::size_t(ViewChoice::Front));
+}
 
 PolylineParameters polylineDefaults(const MeshModel* mesh,
                                     const std::optional<meshlab_host::CurrentView>& window) {
@@ -146,9 +209,22 @@ void listPolylineParameters(const PolylineParameters& defaults, RichParameterLis
     visitRows(lister);
 }
 
+std::vector<meshlab_host::ParameterDescription> describePolylineParameters() {
+    Describer describer;
+    visitRows(describer);
+    return describer.parameters;
+}
+
+std::vector<PlaceUse> polylinePlaces() {
+    Describer describer;
+    visitRows(describer);
+    return describer.places;
+}
+
 PolylineParameters readPolylineParameters(const RichParameterList& list) {
     Parameters result;
     ParameterReader reader{result, list};
     visitRows(reader);
+    if (result.settings == SettingsChoice::AsTheDecoration) takeFromDecoration(result);
     return result;
 }

@@ -7,13 +7,13 @@
 
 #include "gl_state.h"
 #include "instancing.h"
-#include "laplacian_lines/line_visibility.h"
 #include "line_buffers.h"
 #include "line_program.h"
 #include "line_shaders.h"
 #include "line_stream.h"
 #include "mean_scale.h"
 #include "per_share_group.h"
+#include "stream_manner.h"
 
 namespace line_renderer {
 namespace {
@@ -35,13 +35,6 @@ template <class Value>
 using PerLook = std::array<Value, laplacian_lines::line_kind_count>;
 static_assert(laplacian_lines::line_kind_count <= most_looks, "the shaders need longer arrays");
 
-LineRadii radii(const LineAppearance& appearance, double pixel_scale) {
-    LineRadii result;
-    for (std::size_t look = 0; look < result.full.size(); ++look)
-        result.full[look] = float(appearance.looks[look].width * pixel_scale / 2);
-    return result;
-}
-
 Eigen::Vector4f viewport() {
     GLint corner_and_size[4];
     glGetIntegerv(GL_VIEWPORT, corner_and_size);
@@ -62,13 +55,10 @@ void setColors(const LineProgram& program, const LineAppearance& appearance, dou
     glUniform4fv(program.colors, GLsizei(colors.size()), colors.front().data());
 }
 
-/// `unit`: length in eye coordinates of a length in mesh coordinates.
-void setDepthBiases(const LineProgram& program, const LinePlacement& placement, double unit) {
+void setDepthBiases(const LineProgram& program, const LinePlacement& placement, double factor) {
     PerLook<float> biases;
     for (std::size_t look = 0; look < biases.size(); ++look)
-        biases[look] =
-            float(unit * laplacian_lines::sight_clearance(laplacian_lines::line_kinds[look].kind,
-                                                          placement.diagonal, placement.mean_edge));
+        biases[look] = float(factor * lineClearance(look, placement));
     glUniform1fv(program.depth_biases, GLsizei(biases.size()), biases.data());
 }
 
@@ -123,7 +113,7 @@ void LineRenderer::drawPass(const Objects& objects, const LinePlacement& placeme
     const LineProgram& program = objects.program;
     glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
     glUniform1f(program.surface_side, pass.surface_side);
-    setDepthBiases(program, placement, pass.bias_factor * meanScale(placement.to_eye));
+    setDepthBiases(program, placement, pass.bias_factor);
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
     clock.count(RedrawClock::DrawCalls);
@@ -150,17 +140,14 @@ void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppea
                           const LinePlacement& placement) {
     stream_length_ = 0;
     LineBuffers& buffers = objects_->current(makeObjects).buffers;
-    const std::size_t length = streamLength(lines);
-    if (length == 0) return;
-    const Eigen::Matrix4d to_clip = placement.projection * placement.to_eye;
-    const ScreenTransform screen = {to_clip.cast<float>(), halfViewport()};
-    const bool is_dashed = appearance.hidden == HiddenLines::Dashed;
+    const std::size_t most = streamLength(lines);
+    if (most == 0) return;
 
     GLint bound = 0;
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
-    if (StreamPoint* stream = buffers.map(length)) {
-        writeStream(lines, radii(appearance, placement.pixel_scale), is_dashed ? &screen : nullptr,
-                    stream);
+    if (StreamPoint* stream = buffers.map(most)) {
+        const std::size_t length =
+            writeStream(lines, streamManner(appearance, placement, halfViewport()), stream);
         if (buffers.unmap()) stream_length_ = length;
     }
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
@@ -172,7 +159,7 @@ void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& p
                         RedrawClock& clock) {
     if (stream_length_ == 0) return;
     const Objects& objects = objects_->current(makeObjects);
-    const LineRadii in_pixels = radii(appearance, placement.pixel_scale);
+    const LineRadii in_pixels = lineRadii(appearance, placement.pixel_scale);
     const GlState state;
     glUseProgram(objects.program.id);
     objects.buffers.bind();

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "straight_piece.h"
+
 namespace line_renderer {
 
 using laplacian_lines::LineKind;
@@ -22,34 +24,96 @@ float taperedRadius(float full, float least_share, float weight) {
     return full * (least_share + (1 - least_share) * std::clamp(weight, 0.0f, 1.0f));
 }
 
-struct ScreenPlace {
-    Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
-    bool is_known = false;
-};
-
-ScreenPlace placeOf(const LinePoint& point, const ScreenTransform& screen) {
-    const Eigen::Vector4f clip = screen.to_clip * point.position.homogeneous();
-    if (clip.w() <= 0) return {};
-    return {clip.head<2>().cwiseProduct(screen.half_viewport) / clip.w(), true};
-}
-
-/// Length of a line on the screen, point by point.
-class LengthOnScreen {
+/// Points of one line as they are seen.
+class LineOnScreen {
 public:
-    explicit LengthOnScreen(const ScreenTransform* screen) : screen_(screen) {}
+    LineOnScreen(const StreamManner& manner, LineKind kind)
+        : manner_(manner),
+          full_radius_(manner.radii.full.at(std::size_t(kind))),
+          depth_tolerance_(manner.tolerance.depth.at(std::size_t(kind))) {}
 
-    float upTo(const LinePoint& point) {
-        if (!screen_) return 0;
-        const ScreenPlace here = placeOf(point, *screen_);
-        if (here.is_known && previous_.is_known) length_ += (here.pixel - previous_.pixel).norm();
-        previous_ = here;
-        return length_;
+    SeenPoint see(const LinePoint& point) const {
+        const ScreenTransform& screen = manner_.screen;
+        const Eigen::Vector4f clip = screen.to_clip * point.position.homogeneous();
+        const LineTolerance& tolerance = manner_.tolerance;
+        SeenPoint seen;
+        seen.values = {0, taperedRadius(full_radius_, manner_.radii.least_share, point.weight),
+                       point.opacity};
+        seen.is_before_eye = clip.w() > 0 && clip.z() > -clip.w();
+        if (!seen.is_before_eye) return seen;
+        const float nearness = 1 / clip.w();
+        seen.pixel = clip.head<2>().cwiseProduct(screen.half_viewport) * nearness;
+        seen.values[SeenDepth] = clip.z() * nearness;
+        seen.tolerance = {depth_tolerance_ * nearness * nearness, tolerance.radius,
+                          tolerance.opacity};
+        return seen;
     }
 
 private:
-    const ScreenTransform* screen_;
-    float length_ = 0;
-    ScreenPlace previous_;
+    const StreamManner& manner_;
+    const float full_radius_;
+    const float depth_tolerance_;
+};
+
+float lengthBetween(const SeenPoint& a, const SeenPoint& b) {
+    return a.is_before_eye && b.is_before_eye ? (b.pixel - a.pixel).norm() : 0;
+}
+
+/// Writes the points of lines that are needed.
+class StreamWriter {
+public:
+    StreamWriter(const StreamManner& manner, StreamPoint* stream)
+        : manner_(manner), piece_(manner.tolerance.distance), begin_(stream), next_(stream) {}
+
+    void write(const LinePoint* first, const LinePoint* last, const Polyline& line) {
+        StreamPoint* const before = next_++;
+        written_ = 0;
+        writePoints(first, last, line);
+        StreamPoint* const after = next_++;
+        // a closed line ends with a copy of its first point, so its neighbours are one further in
+        *before = before_last_;
+        *after = second_;
+        before->radius = after->radius = line.closed ? neighbour_only : nothing_here;
+    }
+
+    std::size_t length() const { return std::size_t(next_ - begin_); }
+
+private:
+    void put(const StreamPoint& point) {
+        *next_++ = point;
+        if (++written_ == 2) second_ = point;
+        before_last_ = last_;
+        last_ = point;
+    }
+
+    void writePoints(const LinePoint* first, const LinePoint* last, const Polyline& line) {
+        const LineOnScreen screen(manner_, line.kind);
+        const bool keeps_all = manner_.tolerance.distance <= 0;
+        SeenPoint seen = screen.see(*first);
+        StreamPoint candidate = at(*first, seen.values[SeenRadius], line.kind, 0);
+        float length = 0;
+        put(candidate);
+        piece_.begin(seen);
+        for (const LinePoint* point = first + 1; point <= last; ++point) {
+            const SeenPoint next = screen.see(*point);
+            if (keeps_all ? point > first + 1 : !piece_.takes(next)) {
+                put(candidate);
+                piece_.begin(seen);
+                piece_.takes(next);
+            }
+            if (manner_.is_measured) length += lengthBetween(seen, next);
+            candidate = at(*point, next.values[SeenRadius], line.kind, length);
+            seen = next;
+        }
+        put(candidate);
+    }
+
+    const StreamManner& manner_;
+    StraightPiece piece_;
+    StreamPoint* const begin_;
+    StreamPoint* next_;
+    int written_ = 0;  ///< of the line
+    StreamPoint second_, before_last_, last_;
 };
 
 bool isDrawn(const Polyline& line) {
@@ -65,22 +129,14 @@ std::size_t streamLength(const LineSet& lines) {
     return length;
 }
 
-void writeStream(const LineSet& lines, const LineRadii& radii, const ScreenTransform* screen,
-                 StreamPoint* stream) {
+std::size_t writeStream(const LineSet& lines, const StreamManner& manner, StreamPoint* stream) {
+    StreamWriter writer(manner, stream);
     for (const Polyline& line : lines.lines) {
         if (!isDrawn(line)) continue;
         const LinePoint* first = lines.points.data() + line.first;
-        const LinePoint* last = first + line.count - 1;
-        const float full = radii.full.at(std::size_t(line.kind));
-        const float mark = line.closed ? neighbour_only : nothing_here;
-        LengthOnScreen length(screen);
-        // a closed line ends with a copy of its first point, so its neighbours are one further in
-        *stream++ = at(*(last - 1), mark, line.kind, 0);
-        for (const LinePoint* point = first; point <= last; ++point)
-            *stream++ = at(*point, taperedRadius(full, radii.least_share, point->weight), line.kind,
-                           length.upTo(*point));
-        *stream++ = at(*(first + 1), mark, line.kind, 0);
+        writer.write(first, first + line.count - 1, line);
     }
+    return writer.length();
 }
 
 }  // namespace line_renderer

@@ -16,10 +16,20 @@ struct LineRadii {
     float least_share = 0.35f;  ///< share of the radius that is left at weight 0
 };
 
-/// From mesh to screen, for lengths in pixels.
+/// From mesh to screen, for lengths in pixels. Where the middle of the screen is does not matter.
 struct ScreenTransform {
     Eigen::Matrix4f to_clip = Eigen::Matrix4f::Identity();
     Eigen::Vector2f half_viewport = Eigen::Vector2f::Zero();
+};
+
+/// How far what is drawn may be from the lines, see StraightPiece.
+struct LineTolerance {
+    /// Pixels; 0: every point is written.
+    float distance = 0.25f;
+    float radius = 0.1f;  ///< pixels
+    float opacity = 1.0f / 16;
+    /// By the number of the kind, as a difference of depths in -1..1 times the square of w.
+    std::array<float, laplacian_lines::line_kind_count> depth{};
 };
 
 /// A point as the vertex shader sees it. Every four consecutive points are one call of the shader:
@@ -36,13 +46,22 @@ struct StreamPoint {
 constexpr float nothing_here = -1;    ///< before and after a line: its ends are round
 constexpr float neighbour_only = -2;  ///< around a closed line: a point to join to
 
-/// How many points a line set has as a stream: each line stands between two marks.
+/// How many points a line set has as a stream at most: each line stands between two marks.
 std::size_t streamLength(const laplacian_lines::LineSet& lines);
 
-/// Writes that many points, one after the other and reading none, so that `stream` may be memory of
-/// the graphics card. With a `screen`, sets the points' `along`; what lies behind the eye counts as
-/// no length.
-void writeStream(const laplacian_lines::LineSet& lines, const LineRadii& radii,
-                 const ScreenTransform* screen, StreamPoint* stream);
+/// How a stream is written.
+struct StreamManner {
+    LineRadii radii;
+    ScreenTransform screen;
+    LineTolerance tolerance;
+    /// Whether points have their `along`. What lies behind the eye counts as no length.
+    bool is_measured = false;
+};
+
+/// Writes up to streamLength() points, reading none, so that `stream` may be memory of the graphics
+/// card. Points that are not needed within the tolerance are left out, but no end of a line. One
+/// pass; allocates nothing. Returns the number of points.
+std::size_t writeStream(const laplacian_lines::LineSet& lines, const StreamManner& manner,
+                        StreamPoint* stream);
 
 }  // namespace line_renderer

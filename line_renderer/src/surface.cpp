@@ -26,4 +26,9 @@ SurfacePointer makeSurface(const TriangleMesh& mesh, const Field& field) {
     return surface;
 }
 
+std::size_t bytesOf(const Surface& surface) {
+    return surface.vertices.capacity() * sizeof(SurfaceVertex) +
+           surface.triangles.capacity() * sizeof(Triangle);
+}
+
 }  // namespace line_renderer

@@ -65,7 +65,7 @@ std::optional<CurrentView> currentView() {
     if (!shot) return std::nullopt;
     // "orthographic" is the camera's type 1, as in the views that MeshLab copies as text
     return CurrentView{shot->Intrinsics.cameraType == 1, vector(shot->GetViewPoint()),
-                       vector(shot->Axis(2)).normalized()};
+                       vector(shot->Axis(2)).normalized(), vector(shot->Axis(1)).normalized()};
 }
 
 }  // namespace meshlab_host

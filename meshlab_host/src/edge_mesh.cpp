@@ -3,6 +3,8 @@
 
 #include <vcg/space/index/kdtree/kdtree.h>
 
+#include <QColor>
+
 #include "attributes.h"
 
 namespace meshlab_host {
@@ -98,6 +100,14 @@ void toEdgeMesh(const LineSet& lines, CMeshO& mesh) {
     add("ll_opacity",
         [](const LinePoint& point, const Polyline&, std::size_t) { return point.opacity; });
     vcg::tri::UpdateBounding<CMeshO>::Box(mesh);
+}
+
+void setColors(const LineSet& lines, const KindColors& colors, CMeshO& mesh) {
+    visitVertices(
+        lines, [&](std::size_t vertex, const LinePoint&, const Polyline& line, std::size_t) {
+            const QColor color(colors.at(std::size_t(line.kind)));
+            mesh.vert[vertex].C() = vcg::Color4b(color.red(), color.green(), color.blue(), 255);
+        });
 }
 
 void setNormals(const TriangleMesh& surface, const Field& field, CMeshO& mesh) {

@@ -6,6 +6,15 @@
 
 namespace meshlab_host {
 
+void addResult(const char* name, const Eigen::Vector3d& value, FilterResults& results) {
+#if MESHLAB_API >= 2022  // before, there was neither the type nor anybody who asked
+    results[name] =
+        QVariant::fromValue(Point3m(Scalarm(value.x()), Scalarm(value.y()), Scalarm(value.z())));
+#else
+    results[name] = QVariantList{value.x(), value.y(), value.z()};
+#endif
+}
+
 FilterPluginBase::FilterPluginBase(const QString& plugin_name, FilterList filters)
     : plugin_name_(plugin_name) {
     for (auto& filter : filters) {
@@ -26,10 +35,11 @@ void FilterPluginBase::say(const QString& line) {
 
 QString FilterPluginBase::runCatchingAll(const Filter& filter, MeshDocument& document,
                                          const RichParameterList& parameters,
-                                         vcg::CallBackPos* progress) {
+                                         vcg::CallBackPos* progress, FilterResults& results) {
     try {
         if (!document.mm()) return "There is no mesh. Open one first.";
-        filter.run({document, parameters, progress, [this](const QString& line) { say(line); }});
+        filter.run(
+            {document, parameters, progress, [this](const QString& line) { say(line); }, results});
         return QString();
     } catch (const std::bad_alloc&) {
         return "Not enough memory. The mesh was not changed.";
@@ -50,7 +60,8 @@ void FilterPluginBase::initParameterSet(QAction* action, MeshDocument& document,
 bool FilterPluginBase::applyFilter(QAction* action, MeshDocument& document,
                                    const RichParameterList& parameters,
                                    vcg::CallBackPos* progress) {
-    errorMessage = runCatchingAll(*entry(action).filter, document, parameters, progress);
+    FilterResults results;
+    errorMessage = runCatchingAll(*entry(action).filter, document, parameters, progress, results);
     if (errorMessage.isEmpty()) return true;
     say(errorMessage);  // meshlabserver prints the log but never errorMessage
     return false;
@@ -71,9 +82,11 @@ std::map<std::string, QVariant> FilterPluginBase::applyFilter(const QAction* act
                                                               unsigned int& post_condition,
                                                               vcg::CallBackPos* progress) {
     post_condition = MeshModel::MM_NONE;
-    const QString failure = runCatchingAll(*entry(action).filter, document, parameters, progress);
+    FilterResults results;
+    const QString failure =
+        runCatchingAll(*entry(action).filter, document, parameters, progress, results);
     if (!failure.isEmpty()) throw MLException(failure);
-    return {};
+    return results;
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "laplacian_lines/error.h"
+#include "meshlab_host/parameter_text.h"
 
 namespace meshlab_host {
 
@@ -34,23 +35,6 @@ std::optional<double> number(const Value& value) {
     if (value.isDynamicFloat()) return asWritten(value.getDynamicFloat());
 #endif
     return std::nullopt;
-}
-
-QString range(const ParameterDescription& d) {
-    if (d.kind == OptionKind::Choice) {
-        QStringList items;
-        for (int i = 0; i < d.choices.size(); ++i)
-            items << QString("%1 (%2)").arg(i).arg(d.choices[i]);
-        return "one of " + items.join(", ");
-    }
-    if (d.maximum >= 1e30) return QString("at least %1").arg(d.minimum);
-    return QString("between %1 and %2").arg(d.minimum).arg(d.maximum);
-}
-
-[[noreturn]] void refuse(const ParameterDescription& d, const QString& value) {
-    const QString sentence =
-        QString("\"%1\" is %2. It has to be %3.").arg(d.label, value, range(d));
-    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
 }
 
 }  // namespace
@@ -86,10 +70,14 @@ double readParameter(const ParameterDescription& d, double fallback,
                      const RichParameterList& list) {
     if (!list.hasParameter(d.name)) return fallback;
     const std::optional<double> value = number(list.getParameterByName(d.name).value());
-    if (!value) refuse(d, "not a number");
+    if (!value) refuseValue("not a number", d);
     // written so that NaN is refused as well
-    if (!(*value >= d.minimum && *value <= d.maximum)) refuse(d, QString::number(*value));
+    if (!(*value >= d.minimum && *value <= d.maximum)) refuseValue(QString::number(*value), d);
     return *value;
+}
+
+std::optional<double> defaultOf(const RichParameter& parameter) {
+    return number(parameter.value());
 }
 
 void addPlace(const PlaceDescription& d, const Eigen::Vector3d& value, RichParameterList& list) {

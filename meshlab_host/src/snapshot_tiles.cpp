@@ -14,6 +14,10 @@ Eigen::Vector2d offset(const Eigen::Matrix4d& projection) {
                                       : Eigen::Vector2d(-projection.col(2).head<2>());
 }
 
+void moveToMiddle(Eigen::Matrix4d& projection) {
+    projection.col(isOrthographic(projection) ? 3 : 2).head<2>().setZero();
+}
+
 bool isWhole(double number) {
     return std::abs(number - std::round(number)) < 1e-3;
 }
@@ -32,7 +36,8 @@ double SnapshotTiles::scale(const CameraMatrices& camera) {
     if (is_next) return scale_;
     const Eigen::Vector2d place = offset(camera.projection);
     if (!isFirstTile(place)) return 1;
-    camera_ = camera;
+    camera_ = middle_ = camera;
+    moveToMiddle(middle_.projection);
     scale_ = 1 + std::round(place.x());
     return scale_;
 }

@@ -10,20 +10,17 @@ checks_folder() {
     printf '%s/checks\n' "$(build_folder "$1")"
 }
 
-# build_with_clang CHECKOUT FOLDER SANITIZERS TARGETS... [-- CMAKE_OPTIONS...]: warnings are errors
+# build_with_clang CHECKOUT FOLDER SANITIZERS TARGETS... -- CMAKE_OPTIONS...: warnings are errors
 build_with_clang() {
-    local checkout=$1 LAPLACIAN_LINES_BUILD=$2 sanitizers=$3 targets=()
+    local checkout=$1 LAPLACIAN_LINES_BUILD=$2 sanitizers=$3
     shift 3
-    while (($#)) && [[ $1 != -- ]]; do
-        targets+=("$1")
-        shift
-    done
+    # for ccache, which would take the name of this file for a part of what is compiled: its contents are
+    local -x CCACHE_IGNOREOPTIONS='-fsanitize-ignorelist=*' CCACHE_EXTRAFILES=$checkout/cmake/sanitizer_ignorelist.txt
     ensure_toolchain "${TEST_PACKAGES[@]}" "${CHECK_PACKAGES[@]}"
     say "building with clang and the sanitizers $sanitizers"
-    configure "$checkout" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \
+    build_targets "$checkout" "$@" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \
         "-DCMAKE_CXX_FLAGS=-O1 -gline-tables-only" -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON \
-        "-DLAPLACIAN_LINES_SANITIZE=$sanitizers" "${@:2}"
-    compile "$checkout" "${targets[@]}"
+        "-DLAPLACIAN_LINES_SANITIZE=$sanitizers"
 }
 
 # build_checks CHECKOUT TARGETS...

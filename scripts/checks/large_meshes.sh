@@ -8,8 +8,7 @@ check_large_meshes() {
     local build log
     build=$(build_folder "$1") log=$(build_folder "$1")/large_meshes.log
     ensure_packages "${CORE_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
-    configure "$1" -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON
-    compile "$1" core_tests
+    build_targets "$1" core_tests -- -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON
     say "computing large meshes"
     LAPLACIAN_LINES_LARGE=1 quietly "$log" "$build/tests/core/core_tests" --gtest_filter='Meshes/Large.*' ||
         fail "a large mesh took too much time or memory, or was not refused; the log is $log"

@@ -60,6 +60,7 @@ check_coverage() {
     {
         llvm-profdata merge -sparse "$folder"/profile/*.profraw -o "$folder/profile/all.profdata" >&2 &&
             llvm-cov report "$folder/tests/core/core_tests" -object "$folder/tests/core/out_of_memory" \
+                -compilation-dir "$folder/laplacian_lines" \
                 -instr-profile "$folder/profile/all.profdata" "$(readlink -f "$1")/laplacian_lines" \
                 >"$folder/coverage.txt" 2>"$folder/coverage.log"
     } || fail "the coverage could not be counted"

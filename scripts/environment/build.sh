@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Configure and build, quietly unless something fails.
 
-require environment/cache environment/headers environment/messages environment/packages
+require environment/cache environment/headers environment/messages environment/packages environment/turns
 
 # ensure_toolchain EXTRA_PACKAGES...: all that building takes, MeshLab itself included.
 ensure_toolchain() {
@@ -15,6 +15,36 @@ build_folder() {
     printf '%s\n' "${LAPLACIAN_LINES_BUILD:-$1/build}"
 }
 
+# build_targets CHECKOUT TARGETS... [-- CMAKE_OPTIONS...]: configures and compiles, all targets when none is named
+build_targets() {
+    local checkout=$1 targets=()
+    shift
+    while (($#)) && [[ $1 != -- ]]; do
+        targets+=("$1")
+        shift
+    done
+    take_turn "$(build_folder "$checkout")"
+    configure "$checkout" "${@:2}"
+    compile "$checkout" "${targets[@]}"
+    end_turn
+}
+
+# cached FOLDER NAME: a value of CMake's cache there
+cached() {
+    sed -n "s/^$2:[A-Z]*=//p" "$1/CMakeCache.txt"
+}
+
+# forget_moved_build CHECKOUT BUILD: CMake refuses a build that was made in another place or of another checkout, and
+# what it has compiled may belong to the sources there. Builds in folders of BUILD look after themselves.
+forget_moved_build() {
+    [[ -e $2/CMakeCache.txt ]] || return 0
+    [[ ! $(cached "$2" CMAKE_HOME_DIRECTORY) -ef $1 || ! $(cached "$2" CMAKE_CACHEFILE_DIR) -ef $2 ]] || return 0
+    say "this checkout was moved or copied with its build: building anew"
+    rm "$2/CMakeCache.txt"
+    find "$2" -mindepth 1 -type d \( \( -name CMakeFiles -o -name '*_autogen' \) -prune -exec rm -rf {} + \
+        -o -exec test -e {}/CMakeCache.txt \; -prune \)
+}
+
 # configure CHECKOUT CMAKE_OPTIONS...: without MESHLAB_SOURCE_DIR, as it was configured before or the core alone
 configure() {
     local checkout=$1 build launcher=()
@@ -22,6 +52,7 @@ configure() {
     [[ -n ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]] || ! command -v ccache >/dev/null ||
         launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
     build=$(build_folder "$checkout")
+    forget_moved_build "$checkout" "$build"
     quietly "$build/configure.log" cmake -S "$checkout" -B "$build" "${launcher[@]}" \
         ${MESHLAB_SOURCE_DIR:+-DMESHLAB_SOURCE_DIR="$MESHLAB_SOURCE_DIR"} "$@" || fail "cmake could not configure the build"
 }

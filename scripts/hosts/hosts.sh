@@ -27,6 +27,7 @@ test_in_root() {
     build=$checkout/build/host-$host
     mkdir -p "$build" "$(compiled_folder)"
     binds=("ro:$checkout" "rw:$build" "ro:$(cache_folder)/headers" "rw:$(compiled_folder)")
+    [[ ! -d $(cache_folder)/models ]] || binds+=("ro:$(cache_folder)/models")
     models=$(dirname "$checkout")/shared/models # scanned models that may lie beside the repository
     [[ ! -d $models ]] || binds+=("ro:$(readlink -f "$models")=$models")
     say "MeshLab $host in $ROOT"

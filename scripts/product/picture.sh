@@ -66,9 +66,18 @@ explain_failure() {
     fi
 }
 
+# user_settings FOLDER: the driver's commands in FOLDER/settings, if there is such a file
+user_settings() {
+    [[ ! -e $1/settings ]] || cat "$1/settings"
+}
+
+# open_window STAGE FOLDER: of MESH. MeshLab keeps what was set in its dialogs only if it is told to.
 open_window() {
     local stage=$1 folder=$2
-    printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "load $MESH" "check $LINES_ACTION on" >"$folder/script"
+    {
+        printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "load $MESH" "check $LINES_ACTION on"
+        user_settings "$folder"
+    } >"$folder/script"
     say "opening MeshLab; $LINES_ACTION is under Render"
     local code=0
     run_meshlab "$stage" "$folder" || code=$?
@@ -91,16 +100,18 @@ drawing() {
     printf '%s/drawing_%d_%d.png\n' "$DRAWINGS" "$1" "$2"
 }
 
-# drawing_script FIRST: draws the meshes from the FIRST-th on by one MeshLab, on white paper. What stands between
-# "together" and the end of its line is done before MeshLab redraws: each redraw of a large mesh takes its time.
+# drawing_script FIRST FOLDER: draws the meshes from the FIRST-th on by one MeshLab, on white paper. What stands between
+# "together" and the end of its line is done before MeshLab redraws: each redraw of a large mesh takes its time. The style
+# Publication looks the same, but what the user sets besides would not count.
 drawing_script() {
-    local mesh view
+    local mesh view settings=()
+    mapfile -t settings < <(user_settings "$2")
     printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "check Show Layer Dialog on" "check Show Info Panel off" \
         "check Show Trackball off" "size $PICTURE_SIZE" "scale-lines $LINE_SIDE"
     for ((mesh = $1; mesh < ${#MESH_FILES[@]}; ++mesh)); do
         printf '%s\n' "load ${MESH_FILES[mesh]}" "size $PICTURE_SIZE"
         printf 'together %s' draw-lines
-        printf ' ; %s' "setdeco Drawing Style = Publication (Black on White)"
+        printf ' ; %s' "setdeco Surface = Paper" "setdeco Background = Paper Color" "${settings[@]}"
         for view in "${!PICTURE_VIEWS[@]}"; do
             printf ' ; %s' "$(frame_command "${PICTURE_VIEWS[view]}")" "grab $(drawing "$mesh" "$view")"
         done
@@ -122,7 +133,7 @@ first_undrawn() {
 draw_meshes() {
     local stage=$1 folder=$2 first=0 undrawn code
     while ((first < ${#MESH_FILES[@]})); do
-        drawing_script "$first" >"$folder/script"
+        drawing_script "$first" "$folder" >"$folder/script"
         code=0
         (
             use_private_home "$folder/home"

@@ -50,9 +50,8 @@ build_for_pymeshlab() {
     export LAPLACIAN_LINES_BUILD=$checkout/build/pymeshlab
     ensure_packages "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
     say "building the filter for PyMeshLab $PYMESHLAB_VERSION"
-    configure "$checkout" -DMESHLAB_COMMON_LIBRARY="$package/lib/libmeshlab-common.so" \
+    build_targets "$checkout" "$target" -- -DMESHLAB_COMMON_LIBRARY="$package/lib/libmeshlab-common.so" \
         -DLAPLACIAN_LINES_PYTHON="$PYMESHLAB_PYTHON" "$@"
-    compile "$checkout" "$target"
 }
 
 # run_python CHECKOUT ARGS...: Python with PyMeshLab and the module laplacian_lines

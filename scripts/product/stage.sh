@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # STAGE/bin/meshlab and meshlabserver: the installed MeshLab with our plugins beside its own, and with nothing written
-# outside STAGE.
+# outside STAGE. Nothing that is as it should be is touched: another MeshLab may just be starting from there.
 
-require product/server
+require environment/turns product/server
 
 multiarch() {
     dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch
@@ -15,41 +15,49 @@ installed_meshlab_folder() {
 # stage_meshlab STAGE PLUGIN...
 stage_meshlab() {
     local stage=$1
+    take_turn "$stage"
     mkdir -p "$stage/bin"
-    copy_meshlab "$stage/system"
-    add_plugins "$stage/system" "${@:2}"
+    copy_meshlab "$stage/system" "${@:2}"
     stage_program "$stage" meshlab
     if [[ -e /usr/bin/meshlabserver ]]; then
         stage_program "$stage" meshlabserver
     else
         stage_server "$@"
     fi
+    end_turn
 }
 
-# copy_meshlab FOLDER: MeshLab finds its libraries, plugins and shaders from the place of its executable, if that
+# copy_meshlab FOLDER PLUGIN...: MeshLab finds its libraries, plugins and shaders from the place of its executable, if that
 # one's folder is called "bin". Executables have to be copies, because Qt follows links.
 copy_meshlab() {
     local folder=$1 installed libraries name
     installed=$(installed_meshlab_folder)
     libraries=$folder/lib/$(multiarch)/meshlab
-    mkdir -p "$folder/bin" "$folder/share" "$libraries/plugins"
+    mkdir -p "$folder/bin" "$folder/share"
     for name in meshlab meshlabserver; do
         [[ -e /usr/bin/$name ]] || continue
         # A running MeshLab may hold the old copy: replace it instead of writing into it.
         cmp -s "/usr/bin/$name" "$folder/bin/$name" || install "/usr/bin/$name" "$folder/bin/"
     done
-    find "$libraries" -type l -delete
-    ln -s "$installed"/*.so "$libraries"
-    ln -s "$installed"/plugins/*.so "$libraries/plugins"
-    ln -sfn /usr/share/meshlab "$folder/share/meshlab"
+    link_all "$libraries" "$installed"/*.so
+    # MeshLab loads both of two plugins with the same decorations and stops at their parameters: ours replaces an
+    # installed one of the same name.
+    link_all "$libraries/plugins" "$installed"/plugins/*.so "${@:2}"
+    link_all "$folder/share" /usr/share/meshlab
 }
 
-# add_plugins FOLDER PLUGIN...: MeshLab loads both of two plugins with the same decorations and stops at their
-# parameters: ours replaces an installed one of the same name.
-add_plugins() {
-    local plugin
-    for plugin in "${@:2}"; do
-        ln -sfn "$plugin" "$1/lib/$(multiarch)/meshlab/plugins"
+# link_all FOLDER FILE...: the links in FOLDER are to these files; of two with the same name, to the last one
+link_all() {
+    local folder=$1 file link
+    local -A files=()
+    for file in "${@:2}"; do files[${file##*/}]=$file; done
+    mkdir -p "$folder"
+    for link in "$folder"/*; do
+        [[ ! -L $link || -n ${files[${link##*/}]:-} ]] || rm "$link"
+    done
+    for file in "${files[@]}"; do
+        link=$folder/${file##*/}
+        [[ $(readlink "$link") == "$file" ]] || ln -sfn "$file" "$link"
     done
 }
 
@@ -65,7 +73,7 @@ stage_program() {
 }
 
 write_program() {
-    rm -f "$1"
-    cat >"$1"
-    chmod +x "$1"
+    cat >"$1.new"
+    chmod +x "$1.new"
+    mv "$1.new" "$1"
 }

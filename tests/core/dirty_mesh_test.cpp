@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <string>
 
+#include "flaked_stone.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
+#include "noise.h"
+#include "places.h"
 
 namespace {
 
@@ -156,14 +158,20 @@ TEST(ExtremeMeshes, StayFinite) {
     }
 }
 
-// ---- real models, where a checkout has them ----
+// ---- scanned models that can be had here, and one that always can ----
 
 class RealModel : public testing::TestWithParam<const char*> {};
 
+TriangleMesh noisy_stone() {
+    return test_meshes::with_noise(test_meshes::FlakedStone({}).mesh(6), 0.2);
+}
+
 TEST_P(RealModel, IsDrawnWithSomeOfItsZeroCrossings) {
-    const std::string path = std::string(LAPLACIAN_LINES_MODELS) + "/" + GetParam();
-    if (!std::ifstream(path)) GTEST_SKIP() << "no " << GetParam() << " beside the repository";
-    const TriangleMesh mesh = test_meshes::read_mesh(path);
+    const bool is_made = std::string(GetParam()) == "stone";
+    const std::string path = places::scanned_model(GetParam()).string();
+    if (!is_made && path.empty())
+        GTEST_SKIP() << GetParam() << " neither lies beside the repository nor was it fetched";
+    const TriangleMesh mesh = is_made ? noisy_stone() : test_meshes::read_mesh(path);
     const Field field = precompute(mesh);
     const LineExtractor extractor(mesh, field);
     for (const View& view : helpers::random_views(mesh, 4)) {
@@ -176,10 +184,7 @@ TEST_P(RealModel, IsDrawnWithSomeOfItsZeroCrossings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, RealModel,
-                         testing::Values("bunny.obj.gz", "igea.ply.gz", "armadillo.obj.gz"),
-                         [](const auto& info) {
-                             const std::string name = info.param;
-                             return name.substr(0, name.find('.'));
-                         });
+                         testing::Values("bunny", "igea", "armadillo", "dragon_res2", "stone"),
+                         [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

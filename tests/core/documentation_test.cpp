@@ -8,13 +8,14 @@
 
 #include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/option_table.h"
+#include "places.h"
 
 namespace {
 
 using namespace laplacian_lines;
 
 std::string content(const std::string& file) {
-    std::ifstream stream(REPOSITORY "/" + file);
+    std::ifstream stream(places::repository() / file);
     std::ostringstream text;
     text << stream.rdbuf();
     EXPECT_FALSE(text.str().empty()) << file;

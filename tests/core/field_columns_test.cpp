@@ -13,6 +13,7 @@
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
+#include "places.h"
 #include "registry.h"
 
 namespace {
@@ -30,8 +31,8 @@ std::string documented_names(const FieldColumn& column) {
 
 std::vector<std::string> documentation_lines() {
     namespace fs = std::filesystem;
-    std::vector<fs::path> files = {fs::path(REPOSITORY) / "README.md"};
-    for (const auto& entry : fs::directory_iterator(fs::path(REPOSITORY) / "docs"))
+    std::vector<fs::path> files = {places::repository() / "README.md"};
+    for (const auto& entry : fs::directory_iterator(places::repository() / "docs"))
         if (entry.path().extension() == ".md") files.push_back(entry.path());
     std::vector<std::string> lines;
     for (const fs::path& path : files) {

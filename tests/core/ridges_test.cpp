@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "fixed/stretches.h"
 #include "flaked_stone.h"
 #include "generators.h"
 #include "helpers.h"
@@ -146,6 +147,26 @@ TEST(Ridges, GoOnWhereTheyAreWeaker) {
     };
     EXPECT_NEAR(reach(40), 0.75, 0.04);  // there it turns by 10°
     EXPECT_EQ(reach(18), 0);
+}
+
+/// Of a line with so many pieces of 0.01 D at 40°, then so many at another angle.
+StretchLengths lengths_of(std::uint32_t plain, std::uint32_t others, float angle) {
+    std::vector<LinePoint> points(plain + others + 1);
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        points[i] = {{0.02f * float(i), 0, 0}, 1, i < plain ? 40 : angle, 1};
+    const auto count = std::uint32_t(points.size());
+    return measure({0, count, count, false}, points.data(), 20, 2);
+}
+
+/// Short ones are noise if they are dull.
+TEST(Ridges, CountTheMoreTheSharperTheyAre) {
+    EXPECT_NEAR(lengths_of(3, 0, 40).strong, 0.03f, 1e-5f);
+    EXPECT_NEAR(lengths_of(0, 3, 45).strong, 0.03f, 1e-5f);
+    EXPECT_NEAR(lengths_of(0, 3, 63.64f).strong, 0.06f, 1e-4f) << "twice at √2 times 45°";
+    EXPECT_NEAR(lengths_of(0, 3, 170).strong, 0.09f, 1e-5f);
+    EXPECT_NEAR(lengths_of(2, 1, 170).strong, 0.05f, 1e-5f) << "pieces are as dull as their ends";
+    EXPECT_NEAR(lengths_of(3, 4, 10).strong, 0.02f, 1e-5f) << "what has not the angle ends it";
+    EXPECT_NEAR(lengths_of(3, 4, 10).all, 0.07f, 1e-5f);
 }
 
 /// Where Ridge Angle is small, too.

@@ -7,6 +7,8 @@
 #include <map>
 
 #include "closed_mesh.h"
+#include "field/facet_noise.h"
+#include "flaked_stone.h"
 #include "helpers.h"
 #include "implicit_head.h"
 #include "laplacian_lines/line_extractor.h"
@@ -32,6 +34,19 @@ double sigma_of(const Field& field) {
 
 double sigma_of(const TriangleMesh& mesh) {
     return sigma_of(precompute(mesh));
+}
+
+/// Of all kinds of lines from an eye in front, in D.
+double drawn_length(const TriangleMesh& mesh, const PrecomputeOptions& options) {
+    const Field field = precompute(mesh, options);
+    const double d = field.scale.diagonal;
+    const LineSet lines = helpers::extract(LineExtractor(mesh, field),
+                                           View::perspective(d * Vector3d(0.5, 0.3, 1.4)), {});
+    double length = 0;
+    for (const Polyline& line : lines.lines)
+        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
+            length += double((lines.points[i].position - lines.points[i - 1].position).norm()) / d;
+    return length;
 }
 
 TEST(MarchingCubes, MakesClosedSpheresThatFaceOutwards) {
@@ -84,7 +99,9 @@ TEST(MarchingCubes, ClosesSurfacesOfRandomLabels) {
 TEST(Roughness, OfSmoothAndCoarseMeshesChangesNothing) {
     for (const test_meshes::MeshEntry& entry : test_meshes::all_entries())
         if (!entry.has(test_meshes::kUnusable)) {
-            EXPECT_NEAR(sigma_of(entry.get().mesh), 0.8, 1e-9) << entry.name;
+            const Field field = precompute(entry.get().mesh);
+            EXPECT_NEAR(sigma_of(field), 0.8, 1e-9) << entry.name;
+            EXPECT_LT(field.report.roughness, 0.2) << entry.name;
         }
     EXPECT_NEAR(sigma_of(test_meshes::smooth_head(kVoxels)), 0.8, 1e-9);
     EXPECT_EQ(precompute(test_meshes::sphere(5).mesh).report.roughness, 0);
@@ -98,6 +115,49 @@ TEST(Roughness, TellsTerracesAndNoiseOnSmoothForms) {
     EXPECT_GT(sigma_of(test_meshes::terraced_head(100)), sigma_of(rough))
         << "more voxels: the same terraces on a form that is smoother at their scale";
     EXPECT_GT(sigma_of(test_meshes::with_noise(test_meshes::sphere(5).mesh, 0.4)), 1.6);
+}
+
+/// Where the scales of the smoothing say too little: fine forms, large triangles.
+TEST(Roughness, TellsNoiseOnCoarseMeshes) {
+    const auto roughness = [](const TriangleMesh& mesh) {
+        return precompute(mesh).report.roughness;
+    };
+    TriangleMesh bumps = test_meshes::bumpy_sphere(4).mesh;
+    TriangleMesh cylinder = test_meshes::cylinder(48, 24).mesh;
+    TriangleMesh sheets = test_meshes::parallel_sheets(24, 0.05);
+    for (const double noise : {0.1, 0.2, 0.4})
+        for (TriangleMesh* mesh : {&bumps, &cylinder, &sheets})
+            EXPECT_EQ(roughness(test_meshes::with_noise(*mesh, noise)), 1);
+}
+
+TEST(Roughness, OfFacetsDoesNotMindOrientation) {
+    const auto is_noisy = [](const TriangleMesh& mesh) {
+        PreparedMesh prepared = prepare_mesh(mesh, Cuts::Left);
+        sort_in_space(prepared);
+        return has_noisy_facets(prepared);
+    };
+    TriangleMesh bumps = test_meshes::bumpy_sphere(4).mesh;
+    test_meshes::flip_triangles(bumps, 3);
+    EXPECT_FALSE(is_noisy(bumps));
+    EXPECT_TRUE(is_noisy(test_meshes::with_noise(bumps, 0.2)));
+}
+
+/// Forms that are as rough as noise, but not everywhere.
+TEST(Roughness, IsNotThatOfCoarseForms) {
+    for (const int level : {3, 4}) {
+        const TriangleMesh stone = test_meshes::FlakedStone({1, 0.01, 40, 5}).mesh(level);
+        EXPECT_LT(precompute(stone).report.roughness, 0.5) << level;
+    }
+    for (const int size : {25, 30, 40})
+        EXPECT_LT(precompute(test_meshes::smooth_head(size)).report.roughness, 0.5) << size;
+}
+
+/// Edges of the mesh that noise has turned are not the form's.
+TEST(Roughness, HasNoisyCoarseMeshesDrawnWithSmoothContours) {
+    const TriangleMesh bumps = test_meshes::bumpy_sphere(4).mesh;
+    const double clean = drawn_length(bumps, {});
+    EXPECT_NEAR(drawn_length(test_meshes::with_noise(bumps, 0.1), {}), clean, 0.2 * clean);
+    EXPECT_NEAR(drawn_length(test_meshes::with_noise(bumps, 0.2), {}), clean, 0.5 * clean);
 }
 
 TEST(Roughness, HasTheSmoothingInProportionWithinLimits) {
@@ -149,19 +209,6 @@ TEST(Roughness, GivesTheFieldOfTheSigmaThatItChooses) {
     PrecomputeOptions options;
     options.normal_sigma = automatic_normal_sigma(field.report.roughness);
     EXPECT_TRUE(helpers::same_fields(field, precompute(terraces(), options)));
-}
-
-/// Of all kinds of lines from an eye in front, in D.
-double drawn_length(const TriangleMesh& mesh, const PrecomputeOptions& options) {
-    const Field field = precompute(mesh, options);
-    const double d = field.scale.diagonal;
-    const LineSet lines = helpers::extract(LineExtractor(mesh, field),
-                                           View::perspective(d * Vector3d(0.5, 0.3, 1.4)), {});
-    double length = 0;
-    for (const Polyline& line : lines.lines)
-        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
-            length += double((lines.points[i].position - lines.points[i - 1].position).norm()) / d;
-    return length;
 }
 
 /// tests/benchmarks/terraces_test.cpp has where they are drawn.

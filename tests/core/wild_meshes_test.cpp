@@ -13,6 +13,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
+#include "places.h"
 #include "wild_case.h"
 #include "wild_mesh.h"
 
@@ -183,7 +184,8 @@ TEST(WildInput, OfRandomBytes) {
 
 TEST(WildInput, ThatOnceDidHarm) {
     std::size_t count = 0;
-    for (const auto& file : std::filesystem::directory_iterator(FOUND_BY_FUZZERS)) {
+    for (const auto& file :
+         std::filesystem::directory_iterator(places::repository() / "tests/fuzz/found")) {
         std::ifstream in(file.path(), std::ios::binary);
         const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
         EXPECT_EQ(run_both(bytes), "") << file.path();

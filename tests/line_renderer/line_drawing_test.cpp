@@ -134,6 +134,32 @@ TEST_F(LineTest, AreOfOneTone) {
             << "a gap at " << point.position.transpose();
 }
 
+/// Points a tenth of a pixel apart, most of which are not drawn.
+TEST_F(LineTest, LookTheSameWithoutThePointsThatAreNotSeen) {
+    LineSet lines;
+    for (int i = 0; i < 5; ++i) {
+        std::vector<Vector3f> wave;
+        for (float x = 10; x < 150; x += 0.1f)
+            wave.push_back({x, 15 + 20 * float(i) + 6 * std::sin(0.1f * x * float(i + 1)), 0});
+        addLine(lines, wave);
+        for (std::size_t k = lines.points.size() - wave.size(); k < lines.points.size(); ++k)
+            lines.points[k].weight = std::abs(std::sin(0.03f * lines.points[k].position.x()));
+    }
+    line_renderer::LinePlacement placement = Canvas::placement();
+    placement.tolerance = 0;
+    const QImage all = drawn(lines, blackLines(2.5), placement);
+    canvas_.clear();
+    const QImage simplified = drawn(lines, blackLines(2.5));
+    EXPECT_NEAR(inkOf(simplified), inkOf(all), 0.02 * inkOf(all));
+    double greatest = 0;
+    for (int x = 0; x < Canvas::width; ++x)
+        for (int y = 0; y < Canvas::height; ++y)
+            greatest = std::max(greatest, std::abs(colorAt(simplified, x, y).greenF() -
+                                                   colorAt(all, x, y).greenF()));
+    EXPECT_GT(greatest, 0) << "nothing was left out";
+    EXPECT_LT(greatest, 0.3);
+}
+
 /// The last lines handed over are drawn, whether they are more or fewer, or none.
 TEST_F(LineTest, AreThoseHandedOverLast) {
     const LineAppearance appearance = blackLines(3);

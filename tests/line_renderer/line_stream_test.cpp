@@ -15,6 +15,7 @@ using line_renderer::LineRadii;
 using line_renderer::neighbour_only;
 using line_renderer::nothing_here;
 using line_renderer::ScreenTransform;
+using line_renderer::StreamManner;
 using line_renderer::StreamPoint;
 
 LineRadii equalRadii(float radius) {
@@ -23,11 +24,17 @@ LineRadii equalRadii(float radius) {
     return radii;
 }
 
+/// With all points of the lines.
 std::vector<StreamPoint> streamOf(const LineSet& lines, const LineRadii& radii,
-                                  const ScreenTransform* screen = nullptr) {
+                                  const ScreenTransform* measured_on = nullptr) {
+    StreamManner manner;
+    manner.radii = radii;
+    manner.tolerance.distance = 0;
+    manner.is_measured = measured_on;
+    if (measured_on) manner.screen = *measured_on;
     const StreamPoint untouched = {{-7, -7, -7}, -7, -7, -7, -7};
     std::vector<StreamPoint> stream(line_renderer::streamLength(lines) + 1, untouched);
-    line_renderer::writeStream(lines, radii, screen, stream.data());
+    EXPECT_EQ(line_renderer::writeStream(lines, manner, stream.data()), stream.size() - 1);
     EXPECT_EQ(stream.back().radius, untouched.radius) << "written beyond its length";
     stream.pop_back();
     return stream;

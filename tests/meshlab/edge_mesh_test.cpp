@@ -113,6 +113,21 @@ TEST(EdgeMesh, VerticesWithoutNormalsAreNotTheSurface) {
         EXPECT_NEAR(vertex.cN().Norm(), 1, 1e-5);
 }
 
+TEST(EdgeMesh, HasTheColorsOfTheKinds) {
+    const LineSet lines = bumpyLines();
+    meshlab_host::KindColors colors{};
+    for (std::size_t kind = 0; kind < colors.size(); ++kind)
+        colors[kind] = qRgb(int(10 + kind), int(20 + kind), int(30 + kind));
+    CMeshO mesh;
+    meshlab_host::toEdgeMesh(lines, mesh);
+    meshlab_host::setColors(lines, colors, mesh);
+    const auto kind = column(mesh, "ll_kind");
+    for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
+        const int number = int(kind[v]);
+        EXPECT_EQ(mesh.vert[v].cC(), vcg::Color4b(10 + number, 20 + number, 30 + number, 255));
+    }
+}
+
 TEST(EdgeMesh, IsEmptyWithoutLines) {
     CMeshO mesh;
     meshlab_host::toEdgeMesh({}, mesh);

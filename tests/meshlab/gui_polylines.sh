@@ -130,3 +130,82 @@ for side in 0 1 2 3; do
     difference=$((surface[side] - lines[side]))
     ((difference >= -4 && difference <= 4)) || fail "lines end at ${lines[*]}, the surface at ${surface[*]}"
 done
+
+# numbers of what is said of "Lines of torus.ply" in a log, a line each
+line_counts() {
+    sed -n -E 's/.*Lines of torus\.ply: (.* segments); .*/\1/p' "$1"
+}
+
+# Sides are those of MeshLab's menu, which is what the dialog begins with
+drive <<END
+wait
+open torus.ply
+$(for side in Front Back Left Right Top Bottom; do
+    printf '%s\n' "trigger $side" 'trigger Generate Laplacian Lines Polylines' apply 'select-layer 0' \
+        "set View = $side" apply close 'select-layer 0'
+done)
+log sides.txt
+END
+mapfile -t directions < <(sed -n -E 's/.*Lines of .* along the view direction ([^ ]+ [^ ]+ [^ ]+).*/\1/p' "$WORK/sides.txt" |
+    awk '{ printf "%.4f %.4f %.4f\n", $1 + 0, $2 + 0, $3 + 0 }' | sed 's/-0\.0000/0.0000/g')
+((${#directions[@]} == 12)) || fail "sides.txt tells of ${#directions[@]} layers"
+for number in 0 2 4 6 8 10; do
+    [[ ${directions[number]} == "${directions[number + 1]}" ]] ||
+        fail "MeshLab looks along ${directions[number]}, the filter along ${directions[number + 1]}"
+done
+
+# As the decoration draws: nothing before it has, then its lines, its light and its colors, whatever else is set
+drive <<END
+wait
+open torus.ply
+size 800x600
+look 0 -2 3  0 0 0
+trigger Generate Laplacian Lines Polylines
+set Settings = As the Decoration
+apply
+expect-modal Filter Failure.*The decoration Laplacian Lines has drawn nothing here
+button OK
+close
+check Laplacian Lines on
+setdeco Detail = 80
+setdeco Ridge Angle = 25
+setdeco Line Color = #ff0000
+setdeco Contour Color = #ff0000
+setdeco Hidden Lines = Faint
+setdeco Light Position = Fixed to the Camera
+setdeco Light Azimuth = 90
+setdeco Light Elevation = 0
+trigger Generate Laplacian Lines Polylines
+set Settings = As the Decoration
+set Occluding Contours = off
+apply
+close
+check Show Info Panel off
+check Show Trackball off
+show-layer 0
+grab red.png
+show-layer 0
+select-layer 0
+setdeco Ridge Angle = 10
+trigger Generate Laplacian Lines Polylines
+set Settings = As the Decoration
+apply
+set Settings = As Set Below
+set Detail = 80
+set Visible Lines Only = off
+set Light Position = Along the Light Direction
+set Light Direction = 1 0 0
+select-layer 0
+apply
+close
+log counts.txt
+END
+mapfile -t counts < <(line_counts "$WORK/counts.txt")
+((${#counts[@]} == 3)) || fail "counts.txt tells of ${#counts[@]} layers"
+[[ ${counts[0]} == *'occluding contours'* ]] || fail "the decoration draws contours, the filter ${counts[0]}"
+[[ ${counts[0]} != "${counts[1]}" ]] || fail "the decoration's ridge angle does not count"
+[[ ${counts[1]} == "${counts[2]}" ]] || fail "as the decoration ${counts[1]}, with the same settings ${counts[2]}"
+# thin lines in their color, without the dots and the gray that MeshLab's edges have by themselves
+red=$(red_pixels "$WORK/red.png")
+ink=$(convert "$WORK/red.png" -alpha off -fill black +opaque white -negate -format '%[fx:round(mean*w*h)]' info:)
+((red > 1000 && red == ink && red < 10000)) || fail "red.png has $red red pixels, $ink in all"

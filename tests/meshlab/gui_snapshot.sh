@@ -67,8 +67,9 @@ setdeco Surface = Paper
 setdeco Hidden Lines = Dashed
 $(snapshots dashed)
 END
+# A camera that differs in the last bits may have other points of a line left out, which changes its tone by a shade.
 for view in perspective orthographic dashed; do
-    expect_same_picture "$WORK/$view.png" "$WORK/${view}_1.png" 20
+    expect_same_picture "$WORK/$view.png" "$WORK/${view}_1.png" 150
     expect_same_picture "$WORK/$view.png" "$WORK/${view}_again.png" 10
     for tiles in 2 3; do
         expect_same_width "$view" "$tiles"

@@ -28,7 +28,7 @@ WORK=$LAPLACIAN_LINES_BUILD/Testing/meshlab/$TEST_NAME
 DRIVE_SECONDS=${DRIVE_SECONDS:-100} # a hung MeshLab, before ctest's own limit, so that its log is shown
 
 # shellcheck source=/dev/null
-source "$CHECKOUT/scripts/require.sh" environment/messages environment/packages product/display product/models \
+source "$CHECKOUT/scripts/require.sh" environment/cache environment/messages environment/packages product/display product/models \
     product/private_home product/stage
 
 end_test() {
@@ -47,6 +47,8 @@ begin_test() {
     trap end_test EXIT
     trap 'exit 143' TERM INT
     start_display 1700 1000
+    LAPLACIAN_LINES_CACHE=$(cache_folder) # the user's: models are fetched once
+    export LAPLACIAN_LINES_CACHE
     use_private_home "$WORK/home"
     white_background "$WORK/home"
     # The same pixels on every machine, whatever the graphics card

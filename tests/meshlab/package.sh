@@ -20,6 +20,11 @@ dpkg-deb --contents "$deb" | awk '$1 !~ /^d/ { print $6 }' | sort >"$WORK/conten
 plugins=.$(installed_meshlab_folder)/plugins
 diff "$WORK/contents" <(printf '%s\n' "$plugins/libdecorate_laplacian_lines.so" "$plugins/libfilter_laplacian_lines.so" \
     ./usr/share/doc/meshlab-laplacian-lines/copyright) || fail "the .deb holds other files"
+# other packages have these folders too, but for the last
+folders_to() { if [[ $1 != . ]]; then folders_to "$(dirname "$1")" && printf '%s/\n' "$1"; fi; }
+dpkg-deb --contents "$deb" | awk '$1 ~ /^d/ { print $6 }' | sort -u >"$WORK/contents"
+diff "$WORK/contents" <({ folders_to "$plugins" && folders_to ./usr/share/doc/meshlab-laplacian-lines; } | sort -u) ||
+    fail "the .deb has other folders"
 mkdir "$WORK/zip"
 (cd "$WORK/zip" && cmake -E tar xf "$zip" && ls) >"$WORK/contents"
 diff "$WORK/contents" <(printf '%s\n' LICENSE README.md libdecorate_laplacian_lines.so libfilter_laplacian_lines.so) ||
@@ -70,7 +75,8 @@ in_installed_copy() {
         ! (install_plugins "$LAPLACIAN_LINES_BUILD"/plugins/*.so) 2>"$WORK/log" || fail "the plugins were installed twice"
         expect_text "$WORK/log" 'would be loaded twice; .* apt remove meshlab-laplacian-lines'
     fi
-    dpkg --remove meshlab-laplacian-lines >>"$WORK/log" 2>&1 || fail "the package cannot be removed"
+    dpkg --remove meshlab-laplacian-lines >"$WORK/log" 2>&1 || fail "the package cannot be removed"
+    ! grep -i warning "$WORK/log" || fail "removing the package warns"
     ! ls "$(installed_meshlab_folder)"/plugins/*laplacian_lines* || fail "the package leaves files"
 }
 mkdir "$WORK/copy"

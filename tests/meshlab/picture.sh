@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# ./run --picture: a drawing on white paper; sheets of views and meshes; from all sides, with any axis up, enlarged,
-# without perspective; with lines that go with the size.
+# ./run --picture: a drawing on white paper, also with parameters of the decoration; sheets of views and meshes; from all
+# sides, with any axis up, enlarged, without perspective; with lines that go with the size.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
-require product/picture
+require product/picture product/settings
 stop_display # it starts one of its own
 
 # take FILE MESH OPTIONS...
@@ -18,6 +18,7 @@ take() {
     check_picture "$file"
     rm -rf "$WORK/drawings"
     mkdir "$WORK/drawings"
+    [[ ! -e $WORK/settings ]] || cp "$WORK/settings" "$WORK/drawings"
     take_pictures "$STAGE" "$WORK/drawings" "$file" "$mesh"
     stop_display
 }
@@ -59,6 +60,17 @@ expect_picture "$WORK/drawing.png" 500x400
 ink=$(dark_pixels "$WORK/drawing.png")
 ((ink > 1000 && ink < 40000)) || fail "$ink dark pixels are no drawing"
 [[ $(convert "$WORK/drawing.png" -format '%[pixel:p{2,2}]' info:) =~ white|255,255,255 ]] || fail "the paper is not white"
+
+# take_with SETTING...: with_settings.png
+take_with() {
+    write_settings "$LAPLACIAN_LINES_BUILD" "$WORK/settings" "$@"
+    take "$WORK/with_settings.png" "$WORK/torus.ply"
+    rm "$WORK/settings"
+}
+take_with "Drawing Style=Publication"
+expect_same_picture "$WORK/drawing.png" "$WORK/with_settings.png" 0
+take_with "Line Color=red" "Contour Color=red" "Line Width=4"
+(($(red_pixels "$WORK/with_settings.png") > 3 * ink / 2)) || fail "the lines are not red and wide"
 
 gzip --keep "$WORK/torus.ply"
 take "$WORK/sheet.png" "$WORK/torus.ply.gz" --view 30,15 --view -60,0

@@ -39,9 +39,26 @@ protected:
     /// A whole snapshot, row by row.
     void expectScaleOfSnapshot(int n) {
         for (int row = 0; row < n; ++row)
-            for (int column = 0; column < n; ++column)
+            for (int column = 0; column < n; ++column) {
                 EXPECT_EQ(tiles_.scale(tile(n, column, row)), n)
                     << "tile " << column << ", " << row << " of " << n;
+                expectCameraOfPicture(n);
+            }
+    }
+
+    /// That of a view in the middle which is as large as a tile, the same for all of them.
+    void expectCameraOfPicture(int n) {
+        const Eigen::Matrix4d middle = tiles_.camera().projection;
+        EXPECT_TRUE(middle.isApprox(tile(1, 0, 0).projection.cwiseProduct(scaled(n)), 1e-12))
+            << middle;
+        EXPECT_EQ(tiles_.camera().modelview, tile(n, 0, 0).modelview);
+    }
+
+    /// By how much the parts of a tile's projection are larger than those of the view.
+    static Eigen::Matrix4d scaled(int n) {
+        Eigen::Matrix4d factors = Eigen::Matrix4d::Ones();
+        factors.topRows<2>() *= n;
+        return factors;
     }
 
     SnapshotTiles tiles_;

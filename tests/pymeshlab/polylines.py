@@ -36,26 +36,32 @@ assert set(number) == set(range(int(number.max()) + 1))
 for name in ("ll_kind", "ll_strength", "ll_slope"):
     assert all(len(set(attributes[name][number == line])) == 1 for line in set(number)), name
 
-# the default view is a perspective one from +z; hidden lines on demand
+# hidden lines on demand; the default view is from the front, along -z
 from_the_side = {**parameters, "viewpoint": [0.5, -3, 1]}
 seen, everything = create(**from_the_side), create(**from_the_side, visible_only=False)
 assert length(*everything[:2]) > 1.05 * length(*seen[:2])
-from_above = create()
-assert from_above[0].shape != points.shape or (from_above[0] != points).any()
-orthographic = create(view="Orthographic, along the View Direction", view_direction=[0, 0, 1])
-assert len(orthographic[1]) != len(from_above[1])
+front = create()
+along_z = create(view="Orthographic, along the View Direction", view_direction=[0, 0, 1])
+assert (front[0] == along_z[0]).all() and (front[1] == along_z[1]).all()
+assert front[0].shape != points.shape or (front[0] != points).any()
 
 script = meshes()
 script.load_filter_script(str(EXAMPLES / "laplacian_lines_polylines.mlx"))
 script.apply_filter_script()
 by_script = lines_of(script)
-assert (by_script[0] == points).all() and (by_script[1] == edges).all()
+assert (by_script[0] == front[0]).all() and (by_script[1] == front[1]).all()
 
 refused = meshes()
 make = refused.generate_polyline_from_laplacian_lines
 expect_error("There is no window with a current view", make, view=0)
+expect_error("The decoration Laplacian Lines has drawn nothing here", make, settings="As the Decoration")
 expect_error('"Detail" is 101. It has to be between 0 and 100', make, detail=101)
 expect_error("The viewpoint is inside the surface", make, viewpoint=[1, 0, 0])
 none = {"laplacian_lines": False, "ridges": False, "borders": False, "contours": False, "creases": False}
 expect_error("No lines are seen from there", make, **none)
 assert refused.mesh_number() == 1, "a layer was made in spite of an error"
+
+# black unless MeshLab's decoration was asked for other colors
+colored = meshes()
+colored.generate_polyline_from_laplacian_lines()
+assert (colored.current_mesh().vertex_color_matrix() == (0, 0, 0, 1)).all()

@@ -110,9 +110,10 @@ QStringList randomPolylineSettings(Dice& dice) {
         if (!row.for_experts) settings.push_back(settingOf(row));
     QStringList result = some(dice, settings);
     if (dice.oneIn(2)) {
-        result << QString("View = %1").arg(dice.below(3));
+        result << QString("View = %1").arg(dice.below(9));
         result << "Viewpoint = " + randomPlace(dice, 5);
         result << "View Direction = " + randomPlace(dice, 1);
+        result << QString("Settings = %1").arg(dice.below(2));
         result << (dice.oneIn(2) ? "Visible Lines Only = on" : "Visible Lines Only = off");
     }
     return result;

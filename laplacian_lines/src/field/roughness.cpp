@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "field/facet_noise.h"
 #include "laplacian_lines/precompute_options.h"
 #include "sums/facing_weight.h"
 #include "sums/summation_cost.h"
@@ -26,6 +27,8 @@ constexpr double kSmooth = 0.01, kRough = 0.03;
 // In mean edges. What serves scans best is the least; beyond, in proportion to the roughness, as
 // was best for drawings of terraces and of noisy smooth forms.
 constexpr double kLeastSigma = 0.8, kLargestSigma = 2.5, kSigmaOfRoughness = 0.7;
+// Of coarse meshes with noisy facets, at least: rough, but no more smoothing than of a scan.
+constexpr double kOfNoisyFacets = 1;
 constexpr double kLongest = 1e4;  // a tenth of a second, in units of pairs_cost()
 
 /// How far a normal turns: from what the triangles give to the first scale, and on to each next.
@@ -66,11 +69,9 @@ double lower_quartile(std::vector<Turns>& turns, std::size_t scale) {
     return (*place)[scale];
 }
 
-}  // namespace
-
-double measure_roughness(const PreparedMesh& mesh, const SpatialTree& tree,
-                         const std::vector<float>& relative_sizes,
-                         const std::vector<Eigen::Vector3d>& normals) {
+double roughness_by_scales(const PreparedMesh& mesh, const SpatialTree& tree,
+                           const std::vector<float>& relative_sizes,
+                           const std::vector<Eigen::Vector3d>& normals) {
     const std::size_t count = std::min(kSamples, mesh.size());
     if (mesh.mean_edge > kLargestEdge) return 0;
     if (pairs_cost(tree, kReach * mesh.mean_edge) * double(count) / double(mesh.size()) > kLongest)
@@ -85,6 +86,15 @@ double measure_roughness(const PreparedMesh& mesh, const SpatialTree& tree,
     const double finer = lower_quartile(turns, 1), coarser = lower_quartile(turns, 2);
     const double counts = std::clamp((from_triangles - kSmooth) / (kRough - kSmooth), 0., 1.);
     return coarser > 0 ? counts * finer / coarser : 0;
+}
+
+}  // namespace
+
+double measure_roughness(const PreparedMesh& mesh, const SpatialTree& tree,
+                         const std::vector<float>& relative_sizes,
+                         const std::vector<Eigen::Vector3d>& normals) {
+    const double roughness = roughness_by_scales(mesh, tree, relative_sizes, normals);
+    return roughness < kOfNoisyFacets && has_noisy_facets(mesh) ? kOfNoisyFacets : roughness;
 }
 
 double automatic_normal_sigma(double roughness) {

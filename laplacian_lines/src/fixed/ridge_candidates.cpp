@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "fixed/segment_tracing.h"
+#include "fixed/stretches.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -185,7 +186,7 @@ RidgeCandidates find_ridge_candidates(const ExtractorData& data,
     const RidgeGraph graph(pieces);
     LineRules rules;
     rules.kind = LineKind::Ridge;
-    rules.least_length = kLeastRidgeLength;
+    rules.least_length = kLeastRidgeLength / SharpLength::kMostWeight;
     TracingMemory memory;
     RidgeCandidates candidates;
     trace_segments(data, rules, graph.graph(), memory, candidates.lines);

@@ -9,14 +9,15 @@
 
 namespace laplacian_lines {
 
-/// Over which a ridge is sharp somewhere, in D.
-constexpr float kLeastRidgeLength = 0.03f;
+/// Over which a ridge is sharp somewhere, in D; the sharper, the shorter it may be, see
+/// SharpLength.
+constexpr float kLeastRidgeLength = 0.04f;
 
 /// Convex crest lines, sharp or not, whatever the view. With e₁ the direction of the largest
 /// curvature and t = tr S, they are the zeros of ∇t·e₁ at which ∇t falls along e₁; ∇t is the
 /// tangential part of Δn (Δn = −‖S‖² n + ∇t), so the heat kernel makes them as robust as Laplacian
 /// lines. Only where one convex curvature rules, k₁ > 2|k₂|,
-/// and no shorter ones than kLeastRidgeLength.
+/// and none that is too short however sharp.
 struct RidgeCandidates {
     /// What there is at a point of a line, local.
     struct Form {

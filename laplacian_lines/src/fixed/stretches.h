@@ -39,10 +39,22 @@ void for_each_stretch(const Polyline& line, const LinePoint* points, float least
     }
 }
 
+/// Of what is sharp, each piece counts the more the sharper it is: what noise makes of a smooth
+/// surface is short and dull, the spine of a dragon is short and sharp.
+struct SharpLength {
+    static constexpr float kPlainAngle = 45;  ///< degrees; up to which a piece counts once
+    static constexpr float kMostWeight = 3;
+
+    static float weight(float angle) {
+        const float ratio = angle / kPlainAngle;
+        return std::clamp(ratio * ratio, 1.f, kMostWeight);
+    }
+};
+
 /// In D.
 struct StretchLengths {
     float all = 0;
-    float strong = 0;  ///< of the longest part of it that has the angle
+    float strong = 0;  ///< of the part of it that has the angle, the longest by SharpLength
 };
 
 inline StretchLengths measure(const Stretch& stretch, const LinePoint* points, float angle,
@@ -53,7 +65,8 @@ inline StretchLengths measure(const Stretch& stretch, const LinePoint* points, f
         const LinePoint &a = points[stretch.point(i - 1)], &b = points[stretch.point(i)];
         const float length = (b.position - a.position).norm() / diagonal;
         lengths.all += length;
-        strong = std::min(a.gradient, b.gradient) >= angle ? strong + length : 0;
+        const float sharp = std::min(a.gradient, b.gradient);
+        strong = sharp >= angle ? strong + SharpLength::weight(sharp) * length : 0;
         lengths.strong = std::max(lengths.strong, strong);
     }
     return lengths;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "laplacian_lines/line_set.h"
 #include "line_renderer/depth_texture.h"
@@ -23,6 +24,13 @@ struct LinePlacement {
     double pixel_scale = 1;      ///< pixels of the viewport for one of the appearance
     double mark_pixels = 0;      ///< diameter of points or wires drawn on the surface
     DepthTexture depths{};       ///< of what hides lines
+    /// Mesh coordinates to clip coordinates of all tiles that are put together to one picture, but
+    /// for a move in its plane; none: it is not one. What is left out of lines is so the same in
+    /// all of them, to the bit.
+    std::optional<Eigen::Matrix4d> picture_to_clip{};
+    /// By how much what is drawn may miss a line, pixels of the viewport; 0: by nothing. A quarter
+    /// is not seen, and leaves a sixth of the segments of a line set that is finer than pixels.
+    double tolerance = 0.25;
 };
 
 /// Draws line sets with OpenGL over what is in the depth buffer. Holds a program and buffers for
@@ -33,8 +41,8 @@ public:
     LineRenderer();
     ~LineRenderer();
 
-    /// Hands lines over to OpenGL, for drawing with the same appearance and placement. No
-    /// allocation while sets get no larger.
+    /// Hands lines over to OpenGL, for drawing with the same appearance and placement: the points
+    /// that are needed for what can be seen. No allocation while sets get no larger.
     /// @throws std::runtime_error if OpenGL cannot draw them; then draw() draws nothing
     void upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
                 const LinePlacement& placement);

@@ -27,4 +27,7 @@ using SurfacePointer = std::shared_ptr<const Surface>;
 SurfacePointer makeSurface(const laplacian_lines::TriangleMesh& mesh,
                            const laplacian_lines::Field& field);
 
+/// Bytes that a surface holds.
+std::size_t bytesOf(const Surface& surface);
+
 }  // namespace line_renderer

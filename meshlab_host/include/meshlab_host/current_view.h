@@ -11,6 +11,7 @@ struct CurrentView {
     bool is_orthographic;
     Eigen::Vector3d eye;
     Eigen::Vector3d towards_viewer;  ///< unit, from what the camera looks at
+    Eigen::Vector3d up;              ///< unit, of the picture
 };
 
 /// What the current one of MeshLab's GL views shows: the one that has its border marked, to which

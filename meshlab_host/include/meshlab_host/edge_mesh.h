@@ -3,6 +3,7 @@
 
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_set.h"
+#include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"
 
 namespace meshlab_host {
@@ -15,6 +16,9 @@ namespace meshlab_host {
 ///     ll_weight, ll_gradient, ll_opacity   of the point, see LinePoint
 /// and as quality weight times opacity: how much ink the point takes.
 void toEdgeMesh(const laplacian_lines::LineSet& lines, CMeshO& mesh);
+
+/// Gives each vertex of an edge mesh of these lines the color of its line's kind.
+void setColors(const laplacian_lines::LineSet& lines, const KindColors& colors, CMeshO& mesh);
 
 /// Gives each vertex of an edge mesh the field's normal at the surface's nearest vertex. MeshLab
 /// lights points by their normals; without any, their color depends on the OpenGL driver.

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <QVariant>
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "meshlab_host/meshlab_api.h"
@@ -20,12 +24,20 @@ struct FilterDescription {
     int preconditions = MeshModel::MM_NONE;
 };
 
+/// What a filter tells the program that called it, beside what it does to the document: PyMeshLab
+/// returns it as a dictionary. It knows numbers, truths, texts and MeshLab's points.
+using FilterResults = std::map<std::string, QVariant>;
+
+/// Adds three numbers under a name.
+void addResult(const char* name, const Eigen::Vector3d& value, FilterResults& results);
+
 /// What a filter works with while it runs.
 struct FilterRun {
     MeshDocument& document;  ///< with a current mesh
     const RichParameterList& parameters;
     vcg::CallBackPos* progress;                    ///< may be null
     std::function<void(const QString& line)> say;  ///< adds a line to the log
+    FilterResults& results;                        ///< empty; MeshLab 2020.09 asks for none
 };
 
 /// An entry of the Filters menu that works on the current mesh and changes nothing MeshLab draws of

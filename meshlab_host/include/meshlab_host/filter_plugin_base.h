@@ -23,7 +23,8 @@ private:
     void say(const QString& line);
     /// Runs a filter, with every exception turned into a sentence. Empty: success.
     QString runCatchingAll(const Filter& filter, MeshDocument& document,
-                           const RichParameterList& parameters, vcg::CallBackPos* progress);
+                           const RichParameterList& parameters, vcg::CallBackPos* progress,
+                           FilterResults& results);
 
     // MeshLab's interface, not meant to be overridden further.
 public:

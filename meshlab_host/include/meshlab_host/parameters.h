@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "laplacian_lines/option_table.h"
@@ -39,6 +40,9 @@ void addParameter(const ParameterDescription& description, double value, double 
 /// out of range or of another type.
 double readParameter(const ParameterDescription& description, double fallback,
                      const RichParameterList& list);
+
+/// The default of a parameter that is a number, a switch or a choice; empty for others.
+std::optional<double> defaultOf(const RichParameter& parameter);
 
 template <class Options>
 ParameterDescription describe(const laplacian_lines::OptionDescription<Options>& row,

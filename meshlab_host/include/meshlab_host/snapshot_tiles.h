@@ -13,9 +13,13 @@ public:
     /// Number of tiles in a row of the picture that is being drawn; 1 if it is no tile. To be
     /// called at every redraw: a tile in the middle is known by those before it.
     double scale(const CameraMatrices& camera);
+    /// The camera of the tiles of that picture, moved to its middle: the same for all of them, to
+    /// the bit. Means nothing if it is no tile.
+    const CameraMatrices& camera() const { return middle_; }
 
 private:
     CameraMatrices camera_;  ///< of the last snapshot's first tile
+    CameraMatrices middle_;
     double scale_ = 1;
 };
 

@@ -1,39 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The filters of Laplacian lines in PyMeshLab.
+"""The filters of Laplacian lines in PyMeshLab, and drawings of their lines.
 
     import laplacian_lines, pymeshlab
     laplacian_lines.load()
     meshes = pymeshlab.MeshSet()
     meshes.load_new_mesh("scan.ply")
+
     meshes.compute_laplacian_lines_per_vertex()
     field = laplacian_lines.field(meshes.current_mesh())
-    meshes.generate_polyline_from_laplacian_lines(viewpoint=[0, 0, 5])
 
-Works with the version of PyMeshLab that the plugin beside this file was built for.
+    view = meshes.generate_polyline_from_laplacian_lines(view="Front")
+    laplacian_lines.picture("lines.png", meshes.current_mesh(), view)
+
+Without Matplotlib, all but picture() and draw() works. parameters(FILTER) and parameters(POLYLINE_FILTER) list what the
+filters take. Works with the version of PyMeshLab that the plugin beside this package was built for.
 """
 
-import pathlib
-import typing
-
-import laplacian_lines_columns
 import pymeshlab
 
-FILTER = "compute_laplacian_lines_per_vertex"
-POLYLINE_FILTER = "generate_polyline_from_laplacian_lines"
-PLUGIN = pathlib.Path(__file__).resolve().with_name("libfilter_laplacian_lines.so")
+from . import filters, tables
+from .drawing import Lines, draw, lines, picture
+from .tables import ATTRIBUTES, FILTER, PLUGIN, POLYLINE_FILTER, Attribute, Parameter, parameters
 
-
-class Attribute(typing.NamedTuple):
-    """What the filter stores under a name; some columns of the core's field are in two attributes."""
-
-    name: str
-    numbers: int  # a vertex: 3 or 1
-    help: str  # on the column
-    unit: str  # empty if it has none
-    optional: bool  # whether a mesh may be without it
-
-
-ATTRIBUTES = tuple(Attribute(*row) for row in laplacian_lines_columns.ROWS)
+__all__ = ["ATTRIBUTES", "FILTER", "PLUGIN", "POLYLINE_FILTER", "Attribute", "Lines", "Parameter", "draw", "field",
+           "lines", "load", "parameters", "picture"]
+__doc__ += "\n" + "\n\n".join(filters.summary(name) for name in (FILTER, POLYLINE_FILTER))
 
 
 def load(plugin=PLUGIN):
@@ -46,7 +37,7 @@ def load(plugin=PLUGIN):
     # PyMeshLab itself does this only for the plugins that it has at its import.
     for name in (FILTER, POLYLINE_FILTER):
         if not hasattr(pymeshlab.MeshSet, name):
-            setattr(pymeshlab.MeshSet, name, pymeshlab.bind_function(name))
+            setattr(pymeshlab.MeshSet, name, filters.method(name))
 
 
 def field(mesh):

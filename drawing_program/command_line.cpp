@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_line.h"
+
+#include <QFileInfo>
+#include <functional>
+#include <map>
+
+#include "laplacian_lines/error.h"
+
+namespace {
+
+using line_drawing::SheetOptions;
+using line_drawing::UpAxis;
+
+[[noreturn]] void refuse(const QString& sentence) {
+    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
+}
+
+/// One of the words that a choice has.
+template <class Value>
+Value chosen(const QString& option, const QString& word, const std::map<QString, Value>& choices) {
+    const auto found = choices.find(word.toLower());
+    if (found != choices.end()) return found->second;
+    QStringList words;
+    for (const auto& choice : choices)
+        words << choice.first;
+    refuse(QString("%1 is \"%2\". It has to be one of %3.").arg(option, word, words.join(", ")));
+}
+
+const std::map<QString, UpAxis> axes = {{"x", UpAxis::X}, {"y", UpAxis::Y}, {"z", UpAxis::Z}};
+const std::map<QString, double> units = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+const std::map<QString, line_drawing::Arrangement> arrangements = {
+    {"first", line_drawing::Arrangement::FirstAngle},
+    {"third", line_drawing::Arrangement::ThirdAngle}};
+const std::map<QString, line_drawing::StrokeStyle> strokes = {
+    {"tapered", line_drawing::StrokeStyle::Tapered}, {"plain", line_drawing::StrokeStyle::Plain}};
+const std::map<QString, bool> furniture = {{"all", true}, {"none", false}};
+
+QString takeValue(QStringList& rest, const QString& option) {
+    if (rest.isEmpty()) refuse(option + " needs a value; see --help.");
+    return rest.takeFirst();
+}
+
+}  // namespace
+
+CommandLine parseCommandLine(const QStringList& arguments) {
+    CommandLine result;
+    SheetOptions& options = result.options;
+    QString views = "front";
+    UpAxis up = UpAxis::Y;
+    const std::map<QString, std::function<void(const QString&, const QString&)>> readers = {
+        {"--views", [&](const QString&, const QString& v) { views = v; }},
+        {"--up", [&](const QString& o, const QString& v) { up = chosen(o, v, axes); }},
+        {"--scale",
+         [&](const QString&, const QString& v) { options.scale = line_drawing::parseScale(v); }},
+        {"--paper", [&](const QString&, const QString& v) { options.paper = v; }},
+        {"--unit",
+         [&](const QString& o, const QString& v) { options.mm_per_unit = chosen(o, v, units); }},
+        {"--arrangement",
+         [&](const QString& o, const QString& v) {
+             options.arrangement = chosen(o, v, arrangements);
+         }},
+        {"--strokes",
+         [&](const QString& o, const QString& v) { options.strokes = chosen(o, v, strokes); }},
+        {"--furniture",
+         [&](const QString& o, const QString& v) {
+             options.has_view_names = options.has_scale_bar = options.has_notes =
+                 chosen(o, v, furniture);
+         }},
+        {"--title", [&](const QString&, const QString& v) { options.title = v; }}};
+    QStringList rest = arguments, names;
+    while (!rest.isEmpty()) {
+        const QString word = rest.takeFirst();
+        if (word == "-h" || word == "--help") {
+            result.help = true;
+        } else if (const auto reader = readers.find(word); reader != readers.end()) {
+            reader->second(word, takeValue(rest, word));
+        } else if (word.startsWith("--")) {
+            refuse("unknown option " + word + "; see --help.");
+        } else {
+            names << word;
+        }
+    }
+    if (result.help) return result;
+    if (names.size() != 2) refuse("name two files: the drawing and the mesh; see --help.");
+    result.drawing = names[0];
+    result.mesh = names[1];
+    options.views = line_drawing::parseViews(views, up);
+    options.source = QFileInfo(result.mesh).fileName();
+    // programs that read DXF draw with lines of even width
+    if (result.drawing.endsWith(".dxf", Qt::CaseInsensitive))
+        options.strokes = line_drawing::StrokeStyle::Plain;
+    return result;
+}
+
+const char* usage() {
+    return "laplacian_lines_drawing FILE.svg|.pdf|.dxf [OPTION...] MESH: a measured drawing of a "
+           "mesh\n"
+           "\n"
+           "  --views VIEWS        front, back, left, right, top, bottom, six (all of these), or\n"
+           "                       AZIMUTH,ELEVATION in degrees; several with commas (front)\n"
+           "  --up x|y|z           the axis of the mesh that points up (y)\n"
+           "  --unit mm|cm|m|in    the unit of the mesh (mm)\n"
+           "  --scale 1:2|fit      drawn to true length; fit: the largest usual one (fit)\n"
+           "  --paper a5..a0|fit   fit: as large as the drawing (a4)\n"
+           "  --arrangement first|third   of the views: first or third angle (first)\n"
+           "  --strokes tapered|plain     lines that swell and taper, or of even width (tapered)\n"
+           "  --title TEXT         above the note of scale, size and file\n"
+           "  --furniture all|none names of views, scale bar, projection symbol, notes (all)\n";
+}

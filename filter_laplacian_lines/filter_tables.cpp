@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_tables.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "filter_laplacian_lines.h"
+#include "laplacian_lines/field_columns.h"
+#include "laplacian_lines/line_kind.h"
+#include "laplacian_lines/option_table.h"
+#include "meshlab_host/parameters.h"
+#include "polyline_parameters.h"
+
+using laplacian_lines::OptionKind;
+using meshlab_host::ParameterDescription;
+
+namespace {
+
+/// Beyond this, options have no limit.
+constexpr double no_limit = 1e30;
+
+const char* nameOf(OptionKind kind) {
+    switch (kind) {
+        case OptionKind::Real:
+            return "real";
+        case OptionKind::Integer:
+            return "integer";
+        case OptionKind::Length:
+            return "length";
+        case OptionKind::Boolean:
+            return "boolean";
+        case OptionKind::Choice:
+            break;
+    }
+    return "choice";
+}
+
+/// Those of both filters, whose keys differ.
+std::vector<ParameterDescription> allDescriptions() {
+    std::vector<ParameterDescription> result = describePolylineParameters();
+    for (const auto& row : laplacian_lines::precompute_option_table())
+        result.push_back(meshlab_host::describe(row, QString()));
+    return result;
+}
+
+QJsonObject describe(const ParameterDescription& d, double value) {
+    QJsonObject object{{"kind", nameOf(d.kind)}};
+    object["default"] = d.kind == OptionKind::Boolean ? QJsonValue(value != 0) : QJsonValue(value);
+    if (d.kind == OptionKind::Choice) {
+        object["choices"] = QJsonArray::fromStringList(d.choices);
+    } else if (d.kind != OptionKind::Boolean) {
+        object["minimum"] = d.minimum;
+        if (d.maximum < no_limit) object["maximum"] = d.maximum;
+    }
+    return object;
+}
+
+QJsonObject describePlace(const QString& key) {
+    QJsonObject object{{"kind", "place"}};
+    for (const PlaceUse& use : polylinePlaces())
+        if (use.place == key) {
+            object["counts_by"] = use.parameter;
+            object["counts_at"] = use.choice;
+        }
+    return object;
+}
+
+QJsonObject describe(const RichParameter& parameter) {
+    QJsonObject object = describePlace(parameter.name());
+    for (const ParameterDescription& description : allDescriptions())
+        if (description.name == parameter.name())
+            object = describe(description, meshlab_host::defaultOf(parameter).value_or(0));
+    object["key"] = parameter.name();
+    object["label"] = parameter.fieldDescription();
+    object["help"] = parameter.toolTip();
+    return object;
+}
+
+QJsonArray filters() {
+    QJsonArray result;
+    for (const auto& filter : makeFilters()) {
+        RichParameterList list;
+        filter->listParameters(nullptr, list);
+        QJsonArray parameters;
+        for (const RichParameter& parameter : list)
+            parameters.append(describe(parameter));
+        const meshlab_host::FilterDescription about = filter->description();
+        result.append(QJsonObject{{"name", about.name},
+                                  {"python_name", about.python_name},
+                                  {"help", about.help},
+                                  {"parameters", parameters}});
+    }
+    return result;
+}
+
+QJsonArray columns() {
+    QJsonArray result;
+    for (const laplacian_lines::FieldColumn& column : laplacian_lines::field_columns)
+        for (const laplacian_lines::FieldAttribute& attribute : column.attributes)
+            if (attribute.floats > 0)
+                result.append(QJsonObject{{"name", attribute.name},
+                                          {"numbers", int(attribute.floats)},
+                                          {"help", QString::fromUtf8(column.help)},
+                                          {"unit", QString::fromUtf8(column.unit)},
+                                          {"optional", bool(column.optional)}});
+    return result;
+}
+
+QJsonArray kinds() {
+    QJsonArray result;
+    for (const laplacian_lines::LineKindDescription& kind : laplacian_lines::line_kinds)
+        result.append(QJsonObject{{"key", kind.key},
+                                  {"one", kind.one},
+                                  {"many", kind.many},
+                                  {"outline", kind.is_outline},
+                                  {"color", int(kind.color)},
+                                  {"width", kind.width}});
+    return result;
+}
+
+}  // namespace
+
+const char* laplacian_lines_tables() {
+    static const QByteArray json =
+        QJsonDocument(
+            QJsonObject{{"filters", filters()}, {"columns", columns()}, {"kinds", kinds()}})
+            .toJson(QJsonDocument::Compact);
+    return json.constData();
+}

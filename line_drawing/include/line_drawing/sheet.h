@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPainterPath>
+#include <QPointF>
+#include <QSizeF>
+#include <QString>
+#include <vector>
+
+namespace line_drawing {
+
+/// What a sheet of paper holds, in millimetres, x to the right and y down from its upper left
+/// corner. Plain data: what a file format needs to know is all here.
+
+/// A stroke of even width, or, if that is 0, an area to be filled (nonzero winding).
+struct SheetPath {
+    QPainterPath path;
+    double pen_width = 0;
+};
+
+struct SheetText {
+    QPointF position;  ///< on the base line, at `alignment` of the text
+    double height = 0;
+    Qt::Alignment alignment = Qt::AlignLeft;  ///< left, right or horizontal centre
+    QString text;
+};
+
+/// What belongs to one class of lines: a layer of DXF and of SVG.
+struct SheetLayer {
+    QString key;   ///< of the class: "outline"; the same in all groups
+    QString name;  ///< for people
+    std::vector<SheetPath> paths;
+    std::vector<SheetText> texts;
+};
+
+/// A view with its lines, or what frames the drawing.
+struct SheetGroup {
+    QString key;  ///< unique: "front"
+    QString name;
+    std::vector<SheetLayer> layers;
+};
+
+struct Sheet {
+    QSizeF size;
+    QString title;
+    std::vector<SheetGroup> groups;
+};
+
+}  // namespace line_drawing

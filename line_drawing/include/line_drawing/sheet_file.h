@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "line_drawing/sheet.h"
+
+namespace line_drawing {
+
+/// Writes a sheet as SVG, PDF or DXF, by the ending of the file's name, so that a millimetre of the
+/// sheet is one of the file. The file appears at once and whole or, after an error, not at all. The
+/// same sheet gives the same bytes. PDF needs a QGuiApplication, for its fonts.
+/// @throws laplacian_lines::Error(InvalidOption): unknown ending, or the file cannot be written.
+void writeSheet(const Sheet& sheet, const QString& file);
+
+/// Before much work is done: whether writeSheet() knows the ending and can write there.
+/// @throws laplacian_lines::Error(InvalidOption)
+void checkSheetFile(const QString& file);
+
+}  // namespace line_drawing

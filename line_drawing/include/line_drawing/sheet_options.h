@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <array>
+#include <vector>
+
+#include "laplacian_lines/line_style.h"
+#include "line_drawing/view_frame.h"
+
+namespace line_drawing {
+
+/// How views lie around the front view (ISO 5456-2). First angle: what is seen from the left is on
+/// the right, from above below. Third angle: what is seen from the left is on the left, from above
+/// above.
+enum class Arrangement { FirstAngle, ThirdAngle };
+
+/// Strokes that swell and taper with the lines' weights, as filled areas; or lines of even width,
+/// for plotters and CAD.
+enum class StrokeStyle { Tapered, Plain };
+
+/// Classes of lines by what they show.
+enum class LineClass {
+    Outline,  ///< contours and borders
+    Inner,    ///< creases, ridges and clear Laplacian lines
+    Fine      ///< faint Laplacian lines
+};
+constexpr std::size_t line_class_count = 3;
+
+struct SheetOptions {
+    std::vector<ViewFrame> views;
+    Arrangement arrangement = Arrangement::FirstAngle;
+    /// Drawn length over true length. 0: the largest usual scale that fits the paper.
+    double scale = 0;
+    double mm_per_unit = 1;  ///< true length of a unit of the mesh
+    QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
+    StrokeStyle strokes = StrokeStyle::Tapered;
+    /// Widths in mm, by LineClass.
+    std::array<double, line_class_count> pens = {0.5, 0.25, 0.13};
+    double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
+    double tolerance = 0.02;     ///< of curves against the lines, mm on paper
+    QString title;               ///< empty: none
+    QString source;              ///< name of the file of the object; empty: none
+    bool has_view_names = true;  ///< below the views, if there are several
+    bool has_scale_bar = true;   ///< with the symbol of the projection
+    bool has_notes = true;       ///< title, scale, size of the object, source
+    laplacian_lines::LineStyle style;
+};
+
+/// A scale from its name, "1:2", "2:1" or "fit" (0).
+/// @throws laplacian_lines::Error(InvalidOption)
+double parseScale(const QString& text);
+/// "1:2" of 0.5.
+QString scaleInWords(double scale);
+
+}  // namespace line_drawing

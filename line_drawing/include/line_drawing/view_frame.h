@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <QString>
+#include <vector>
+
+namespace line_drawing {
+
+/// Which axis of the mesh points up. The front view then looks along +y if up is z, and along −z if
+/// up is x or y.
+enum class UpAxis { X, Y, Z };
+
+/// Which side of the object a view shows; Other: any direction.
+enum class Side { Front, Back, Left, Right, Top, Bottom, Other };
+
+/// An orthographic view: how the axes of the picture lie in mesh coordinates. Orthonormal,
+/// right × up = towards_viewer.
+struct ViewFrame {
+    Side side = Side::Front;
+    QString name;  ///< for people, "Front" or "30°, 15°"
+    Eigen::Vector3d right, up, towards_viewer;
+};
+
+/// One of the six sides. A view of a side shows what an observer sees who walks around the object
+/// that stands upright; the top view has the object's front at its lower edge, the bottom view at
+/// its upper one.
+ViewFrame frameOfSide(Side side, UpAxis up);
+
+/// The observer goes from the front by `azimuth` degrees to the right around the object and by
+/// `elevation` degrees up, −90 to 90.
+/// @throws laplacian_lines::Error(InvalidOption)
+ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis up);
+
+/// Views from their names, separated by commas or spaces: front, back, left, right, top, bottom,
+/// six (all of these), or two numbers, azimuth and elevation.
+/// @throws laplacian_lines::Error(InvalidOption) with the words that are understood.
+std::vector<ViewFrame> parseViews(const QString& text, UpAxis up);
+
+}  // namespace line_drawing

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drawn_view.h"
+
+namespace line_drawing {
+namespace {
+
+using laplacian_lines::LineKind;
+using laplacian_lines::LinePoint;
+using laplacian_lines::LineSet;
+using laplacian_lines::Polyline;
+using laplacian_lines::TriangleMesh;
+
+constexpr double faintest_inner_line = 0.5;  // mean share of the full width
+
+double widthOf(const LinePoint& point) {
+    return double(point.weight) * double(point.opacity);
+}
+
+double meanWidth(const LineSet& lines, const Polyline& line) {
+    double sum = 0;
+    for (std::uint32_t i = 0; i < line.count; ++i)
+        sum += widthOf(lines.points[line.first + i]);
+    return sum / line.count;
+}
+
+LineClass classOf(const LineSet& lines, const Polyline& line) {
+    if (laplacian_lines::describe(line.kind).is_outline) return LineClass::Outline;
+    const bool is_faint =
+        line.kind == LineKind::Laplacian && meanWidth(lines, line) < faintest_inner_line;
+    return is_faint ? LineClass::Fine : LineClass::Inner;
+}
+
+Eigen::Vector2d place(const Eigen::Vector3d& p, const ViewFrame& frame) {
+    return {frame.right.dot(p), frame.up.dot(p)};
+}
+
+template <class Box, class PlaceOf>
+Box enclose(const TriangleMesh& mesh, const PlaceOf& place_of) {
+    Box box;
+    for (const laplacian_lines::Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t)
+            if (v < mesh.positions.size() && mesh.positions[v].allFinite())
+                box.extend(place_of(mesh.positions[v]));
+    return box;
+}
+
+}  // namespace
+
+Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {
+    return enclose<Eigen::AlignedBox3d>(mesh, [](const Eigen::Vector3d& p) { return p; });
+}
+
+Eigen::AlignedBox2d boundsOf(const TriangleMesh& mesh, const ViewFrame& frame,
+                             const Eigen::Vector3d& middle) {
+    return enclose<Eigen::AlignedBox2d>(
+        mesh, [&](const Eigen::Vector3d& p) { return place(p - middle, frame); });
+}
+
+std::vector<DrawnLine> project(const LineSet& lines, const ViewFrame& frame,
+                               const Eigen::Vector3d& middle, double unit) {
+    std::vector<DrawnLine> drawn;
+    for (const Polyline& line : lines.lines) {
+        drawn.push_back({classOf(lines, line), line.closed, {}});
+        drawn.back().points.reserve(line.count);
+        for (std::uint32_t i = 0; i < line.count; ++i) {
+            const LinePoint& point = lines.points[line.first + i];
+            drawn.back().points.push_back(
+                {unit * place(point.position.cast<double>() - middle, frame), widthOf(point)});
+        }
+    }
+    return drawn;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "laplacian_lines/line_set.h"
+#include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/sheet_options.h"
+
+namespace line_drawing {
+
+struct DrawnPoint {
+    Eigen::Vector2d position;
+    double weight;  ///< 0..1, share of the full width
+};
+
+struct DrawnLine {
+    LineClass line_class;
+    bool closed;  ///< ends with a copy of its first point
+    std::vector<DrawnPoint> points;
+};
+
+/// A view of a mesh in millimetres of the object, x right, y up, with the middle of its bounding
+/// box at (0, 0).
+struct DrawnView {
+    ViewFrame frame;
+    Eigen::AlignedBox2d bounds;  ///< of the surface
+    std::vector<DrawnLine> lines;
+};
+
+/// Where a view is on its sheet.
+struct Placement {
+    double scale;            ///< millimetres of the sheet in one of the object
+    Eigen::Vector2d middle;  ///< of the view, in the sheet's coordinates
+
+    Eigen::Vector2d onSheet(const Eigen::Vector2d& p) const {
+        return {middle.x() + scale * p.x(), middle.y() - scale * p.y()};
+    }
+};
+
+/// The part of the mesh that has triangles.
+Eigen::AlignedBox3d boundsOf(const laplacian_lines::TriangleMesh& mesh);
+Eigen::AlignedBox2d boundsOf(const laplacian_lines::TriangleMesh& mesh, const ViewFrame& frame,
+                             const Eigen::Vector3d& middle);
+
+/// Lines in mesh coordinates as they look in a view, with `middle` at (0, 0), times `unit`.
+std::vector<DrawnLine> project(const laplacian_lines::LineSet& lines, const ViewFrame& frame,
+                               const Eigen::Vector3d& middle, double unit);
+
+}  // namespace line_drawing

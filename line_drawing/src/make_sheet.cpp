@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/make_sheet.h"
+
+#include <cmath>
+
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/line_visibility.h"
+#include "overlaps.h"
+#include "sheet_furniture.h"
+
+namespace line_drawing {
+namespace {
+
+using laplacian_lines::Error;
+using laplacian_lines::ErrorCode;
+using laplacian_lines::Progress;
+using laplacian_lines::TriangleMesh;
+
+// What is done of the work when each step has ended.
+constexpr double extractor_share = 0.3, sight_share = 0.4;
+
+constexpr double double_reach = 0.2;  // mm, within which a line doubles another
+
+struct LayerName {
+    const char *key, *name;
+};
+/// By LineClass.
+constexpr LayerName layer_names[line_class_count] = {
+    {"outline", "Outlines"}, {"inner", "Inner lines"}, {"fine", "Fine lines"}};
+
+/// A part of a longer work.
+Progress part(const Progress& progress, double begin, double end) {
+    if (!progress) return {};
+    return [=](double done, const char* stage) {
+        return progress((1 - done) * begin + done * end, stage);
+    };
+}
+
+void check(const SheetOptions& options) {
+    const auto refuse = [](const char* why) { throw Error(ErrorCode::InvalidOption, why); };
+    if (options.views.empty()) refuse("A drawing needs a view.");
+    if (!(options.mm_per_unit > 0) || !std::isfinite(options.mm_per_unit))
+        refuse("The unit of the mesh has to be a positive length.");
+    if (!(options.tolerance >= 0.001 && options.tolerance <= 10))
+        refuse("The tolerance of curves has to be between 0.001 and 10 mm.");
+    if (!(options.shortest_line >= 0)) refuse("The shortest line has to be 0 mm or more.");
+    for (const double pen : options.pens)
+        if (!(pen > 0 && pen <= 10))
+            refuse("The width of a pen has to be more than 0, up to 10 mm.");
+}
+
+/// Looks at the mesh from all sides.
+class Observer {
+public:
+    Observer(const TriangleMesh& mesh, const laplacian_lines::Field& field,
+             const SheetOptions& options, const Progress& progress)
+        : mesh_(mesh),
+          options_(options),
+          box_(boundsOf(mesh)),
+          extractor_(mesh, field, part(progress, 0, extractor_share)),
+          visibility_(mesh, field.scale, part(progress, extractor_share, sight_share)) {}
+
+    DrawnView stand(const ViewFrame& frame) const {
+        const double unit = options_.mm_per_unit;
+        const Eigen::AlignedBox2d bounds = boundsOf(mesh_, frame, box_.center());
+        return {frame, {unit * bounds.min(), unit * bounds.max()}, {}};
+    }
+    void look(DrawnView& drawn, const Progress& progress) {
+        const auto view = laplacian_lines::View::orthographic(drawn.frame.towards_viewer);
+        laplacian_lines::LineSet lines;
+        extractor_.extract(view, options_.style, scratch_, lines);
+        lines = visibility_.visible_parts(view, lines, progress);
+        drawn.lines = project(lines, drawn.frame, box_.center(), options_.mm_per_unit);
+    }
+    Eigen::Vector3d objectSize() const { return options_.mm_per_unit * box_.sizes(); }
+
+private:
+    const TriangleMesh& mesh_;
+    const SheetOptions& options_;
+    const Eigen::AlignedBox3d box_;
+    const laplacian_lines::LineExtractor extractor_;
+    const laplacian_lines::LineVisibility visibility_;
+    laplacian_lines::ExtractionScratch scratch_;
+};
+
+std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& placement) {
+    for (DrawnLine& line : lines)
+        for (DrawnPoint& point : line.points)
+            point.position = placement.onSheet(point.position);
+    return lines;
+}
+
+/// Thin lines first: outlines lie over them.
+SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
+                    const SheetOptions& options) {
+    const bool has_name = view.frame.side != Side::Other;
+    SheetGroup group{
+        has_name ? view.frame.name.toLower() : QString("view-%1").arg(number), view.frame.name, {}};
+    const std::vector<DrawnLine> lines = withoutDoubles(place(view.lines, placement), double_reach);
+    for (std::size_t c = line_class_count; c-- > 0;) {
+        SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
+        for (const DrawnLine& line : lines)
+            if (std::size_t(line.line_class) == c)
+                if (auto stroke = drawStroke(line, options))
+                    layer.paths.push_back(std::move(*stroke));
+        group.layers.push_back(std::move(layer));
+    }
+    return group;
+}
+
+}  // namespace
+
+Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
+                const SheetOptions& options, const Progress& progress) {
+    check(options);
+    Observer observer(mesh, field, options, progress);
+    std::vector<DrawnView> views;
+    for (const ViewFrame& frame : options.views)
+        views.push_back(observer.stand(frame));
+    const SheetLayout layout = layOut(views, options);  // before much work, since it may refuse
+    const auto share = [&](std::size_t views_done) {
+        return sight_share + (1 - sight_share) * double(views_done) / double(views.size());
+    };
+    for (std::size_t i = 0; i < views.size(); ++i)
+        observer.look(views[i], part(progress, share(i), share(i + 1)));
+    Sheet sheet{layout.size, options.title, {}};
+    for (std::size_t i = 0; i < views.size(); ++i)
+        sheet.groups.push_back(drawView(views[i], i + 1, layout.placements[i], options));
+    SheetGroup furniture = drawFurniture(views, layout, observer.objectSize(), options);
+    if (!furniture.layers.empty()) sheet.groups.push_back(std::move(furniture));
+    return sheet;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <unordered_map>
+#include <vector>
+
+#include "drawn_view.h"
+
+namespace line_drawing {
+
+/// Lines on paper that are there already, to be asked whether another one would only double them.
+/// Millimetres.
+class DrawnLines {
+public:
+    /// Lines nearer than `reach` that run along one are doubles of it.
+    explicit DrawnLines(double reach) : reach_(reach) {}
+
+    void add(const std::vector<Eigen::Vector2d>& line);
+
+    /// Whether a line through `point` in the unit direction `way` runs along one that is there,
+    /// within 20°.
+    bool runsAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way) const;
+
+private:
+    struct Piece {
+        Eigen::Vector2d begin, end;
+    };
+    using Cell = std::uint64_t;
+
+    Cell cellOf(double x, double y) const;
+
+    const double reach_;
+    std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares of twice the reach
+};
+
+/// Lines, in the sheet's coordinates, without the parts that only double others: of lower classes
+/// those along higher ones, among one class along longer ones. Sorted by class and length.
+std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach);
+
+}  // namespace line_drawing

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/sheet_file.h"
+
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include "laplacian_lines/error.h"
+#include "sheet_writers.h"
+
+namespace line_drawing {
+namespace {
+
+using Writer = QByteArray (*)(const Sheet&);
+
+[[noreturn]] void refuse(const QString& sentence) {
+    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
+}
+
+Writer writerOf(const QString& file) {
+    const QString ending = QFileInfo(file).suffix().toLower();
+    if (ending == "svg") return writeSvg;
+    if (ending == "pdf") return writePdf;
+    if (ending == "dxf") return writeDxf;
+    refuse(
+        QString("\"%1\" does not end in .svg, .pdf or .dxf, which say what kind of file to write.")
+            .arg(file));
+}
+
+void open(QSaveFile& output) {
+    if (!output.open(QIODevice::WriteOnly))
+        refuse(
+            QString("\"%1\" cannot be written: %2").arg(output.fileName(), output.errorString()));
+}
+
+}  // namespace
+
+void checkSheetFile(const QString& file) {
+    writerOf(file);
+    QSaveFile output(file);
+    open(output);
+    output.cancelWriting();
+}
+
+void writeSheet(const Sheet& sheet, const QString& file) {
+    const QByteArray data = writerOf(file)(sheet);
+    QSaveFile output(file);
+    open(output);
+    output.write(data);
+    if (!output.commit())
+        refuse(QString("\"%1\" cannot be written: %2").arg(file, output.errorString()));
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet_layout.h"
+
+#include <QRectF>
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "laplacian_lines/error.h"
+
+namespace line_drawing {
+namespace {
+
+using laplacian_lines::Error;
+using laplacian_lines::ErrorCode;
+
+/// The usual ones of drawings, largest first: 1:2 is 0.5.
+std::vector<double> usualScales() {
+    std::vector<double> scales;
+    for (const double tens : {1000., 100., 10., 1.})
+        for (const double first : {5., 4., 2., 1.})
+            if (first != 4. || tens == 1.) scales.push_back(first * tens);
+    for (const double tens : {1., 10., 100., 1000., 10000.})
+        for (const double first : {2., 2.5, 3., 4., 5., 10.})
+            if (first != 2.5 || tens > 1) scales.push_back(1 / (first * tens));
+    return scales;
+}
+
+/// Upright. None: as large as the drawing.
+std::optional<QSizeF> paperSize(const QString& name) {
+    static const std::map<QString, QSizeF> sizes = {{"a5", {148, 210}}, {"a4", {210, 297}},
+                                                    {"a3", {297, 420}}, {"a2", {420, 594}},
+                                                    {"a1", {594, 841}}, {"a0", {841, 1189}}};
+    if (name.toLower() == "fit") return {};
+    const auto found = sizes.find(name.toLower());
+    if (found == sizes.end())
+        throw Error(
+            ErrorCode::InvalidOption,
+            QString("There is no paper \"%1\". Papers are a5, a4, a3, a2, a1, a0, or fit: as "
+                    "large as the drawing.")
+                .arg(name)
+                .toStdString());
+    return found->second;
+}
+
+struct Cell {
+    int row, column;
+};
+
+/// Of the views of an object's sides around its front view, in first angle.
+Cell cellOf(Side side) {
+    switch (side) {
+        case Side::Back:
+            return {0, 2};
+        case Side::Left:
+            return {0, 1};
+        case Side::Right:
+            return {0, -1};
+        case Side::Top:
+            return {1, 0};
+        case Side::Bottom:
+            return {-1, 0};
+        default:
+            return {0, 0};
+    }
+}
+
+std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, Arrangement arrangement) {
+    constexpr int in_a_row = 4;
+    std::vector<Cell> cells;
+    int left = 0;
+    for (const DrawnView& view : views) {
+        Cell cell = cellOf(view.frame.side);
+        if (arrangement == Arrangement::ThirdAngle && view.frame.side != Side::Back)
+            cell = {-cell.row, -cell.column};
+        left = std::min(left, cell.column);
+        cells.push_back(cell);
+    }
+    int others = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (views[i].frame.side != Side::Other) continue;
+        cells[i] = {2 + others / in_a_row, left + others % in_a_row};
+        ++others;
+    }
+    return cells;
+}
+
+/// A row or a column: what its views take before and behind their middles, in mm of the object.
+struct Band {
+    double before = 0, behind = 0;
+    double middle = 0;  // on the sheet, mm, once it is placed
+
+    void hold(double b, double a) {
+        before = std::max(before, b);
+        behind = std::max(behind, a);
+    }
+};
+using Bands = std::map<int, Band>;
+
+/// Sets the middles from `start` on and returns where the last one ends.
+double place(Bands& bands, double start, double scale, double gap) {
+    double end = start;
+    for (auto& [number, band] : bands) {
+        if (end != start) end += gap;
+        band.middle = end + scale * band.before;
+        end = band.middle + scale * band.behind;
+    }
+    return end;
+}
+
+class Layout {
+public:
+    Layout(const std::vector<DrawnView>& views, const SheetOptions& options)
+        : views_(views), options_(options), cells_(cellsOf(views, options.arrangement)) {
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const auto& box = views[i].bounds;
+            columns_[cells_[i].column].hold(-box.min().x(), box.max().x());
+            rows_[cells_[i].row].hold(box.max().y(), -box.min().y());
+        }
+    }
+
+    /// Of the views alone.
+    QSizeF sizeAt(double scale) {
+        const double below = options_.has_view_names ? 2 * view_name_height : 0;
+        return {place(columns_, 0, scale, view_gap),
+                place(rows_, 0, scale, view_gap + below) + below};
+    }
+
+    SheetLayout layOut(double scale, const QSizeF& paper) {
+        const QSizeF size = sizeAt(scale);
+        const double left = (paper.width() - size.width()) / 2;
+        const double top =
+            sheet_margin + (paper.height() - 2 * sheet_margin - strip_height - size.height()) / 2;
+        SheetLayout layout{paper, scale, {}, {}};
+        for (std::size_t i = 0; i < views_.size(); ++i) {
+            const Placement placement{
+                scale,
+                {left + columns_[cells_[i].column].middle, top + rows_[cells_[i].row].middle}};
+            const Eigen::Vector2d a = placement.onSheet(views_[i].bounds.min());
+            const Eigen::Vector2d b = placement.onSheet(views_[i].bounds.max());
+            layout.placements.push_back(placement);
+            layout.places.emplace_back(QPointF(a.x(), b.y()), QPointF(b.x(), a.y()));
+        }
+        return layout;
+    }
+
+private:
+    const std::vector<DrawnView>& views_;
+    const SheetOptions& options_;
+    const std::vector<Cell> cells_;
+    Bands rows_, columns_;
+};
+
+QSizeF room(const QSizeF& paper) {
+    return {paper.width() - 2 * sheet_margin, paper.height() - 2 * sheet_margin - strip_height};
+}
+
+bool fits(const QSizeF& size, const QSizeF& paper) {
+    return size.width() <= room(paper).width() && size.height() <= room(paper).height();
+}
+
+std::optional<double> largestScale(Layout& layout, const QSizeF& paper) {
+    for (const double scale : usualScales())
+        if (fits(layout.sizeAt(scale), paper)) return scale;
+    return {};
+}
+
+/// Of a paper that is as large as the drawing.
+SheetLayout layOutFreely(Layout& layout, double scale) {
+    constexpr double least_width = 90;  // of the strip below the drawing
+    const QSizeF size = layout.sizeAt(scale);
+    return layout.layOut(scale, {std::max(least_width, size.width()) + 2 * sheet_margin,
+                                 size.height() + 2 * sheet_margin + strip_height});
+}
+
+[[noreturn]] void refuse(const QString& sentence) {
+    throw Error(ErrorCode::InvalidOption, sentence.toStdString());
+}
+
+/// Upright or lying, whichever takes the drawing larger.
+SheetLayout layOutLargest(Layout& layout, const QSizeF& upright) {
+    const QSizeF lying = upright.transposed();
+    const auto a = largestScale(layout, upright), b = largestScale(layout, lying);
+    if (!a && !b) refuse("The object is too large for any scale. Is the unit of the mesh right?");
+    return b.value_or(0) > a.value_or(0) ? layout.layOut(*b, lying) : layout.layOut(*a, upright);
+}
+
+SheetLayout layOutAt(Layout& layout, double scale, const QSizeF& upright, const QString& name) {
+    const QSizeF size = layout.sizeAt(scale);
+    for (const QSizeF& paper : {upright, upright.transposed()})
+        if (fits(size, paper)) return layout.layOut(scale, paper);
+    const auto best = std::max(largestScale(layout, upright).value_or(0),
+                               largestScale(layout, upright.transposed()).value_or(0));
+    refuse(QString("At the scale %1 the views take %2 x %3 mm, and %4 paper has room for %5 x %6. "
+                   "Take the scale %7, a larger paper, or the paper \"fit\".")
+               .arg(scaleInWords(scale))
+               .arg(std::ceil(size.width()))
+               .arg(std::ceil(size.height()))
+               .arg(name.toUpper())
+               .arg(room(upright).width())
+               .arg(room(upright).height())
+               .arg(scaleInWords(best)));
+}
+
+}  // namespace
+
+SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {
+    Layout layout(views, options);
+    const std::optional<QSizeF> paper = paperSize(options.paper);
+    if (!paper) return layOutFreely(layout, options.scale > 0 ? options.scale : 1);
+    if (options.scale > 0) return layOutAt(layout, options.scale, *paper, options.paper);
+    return layOutLargest(layout, *paper);
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "strokes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curve_fitting.h"
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector2d;
+using Points = std::vector<Vector2d>;
+
+constexpr double thinnest_stroke = 0.06;  // mm; where it is less a line is drawn so thin
+constexpr double thinnest_middle = 0.04;  // mm; lines that are nowhere wider are left out
+
+struct Spine {
+    Points points;               // on the sheet
+    std::vector<double> widths;  // mm, of the stroke
+    double length = 0;
+};
+
+Spine spineOf(const DrawnLine& line, double pen) {
+    Spine spine;
+    for (const DrawnPoint& point : line.points) {
+        const Vector2d& p = point.position;
+        if (!spine.points.empty()) {
+            const double step = (p - spine.points.back()).norm();
+            if (step == 0) continue;
+            spine.length += step;
+        }
+        spine.points.push_back(p);
+        spine.widths.push_back(pen * point.weight);
+    }
+    return spine;
+}
+
+/// Unit normals, to the right of the way on a sheet whose y points down.
+Points normalsOf(const Points& points, bool closed) {
+    const std::size_t n = points.size();
+    Points normals(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool is_first = i == 0, is_last = i + 1 == n;
+        const Vector2d& before = is_first ? points[closed ? n - 2 : 0] : points[i - 1];
+        const Vector2d& after = is_last ? points[closed ? 1 : n - 1] : points[i + 1];
+        const Vector2d way = (after - before).stableNormalized();
+        normals[i] = {-way.y(), way.x()};
+    }
+    return normals;
+}
+
+/// One edge of the stroke.
+Points offset(const Spine& spine, const Points& normals, double sign) {
+    Points edge;
+    for (std::size_t i = 0; i < spine.points.size(); ++i)
+        edge.push_back(spine.points[i] +
+                       sign / 2 * std::max(spine.widths[i], thinnest_stroke) * normals[i]);
+    return edge;
+}
+
+QPainterPath taperedStroke(const Spine& spine, bool closed, double tolerance) {
+    const Points normals = normalsOf(spine.points, closed);
+    Points right = offset(spine, normals, 1), left = offset(spine, normals, -1);
+    std::reverse(left.begin(), left.end());
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    if (closed) {  // a ring: its edges run in opposite directions
+        fitCurve(right, true, tolerance, path);
+        fitCurve(left, true, tolerance, path);
+    } else {
+        right.insert(right.end(), left.begin(), left.end());
+        right.push_back(right.front());
+        fitCurve(right, true, tolerance, path);
+    }
+    return path;
+}
+
+}  // namespace
+
+std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& options) {
+    const double pen = options.pens[std::size_t(line.line_class)];
+    const bool is_tapered = options.strokes == StrokeStyle::Tapered;
+    // a faint line tapers from the width of a clear one
+    const double full = line.line_class == LineClass::Fine && is_tapered
+                            ? options.pens[std::size_t(LineClass::Inner)]
+                            : pen;
+    const Spine spine = spineOf(line, full);
+    if (spine.points.size() < 2 || spine.length < options.shortest_line) return {};
+    if (*std::max_element(spine.widths.begin(), spine.widths.end()) < thinnest_middle) return {};
+    const bool closed = line.closed && spine.points.size() > 3;
+    SheetPath result;
+    if (is_tapered) {
+        result.path = taperedStroke(spine, closed, options.tolerance);
+    } else {
+        result.pen_width = pen;
+        fitCurve(spine.points, closed, options.tolerance, result.path);
+    }
+    return result;
+}
+
+}  // namespace line_drawing

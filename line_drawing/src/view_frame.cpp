@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/view_frame.h"
+
+#include <Eigen/Geometry>
+#include <QRegularExpression>
+#include <QStringList>
+#include <cmath>
+#include <iterator>
+
+#include "laplacian_lines/error.h"
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector3d;
+using laplacian_lines::Error;
+using laplacian_lines::ErrorCode;
+
+/// By Side.
+const char* const side_names[] = {"Front", "Back", "Left", "Right", "Top", "Bottom"};
+
+Vector3d upOf(UpAxis axis) {
+    return Vector3d::Unit(int(axis));
+}
+
+Vector3d frontOf(UpAxis axis) {
+    return axis == UpAxis::Z ? Vector3d(0, -1, 0) : Vector3d(0, 0, 1);
+}
+
+ViewFrame makeFrame(Side side, const QString& name, const Vector3d& towards_viewer,
+                    const Vector3d& up) {
+    return {side, name, up.cross(towards_viewer), up, towards_viewer};
+}
+
+class ViewWords {
+public:
+    ViewWords(const QString& text, UpAxis up)
+        : words_(text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts)), up_(up) {}
+
+    std::vector<ViewFrame> read() {
+        std::vector<ViewFrame> views;
+        while (next_ < words_.size()) {
+            const QString word = words_[next_++];
+            if (word.compare("six", Qt::CaseInsensitive) == 0)
+                for (std::size_t side = 0; side < std::size(side_names); ++side)
+                    views.push_back(frameOfSide(Side(side), up_));
+            else
+                views.push_back(readOne(word));
+        }
+        if (views.empty()) refuse("");
+        return views;
+    }
+
+private:
+    ViewFrame readOne(const QString& word) {
+        for (std::size_t side = 0; side < std::size(side_names); ++side)
+            if (word.compare(side_names[side], Qt::CaseInsensitive) == 0)
+                return frameOfSide(Side(side), up_);
+        bool is_number = false;
+        const double azimuth = word.toDouble(&is_number);
+        if (!is_number || next_ == words_.size()) refuse(word);
+        const double elevation = words_[next_++].toDouble(&is_number);
+        if (!is_number) refuse(words_[next_ - 1]);
+        return frameOfDirection(azimuth, elevation, up_);
+    }
+
+    [[noreturn]] static void refuse(const QString& word) {
+        throw Error(ErrorCode::InvalidOption,
+                    QString("\"%1\" is no view. Views are front, back, left, right, top, bottom, "
+                            "six (all of these), or azimuth and elevation in degrees, such as "
+                            "30,15.")
+                        .arg(word)
+                        .toStdString());
+    }
+
+    const QStringList words_;
+    const UpAxis up_;
+    int next_ = 0;
+};
+
+}  // namespace
+
+ViewFrame frameOfSide(Side side, UpAxis axis) {
+    const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
+    const QString name = side_names[std::size_t(side)];
+    switch (side) {
+        case Side::Back:
+            return makeFrame(side, name, -front, up);
+        case Side::Left:
+            return makeFrame(side, name, -right, up);
+        case Side::Right:
+            return makeFrame(side, name, right, up);
+        case Side::Top:
+            return makeFrame(side, name, up, -front);
+        case Side::Bottom:
+            return makeFrame(side, name, -up, front);
+        default:
+            return makeFrame(side, name, front, up);
+    }
+}
+
+ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {
+    if (!(std::abs(elevation) <= 90) || !std::isfinite(azimuth))
+        throw Error(ErrorCode::InvalidOption,
+                    "A view's azimuth has to be a number of degrees, its elevation one between "
+                    "-90 and 90.");
+    constexpr double degree = 0.017453292519943295;
+    const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
+    const double a = azimuth * degree, e = elevation * degree;
+    const Vector3d outwards = std::cos(a) * front + std::sin(a) * right;
+    const QString name = QString("%1°, %2°").arg(azimuth).arg(elevation);
+    return makeFrame(Side::Other, name, std::cos(e) * outwards + std::sin(e) * up,
+                     std::cos(e) * up - std::sin(e) * outwards);
+}
+
+std::vector<ViewFrame> parseViews(const QString& text, UpAxis up) {
+    return ViewWords(text, up).read();
+}
+
+}  // namespace line_drawing

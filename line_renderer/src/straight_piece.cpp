@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "straight_piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace line_renderer {
+namespace {
+
+/// Share of the tolerance for points that lie behind those before them.
+constexpr float fallback_share = 0.2f;
+/// Below this distance values have to stay, instead of having a slope; pixels.
+constexpr float least_reach = 1e-3f;
+
+float cross(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+}  // namespace
+
+StraightPiece::StraightPiece(float tolerance)
+    : aside_((1 - fallback_share) * tolerance), fallback_(fallback_share * tolerance) {}
+
+void StraightPiece::begin(const SeenPoint& start) {
+    start_ = start;
+    is_empty_ = true;
+    is_open_ = start.is_before_eye;
+    reach_ = least_reach;
+    has_cone_ = false;
+    least_slope_.fill(-std::numeric_limits<float>::infinity());
+    greatest_slope_.fill(std::numeric_limits<float>::infinity());
+}
+
+bool StraightPiece::takes(const SeenPoint& point) {
+    is_open_ = is_open_ && point.is_before_eye;
+    const Vector way = point.pixel - start_.pixel;
+    const float distance = way.norm();
+    if (!is_empty_ && !(is_open_ && canEnd(point, way, distance))) return false;
+    is_empty_ = false;
+    if (is_open_) narrow(point, way, distance);
+    return true;
+}
+
+bool StraightPiece::canEnd(const SeenPoint& point, const Vector& way, float distance) const {
+    if (!(distance >= reach_ - fallback_)) return false;
+    if (has_cone_ && !(cross(right_, way) >= 0 && cross(way, left_) >= 0)) return false;
+    const float reach = std::max(reach_, distance);
+    for (int i = 0; i < seen_value_count; ++i) {
+        const float rise = point.values[i] - start_.values[i];
+        if (!(rise >= least_slope_[i] * reach && rise <= greatest_slope_[i] * reach)) return false;
+    }
+    return true;
+}
+
+void StraightPiece::narrow(const SeenPoint& point, const Vector& way, float distance) {
+    reach_ = std::max(reach_, distance);
+    narrowDirections(way, distance);
+    narrowSlopes(point);
+}
+
+/// Two points at the same distance from the start, of which the directions differ by an angle, are
+/// 2 sin(angle / 2) times that distance apart. Cones are at most as wide as a half plane.
+void StraightPiece::narrowDirections(const Vector& way, float distance) {
+    if (distance <= aside_ / 2) return;
+    const float ratio = aside_ / distance;
+    const float cosine = std::max(0.0f, 1 - ratio * ratio / 2);
+    const float sine = std::sqrt(1 - cosine * cosine);
+    const Vector left(cosine * way.x() - sine * way.y(), cosine * way.y() + sine * way.x());
+    const Vector right(cosine * way.x() + sine * way.y(), cosine * way.y() - sine * way.x());
+    if (!has_cone_ || cross(left, left_) >= 0) left_ = left;
+    if (!has_cone_ || cross(right_, right) >= 0) right_ = right;
+    has_cone_ = true;
+}
+
+void StraightPiece::narrowSlopes(const SeenPoint& point) {
+    const float a_pixel = 1 / reach_;
+    for (int i = 0; i < seen_value_count; ++i) {
+        const float rise = point.values[i] - start_.values[i];
+        const float tolerance = point.tolerance[i];
+        least_slope_[i] = std::max(least_slope_[i], (rise - tolerance) * a_pixel);
+        greatest_slope_[i] = std::min(greatest_slope_[i], (rise + tolerance) * a_pixel);
+    }
+}
+
+}  // namespace line_renderer

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters of the decoration as people write them.
+#include "decoration_settings.h"
+
+#include <gtest/gtest.h>
+
+#include "decoration_parameters.h"
+#include "laplacian_lines/error.h"
+
+namespace {
+
+/// "LABEL = VALUE", or why it is refused.
+std::string read(const char* text) {
+    try {
+        const DecorationSetting setting = readDecorationSetting(text);
+        return (setting.label + " = " + setting.value).toStdString();
+    } catch (const laplacian_lines::Error& error) {
+        return error.what();
+    }
+}
+
+TEST(DecorationSettings, GoByLabelsAndKeys) {
+    for (const char* text : {"Detail=70", "detail = 70", " DETAIL =70", "Detail=7e1"})
+        EXPECT_EQ(read(text), "Detail = 70") << text;
+    EXPECT_EQ(read("line_width=2.5"), "Line Width = 2.5");
+    EXPECT_EQ(read("Least Slope of a Line=0.012"), "Least Slope of a Line = 0.012");
+}
+
+TEST(DecorationSettings, AreNumbersWithinTheirLimits) {
+    for (const char* value : {"abc", "", "-1", "101", "nan", "inf", "7 0", "0x10", "70%"})
+        EXPECT_EQ(read((std::string("Detail=") + value).c_str()),
+                  std::string("\"Detail\" is ") + value + ". It has to be between 0 and 100.");
+    EXPECT_EQ(read("Detail=0"), "Detail = 0");
+    EXPECT_EQ(read("Detail=100"), "Detail = 100");
+    EXPECT_EQ(read("Tones=3"), "Tones = 3");
+    EXPECT_EQ(read("Tones=3.5"), "\"Tones\" is 3.5. It has to be a whole number, between 2 and 8.");
+}
+
+TEST(DecorationSettings, AreSwitches) {
+    for (const char* value : {"on", "yes", "True", "1"})
+        EXPECT_EQ(read((std::string("ridges=") + value).c_str()), "Ridges = on");
+    for (const char* value : {"OFF", "no", "false", "0"})
+        EXPECT_EQ(read((std::string("Ridges=") + value).c_str()), "Ridges = off");
+    EXPECT_EQ(read("Ridges=2"), "\"Ridges\" is 2. It has to be on or off.");
+}
+
+TEST(DecorationSettings, AreChoicesByTextBeginningOrNumber) {
+    EXPECT_EQ(read("Hidden Lines=dashed"), "Hidden Lines = Dashed");
+    EXPECT_EQ(read("drawing_style=pub"), "Drawing Style = Publication (Black on White)");
+    EXPECT_EQ(read("Hidden Lines=1"), "Hidden Lines = Faint");
+    const std::string allowed = " It has to be one of 0 (Left Out), 1 (Faint), 2 (Dashed).";
+    for (const char* value : {"3", "-1", "x", ""})
+        EXPECT_EQ(read((std::string("Hidden Lines=") + value).c_str()),
+                  std::string("\"Hidden Lines\" is ") + value + "." + allowed);
+}
+
+TEST(DecorationSettings, AreColors) {
+    EXPECT_EQ(read("Line Color=#202020"), "Line Color = #202020");
+    EXPECT_EQ(read("paper_color=Red"), "Paper Color = #ff0000");
+    EXPECT_EQ(read("Line Color=reddish"),
+              "\"Line Color\" is reddish. It has to be a color, such as #202020 or gray.");
+}
+
+/// All that the layer dialog shows can be set.
+TEST(DecorationSettings, ThatAreUnknownNameAllOthers) {
+    EXPECT_EQ(read("Detial=70").find("The decoration has no parameter \"Detial\"."), 0u);
+    EXPECT_EQ(read("Detail").find("\"Detail\" has no value."), 0u);
+    for (const char* text : {"Detial=70", "Detail", "=70"}) {
+        const std::string reason = read(text);
+        EXPECT_NE(reason.find("Detail (detail): between 0 and 100\n"), std::string::npos);
+        RichParameterList list;
+        listDecorationParameters(list);
+        for (const RichParameter& parameter : list) {
+            const QString key = parameter.name().section('_', 1);
+            EXPECT_NE(reason.find(("(" + key + "): ").toStdString()), std::string::npos)
+                << key.toStdString();
+        }
+    }
+}
+
+}  // namespace

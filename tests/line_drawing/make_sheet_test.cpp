@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/make_sheet.h"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
+#include "made_sheets.h"
+#include "sheet_writers.h"
+
+using namespace line_drawing;
+using made_sheets::extentOf;
+using made_sheets::plainViews;
+using made_sheets::sheetOf;
+
+namespace {
+
+TEST(MeasuredDrawing, ACubeOf100MillimetresMeasures100At1To1) {
+    const Sheet sheet = sheetOf(made_sheets::cubeOf100(), plainViews("six"));
+    ASSERT_EQ(sheet.groups.size(), 7u);
+    for (std::size_t view = 0; view < 6; ++view) {
+        const QRectF extent = extentOf(sheet.groups[view]);
+        EXPECT_NEAR(extent.width(), 100, 0.02) << sheet.groups[view].key.toStdString();
+        EXPECT_NEAR(extent.height(), 100, 0.02) << sheet.groups[view].key.toStdString();
+    }
+}
+
+TEST(MeasuredDrawing, UnitsAndScalesMultiply) {
+    SheetOptions options = plainViews("front");
+    options.scale = 0.05;
+    options.mm_per_unit = 10;
+    const QRectF extent = extentOf(sheetOf(made_sheets::cubeOf100(), options).groups[0]);
+    EXPECT_NEAR(extent.width(), 50, 0.02);
+}
+
+TEST(MeasuredDrawing, ViewsAreAligned) {
+    const Sheet sheet = sheetOf(made_sheets::cubeOf100(), plainViews("front,left,top"));
+    const QRectF front = extentOf(sheet.groups[0]);
+    EXPECT_NEAR(extentOf(sheet.groups[1]).top(), front.top(), 0.02);
+    EXPECT_NEAR(extentOf(sheet.groups[2]).left(), front.left(), 0.02);
+}
+
+TEST(MeasuredDrawing, OutlinesOfASphereAreClosedCircles) {
+    SheetOptions options = plainViews("front,30,40");
+    options.mm_per_unit = 40;
+    const Sheet sheet = sheetOf(test_meshes::sphere(5).mesh, options);
+    for (std::size_t view = 0; view < 2; ++view) {
+        const SheetLayer& outlines = sheet.groups[view].layers.back();
+        ASSERT_EQ(outlines.key, "outline");
+        ASSERT_EQ(outlines.paths.size(), 1u);
+        const QPainterPath& path = outlines.paths[0].path;
+        EXPECT_EQ(QPointF(path.elementAt(0)), path.currentPosition());
+        EXPECT_NEAR(path.boundingRect().width(), 80, 0.1);
+        EXPECT_LE(path.elementCount(), 3 * 16 + 1);
+    }
+}
+
+TEST(MeasuredDrawing, StrokesSwellToThePen) {
+    SheetOptions options = plainViews("front");
+    options.mm_per_unit = 40;
+    options.strokes = StrokeStyle::Tapered;
+    const Sheet sheet = sheetOf(test_meshes::sphere(5).mesh, options);
+    const SheetPath& ring = sheet.groups[0].layers.back().paths.at(0);
+    EXPECT_EQ(ring.pen_width, 0);
+    EXPECT_NEAR(ring.path.boundingRect().width(), 80 + options.pens[0], 0.1);
+    EXPECT_TRUE(ring.path.contains(
+        QPointF(ring.path.boundingRect().left() + 0.25, ring.path.boundingRect().center().y())));
+    EXPECT_FALSE(ring.path.contains(ring.path.boundingRect().center()));
+}
+
+TEST(MeasuredDrawing, IsTheSameOnAnyNumberOfThreads) {
+    const auto mesh = test_meshes::bumpy_sphere(4).mesh;
+    SheetOptions options = plainViews("six");
+    options.scale = 0;
+    const int threads = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const QByteArray one = writeSvg(sheetOf(mesh, options));
+    omp_set_num_threads(3);
+    const QByteArray three = writeSvg(sheetOf(mesh, options));
+    omp_set_num_threads(threads);
+    EXPECT_EQ(one, three);
+}
+
+TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {
+    const auto mesh = made_sheets::cubeOf100();
+    const auto refused = [&](const auto& change) {
+        SheetOptions options = plainViews("front");
+        change(options);
+        EXPECT_THROW(sheetOf(mesh, options), laplacian_lines::Error);
+    };
+    refused([](SheetOptions& o) { o.views.clear(); });
+    refused([](SheetOptions& o) { o.mm_per_unit = 0; });
+    refused([](SheetOptions& o) { o.mm_per_unit = std::nan(""); });
+    refused([](SheetOptions& o) { o.tolerance = 0; });
+    refused([](SheetOptions& o) { o.pens[1] = -1; });
+    refused([](SheetOptions& o) { o.shortest_line = -1; });
+    refused([](SheetOptions& o) { o.scale = 100; });
+    refused([](SheetOptions& o) { o.style.detail = 1000; });
+}
+
+TEST(MeasuredDrawing, CanBeCancelled) {
+    const auto mesh = made_sheets::cubeOf100();
+    const auto field = laplacian_lines::precompute(mesh);
+    double last = 0;
+    const auto count = [&](double done, const char*) {
+        EXPECT_GE(done, last);
+        last = done;
+        return true;
+    };
+    makeSheet(mesh, field, plainViews("six"), count);
+    EXPECT_EQ(last, 1);
+    EXPECT_THROW(makeSheet(mesh, field, plainViews("six"),
+                           [](double done, const char*) { return done < 0.6; }),
+                 laplacian_lines::Error);
+}
+
+}  // namespace

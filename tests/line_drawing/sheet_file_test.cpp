@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/sheet_file.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+
+#include "laplacian_lines/error.h"
+#include "made_sheets.h"
+#include "sheet_writers.h"
+
+using namespace line_drawing;
+
+namespace {
+
+Sheet smallSheet() {
+    Sheet sheet{{100, 50}, "A & B", {}};
+    SheetPath line{{}, 0.25};
+    line.path.moveTo(10, 20);
+    line.path.lineTo(30.0004, 20);
+    line.path.cubicTo(31, 20, 32, 21, 32, 22);
+    SheetPath area;
+    area.path.addRect(40, 10, 5, 5);
+    sheet.groups.push_back({"front",
+                            "Front",
+                            {{"outline", "Outlines", {line, area}, {}},
+                             {"names", "Names", {}, {{{50, 40}, 3, Qt::AlignHCenter, "30°"}}}}});
+    return sheet;
+}
+
+QByteArray contentOf(const QString& file) {
+    QFile input(file);
+    EXPECT_TRUE(input.open(QIODevice::ReadOnly));
+    return input.readAll();
+}
+
+TEST(SheetFiles, SvgIsInMillimetresWithLayers) {
+    const QByteArray svg = writeSvg(smallSheet());
+    for (const char* part :
+         {"width=\"100mm\"", "height=\"50mm\"", "viewBox=\"0 0 100 50\"", "id=\"front-outline\"",
+          "inkscape:groupmode=\"layer\"", "inkscape:label=\"Outlines\"",
+          "d=\"M10 20l20 0c1 0 2 1 2 2\"", "stroke-width=\".25\"", "text-anchor=\"middle\"",
+          "A &amp; B", "d=\"M40 10l5 0l0 5l-5 0l0-5z\""})
+        EXPECT_TRUE(svg.contains(part)) << part << "\n" << svg.toStdString();
+    QXmlStreamReader reader(svg);
+    while (!reader.atEnd())
+        reader.readNext();
+    EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
+}
+
+TEST(SheetFiles, DxfPointsUp) {
+    const QByteArray dxf = writeDxf(smallSheet());
+    EXPECT_TRUE(dxf.startsWith("0\nSECTION\n"));
+    EXPECT_TRUE(dxf.endsWith("0\nEOF\n"));
+    EXPECT_TRUE(dxf.contains("0\nVERTEX\n8\nOUTLINE\n10\n10.0000\n20\n30.0000\n"));
+    EXPECT_TRUE(dxf.contains("1\n30%%d\n"));
+}
+
+TEST(SheetFiles, HaveTheSameBytesAgain) {
+    const Sheet sheet = smallSheet();
+    EXPECT_EQ(writePdf(sheet), writePdf(sheet));
+    EXPECT_TRUE(writePdf(sheet).contains("/CreationDate (D:20000101000000"));
+}
+
+TEST(SheetFiles, AppearWhole) {
+    QTemporaryDir folder;
+    for (const char* ending : {"svg", "pdf", "dxf", "SVG"}) {
+        const QString file = folder.filePath(QString("plate.") + ending);
+        checkSheetFile(file);
+        EXPECT_FALSE(QFile::exists(file));
+        writeSheet(smallSheet(), file);
+        EXPECT_GT(contentOf(file).size(), 500) << ending;
+    }
+}
+
+TEST(SheetFiles, OfOtherKindsOrPlacesAreRefused) {
+    QTemporaryDir folder;
+    for (const char* file : {"plate", "plate.png", "missing/plate.svg"}) {
+        EXPECT_THROW(checkSheetFile(folder.filePath(file)), laplacian_lines::Error) << file;
+        EXPECT_THROW(writeSheet(smallSheet(), folder.filePath(file)), laplacian_lines::Error)
+            << file;
+        EXPECT_FALSE(QFile::exists(folder.filePath(file)));
+    }
+}
+
+}  // namespace

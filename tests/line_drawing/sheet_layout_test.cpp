@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet_layout.h"
+
+#include <gtest/gtest.h>
+
+#include "laplacian_lines/error.h"
+#include "sheet_furniture.h"
+
+using namespace line_drawing;
+
+namespace {
+
+/// Of a box of 60 x 40 x 20 (x, y, z) that stands upright in z.
+std::vector<DrawnView> viewsOfABox(const char* names) {
+    std::vector<DrawnView> views;
+    for (const ViewFrame& frame : parseViews(names, UpAxis::Z)) {
+        const Eigen::Vector3d half(30, 20, 10);
+        const Eigen::Vector2d size(frame.right.cwiseAbs().dot(half), frame.up.cwiseAbs().dot(half));
+        views.push_back({frame, {-size, size}, {}});
+    }
+    return views;
+}
+
+TEST(SheetLayout, AlignsTheViewsInFirstAngle) {
+    const SheetLayout layout = layOut(viewsOfABox("six"), {});
+    const auto& at = layout.placements;  // front, back, left, right, top, bottom
+    const Eigen::Vector2d front = at[0].middle;
+    for (const int beside : {1, 2, 3})
+        EXPECT_EQ(at[std::size_t(beside)].middle.y(), front.y());
+    EXPECT_EQ(at[4].middle.x(), front.x());
+    EXPECT_EQ(at[5].middle.x(), front.x());
+    EXPECT_GT(at[2].middle.x(), front.x());  // from the left on the right
+    EXPECT_LT(at[3].middle.x(), front.x());
+    EXPECT_GT(at[4].middle.y(), front.y());  // from above below
+    EXPECT_LT(at[5].middle.y(), front.y());
+}
+
+TEST(SheetLayout, TurnsTheArrangementInThirdAngle) {
+    SheetOptions options;
+    options.arrangement = Arrangement::ThirdAngle;
+    const SheetLayout layout = layOut(viewsOfABox("front,left,top,back"), options);
+    const Eigen::Vector2d front = layout.placements[0].middle;
+    EXPECT_LT(layout.placements[1].middle.x(), front.x());
+    EXPECT_LT(layout.placements[2].middle.y(), front.y());
+    EXPECT_GT(layout.placements[3].middle.x(), front.x());
+}
+
+TEST(SheetLayout, ViewsDoNotOverlapAndStayOnThePaper) {
+    for (const char* names : {"front", "six", "six 30,15 60,15 90,40 0,10 45,45", "top,bottom"}) {
+        const SheetLayout layout = layOut(viewsOfABox(names), {});
+        const QRectF paper(QPointF(0, 0), layout.size);
+        for (std::size_t i = 0; i < layout.places.size(); ++i) {
+            EXPECT_TRUE(paper.contains(layout.places[i])) << names;
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_FALSE(layout.places[i].intersects(layout.places[k])) << names;
+        }
+    }
+}
+
+TEST(SheetLayout, TakesTheLargestUsualScaleThatFits) {
+    SheetOptions options;
+    EXPECT_EQ(layOut(viewsOfABox("front"), options).scale, 4);  // 240 mm on lying A4
+    options.paper = "a5";
+    EXPECT_EQ(layOut(viewsOfABox("front"), options).scale, 2);
+}
+
+TEST(SheetLayout, PaperCanBeAsLargeAsTheDrawing) {
+    SheetOptions options;
+    options.paper = "fit";
+    options.scale = 10;
+    const SheetLayout layout = layOut(viewsOfABox("front"), options);
+    EXPECT_EQ(layout.places[0].width(), 600);
+    EXPECT_EQ(layout.size.width(), 600 + 2 * sheet_margin);
+}
+
+TEST(SheetLayout, SaysWhichScaleWouldFit) {
+    SheetOptions options;
+    options.scale = 10;
+    try {
+        layOut(viewsOfABox("front"), options);
+        FAIL();
+    } catch (const laplacian_lines::Error& error) {
+        EXPECT_NE(std::string(error.what()).find("Take the scale 4:1"), std::string::npos)
+            << error.what();
+    }
+    options.paper = "letter";
+    EXPECT_THROW(layOut(viewsOfABox("front"), options), laplacian_lines::Error);
+}
+
+TEST(SheetLayout, ScalesHaveNames) {
+    EXPECT_EQ(parseScale("1:2"), 0.5);
+    EXPECT_EQ(parseScale("5:2"), 2.5);
+    EXPECT_EQ(parseScale("fit"), 0);
+    EXPECT_EQ(scaleInWords(0.5), "1:2");
+    EXPECT_EQ(scaleInWords(1), "1:1");
+    EXPECT_EQ(scaleInWords(20), "20:1");
+    for (const char* word : {"", "2", "1:0", "-1:2", "1:2:3", "a:b", "nan:1"})
+        EXPECT_THROW(parseScale(word), laplacian_lines::Error) << word;
+}
+
+TEST(SheetFurniture, ScaleBarsAreOfRoundLengths) {
+    EXPECT_EQ(barLength(1, 50), 50);
+    EXPECT_EQ(barLength(0.5, 50), 100);
+    EXPECT_EQ(barLength(1. / 3, 50), 100);
+    EXPECT_EQ(barLength(4, 50), 10);
+    EXPECT_EQ(lengthInWords(100), "10 cm");
+    EXPECT_EQ(lengthInWords(2000), "2 m");
+    EXPECT_EQ(lengthInWords(0.5), "0.5 mm");
+}
+
+}  // namespace

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/view_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "laplacian_lines/error.h"
+
+using namespace line_drawing;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr UpAxis all_axes[] = {UpAxis::X, UpAxis::Y, UpAxis::Z};
+
+void expectRightHanded(const ViewFrame& frame) {
+    EXPECT_NEAR(frame.right.norm(), 1, 1e-12) << frame.name.toStdString();
+    EXPECT_NEAR(frame.up.norm(), 1, 1e-12) << frame.name.toStdString();
+    EXPECT_LT((frame.right.cross(frame.up) - frame.towards_viewer).norm(), 1e-12)
+        << frame.name.toStdString();
+}
+
+TEST(ViewFrames, AreRightHanded) {
+    for (const UpAxis up : all_axes)
+        for (const ViewFrame& frame : parseViews("six 0,90 30,15 -120,-90", up))
+            expectRightHanded(frame);
+}
+
+TEST(ViewFrames, OfAnUprightZ) {
+    const ViewFrame front = frameOfSide(Side::Front, UpAxis::Z);
+    EXPECT_EQ(front.right, Vector3d(1, 0, 0));
+    EXPECT_EQ(front.up, Vector3d(0, 0, 1));
+    EXPECT_EQ(frameOfSide(Side::Left, UpAxis::Z).towards_viewer, Vector3d(-1, 0, 0));
+    EXPECT_EQ(frameOfSide(Side::Top, UpAxis::Z).up, Vector3d(0, 1, 0));
+    EXPECT_EQ(frameOfSide(Side::Bottom, UpAxis::Z).up, Vector3d(0, -1, 0));
+}
+
+TEST(ViewFrames, OfAnUprightYShowTheObjectAsItLies) {
+    const ViewFrame front = frameOfSide(Side::Front, UpAxis::Y);
+    EXPECT_EQ(front.right, Vector3d(1, 0, 0));
+    EXPECT_EQ(front.up, Vector3d(0, 1, 0));
+}
+
+TEST(ViewFrames, DirectionsMeetTheSides) {
+    const auto distance = [](const ViewFrame& a, const ViewFrame& b) {
+        return (a.right - b.right).norm() + (a.up - b.up).norm();
+    };
+    for (const UpAxis up : all_axes) {
+        EXPECT_LT(distance(frameOfDirection(90, 0, up), frameOfSide(Side::Right, up)), 1e-12);
+        EXPECT_LT(distance(frameOfDirection(-90, 0, up), frameOfSide(Side::Left, up)), 1e-12);
+        EXPECT_LT(distance(frameOfDirection(180, 0, up), frameOfSide(Side::Back, up)), 1e-12);
+        EXPECT_LT(distance(frameOfDirection(0, 90, up), frameOfSide(Side::Top, up)), 1e-12);
+        EXPECT_LT(distance(frameOfDirection(0, -90, up), frameOfSide(Side::Bottom, up)), 1e-12);
+    }
+}
+
+TEST(ViewFrames, AreNamed) {
+    const std::vector<ViewFrame> views = parseViews("front, Top;30,-15 left", UpAxis::Z);
+    ASSERT_EQ(views.size(), 4u);
+    EXPECT_EQ(views[0].name, "Front");
+    EXPECT_EQ(views[1].side, Side::Top);
+    EXPECT_EQ(views[2].name, "30°, -15°");
+    EXPECT_EQ(views[3].side, Side::Left);
+    EXPECT_EQ(parseViews("six", UpAxis::Z).size(), 6u);
+}
+
+TEST(ViewFrames, OfOtherWordsAreRefused) {
+    for (const char* words : {"", "above", "30", "30,left", "0,91", "front,nan,0"})
+        EXPECT_THROW(parseViews(words, UpAxis::Z), laplacian_lines::Error) << words;
+}
+
+}  // namespace

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Lines that are switched off and on again are there at once: nothing is computed again while the mesh is the same. Their
+# memory goes with the mesh, and with its document.
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+
+# whose lines take 16 MB
+write_bumpy_torus 400 150 >"$WORK/torus.ply"
+small_torus "$WORK/small.ply"
+drive_lines torus.ply <<END
+size 1200x860
+expect-lines
+check Laplacian Lines off
+expect-no-lines
+sleep 50
+check Laplacian Lines on
+expect-lines
+expect-no-log torus.* computed(.*\n)*.*torus.* computed
+# nor in another view
+trigger Horizontally
+view 0
+check Laplacian Lines off
+sleep 50
+view 1
+$(show_lines)
+expect-lines
+expect-no-log torus.* computed(.*\n)*.*torus.* computed
+check Laplacian Lines off
+sleep 50
+trigger Close current view
+view 0
+# another geometry is another matter
+trigger Laplacian Smooth
+apply
+close
+check Laplacian Lines on
+expect-log torus.* computed(.*\n)*.*torus.* computed
+expect-lines
+check Laplacian Lines off
+
+# what is kept is freed with its document
+trigger New Empty Project...
+open small.ply
+$(show_lines)
+expect-lines
+note-memory
+trigger New Empty Project...
+open torus.ply
+$(show_lines)
+expect-lines
+check Laplacian Lines off
+trigger Close Project
+sleep 100
+expect-memory-growth 6
+
+# and with its mesh
+document 1
+open torus.ply
+select-layer torus
+check Laplacian Lines on
+check Laplacian Lines off
+sleep 50
+delete-layer torus
+sleep 50
+expect-memory-growth 6
+END
+grep 'has grown' "$WORK/log"

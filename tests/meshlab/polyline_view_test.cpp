@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From where the polyline filter looks, what it says of eyes that do not see all, and what it takes
+// over from the decoration.
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/option_table.h"
+#include "meshlab_host/drawn_style.h"
+#include "polyline_view.h"
+
+namespace {
+
+using meshlab_host::CurrentView;
+
+const Eigen::AlignedBox3d box(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
+
+Eye eyeAt(const Eigen::Vector3d& viewpoint) {
+    PolylineParameters chosen;
+    chosen.view = ViewChoice::Perspective;
+    chosen.viewpoint = viewpoint;
+    return eyeOf(chosen, box.center(), std::nullopt);
+}
+
+TEST(PolylineView, SidesHaveAnUprightPicture) {
+    for (int choice = int(ViewChoice::Front); choice <= int(ViewChoice::Bottom); ++choice) {
+        PolylineParameters chosen;
+        chosen.view = ViewChoice(choice);
+        const Eye eye = eyeOf(chosen, {5, 6, 7}, std::nullopt);
+        EXPECT_EQ(eye.place.w(), 0);
+        EXPECT_EQ(eye.place.head<3>(), eye.towards_viewer);
+        EXPECT_EQ(eye.towards_viewer.norm(), 1);
+        EXPECT_NEAR(eye.up.norm(), 1, 1e-15);
+        EXPECT_NEAR(eye.up.dot(eye.towards_viewer), 0, 1e-15);
+        EXPECT_TRUE(nearnessWarning(eye, box).isEmpty());
+        const bool is_upright = eye.towards_viewer.y() == 0;
+        EXPECT_EQ(eye.up.y(), is_upright ? 1 : 0);
+        EXPECT_TRUE(eye.words.contains(sideView(chosen.view).name));
+    }
+}
+
+TEST(PolylineView, DefaultsSeeAllFromOutside) {
+    const PolylineParameters defaults = polylineDefaults(nullptr, std::nullopt);
+    EXPECT_EQ(defaults.view, ViewChoice::Front);
+    MeshDocument document;
+    MeshModel* mesh = document.addNewMesh("", "box");
+    mesh->cm.bbox = Box3m(Point3m(10, 20, 30), Point3m(11, 22, 33));
+    const Eigen::AlignedBox3d far_box(Eigen::Vector3d(10, 20, 30), Eigen::Vector3d(11, 22, 33));
+    PolylineParameters chosen = polylineDefaults(mesh, std::nullopt);
+    EXPECT_EQ(chosen.view, ViewChoice::Front);
+    chosen.view = ViewChoice::Perspective;
+    const Eye eye = eyeOf(chosen, far_box.center(), std::nullopt);
+    EXPECT_TRUE(nearnessWarning(eye, far_box).isEmpty());
+    EXPECT_GT(chosen.viewpoint.z(), 33);
+}
+
+TEST(PolylineView, WarnsOfEyesWithinTheBoxOrCloseToIt) {
+    EXPECT_TRUE(nearnessWarning(eyeAt({0, 0, 4}), box).isEmpty());
+    EXPECT_TRUE(nearnessWarning(eyeAt({0.5, 0.2, 0}), box).contains("within the bounding box"));
+    EXPECT_TRUE(nearnessWarning(eyeAt({0, 0, 0}), box).contains("within the bounding box"));
+    EXPECT_TRUE(nearnessWarning(eyeAt({0, 0, 1.2}), box).contains("close to the box"));
+    EXPECT_TRUE(nearnessWarning(eyeAt({0, 0, 0}), Eigen::AlignedBox3d()).isEmpty());
+}
+
+TEST(PolylineView, ThatOfTheWindowHasItsUpwardDirection) {
+    PolylineParameters chosen;
+    chosen.view = ViewChoice::CurrentView;
+    EXPECT_THROW(eyeOf(chosen, box.center(), std::nullopt), laplacian_lines::Error);
+    const CurrentView window{false, {0, 0, 9}, {0, 0, 1}, {1, 0, 0}};
+    const Eye eye = eyeOf(chosen, box.center(), window);
+    EXPECT_EQ(eye.place, Eigen::Vector4d(0, 0, 9, 1));
+    EXPECT_EQ(eye.up, window.up);
+}
+
+TEST(PolylineView, CameraLightTurnsWithThePicture) {
+    PolylineParameters chosen;
+    chosen.view = ViewChoice::Left;
+    chosen.camera_light = meshlab_host::CameraLight{90, 0};  // from the right of the picture
+    const Eye eye = eyeOf(chosen, box.center(), std::nullopt);
+    const auto view = viewOf(eye, chosen, Eigen::Matrix4d::Identity());
+    ASSERT_TRUE(view.light);
+    EXPECT_NEAR((view.light->normalized() - Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
+    EXPECT_THROW(viewOf(eye, chosen, Eigen::Matrix4d::Zero()), laplacian_lines::Error);
+}
+
+/// A style whose every number differs from its default.
+laplacian_lines::LineStyle otherStyle() {
+    laplacian_lines::LineStyle style;
+    for (const auto& row : laplacian_lines::line_style_table()) {
+        const double value = row.get(style);
+        row.set(style, value == row.maximum ? row.minimum : std::min(value + 1, row.maximum));
+    }
+    return style;
+}
+
+TEST(DrawnStyle, IsReadAsItWasNoted) {
+    int count = 0;
+    QCoreApplication application(count, nullptr);
+    EXPECT_FALSE(meshlab_host::drawnStyle());
+    RichParameterList list;
+    PolylineParameters asked;
+    asked.settings = SettingsChoice::AsTheDecoration;
+    listPolylineParameters(asked, list);
+    EXPECT_THROW(readPolylineParameters(list), laplacian_lines::Error);
+
+    meshlab_host::DrawnStyle drawn;
+    drawn.style = otherStyle();
+    drawn.light = meshlab_host::CameraLight{12, 34};
+    drawn.shows_hidden = true;
+    drawn.colors.fill(0xff123456);
+    meshlab_host::noteDrawnStyle(drawn);
+    const PolylineParameters read = readPolylineParameters(list);
+    for (const auto& row : laplacian_lines::line_style_table())
+        EXPECT_EQ(row.get(read.style), row.get(drawn.style)) << row.key;
+    EXPECT_FALSE(read.visible_only);
+    EXPECT_EQ(read.colors, drawn.colors);
+    ASSERT_TRUE(read.camera_light);
+    EXPECT_EQ(read.camera_light->azimuth, 12);
+    EXPECT_EQ(read.camera_light->elevation, 34);
+
+    drawn.light.reset();
+    meshlab_host::noteDrawnStyle(drawn);
+    EXPECT_FALSE(readPolylineParameters(list).camera_light);
+}
+
+}  // namespace
