@@ -7,7 +7,7 @@ readonly LINES_ACTION="Laplacian Lines"
 readonly SHEET_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf # of DISPLAY_PACKAGES
 readonly MESHLAB_MINUTES=15 # more than a mesh of ten million triangles takes to load and prepare
 readonly DRIVER_ERROR=3     # the exit code of MeshLab when the driver ends it
-readonly LINE_SIDE=900      # the shorter side, in pixels, of a picture whose lines have the widths of a window
+readonly LINE_SIDE=900      # pixels of a picture's shorter side, above which lines get wider with it
 declare -gA NAMED_VIEWS=([front]="0,0" [right]="90,0" [back]="180,0" [left]="-90,0" [top]="0,90" [bottom]="0,-90")
 
 # What the options of a picture say

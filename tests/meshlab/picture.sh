@@ -110,12 +110,12 @@ read -r width height _ < <(drawn "$WORK/face.png")
 ((width > 160 && width <= 184 && 4 * height > 3 * width - 16 && 4 * height < 3 * width + 16)) ||
     fail "in perspective, the back is ${width}x$height"
 
-# lines are as much wider as the shorter side is longer, so that a drawing of twice the size has four times the ink
+# above 900 pixels, lines are as much wider as the shorter side is longer, so that a drawing of twice the size has four times the ink
 # share_of_ink FILE
 share_of_ink() {
     convert "$1" -alpha off -colorspace gray -negate -format '%[fx:mean]' info:
 }
-take "$WORK/small.png" "$WORK/torus.ply" --size 600x600
-take "$WORK/large.png" "$WORK/torus.ply" --size 1200x1200
+take "$WORK/small.png" "$WORK/torus.ply" --size 900x900
+take "$WORK/large.png" "$WORK/torus.ply" --size 1800x1800
 awk -v small="$(share_of_ink "$WORK/small.png")" -v large="$(share_of_ink "$WORK/large.png")" \
     'BEGIN { exit !(large > 0.85 * small && large < 1.15 * small) }' || fail "large drawings have lines of other proportions"

@@ -52,10 +52,11 @@ void drawLines(const Command&) {
     throw CommandError(reason.isEmpty() ? "MeshLab does not draw the lines" : reason);
 }
 
+/// Lines narrower than a pixel would have gaps: small views have those of a window.
 void scaleLines(const Command& command) {
     QGLWidget* area = requireView();
-    area->setProperty(line_scale_property,
-                      std::min(area->width(), area->height()) / command.number(0));
+    const double scale = std::min(area->width(), area->height()) / command.number(0);
+    area->setProperty(line_scale_property, std::max(scale, 1.0));
     area->update();
 }
 
