@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Options of ./run that are refused at once, before anything is built.
+# Options of ./run that are refused at once, before anything is built; those of pictures are in picture_options.sh.
 set -euo pipefail
 
 checkout=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
@@ -20,7 +20,5 @@ refuses '--set needs NAME=VALUE' --set
 refuses '--set needs NAME=VALUE' --set Detail
 refuses '--set goes with a window or a picture, not with --install' --set Detail=70 --install
 refuses '--set goes with a window or a picture, not with --python' --set Detail=70 --python -c pass
-refuses '--view needs AZIMUTH,ELEVATION' --view 30
-refuses '--size needs WIDTHxHEIGHT' --size 30
 refuses 'unknown option --sets' --sets Detail=70
 refuses 'there is no mesh ' "$work/none.ply"
