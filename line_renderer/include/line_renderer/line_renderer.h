@@ -29,7 +29,7 @@ struct LinePlacement {
     /// all of them, to the bit.
     std::optional<Eigen::Matrix4d> picture_to_clip{};
     /// By how much what is drawn may miss a line, pixels of the viewport; 0: by nothing. A quarter
-    /// is not seen, and leaves a sixth of the segments of a line set that is finer than pixels.
+    /// is not seen, and leaves a seventh of the segments of the dragon.
     double tolerance = 0.25;
 };
 
