@@ -9,6 +9,7 @@
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/live_meshes.h"
 #include "meshlab_host/log.h"
+#include "panel_lines.h"
 #include "redraw_mark.h"
 
 using line_renderer::RedrawClock;
@@ -83,13 +84,16 @@ QString refusalLine(const MeshModel& mesh, const QString& refusal) {
 
 }  // namespace
 
-DecorateLaplacianLines::DecorateLaplacianLines() : DecoratePluginBase(description()) {}
+DecorateLaplacianLines::DecorateLaplacianLines()
+    : DecoratePluginBase(description()), panel_(title) {}
 
 void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
     listDecorationParameters(list);
 }
 
-bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList&, GLArea* view) {
+bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& parameters,
+                                   GLArea* view) {
+    panel_.arrange(panelLines(readValidParameters(parameters)));
     QString refusal;
     try {
         refusal = demandLines(mesh, view)->failure;

@@ -6,6 +6,7 @@
 #include "line_cache.h"
 #include "line_renderer/redraw_clock.h"
 #include "meshlab_host/decorate_plugin_base.h"
+#include "meshlab_host/parameter_panel.h"
 #include "meshlab_host/snapshot_tiles.h"
 #include "view_drawing.h"
 
@@ -49,6 +50,7 @@ private:
     /// Adds why a mesh has no lines to its document's log, which is `log`.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
+    meshlab_host::ParameterPanel panel_;
     LineCache cache_;
     Complaints complaints_;
     meshlab_host::SnapshotTiles tiles_;
