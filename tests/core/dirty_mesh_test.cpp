@@ -8,6 +8,7 @@
 #include <string>
 
 #include "helpers.h"
+#include "laplacian_lines/mesh_faults.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
 
@@ -165,6 +166,7 @@ TEST_P(RealModel, IsDrawnWithSomeOfItsZeroCrossings) {
     if (!std::ifstream(path)) GTEST_SKIP() << "no " << GetParam() << " beside the repository";
     const TriangleMesh mesh = test_meshes::read_mesh(path);
     const Field field = precompute(mesh);
+    EXPECT_TRUE(faults_of(field.report).empty());
     const LineExtractor extractor(mesh, field);
     for (const View& view : helpers::random_views(mesh, 4)) {
         const LineSet lines = helpers::extract(extractor, view, {});
