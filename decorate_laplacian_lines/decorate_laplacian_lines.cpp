@@ -12,6 +12,7 @@
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/live_meshes.h"
 #include "meshlab_host/log.h"
+#include "panel_lines.h"
 #include "redraw_mark.h"
 
 using line_renderer::RedrawClock;
@@ -100,7 +101,8 @@ void noteForFilters(const RichParameterList& parameters) {
 
 }  // namespace
 
-DecorateLaplacianLines::DecorateLaplacianLines() : DecoratePluginBase(description()) {}
+DecorateLaplacianLines::DecorateLaplacianLines()
+    : DecoratePluginBase(description()), panel_(title) {}
 
 void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
     listDecorationParameters(list);
@@ -110,6 +112,7 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
                                    GLArea* view) {
     // here and not at redraws: MeshLab starts decorations anew whenever a parameter changes
     noteForFilters(parameters);
+    panel_.arrange(panelLines(readValidParameters(parameters)));
     QString refusal;
     try {
         meshlab_host::WindowProgress progress;

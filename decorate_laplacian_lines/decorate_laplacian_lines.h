@@ -9,6 +9,7 @@
 #include "line_cache.h"
 #include "line_renderer/redraw_clock.h"
 #include "meshlab_host/decorate_plugin_base.h"
+#include "meshlab_host/parameter_panel.h"
 #include "meshlab_host/snapshot_tiles.h"
 #include "view_drawing.h"
 
@@ -57,6 +58,7 @@ private:
     /// Keeps lines as long as the mesh and its document live and memory allows.
     void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 
+    meshlab_host::ParameterPanel panel_;
     LineCache cache_;
     KeptLines kept_;
     std::set<QObject*> watched_documents_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "decoration_table.h"
+#include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 #include "meshlab_host/parameters.h"
 
@@ -11,39 +12,73 @@ namespace {
 
 const char* const prefix = "MeshLab::Decoration::LaplacianLines_";
 
-/// Adds the parameters of one group; its heading stands above the first that can carry it.
-class GroupLister {
-public:
-    GroupLister(const char* heading, RichParameterList& list) : heading_(heading), list_(list) {}
+/// Calls the visitor with each row and its label, which has the heading of the group that it opens.
+template <class Visitor>
+void visitRows(const Visitor& visitor) {
+    for (const ParameterGroup& group : decorationTable())
+        for (const ParameterRow& any : group.rows)
+            std::visit(
+                [&](const auto& row) {
+                    const bool opens_group = group.heading && &any == &group.rows.front();
+                    visitor.visit(row, opens_group
+                                           ? meshlab_host::underHeading(group.heading, row.label)
+                                           : QString(row.label));
+                },
+                any);
+}
+
+struct Lister {
+    RichParameterList& list;
 
     template <class Options>
-    void add(const laplacian_lines::OptionDescription<Options>& row) {
+    void visit(const laplacian_lines::OptionDescription<Options>& row, const QString& label) const {
         meshlab_host::ParameterDescription description = meshlab_host::describe(row, prefix);
-        if (row.kind != laplacian_lines::OptionKind::Boolean)
-            description.label = withHeading(description.label);
-        meshlab_host::addParameter(description, row.get(Options()), 0, list_);
+        description.label = label;
+        description.for_experts = false;  // the panel hides it, in all versions alike
+        meshlab_host::addParameter(description, row.get(Options()), 0, list);
     }
-
-    void add(const ColorRow& row) {
+    void visit(const ColorRow& row, const QString& label) const {
         DecorationParameters defaults;
-        list_.addParam(RichColor(prefix + QString(row.key), row.color(defaults),
-                                 withHeading(row.label), row.help));
+        list.addParam(RichColor(prefix + QString(row.key), row.color(defaults), label,
+                                meshlab_host::toolTip(row.help)));
     }
+};
 
-private:
-    QString withHeading(const QString& label) {
-        if (!heading_) return label;
-        const QString heading = heading_;
-        heading_ = nullptr;
-        return meshlab_host::underHeading(heading, label);
+struct Describer {
+    std::vector<DecorationField>& fields;
+
+    template <class Row>
+    void visit(const Row& row, const QString& label) const {
+        fields.push_back({row.key, label, meshlab_host::toolTip(row.help), row.for_experts});
     }
+};
 
-    const char* heading_;
-    RichParameterList& list_;
+struct Reader {
+    DecorationParameters& result;
+    const RichParameterList& list;
+    std::set<std::string>* refused;  ///< gets what is out of range; null: that throws
+
+    DecorationParameters& options(const DecorationRow&) const { return result; }
+    laplacian_lines::LineStyle& options(const StyleRow&) const { return result.style; }
+
+    template <class Options>
+    void visit(const laplacian_lines::OptionDescription<Options>& row, const QString&) const {
+        try {
+            row.set(options(row), meshlab_host::readParameter(meshlab_host::describe(row, prefix),
+                                                              row.get(options(row)), list));
+        } catch (const laplacian_lines::Error&) {
+            if (!refused) throw;
+            refused->insert(row.key);
+        }
+    }
+    void visit(const ColorRow& row, const QString&) const {
+        QColor& color = row.color(result);
+        color = meshlab_host::readColor(prefix + QString(row.key), color, list);
+    }
 };
 
 void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
-    if (style == DrawingStyle::AsSetBelow) return;
+    if (style == DrawingStyle::Custom) return;
     for (line_renderer::LineLook& look : parameters.appearance.looks)
         look.color = Qt::black;
     parameters.surface.style = line_renderer::SurfaceAppearance::Paper;
@@ -53,38 +88,36 @@ void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
         style == DrawingStyle::Archaeology ? Light::FixedToTheCamera : Light::AtTheEye;
 }
 
-}  // namespace
-
-void listDecorationParameters(RichParameterList& list) {
-    for (const ParameterGroup& group : decorationTable()) {
-        GroupLister lister(group.heading, list);
-        for (const DecorationRow& row : group.rows)
-            lister.add(row);
-        for (const auto& row : laplacian_lines::line_style_table())
-            if (group.style_rows == (row.for_experts ? StyleRows::ForExperts : StyleRows::Everyday))
-                lister.add(row);
-        for (const ColorRow& row : group.colors)
-            lister.add(row);
-    }
-}
-
-DecorationParameters readDecorationParameters(const RichParameterList& list) {
+DecorationParameters read(const RichParameterList& list, std::set<std::string>* refused) {
     DecorationParameters result;
-    result.style = meshlab_host::readOptions(laplacian_lines::line_style_table(), prefix, list);
-    for (const ParameterGroup& group : decorationTable()) {
-        for (const DecorationRow& row : group.rows)
-            row.set(result, meshlab_host::readParameter(meshlab_host::describe(row, prefix),
-                                                        row.get(result), list));
-        for (const ColorRow& row : group.colors) {
-            QColor& color = row.color(result);
-            color = meshlab_host::readColor(prefix + QString(row.key), color, list);
-        }
-    }
+    visitRows(Reader{result, list, refused});
     // contours without width must not push other lines aside
     if (result.lines.outline_factor == 0)
         result.style.shows[laplacian_lines::LineKind::Contour] = false;
     result.appearance.looks = looksOf(result.lines);
     putIntoEffect(result.drawing_style, result);
+    return result;
+}
+
+}  // namespace
+
+void listDecorationParameters(RichParameterList& list) {
+    visitRows(Lister{list});
+}
+
+std::vector<DecorationField> decorationFields() {
+    std::vector<DecorationField> fields;
+    visitRows(Describer{fields});
+    return fields;
+}
+
+DecorationParameters readDecorationParameters(const RichParameterList& list) {
+    return read(list, nullptr);
+}
+
+ValidParameters readValidParameters(const RichParameterList& list) {
+    ValidParameters result;
+    result.chosen = read(list, &result.refused);
     return result;
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
+#include <string>
+#include <vector>
+
 #include "laplacian_lines/line_style.h"
 #include "line_choice.h"
 #include "line_renderer/line_appearance.h"
@@ -10,16 +14,19 @@
 #include "meshlab_host/meshlab_api.h"
 
 /// A choice of looks by one parameter, which then counts more than the others it stands for.
-enum class DrawingStyle { AsSetBelow, Publication, Archaeology };
+enum class DrawingStyle { Custom, Publication, Archaeology };
 
 /// What is seen where no surface is.
 enum class Background { AsMeshLabDrawsIt, Paper };
+
+/// Which parameters the layer dialog shows.
+enum class ShownParameters { Basic, All };
 
 enum class Light { AtTheEye, FixedToTheCamera };
 
 /// What the user chose in MeshLab's decoration parameters, which are the same for all views.
 struct DecorationParameters {
-    DrawingStyle drawing_style = DrawingStyle::AsSetBelow;
+    DrawingStyle drawing_style = DrawingStyle::Custom;
     laplacian_lines::LineStyle style;
     LineChoice lines;
     line_renderer::LineAppearance appearance;  ///< its looks are those of `lines` and the style
@@ -27,6 +34,7 @@ struct DecorationParameters {
     Background background = Background::AsMeshLabDrawsIt;
     Light light = Light::AtTheEye;
     meshlab_host::CameraLight camera_light;
+    ShownParameters shown = ShownParameters::Basic;
     bool show_statistics = false;
 };
 
@@ -34,9 +42,25 @@ struct DecorationParameters {
 /// everybody uses first. The names are unique among MeshLab's plugins.
 void listDecorationParameters(RichParameterList& list);
 
+/// How a parameter appears in that list.
+struct DecorationField {
+    const char* key;
+    QString label;  ///< with the heading of the group that it opens
+    QString help;   ///< tool tip
+    bool for_experts;
+};
+std::vector<DecorationField> decorationFields();
+
 /// The drawing style is already put into effect in what it stands for.
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
 DecorationParameters readDecorationParameters(const RichParameterList& list);
+
+/// The same, but parameters that are out of range are at their defaults.
+struct ValidParameters {
+    DecorationParameters chosen;
+    std::set<std::string> refused;  ///< keys of those out of range
+};
+ValidParameters readValidParameters(const RichParameterList& list);
 
 /// What of it filters can do as well.
 meshlab_host::DrawnStyle drawnStyleOf(const DecorationParameters& parameters);

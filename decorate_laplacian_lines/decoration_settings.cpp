@@ -38,14 +38,9 @@ TextRow textRow(const ColorRow& row) {
 
 std::vector<TextRow> textRows() {
     std::vector<TextRow> rows;
-    for (const ParameterGroup& group : decorationTable()) {
-        for (const DecorationRow& row : group.rows)
-            rows.push_back(textRow(row));
-        for (const ColorRow& row : group.colors)
-            rows.push_back(textRow(row));
-    }
-    for (const auto& row : laplacian_lines::line_style_table())
-        rows.push_back(textRow(row));
+    for (const ParameterGroup& group : decorationTable())
+        for (const ParameterRow& row : group.rows)
+            std::visit([&](const auto& r) { rows.push_back(textRow(r)); }, row);
     return rows;
 }
 

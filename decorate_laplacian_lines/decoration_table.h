@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "decoration_parameters.h"
 #include "laplacian_lines/option_table.h"
 
 using DecorationRow = laplacian_lines::OptionDescription<DecorationParameters>;
+using StyleRow = laplacian_lines::OptionDescription<laplacian_lines::LineStyle>;
 
 struct ColorRow {
     const char* key;
     const char* label;
     const char* help;
     QColor& (*color)(DecorationParameters&);
+    bool for_experts = false;
 };
 
-/// Which rows of the core's line style stand in a group.
-enum class StyleRows { None, Everyday, ForExperts };
+/// A parameter: one of the decoration's own or of the core's line style.
+using ParameterRow = std::variant<DecorationRow, StyleRow, ColorRow>;
 
-/// Parameters that stand together in the layer dialog: rows, those of the line style, colors.
+/// Parameters that stand together in the layer dialog.
 struct ParameterGroup {
     const char* heading;  ///< null: none
-    std::vector<DecorationRow> rows;
-    StyleRows style_rows = StyleRows::None;
-    std::vector<ColorRow> colors = {};
+    std::vector<ParameterRow> rows;
 };
 
 /// All parameters of the decoration, what everybody uses first.

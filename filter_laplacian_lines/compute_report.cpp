@@ -3,6 +3,7 @@
 
 #include "laplacian_lines/option_table.h"
 #include "meshlab_host/field_attributes.h"
+#include "meshlab_host/mesh_advice.h"
 
 using laplacian_lines::Field;
 using laplacian_lines::FieldScale;
@@ -82,5 +83,5 @@ QStringList computeReport(const laplacian_lines::Field& field, const PrecomputeO
                  .arg(seconds, 0, 'f', 2)
                  .arg(meshlab_host::fieldAttributeNames(field));
     lines.removeAll(QString());
-    return lines;
+    return lines + meshlab_host::meshAdvice(field.report);
 }

@@ -62,10 +62,14 @@ const Row& visibleRow() {
 }
 
 const Row& lightRow() {
-    static const Row row = rows::choice<&Parameters::light>(
-        "light", "Light Position", {"At the Eye", "Along the Light Direction"},
-        "Whose shading the Laplacian lines draw: of a light at the eye, or of a distant one. "
-        "Contours are the eye's in any case.");
+    static const Row row = [] {
+        Row light = rows::choice<&Parameters::light>(
+            "light", "Light Position", {"At the Eye", "Along the Light Direction"},
+            "Whose shading the Laplacian lines draw: of a light at the eye, or of a distant one. "
+            "Contours are the eye's in any case.");
+        light.for_experts = true;
+        return light;
+    }();
     return row;
 }
 
@@ -95,7 +99,7 @@ const PlaceRow& viewDirectionRow() {
 const PlaceRow& lightDirectionRow() {
     static const PlaceRow row = {
         {"light_direction", "Light Direction", "From the object to the light, if that is distant.",
-         PlaceKind::Direction},
+         PlaceKind::Direction, true},
         &Parameters::light_direction,
         lightRow,
         int(LightChoice::FromADirection)};

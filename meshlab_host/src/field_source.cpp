@@ -6,6 +6,7 @@
 
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
+#include "meshlab_host/mesh_advice.h"
 
 namespace meshlab_host {
 
@@ -73,6 +74,8 @@ Field demandField(const CMeshO& mesh, const laplacian_lines::TriangleMesh& trian
     clock.start();
     Field field = laplacian_lines::precompute(triangles, source.options, progress);
     say(computedLine(mesh_name, source.status, field, 1e-3 * double(clock.elapsed())));
+    for (const QString& line : meshAdvice(field.report))
+        say(mesh_name + ": " + line);
     return field;
 }
 

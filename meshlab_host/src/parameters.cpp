@@ -39,30 +39,49 @@ std::optional<double> number(const Value& value) {
 
 }  // namespace
 
+namespace {
+
+/// Adds a parameter of this type to the list.
+template <class Rich, class Description, class... Value>
+void add(const Description& d, RichParameterList& list, const Value&... value) {
+#if MESHLAB_API < 2022
+    list.addParam(Rich(d.name, value..., d.label, toolTip(d.help)));
+#else
+    list.addParam(Rich(d.name, value..., d.label, toolTip(d.help), d.for_experts));
+#endif
+}
+
+}  // namespace
+
 QString underHeading(const QString& heading, const QString& label) {
     return QString("<b>%1</b><br>%2").arg(heading, label);
+}
+
+QString toolTip(const QString& help) {
+    // Qt wraps rich text only
+#if MESHLAB_API < 2022
+    // a dialog shows it beside the field as well, two lines of it
+    return "<table width=\"430\"><tr><td>" + help + "</td></tr></table>";
+#else
+    return "<span>" + help + "</span>";
+#endif
 }
 
 void addParameter(const ParameterDescription& d, double value, double diagonal,
                   RichParameterList& list) {
     switch (d.kind) {
         case OptionKind::Real:
-            list.addParam(RichFloat(d.name, float(value), d.label, d.help));
-            break;
+            return add<RichFloat>(d, list, float(value));
         case OptionKind::Integer:
-            list.addParam(RichInt(d.name, int(value), d.label, d.help));
-            break;
+            return add<RichInt>(d, list, int(value));
         case OptionKind::Length: {
             const double whole = diagonal > 0 ? diagonal : 1;  // the widget divides by it
-            list.addParam(RichLength(d.name, float(value), 0, float(whole), d.label, d.help));
-            break;
+            return add<RichLength>(d, list, float(value), 0.f, float(whole));
         }
         case OptionKind::Boolean:
-            list.addParam(RichBool(d.name, value != 0, d.label, d.help));
-            break;
+            return add<RichBool>(d, list, value != 0);
         case OptionKind::Choice:
-            list.addParam(RichEnum(d.name, int(value), d.choices, d.label, d.help));
-            break;
+            return add<RichEnum>(d, list, int(value), d.choices);
     }
 }
 
@@ -83,9 +102,9 @@ std::optional<double> defaultOf(const RichParameter& parameter) {
 void addPlace(const PlaceDescription& d, const Eigen::Vector3d& value, RichParameterList& list) {
     const Point3m point(Scalarm(value.x()), Scalarm(value.y()), Scalarm(value.z()));
     if (d.kind == PlaceKind::Position)
-        list.addParam(RichPlace(d.name, point, d.label, d.help));
+        add<RichPlace>(d, list, point);
     else
-        list.addParam(RichHeading(d.name, point, d.label, d.help));
+        add<RichHeading>(d, list, point);
 }
 
 Eigen::Vector3d readPlace(const PlaceDescription& d, const Eigen::Vector3d& fallback,

@@ -8,6 +8,7 @@
 
 #include "flaked_stone.h"
 #include "helpers.h"
+#include "laplacian_lines/mesh_faults.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
 #include "noise.h"
@@ -173,6 +174,7 @@ TEST_P(RealModel, IsDrawnWithSomeOfItsZeroCrossings) {
         GTEST_SKIP() << GetParam() << " neither lies beside the repository nor was it fetched";
     const TriangleMesh mesh = is_made ? noisy_stone() : test_meshes::read_mesh(path);
     const Field field = precompute(mesh);
+    EXPECT_TRUE(faults_of(field.report).empty());
     const LineExtractor extractor(mesh, field);
     for (const View& view : helpers::random_views(mesh, 4)) {
         const LineSet lines = helpers::extract(extractor, view, {});

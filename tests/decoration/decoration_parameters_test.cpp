@@ -3,10 +3,13 @@
 // back.
 #include <gtest/gtest.h>
 
+#include <QTextDocument>
+
 #include <set>
 
 #include "decoration_parameters.h"
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/option_table.h"
 
 namespace {
 
@@ -46,6 +49,23 @@ TEST(DecorationParameters, BeginWithWhatEverybodyUses) {
     EXPECT_EQ(keys[1], "detail");
     EXPECT_LT(keys.indexOf("light_elevation"), keys.indexOf("gradient_threshold"));
     EXPECT_LT(keys.indexOf("line_width"), keys.indexOf("gradient_threshold"));
+    EXPECT_LT(keys.indexOf("contours"), keys.indexOf("laplacian_lines"));
+    EXPECT_EQ(keys.indexOf("ridges") + 1, keys.indexOf("ridge_angle"));
+    EXPECT_EQ(keys.indexOf("creases") + 1, keys.indexOf("crease_angle"));
+}
+
+TEST(DecorationParameters, HaveAllOptionsOfTheStyle) {
+    const QStringList keys = listedKeys();
+    for (const auto& row : laplacian_lines::line_style_table())
+        EXPECT_TRUE(keys.contains(row.key)) << row.key;
+}
+
+/// Qt breaks the lines of rich text only.
+TEST(DecorationParameters, HaveToolTipsThatWrap) {
+    RichParameterList list;
+    listDecorationParameters(list);
+    for (const RichParameter& parameter : list)
+        EXPECT_TRUE(Qt::mightBeRichText(parameter.toolTip())) << parameter.name().toStdString();
 }
 
 /// A check box would show the markup of a heading.
@@ -58,14 +78,14 @@ TEST(DecorationParameters, HaveNoHeadingOverSwitches) {
         ++headings;
         EXPECT_FALSE(parameter.value().isBool()) << parameter.name().toStdString();
     }
-    EXPECT_GE(headings, 4);
+    EXPECT_EQ(headings, 3);
 }
 
 TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
     RichParameterList list;
     listDecorationParameters(list);
     const DecorationParameters defaults, read = readDecorationParameters(list);
-    EXPECT_EQ(read.drawing_style, DrawingStyle::AsSetBelow);
+    EXPECT_EQ(read.drawing_style, DrawingStyle::Custom);
     for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind) {
         EXPECT_EQ(read.appearance.looks[kind].color, defaults.appearance.looks[kind].color);
         EXPECT_EQ(read.appearance.looks[kind].width, defaults.appearance.looks[kind].width);
@@ -105,6 +125,16 @@ TEST(DecorationParameters, DrawingStylesOverrideColorsPaperAndLight) {
         EXPECT_EQ(read.style.detail, 70);
         EXPECT_EQ(read.camera_light.azimuth, 20);
     }
+}
+
+TEST(DecorationParameters, OutOfRangeAreAtTheirDefaultsWhereOthersCount) {
+    RichParameterList list;
+    list.addParam(number("line_width", 0));
+    list.addParam(number("detail", 70));
+    const ValidParameters read = readValidParameters(list);
+    EXPECT_EQ(read.refused, std::set<std::string>{"line_width"});
+    EXPECT_EQ(read.chosen.lines.width, DecorationParameters().lines.width);
+    EXPECT_EQ(read.chosen.style.detail, 70);
 }
 
 TEST(DecorationParameters, OutOfRangeAreRefusedByTheirLabel) {

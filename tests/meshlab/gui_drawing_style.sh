@@ -5,7 +5,7 @@
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
 publication() { printf 'setdeco Drawing Style = Publication (Black on White)\n'; }
-as_set_below() { printf 'setdeco Drawing Style = As Set Below\n'; }
+as_set_below() { printf 'setdeco Drawing Style = Custom\n'; }
 
 # styles NAME: as it was, the drawing, and as it was again
 styles() {

@@ -38,7 +38,7 @@ grab paper_form.png
 setdeco Single Strokes = on
 setdeco Drawing Style = Archaeology (Side Light)
 grab archaeology.png
-setdeco Drawing Style = As Set Below
+setdeco Drawing Style = Custom
 setdeco Surface = Toon
 setdeco Background = Paper Color
 grab toon.png

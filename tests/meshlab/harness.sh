@@ -25,6 +25,7 @@ CHECKOUT=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 EXAMPLE=$CHECKOUT/examples/laplacian_lines.mlx
 STAGE=$LAPLACIAN_LINES_BUILD/stage
 WORK=$LAPLACIAN_LINES_BUILD/Testing/meshlab/$TEST_NAME
+DISPLAY_SIZE=${DISPLAY_SIZE:-1700x1000}
 DRIVE_SECONDS=${DRIVE_SECONDS:-100} # a hung MeshLab, before ctest's own limit, so that its log is shown
 
 # shellcheck source=/dev/null
@@ -46,7 +47,7 @@ begin_test() {
     mkdir -p "$WORK"
     trap end_test EXIT
     trap 'exit 143' TERM INT
-    start_display 1700 1000
+    start_display "${DISPLAY_SIZE%x*}" "${DISPLAY_SIZE#*x}"
     LAPLACIAN_LINES_CACHE=$(cache_folder) # the user's: models are fetched once
     export LAPLACIAN_LINES_CACHE
     use_private_home "$WORK/home"

@@ -10,12 +10,6 @@
 namespace driver {
 namespace {
 
-QWidget* filterDialog() {
-    for (const char* name : {"MeshlabStdDialog", "FilterDockDialog"})  // up to 2020.09, later
-        if (QWidget* dialog = childOfClass(name)) return dialog;
-    throw CommandError("no filter dialog is open");
-}
-
 QAction* enabledAction(const QString& text) {
     QAction* action = requireAction(text);
     if (!action->isEnabled()) throw CommandError(QString("the action '%1' is disabled").arg(text));

@@ -20,7 +20,7 @@ namespace {
 
 void collectWidgets(QLayoutItem* item, QList<QWidget*>& widgets) {
     if (!item) return;
-    if (QWidget* widget = item->widget()) widgets << widget;
+    if (QWidget* widget = item->widget(); widget && !widgets.contains(widget)) widgets << widget;
     if (QLayout* layout = item->layout())
         for (int i = 0; i < layout->count(); ++i)
             collectWidgets(layout->itemAt(i), widgets);
@@ -32,14 +32,19 @@ QGridLayout* gridOf(QWidget* container, QWidget* label) {
     return nullptr;
 }
 
-// A label and its editors share a row of a grid.
+bool isLabel(QLayoutItem* item) {
+    return item && qobject_cast<QLabel*>(item->widget());
+}
+
+// A label and its editors share a row of a grid, perhaps with another label and its editors.
 QList<QWidget*> editorsBeside(QWidget* container, QLabel* label) {
     QList<QWidget*> editors;
     QGridLayout* grid = gridOf(container, label);
     if (!grid) return editors;
     int row, column, rowSpan, columnSpan;
     grid->getItemPosition(grid->indexOf(label), &row, &column, &rowSpan, &columnSpan);
-    for (int c = column + 1; c < grid->columnCount(); ++c)
+    for (int c = column + columnSpan;
+         c < grid->columnCount() && !isLabel(grid->itemAtPosition(row, c)); ++c)
         collectWidgets(grid->itemAtPosition(row, c), editors);
     return editors;
 }
@@ -168,16 +173,36 @@ QStringList labelsOf(QWidget* container) {
     return labels;
 }
 
+CommandError noField(QWidget* container, const QString& label) {
+    return CommandError(
+        QString("no field '%1' among %2").arg(label, labelsOf(container).join(", ")));
+}
+
+QList<QWidget*> findEditors(QWidget* container, const QString& label) {
+    for (QCheckBox* box : container->findChildren<QCheckBox*>())
+        if (withoutMnemonic(box->text()) == label) return {box};
+    for (QLabel* candidate : container->findChildren<QLabel*>())
+        if (nameOf(candidate) == label)
+            if (const auto editors = editorsBeside(container, candidate); !editors.isEmpty())
+                return editors;
+    return {};
+}
+
 }  // namespace
 
 void setField(QWidget* container, const QString& label, const QString& value) {
-    for (QCheckBox* box : container->findChildren<QCheckBox*>())
-        if (withoutMnemonic(box->text()) == label) return setCheckBox(box, value);
-    for (QLabel* candidate : container->findChildren<QLabel*>())
-        if (nameOf(candidate) == label && setEditors(editorsBeside(container, candidate), value))
-            return;
-    throw CommandError(
-        QString("no field '%1' among %2").arg(label, labelsOf(container).join(", ")));
+    const QList<QWidget*> editors = findEditors(container, label);
+    if (!editors.isEmpty() && !editors.first()->isEnabled())
+        throw CommandError(
+            QString("the field '%1' is off: %2").arg(label, lastLine(editors.first()->toolTip())));
+    if (!setEditors(editors, value)) throw noField(container, label);
+}
+
+QString stateOfField(QWidget* container, const QString& label) {
+    const QList<QWidget*> editors = findEditors(container, label);
+    if (editors.isEmpty()) throw noField(container, label);
+    if (!editors.first()->isVisible()) return "hidden";
+    return editors.first()->isEnabled() ? "on" : "off";
 }
 
 void setFieldAsSaid(QWidget* container, const Command& command) {

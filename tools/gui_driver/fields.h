@@ -16,4 +16,7 @@ void setField(QWidget* container, const QString& label, const QString& value);
 struct Command;
 void setFieldAsSaid(QWidget* container, const Command& command);
 
+// What a user sees of the field: "hidden", "off" if its value cannot be changed, or "on".
+QString stateOfField(QWidget* container, const QString& label);
+
 }  // namespace driver

@@ -84,6 +84,12 @@ QWidget* childOfClass(const char* className) {
     return nullptr;
 }
 
+QWidget* filterDialog() {
+    for (const char* name : {"MeshlabStdDialog", "FilterDockDialog"})  // up to 2020.09, later
+        if (QWidget* dialog = childOfClass(name)) return dialog;
+    throw CommandError("no filter dialog is open");
+}
+
 QString withoutMnemonic(QString text) {
     return text.remove('&').section('\t', 0, 0);
 }

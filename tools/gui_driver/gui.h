@@ -24,6 +24,7 @@ QGLWidget* requireView();
 void chooseView(int index);
 
 QWidget* childOfClass(const char* className);  // a visible descendant of the main window, or null
+QWidget* filterDialog();                       // CommandError when none is open
 QString withoutMnemonic(QString text);         // no '&', no shortcut
 QAction* requireAction(const QString& text);   // CommandError with look-alikes when there is none
 QAction* findAction(const QString& text);

@@ -7,6 +7,7 @@ CommandTable allCommands() {
     CommandTable table;
     addWindowCommands(table);
     addActionCommands(table);
+    addDialogCommands(table);
     addModalCommands(table);
     addDrawingCommands(table);
     addMouseCommands(table);

@@ -9,6 +9,7 @@ namespace driver {
 void addWindowCommands(CommandTable& table);  // window_commands.cpp: views, size, camera, layers
 void addActionCommands(
     CommandTable& table);  // action_commands.cpp: menus, filter dialog, decoration parameters
+void addDialogCommands(CommandTable& table);  // dialog_commands.cpp: sizes and states
 void addModalCommands(
     CommandTable& table);  // modal_commands.cpp: boxes that wait for an answer, snapshots
 void addDrawingCommands(

@@ -67,10 +67,12 @@ QString randomly(Dice& dice, const Setting& setting) {
 std::vector<Setting> decorationSettings() {
     std::vector<Setting> settings;
     for (const ParameterGroup& group : decorationTable())
-        for (const DecorationRow& row : group.rows)
-            settings.push_back(settingOf(row));
-    for (const auto& row : laplacian_lines::line_style_table())
-        settings.push_back(settingOf(row));
+        for (const ParameterRow& row : group.rows) {
+            if (const auto* own = std::get_if<DecorationRow>(&row))
+                settings.push_back(settingOf(*own));
+            if (const auto* of_style = std::get_if<StyleRow>(&row))
+                settings.push_back(settingOf(*of_style));
+        }
     return settings;
 }
 

@@ -30,6 +30,12 @@ struct MeshReport {
     /// Of the surface at the scale of its triangles: noise, or the terraces of segmented volumes.
     /// No unit; scans have up to 1.1, terraces 1.5 to 3. 0: smooth.
     double roughness = 0;
+    // What faults_of() judges by, of the surface that is left, its cuts closed.
+    double border_share = 0;     ///< of its edges, those of one triangle
+    double opposed_share = 0;    ///< those of two triangles that disagree about the outside
+    double openness = 0;         ///< |Σ area vectors| / area: 0 closed, 1 a plane
+    double relative_volume = 0;  ///< 3 volume / (area · D), about the centre; negative: inside out
+    double kernel_bend = 0;      ///< median of curvature · kernel size; 0: as small as may be
 };
 
 }  // namespace laplacian_lines

@@ -2,6 +2,7 @@
 #include "laplacian_lines/precompute.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "field/belkin_laplacian.h"
 #include "field/cotangent_laplacian.h"
@@ -11,6 +12,7 @@
 #include "field/shape_operators.h"
 #include "field/vertex_normals.h"
 #include "mesh/prepared_mesh.h"
+#include "mesh/soundness.h"
 #include "sums/summation_cost.h"
 #include "system/large_array.h"
 
@@ -19,7 +21,9 @@ namespace {
 
 constexpr int kTensorSmoothingPasses = 2;
 constexpr double kLargestFloat = 1e38;
-constexpr double kFitCost = 20;  // of a pair of vertices in a fit, in those of a direct sum
+constexpr std::size_t kMostBendSamples = 20000;
+constexpr double kLeastChoice = 2.5;  // mean edges: a kernel that could well be smaller
+constexpr double kFitCost = 20;       // of a pair of vertices in a fit, in those of a direct sum
 
 // About the part of the whole time at which each step ends, with the default options.
 constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
@@ -96,10 +100,28 @@ public:
         field.scale = scale_of(mesh_, options_, normal_sigma_);
         field.report = mesh_.report;
         field.report.roughness = roughness_;
+        field.report.kernel_bend = kernel_bend();
+        measure_soundness(mesh_, ranges_, field.report);
         return field;
     }
 
 private:
+    /// MeshReport::kernel_bend, of some vertices all over the mesh.
+    double kernel_bend() const {
+        if (kernel_size_ < kLeastChoice * mesh_.mean_edge) return 0;
+        const std::size_t step = mesh_.size() / kMostBendSamples + 1;
+        std::vector<double> bends;
+        for (std::size_t i = 0; i < mesh_.size(); i += step) {
+            const SymmetricTensor& s = shape_operators_[i];
+            const double squares = s.xx * s.xx + s.yy * s.yy + s.zz * s.zz +
+                                   2 * (s.yz * s.yz + s.xz * s.xz + s.xy * s.xy);
+            bends.push_back(std::sqrt(squares) * double(relative_sizes_[i]) * kernel_size_);
+        }
+        const auto middle = bends.begin() + std::ptrdiff_t(bends.size() / 2);
+        std::nth_element(bends.begin(), middle, bends.end());
+        return *middle;
+    }
+
     /// Duplicated vertices have the values of those that count for them.
     void copy_to_welded(Field& field) const {
         const std::vector<std::uint32_t>& representative = mesh_.representative;

@@ -23,8 +23,8 @@ std::uint64_t mixed(std::uint64_t x) {
     return x ^ x >> 32;
 }
 
-/// Whether each edge is passed as often in one direction as in the other. A border would have to
-/// hit one sum of 2^64.
+}  // namespace
+
 bool is_closed(const std::vector<Triangle>& triangles) {
     std::vector<std::uint64_t> sums(block_count(triangles.size()));
     in_blocks(triangles.size(), [&](std::size_t begin, std::size_t end) {
@@ -39,6 +39,8 @@ bool is_closed(const std::vector<Triangle>& triangles) {
     });
     return std::accumulate(sums.begin(), sums.end(), std::uint64_t(0)) == 0;
 }
+
+namespace {
 
 std::uint64_t hash_of(const Eigen::Vector3d& position) {
     std::uint64_t hash = 0;

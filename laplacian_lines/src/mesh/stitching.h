@@ -9,6 +9,10 @@
 
 namespace laplacian_lines {
 
+/// Whether each edge is passed as often in one direction as in the other. A border would have to
+/// hit one sum of 2^64.
+bool is_closed(const std::vector<Triangle>& triangles);
+
 /// Files with texture seams and triangle soups cut a closed surface open: where two of its
 /// triangles meet, each has vertices of its own at equal coordinates. Finds what closes these cuts:
 /// pairs of borders that go from one place to another in opposite directions, where no third one

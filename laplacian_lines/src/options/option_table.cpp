@@ -30,78 +30,81 @@ void check_ranges(const std::vector<OptionDescription<Options>>& table, const Op
     }
 }
 
+template <class Options>
+OptionDescription<Options> for_experts(OptionDescription<Options> row) {
+    row.for_experts = true;
+    return row;
+}
+
 }  // namespace
 
 const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table() {
     using O = PrecomputeOptions;
     static const std::vector<OptionDescription<O>> table = {
-        row<&O::kernel_size>(
-            "kernel_size", "Kernel Size", OptionKind::Length, 0, kUnlimited,
-            "Size of the features that the lines show, &radic;h, as a length in mesh units: larger "
-            "gives fewer and smoother lines. 0 means automatic: 2 mean edges, but at least 0.45 % "
-            "of the bounding-box diagonal."),
+        row<&O::kernel_size>("kernel_size", "Kernel Size", OptionKind::Length, 0, kUnlimited,
+                             "Size of the features that the lines show, &radic;h, in mesh units: "
+                             "larger gives fewer and smoother lines. 0 means automatic: 2 mean "
+                             "edges, but at least 0.45 % of the diagonal."),
         choice<&O::kernel_mode>(
             "kernel_mode", "Kernel", {"Uniform", "Adaptive"},
-            "Uniform: one kernel size everywhere. Adaptive: the kernel size and the smoothing of "
-            "normals follow the local edge length (from a quarter to four times the given size), "
-            "for meshes with more detail in some places than in others."),
-        choice<&O::laplace_operator>(
+            "Uniform: one size everywhere. Adaptive: it and the smoothing of normals follow the "
+            "local edge length, from a quarter to four times."),
+        for_experts(choice<&O::laplace_operator>(
             "laplace_operator", "Laplace Operator", {"Heat Kernel (Belkin)", "Cotangent"},
-            "Heat Kernel: robust on irregular and noisy meshes. Cotangent: looks only at adjacent "
-            "vertices, ignores the kernel size and breaks down on irregular meshes; for "
-            "comparison."),
-        real<&O::accuracy>(
+            "Heat Kernel: robust on irregular and noisy meshes. Cotangent, for comparison: only "
+            "adjacent vertices; breaks down on irregular meshes.")),
+        for_experts(real<&O::accuracy>(
             "accuracy", "Accuracy", 1e-6, 0.1,
             "Relative error that summing the heat kernel may add, 0.000001 to 0.1. Smaller is "
-            "slower."),
-        choice<&O::normal_weighting>(
+            "slower.")),
+        for_experts(choice<&O::normal_weighting>(
             "normal_weighting", "Normal Weighting", {"Area", "Angle", "Max"},
             "How triangle normals are averaged to vertex normals: by triangle area, by corner "
-            "angle, or by N. Max's weights."),
+            "angle, or by N. Max's weights.")),
         choice<&O::normal_smoothing>(
             "normal_smoothing", "Normal Smoothing", {"None", "Gaussian", "Bilateral"},
-            "Smoothing of the vertex normals before anything is computed from them (the mesh's own "
-            "normals are not changed). Bilateral keeps sharp edges."),
+            "Of the vertex normals that all is computed from; the mesh's own are not changed. "
+            "Bilateral keeps sharp edges."),
         real<&O::normal_sigma>(
             "normal_sigma", "Normal Smoothing Sigma", 0, 100,
-            "Standard deviation of the smoothing, in mean edge lengths. 0 means automatic: 0.8, "
-            "and "
-            "up to 2.5 on meshes that are rough, such as those from segmented volumes, whose "
-            "surfaces are terraced; the log says what was chosen. Set it for meshes on which that "
-            "draws too much or too little."),
-        real<&O::bilateral_angle>(
+            "In mean edge lengths. 0 means automatic: 0.8, and up to 2.5 on rough meshes, such as "
+            "those from segmented volumes; the log says what was chosen."),
+        for_experts(real<&O::bilateral_angle>(
             "bilateral_angle", "Bilateral Angle", 0.1, 180,
             "For bilateral smoothing: angle in degrees between two normals at which they hardly "
-            "influence each other any more."),
-        choice<&O::gradient_estimator>(
+            "influence each other any more.")),
+        for_experts(choice<&O::gradient_estimator>(
             "gradient_estimator", "Gradient Estimator", {"Triangle Fit", "Least Squares"},
-            "How the curvature tensor, which gives the gradient of the illumination, is estimated: "
-            "fitted to each triangle (Rusinkiewicz) or to all vertices in a ball."),
-        real<&O::gradient_radius>("gradient_radius", "Gradient Radius", 1, 100,
-                                  "For Least Squares: radius of the ball, in mean edge lengths."),
-        boolean<&O::correct_borders>(
+            "How the curvature, which gives the gradient of the illumination, is estimated: by a "
+            "fit to each triangle or to all vertices in a ball.")),
+        for_experts(real<&O::gradient_radius>(
+            "gradient_radius", "Gradient Radius", 1, 100,
+            "For Least Squares: radius of the ball, in mean edge lengths.")),
+        for_experts(boolean<&O::correct_borders>(
             "correct_borders", "Correct Borders",
-            "Make up for the missing half of the kernel at holes and borders, which otherwise get "
-            "spurious lines along them."),
-        boolean<&O::skip_opposite_sheet>(
+            "Make up for the missing half of the kernel at holes and borders, which get spurious "
+            "lines along them otherwise.")),
+        for_experts(boolean<&O::skip_opposite_sheet>(
             "skip_opposite_sheet", "Skip Opposite Sheet",
-            "Vertices count less the more they face another way, and not at all if they face the "
-            "opposite way, so that the two sides of a thin wall do not disturb each other."),
-        boolean<&O::weld_duplicates>(
-            "weld_duplicates", "Weld Duplicated Vertices",
-            "Vertices at exactly the same place count as one where they cut the surface open, so "
-            "that files with texture seams and triangle soups show no lines along the cuts. The "
-            "mesh itself is not changed, and borders of holes stay."),
+            "Vertices count less the more they face another way, so that the two sides of a thin "
+            "wall do not disturb each other.")),
+        boolean<&O::weld_duplicates>("weld_duplicates", "Weld Duplicated Vertices",
+                                     "Vertices at exactly the same place count as one where they "
+                                     "cut the surface open, as in "
+                                     "texture seams. The mesh is not changed; holes stay open."),
     };
     return table;
 }
 
 namespace {
 
+using StyleRow = OptionDescription<LineStyle>;
+using S = LineStyle;
+
 /// The switch of a kind of lines.
-template <std::size_t Row>
-OptionDescription<LineStyle> kind_row() {
-    constexpr const LineKindDescription& kind = line_kinds[Row];
+template <LineKind Kind>
+StyleRow kind_row() {
+    constexpr const LineKindDescription& kind = describe(Kind);
     return {kind.key,
             kind.label,
             kind.help,
@@ -109,35 +112,40 @@ OptionDescription<LineStyle> kind_row() {
             0,
             1,
             {},
-            [](const LineStyle& style) { return style.shows[line_kinds[Row].kind] ? 1. : 0.; },
-            [](LineStyle& style, double value) { style.shows[line_kinds[Row].kind] = value != 0; }};
+            [](const S& style) { return style.shows[Kind] ? 1. : 0.; },
+            [](S& style, double value) { style.shows[Kind] = value != 0; }};
 }
 
-template <std::size_t... Rows>
-std::vector<OptionDescription<LineStyle>> kind_rows(std::index_sequence<Rows...>) {
-    return {kind_row<Rows>()...};
-}
-
-/// What everybody uses of the style.
-std::vector<OptionDescription<LineStyle>> everyday_style_rows() {
-    using S = LineStyle;
-    std::vector<OptionDescription<LineStyle>> rows = {
-        real<&S::detail>("detail", "Detail", 0, 100,
-                         "More or fewer lines, 0 to 100: moves all thresholds together. 50 leaves "
-                         "them as they are."),
+/// The kinds of lines, outlines first, each with the options that are its own.
+std::vector<StyleRow> kind_rows() {
+    return {
+        kind_row<LineKind::Contour>(),
+        for_experts(boolean<&S::exact_outlines>(
+            "exact_outlines", "Exact Outlines",
+            "Outlines follow the edges of triangles that are large or meet at steep angles, and "
+            "are smooth curves elsewhere. Off: smooth curves everywhere, which lie beside the form "
+            "on meshes of few triangles.")),
+        kind_row<LineKind::Laplacian>(),
+        boolean<&S::single_strokes>(
+            "single_strokes", "Single Strokes",
+            "One line along a groove and at the foot of a form, where the surface is concave. Off: "
+            "also those on the convex forms beside them, as in the paper."),
+        kind_row<LineKind::Ridge>(),
+        for_experts(real<&S::ridge_angle>(
+            "ridge_angle", "Ridge Angle", 5, 180,
+            "Least angle in degrees by which the surface turns across a ridge, within 2 % of the "
+            "bounding-box diagonal to both sides. Larger leaves out softer ridges.")),
+        kind_row<LineKind::Crease>(),
+        for_experts(real<&S::crease_angle>(
+            "crease_angle", "Crease Angle", 20, 180,
+            "Least angle between two triangles of a crease, in degrees. Up to 40, edges of 20 and "
+            "more between flat surfaces are drawn as well. Larger leaves out softer edges; smaller "
+            "shows facets of round forms of few triangles.")),
+        kind_row<LineKind::Border>(),
     };
-    for (auto& row : kind_rows(std::make_index_sequence<line_kind_count>()))
-        rows.push_back(std::move(row));
-    rows.push_back(boolean<&S::single_strokes>(
-        "single_strokes", "Single Strokes",
-        "Draw one line along a groove and at the foot of a form: only where the surface is "
-        "concave. Off: also the lines on the convex forms beside them, as in the paper, which "
-        "outline each groove and ridge twice."));
-    return rows;
 }
 
-std::vector<OptionDescription<LineStyle>> expert_style_rows() {
-    using S = LineStyle;
+std::vector<StyleRow> threshold_rows() {
     return {
         real<&S::gradient_threshold>(
             "gradient_threshold", "Gradient Threshold t", 0, 1e6,
@@ -183,40 +191,29 @@ std::vector<OptionDescription<LineStyle>> expert_style_rows() {
             "contour_clearance", "Contour Clearance", 0, 10,
             "Laplacian lines nearer to an outline than this fade out, since they only double it; "
             "in bounding-box diagonals."),
-        boolean<&S::mesh_silhouettes>(
-            "mesh_silhouettes", "Mesh Silhouettes",
-            "Draw outlines along the edges of the mesh, exactly where triangles turn away from the "
-            "eye, instead of as smooth curves."),
-        boolean<&S::exact_outlines>(
-            "exact_outlines", "Exact Outlines",
-            "Outlines follow the edges of triangles that are large or meet at steep angles, and "
-            "are smooth curves elsewhere. Off: smooth curves everywhere, which lie beside the form "
-            "on meshes of few triangles."),
-        real<&S::ridge_angle>(
-            "ridge_angle", "Ridge Angle", 5, 180,
-            "Least angle in degrees by which the surface turns across a ridge, within 2 % of the "
-            "bounding-box diagonal to both sides. Larger leaves out softer ridges."),
-        real<&S::crease_angle>("crease_angle", "Crease Angle", 20, 180,
-                               "Least angle between two triangles of a crease, in degrees. Up to "
-                               "40, edges of 20 and more between flat surfaces are drawn as "
-                               "well. Larger leaves out softer edges; smaller shows facets of "
-                               "round forms of few triangles."),
         boolean<&S::exact_point_light>(
             "exact_point_light", "Exact Point Light",
             "Use the exact Laplacian of a point light at the eye instead of the paper's form. The "
             "two differ for cameras close to the object."),
+        boolean<&S::mesh_silhouettes>(
+            "mesh_silhouettes", "Mesh Silhouettes",
+            "Draw outlines along the edges of the mesh, exactly where triangles turn away from the "
+            "eye, instead of as smooth curves."),
     };
 }
 
 }  // namespace
 
 const std::vector<OptionDescription<LineStyle>>& line_style_table() {
-    static const std::vector<OptionDescription<LineStyle>> table = [] {
-        auto rows = everyday_style_rows();
-        for (auto& row : expert_style_rows()) {
-            row.for_experts = true;
-            rows.push_back(row);
-        }
+    static const std::vector<StyleRow> table = [] {
+        std::vector<StyleRow> rows = {
+            real<&S::detail>("detail", "Detail", 0, 100,
+                             "More or fewer lines, 0 to 100: moves all thresholds together. 50 "
+                             "leaves them as they are.")};
+        for (StyleRow& row : kind_rows())
+            rows.push_back(std::move(row));
+        for (StyleRow& row : threshold_rows())
+            rows.push_back(for_experts(std::move(row)));
         return rows;
     }();
     return table;

@@ -23,12 +23,16 @@ struct ParameterDescription {
     double minimum;
     double maximum;
     QStringList choices;
+    bool for_experts;  ///< dialogs fold it away, in MeshLab 2022.02 and later
 };
 
 /// A label with the heading of the group of parameters that it opens: MeshLab shows parameters as
 /// one flat list, and their labels as rich text. Not for switches, whose labels it shows as they
 /// are.
 QString underHeading(const QString& heading, const QString& label);
+
+/// Help, HTML without paragraphs, in a form that MeshLab wraps where it is a tool tip.
+QString toolTip(const QString& help);
 
 /// Adds a parameter. `diagonal` of the mesh's bounding box is what percentages of lengths refer to;
 /// 0 if there is no mesh.
@@ -48,7 +52,7 @@ template <class Options>
 ParameterDescription describe(const laplacian_lines::OptionDescription<Options>& row,
                               const QString& key_prefix) {
     ParameterDescription result{key_prefix + row.key, row.label,   row.help, row.kind,
-                                row.minimum,          row.maximum, {}};
+                                row.minimum,          row.maximum, {},       row.for_experts};
     for (const char* choice : row.choices)
         result.choices << choice;
     return result;
@@ -80,6 +84,7 @@ struct PlaceDescription {
     QString label;
     QString help;
     PlaceKind kind;
+    bool for_experts = false;
 };
 
 void addPlace(const PlaceDescription& description, const Eigen::Vector3d& value,

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel_lines.h"
+
+#include <stdexcept>
+
+using line_renderer::SurfaceAppearance;
+using meshlab_host::PanelField;
+using meshlab_host::PanelLine;
+
+namespace {
+
+using Keys = std::vector<std::string>;
+
+/// What stands side by side, or first. The others follow, each on a line of its own.
+const std::vector<Keys> first_lines = {
+    {"drawing_style"},
+    {"detail", "line_width"},
+    {"line_color", "contour_color"},
+    {"hidden_lines", "parameters"},
+    {"contours", "laplacian_lines"},
+    {"borders", "single_strokes"},
+    {"ridges", "creases"},
+    {"ridge_angle", "crease_angle"},
+};
+
+QString obstacleOf(const std::string& key, const DecorationParameters& chosen) {
+    static const std::set<std::string> overruled = {"line_color",  "contour_color", "surface",
+                                                    "tones",       "background",    "paper_color",
+                                                    "shade_color", "light"};
+    if (chosen.drawing_style != DrawingStyle::Custom && overruled.count(key))
+        return "The drawing style sets this. Choose Custom to set it here.";
+    if (chosen.surface.style != SurfaceAppearance::Toon && (key == "tones" || key == "shade_color"))
+        return "Only for the surface Toon.";
+    if (chosen.light != Light::FixedToTheCamera &&
+        (key == "light_azimuth" || key == "light_elevation"))
+        return "Only for the light that is fixed to the camera.";
+    return {};
+}
+
+PanelField panelField(const DecorationField& field, const ValidParameters& parameters) {
+    if (parameters.refused.count(field.key)) return {field.label, field.help, true, {}};
+    const DecorationParameters& chosen = parameters.chosen;
+    return {field.label, field.help, !field.for_experts || chosen.shown == ShownParameters::All,
+            obstacleOf(field.key, chosen)};
+}
+
+/// Takes the field with this key out of the list.
+DecorationField take(const std::string& key, std::vector<DecorationField>& fields) {
+    for (auto field = fields.begin(); field != fields.end(); ++field)
+        if (field->key == key) {
+            const DecorationField taken = *field;
+            fields.erase(field);
+            return taken;
+        }
+    throw std::logic_error("the decoration has no parameter " + key);
+}
+
+}  // namespace
+
+std::vector<PanelLine> panelLines(const ValidParameters& parameters) {
+    std::vector<DecorationField> fields = decorationFields();
+    std::vector<PanelLine> lines;
+    for (const Keys& keys : first_lines) {
+        lines.emplace_back();
+        for (const std::string& key : keys)
+            lines.back().push_back(panelField(take(key, fields), parameters));
+    }
+    for (const DecorationField& field : fields)
+        lines.push_back({panelField(field, parameters)});
+    return lines;
+}

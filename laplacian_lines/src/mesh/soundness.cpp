@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/soundness.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "laplacian_lines/mesh_faults.h"
+#include "mesh/stitching.h"
+
+namespace laplacian_lines {
+namespace {
+
+/// Shares of the edges; open surfaces of a few hundred triangles have borders of 5 %.
+constexpr double kMostBorders = 0.2, kMostOpposed = 0.02;
+/// A surface that does not close up but for holes has no inside, nor has one that holds no volume.
+constexpr double kMostBordersOfHoles = 0.02, kMostOpen = 0.1, kLeastVolume = 0.02;
+/// Angle, in radians, by which most of the surface turns within the kernel.
+constexpr double kMostBend = 0.7;
+
+struct EdgeCounts {
+    std::atomic<std::size_t> edges{0}, borders{0}, opposed{0};
+};
+
+/// A side of a triangle, of its smaller vertex: the larger one, and which of them comes first.
+struct Side {
+    std::uint32_t from, to;
+    bool is_forward;
+
+    bool operator<(const Side& other) const {
+        return from != other.from ? from < other.from : to < other.to;
+    }
+};
+
+/// Of the edges whose smaller vertex is in the range.
+void count_edges(const VertexRanges::Range& range, EdgeCounts& counts) {
+    std::vector<Side> sides;
+    range.for_each_triangle([&](const Triangle& t) {
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+            if (range.holds(std::min(a, b)))
+                sides.push_back({std::min(a, b), std::max(a, b), a < b});
+        }
+    });
+    std::sort(sides.begin(), sides.end());
+    std::size_t edges = 0, borders = 0, opposed = 0;
+    for (auto begin = sides.begin(); begin != sides.end(); ++edges) {
+        const auto end = std::upper_bound(begin, sides.end(), *begin);
+        if (end - begin == 1) ++borders;
+        if (end - begin == 2 && begin[0].is_forward == begin[1].is_forward) ++opposed;
+        begin = end;
+    }
+    counts.edges += edges, counts.borders += borders, counts.opposed += opposed;
+}
+
+double share(std::size_t part, std::size_t whole) {
+    return whole ? double(part) / double(whole) : 0;
+}
+
+}  // namespace
+
+void measure_soundness(const PreparedMesh& mesh, const VertexRanges& ranges, MeshReport& report) {
+    const std::vector<Triangle>& triangles = mesh.triangles;
+    if (!is_closed(triangles)) {
+        EdgeCounts counts;
+        const Progress nobody;
+        ranges.for_each({nobody, 0, 1, ""}, [&](const auto& range) { count_edges(range, counts); });
+        report.border_share = share(counts.borders, counts.edges);
+        report.opposed_share = share(counts.opposed, counts.edges);
+    }
+    const auto sum = [&](auto&& value_of) {
+        return sum_of(triangles.size(), [&](std::size_t i) { return value_of(triangles[i]); });
+    };
+    const double area = sum([&](const Triangle& t) { return area_vector(mesh, t).norm(); });
+    Eigen::Vector3d open;
+    for (int axis = 0; axis < 3; ++axis)
+        open[axis] = sum([&](const Triangle& t) { return area_vector(mesh, t)[axis]; });
+    report.openness = open.norm() / area;
+    report.relative_volume =
+        sum([&](const Triangle& t) { return mesh.positions[t[0]].dot(area_vector(mesh, t)); }) /
+        area;
+}
+
+std::vector<MeshFault> faults_of(const MeshReport& report) {
+    std::vector<MeshFault> faults;
+    if (report.border_share > kMostBorders) faults.push_back(MeshFault::Torn);
+    if (report.opposed_share > kMostOpposed) faults.push_back(MeshFault::Disagreeing);
+    if (!faults.empty()) return faults;  // which hide the others
+    if (report.border_share < kMostBordersOfHoles && report.openness < kMostOpen &&
+        report.relative_volume < -kLeastVolume)
+        faults.push_back(MeshFault::InsideOut);
+    if (report.kernel_bend > kMostBend) faults.push_back(MeshFault::CoarseKernel);
+    return faults;
+}
+
+}  // namespace laplacian_lines

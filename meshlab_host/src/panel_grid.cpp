@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel_grid.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QVariant>
+
+namespace meshlab_host {
+namespace {
+
+constexpr int columns = 4;       ///< two fields side by side, each a label and what it names
+constexpr int line_spacing = 0;  ///< pixels: the panel is low on small screens
+constexpr int longest_short_label = 15;  ///< characters
+const char* const arranged_mark = "laplacian_lines_arranged";
+
+/// A field's places in the grid.
+struct Parts {
+    QLayoutItem* label = nullptr;
+    QLayoutItem* editor = nullptr;  ///< null if the label is the check box itself
+};
+
+QString textOf(QLayoutItem& item) {
+    if (const auto* box = qobject_cast<QCheckBox*>(item.widget())) return box->text();
+    if (const auto* label = qobject_cast<QLabel*>(item.widget())) return label->text();
+    return {};
+}
+
+Parts findParts(const QGridLayout& grid, const QString& label) {
+    for (int i = 0; i < grid.count(); ++i) {
+        QLayoutItem* item = grid.itemAt(i);
+        if (textOf(*item) != label) continue;
+        if (qobject_cast<QCheckBox*>(item->widget())) return {item, nullptr};
+        int row, column, rows, spanned;
+        grid.getItemPosition(i, &row, &column, &rows, &spanned);
+        if (QLayoutItem* editor = grid.itemAtPosition(row, column + spanned)) return {item, editor};
+    }
+    return {};
+}
+
+/// By line; empty if the grid lacks one.
+std::vector<std::vector<Parts>> findAll(const QGridLayout& grid,
+                                        const std::vector<PanelLine>& lines) {
+    std::vector<std::vector<Parts>> found;
+    for (const PanelLine& line : lines) {
+        found.emplace_back();
+        for (const PanelField& field : line) {
+            found.back().push_back(findParts(grid, field.label));
+            if (!found.back().back().label) return {};
+        }
+    }
+    return found;
+}
+
+/// The same item at another place.
+void move(QGridLayout& grid, QLayoutItem* item, int row, int column, int spanned) {
+    const Qt::Alignment alignment = item->alignment();
+    grid.takeAt(grid.indexOf(item));
+    if (QLayout* layout = item->layout())
+        grid.addLayout(layout, row, column, 1, spanned, alignment);
+    else
+        grid.addItem(item, row, column, 1, spanned, alignment);
+}
+
+/// What MeshLab keeps hidden beside the fields makes room.
+void moveHelpAside(QGridLayout& grid) {
+    for (int i = grid.count() - 1; i >= 0; --i) {
+        int row, column, rows, spanned;
+        grid.getItemPosition(i, &row, &column, &rows, &spanned);
+        if (column == columns / 2) move(grid, grid.itemAt(i), row, columns, 1);
+    }
+}
+
+/// Of `width` columns: longer labels would widen the column of the short ones.
+int labelColumns(QLayoutItem& label, int width) {
+    return textOf(label).size() <= longest_short_label ? 1 : width / 2;
+}
+
+void moveAll(QGridLayout& grid, const std::vector<std::vector<Parts>>& found) {
+    moveHelpAside(grid);
+    for (int line = 0; line < int(found.size()); ++line) {
+        const auto& fields = found[std::size_t(line)];
+        const int width = columns / int(fields.size());
+        for (int i = 0; i < int(fields.size()); ++i) {
+            const Parts& parts = fields[std::size_t(i)];
+            const int label = parts.editor ? labelColumns(*parts.label, width) : width;
+            move(grid, parts.label, line, i * width, label);
+            if (parts.editor) move(grid, parts.editor, line, i * width + label, width - label);
+        }
+    }
+    for (int column = 1; column < columns; column += 2)
+        grid.setColumnStretch(column, 1);
+    grid.setVerticalSpacing(line_spacing);
+}
+
+void show(QLayoutItem* item, const PanelField& field, const QString& tool_tip) {
+    if (!item) return;
+    if (QWidget* widget = item->widget()) {
+        widget->setVisible(field.is_shown);
+        widget->setEnabled(field.obstacle.isEmpty());
+        widget->setToolTip(tool_tip);
+    }
+    if (QLayout* layout = item->layout())
+        for (int i = 0; i < layout->count(); ++i)
+            show(layout->itemAt(i), field, tool_tip);
+}
+
+void showAll(const std::vector<std::vector<Parts>>& found, const std::vector<PanelLine>& lines) {
+    for (std::size_t line = 0; line < lines.size(); ++line)
+        for (std::size_t i = 0; i < lines[line].size(); ++i) {
+            const PanelField& field = lines[line][i];
+            const QString tool_tip = field.obstacle.isEmpty()
+                                         ? field.help
+                                         : "<b>" + field.obstacle + "</b> " + field.help;
+            show(found[line][i].label, field, tool_tip);
+            show(found[line][i].editor, field, tool_tip);
+        }
+}
+
+}  // namespace
+
+bool arrangePanel(QWidget& panel, const std::vector<PanelLine>& lines) {
+    for (QGridLayout* grid : panel.findChildren<QGridLayout*>()) {
+        const auto found = findAll(*grid, lines);
+        if (found.empty()) continue;
+        if (!grid->property(arranged_mark).toBool()) moveAll(*grid, found);
+        grid->setProperty(arranged_mark, true);
+        showAll(found, lines);
+        grid->activate();
+        if (panel.layout()) panel.layout()->activate();
+        return true;
+    }
+    return false;
+}
+
+}  // namespace meshlab_host

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said about meshes whose drawing will disappoint, and that nothing is said about others.
+#include "laplacian_lines/mesh_faults.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "laplacian_lines/precompute.h"
+#include "registry.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using namespace test_meshes;
+using Faults = std::vector<MeshFault>;
+
+Faults faults_found(const TriangleMesh& mesh, const PrecomputeOptions& options = {}) {
+    return faults_of(precompute(mesh, options).report);
+}
+
+TriangleMesh flipped(TriangleMesh mesh, int every) {
+    flip_triangles(mesh, every);
+    return mesh;
+}
+
+/// Each triangle with corners of its own, a little smaller than it was.
+TriangleMesh shrunk_triangles(const TriangleMesh& whole) {
+    TriangleMesh mesh = cut_apart(whole);
+    for (const Triangle& t : mesh.triangles) {
+        const Eigen::Vector3d centre =
+            (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
+        for (std::uint32_t v : t)
+            mesh.positions[v] += 1e-3 * (centre - mesh.positions[v]);
+    }
+    return mesh;
+}
+
+class EachTestMesh : public testing::TestWithParam<const MeshEntry*> {};
+
+/// What is wrong with the registry's meshes is by design; all others are sound.
+TEST_P(EachTestMesh, HasTheFaultsItIsMadeWith) {
+    static const std::map<std::string, Faults> faulty = {
+        {"flipped_torus", {MeshFault::Disagreeing}},
+        {"single_triangle", {MeshFault::Torn}},
+        {"triangle_soup", {MeshFault::Torn, MeshFault::Disagreeing}},
+    };
+    const auto known = faulty.find(GetParam()->name);
+    const MeshReport report = precompute(GetParam()->get().mesh).report;
+    EXPECT_EQ(faults_of(report), known == faulty.end() ? Faults() : known->second)
+        << "borders " << report.border_share << ", opposed " << report.opposed_share
+        << ", openness " << report.openness << ", volume " << report.relative_volume << ", bend "
+        << report.kernel_bend;
+}
+
+INSTANTIATE_TEST_SUITE_P(MeshFaults, EachTestMesh, testing::ValuesIn(meshes_with(0)),
+                         [](const auto& info) { return info.param->name; });
+
+TEST(MeshFaults, OfSurfacesTurnedInsideOut) {
+    for (const char* name : {"sphere", "torus", "bumpy_sphere", "ellipsoid", "rounded_cube"}) {
+        const TriangleMesh& mesh = mesh_named(name).mesh;
+        EXPECT_EQ(faults_found(flipped(mesh, 1)), Faults{MeshFault::InsideOut}) << name;
+    }
+    // with a hole, as scans have them; but an open surface has no inside
+    TriangleMesh holed = mesh_named("sphere").mesh;
+    holed.triangles.resize(holed.triangles.size() * 98 / 100);
+    EXPECT_EQ(faults_found(holed), Faults());
+    EXPECT_EQ(faults_found(flipped(holed, 1)), Faults{MeshFault::InsideOut});
+    for (const char* name : {"hills", "plane", "half_torus"})
+        EXPECT_EQ(faults_found(flipped(mesh_named(name).mesh, 1)), Faults()) << name;
+}
+
+TEST(MeshFaults, OfTrianglesTurnedHereAndThere) {
+    for (const char* name : {"sphere", "hills"})
+        for (int every : {2, 3, 20})
+            EXPECT_EQ(faults_found(flipped(mesh_named(name).mesh, every)),
+                      Faults{MeshFault::Disagreeing})
+                << name << every;
+}
+
+TEST(MeshFaults, OfPiecesThatDoNotHangTogether) {
+    const TriangleMesh& torus = mesh_named("torus").mesh;
+    EXPECT_EQ(faults_found(shrunk_triangles(torus)), Faults{MeshFault::Torn});
+    // cuts that are closed by themselves are none
+    EXPECT_EQ(faults_found(cut_apart(torus)), Faults());
+    PrecomputeOptions unwelded;
+    unwelded.weld_duplicates = false;
+    EXPECT_EQ(faults_found(cut_apart(torus), unwelded), Faults{MeshFault::Torn});
+}
+
+TEST(MeshFaults, OfKernelsThatBlurTheForm) {
+    const TriangleMesh& torus = mesh_named("torus").mesh;
+    PrecomputeOptions options;
+    options.kernel_size = 0.05;
+    EXPECT_EQ(faults_found(torus, options), Faults());
+    options.kernel_size = 0.5;
+    EXPECT_EQ(faults_found(torus, options), Faults{MeshFault::CoarseKernel});
+}
+
+}  // namespace

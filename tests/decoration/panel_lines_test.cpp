@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which parameters the layer dialog shows, and which of them are off.
+#include "panel_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "decoration_table.h"
+#include "laplacian_lines/option_table.h"
+
+namespace {
+
+using line_renderer::SurfaceAppearance;
+using meshlab_host::PanelField;
+using meshlab_host::PanelLine;
+
+const QString kPrefix = "MeshLab::Decoration::LaplacianLines_";
+
+/// By key.
+std::map<std::string, PanelField> fieldsFor(const ValidParameters& parameters) {
+    std::map<std::string, std::string> keys;
+    for (const DecorationField& field : decorationFields())
+        keys[field.label.toStdString()] = field.key;
+    std::map<std::string, PanelField> fields;
+    for (const PanelLine& line : panelLines(parameters))
+        for (const PanelField& field : line)
+            EXPECT_TRUE(fields.emplace(keys.at(field.label.toStdString()), field).second)
+                << field.label.toStdString();
+    return fields;
+}
+
+TEST(PanelLines, HaveEachParameterOnce) {
+    EXPECT_EQ(fieldsFor({}).size(), decorationFields().size());
+}
+
+TEST(PanelLines, ShowThoseForExpertsWhenAsked) {
+    ValidParameters parameters;
+    int hidden = 0;
+    const auto basic = fieldsFor(parameters);
+    parameters.chosen.shown = ShownParameters::All;
+    for (const auto& [key, field] : fieldsFor(parameters)) {
+        EXPECT_TRUE(field.is_shown) << key;
+        if (!basic.at(key).is_shown) ++hidden;
+    }
+    EXPECT_GT(hidden, 20);
+    for (const char* key : {"drawing_style", "parameters", "hidden_lines", "line_color"})
+        EXPECT_TRUE(basic.at(key).is_shown) << key;
+    for (const auto& row : laplacian_lines::line_style_table())
+        EXPECT_EQ(basic.at(row.key).is_shown, !row.for_experts) << row.key;
+}
+
+/// All that is drawn, as far as drawing styles say anything about it.
+bool drawAlike(const DecorationParameters& a, const DecorationParameters& b) {
+    bool looks_alike = true;
+    for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind)
+        looks_alike =
+            looks_alike && a.appearance.looks[kind].color == b.appearance.looks[kind].color;
+    const bool is_toon = a.surface.style == SurfaceAppearance::Toon;
+    return looks_alike && a.surface.style == b.surface.style &&
+           a.surface.paper == b.surface.paper && a.background == b.background &&
+           a.light == b.light &&
+           (!is_toon ||
+            (a.surface.tones == b.surface.tones && a.surface.shade == b.surface.shade)) &&
+           (a.light == Light::AtTheEye || (a.camera_light.azimuth == b.camera_light.azimuth &&
+                                           a.camera_light.elevation == b.camera_light.elevation));
+}
+
+/// Another value than the default for each parameter of this kind.
+std::vector<std::pair<std::string, RichParameterList>> changes(int drawing_style, int surface) {
+    const std::vector<std::pair<const char*, int>> numbers = {
+        {"surface", (surface + 1) % 3}, {"background", 1}, {"light", 1}};
+    std::vector<std::pair<std::string, RichParameterList>> result;
+    const auto begin = [&](const char* key) -> RichParameterList& {
+        RichParameterList list;
+        list.addParam(RichEnum(kPrefix + "drawing_style", drawing_style, {"0", "1", "2"}, "", ""));
+        if (std::string(key) != "surface")
+            list.addParam(RichEnum(kPrefix + "surface", surface, {"0", "1", "2"}, "", ""));
+        result.emplace_back(key, list);
+        return result.back().second;
+    };
+    for (const auto& [key, value] : numbers)
+        begin(key).addParam(RichEnum(kPrefix + key, value, {"0", "1", "2"}, "", ""));
+    for (const char* key : {"line_color", "contour_color", "paper_color", "shade_color"})
+        begin(key).addParam(RichColor(kPrefix + key, Qt::green, "", ""));
+    begin("tones").addParam(RichInt(kPrefix + "tones", 5, "", ""));
+    for (const char* key : {"light_azimuth", "light_elevation"})
+        begin(key).addParam(RichFloat(kPrefix + key, 11, "", ""));
+    return result;
+}
+
+/// Off is what changes nothing, in each style and with each surface.
+TEST(PanelLines, SwitchOffWhatHasNoEffect) {
+    for (int style : {0, 1, 2})
+        for (int surface : {0, 1, 2}) {
+            RichParameterList unchanged;
+            unchanged.addParam(RichEnum(kPrefix + "drawing_style", style, {"0", "1", "2"}, "", ""));
+            unchanged.addParam(RichEnum(kPrefix + "surface", surface, {"0", "1", "2"}, "", ""));
+            const ValidParameters before = readValidParameters(unchanged);
+            const auto fields = fieldsFor(before);
+            for (const auto& [key, list] : changes(style, surface))
+                EXPECT_EQ(fields.at(key).obstacle.isEmpty(),
+                          !drawAlike(before.chosen, readDecorationParameters(list)))
+                    << key << " in style " << style << " with surface " << surface;
+        }
+}
+
+/// Otherwise nobody could mend it.
+TEST(PanelLines, ShowWhatIsOutOfRange) {
+    ValidParameters parameters;
+    parameters.refused = {"tones", "fading"};
+    const auto fields = fieldsFor(parameters);
+    EXPECT_TRUE(fields.at("fading").is_shown);
+    EXPECT_TRUE(fields.at("tones").is_shown);
+    EXPECT_TRUE(fields.at("tones").obstacle.isEmpty());
+    EXPECT_FALSE(fields.at("shade_color").is_shown);
+}
+
+}  // namespace

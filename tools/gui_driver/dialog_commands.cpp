@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands are described in README.md.
+#include <QCheckBox>
+#include <QLabel>
+#include <QTextDocument>
+#include <QTreeWidget>
+#include "fields.h"
+#include "gui.h"
+#include "modules.h"
+#include "report.h"
+
+namespace driver {
+namespace {
+
+QSize sizeSaid(const QString& text) {
+    const QStringList parts = text.split('x');
+    const QSize size(parts.value(0).toInt(), parts.value(1).toInt());
+    if (parts.size() != 2 || size.isEmpty()) throw CommandError("say WIDTHxHEIGHT");
+    return size;
+}
+
+/// As if a window manager had maximized it on a screen of this size.
+Outcome setWindowSize(const Command& command) {
+    QMainWindow* window = requireMainWindow();
+    if (window->isMaximized() || window->isFullScreen()) window->showNormal();
+    const QSize wanted = sizeSaid(command.word(0));
+    if (window->size() == wanted) return Outcome::Done;
+    window->setGeometry(QRect(QPoint(0, 0), wanted));
+    return Outcome::Retry;
+}
+
+void expectDialogWithin(const Command& command) {
+    const QSize most = sizeSaid(command.word(0)), size = filterDialog()->frameGeometry().size();
+    const QString words = QString("the dialog is %1x%2").arg(size.width()).arg(size.height());
+    say(words.toStdString());
+    if (size.width() > most.width() || size.height() > most.height()) throw CommandError(words);
+}
+
+QTreeWidget* decorationTree() {
+    if (auto* tree = requireMainWindow()->findChild<QTreeWidget*>("decParsTree")) return tree;
+    throw CommandError("the layer dialog shows no decoration parameters");
+}
+
+/// Shows a decoration's parameters in the layer dialog.
+void unfoldDecoration(const Command& command) {
+    const auto items = decorationTree()->findItems(command.rest, Qt::MatchExactly);
+    if (items.isEmpty()) throw CommandError("the decoration has no parameters there");
+    items.first()->setExpanded(true);
+}
+
+void expectDecorationField(const Command& command) {
+    const QString wanted = command.rest.section(' ', -1);
+    const QString state = stateOfField(decorationTree(), command.rest.section(' ', 0, -2));
+    if (state != wanted) throw CommandError("it is " + state);
+}
+
+/// The fields that the decorations show are seen without scrolling on a screen of this height.
+void expectFieldsAbove(const Command& command) {
+    const QTreeWidget* tree = decorationTree();
+    const auto bottom = [](const QWidget* widget) {
+        return widget->mapTo(widget->window(), QPoint(0, widget->height())).y();
+    };
+    int lowest = 0;
+    for (const QLabel* label : tree->findChildren<QLabel*>())
+        if (label->isVisible()) lowest = qMax(lowest, bottom(label));
+    for (const QCheckBox* box : tree->findChildren<QCheckBox*>())
+        if (box->isVisible()) lowest = qMax(lowest, bottom(box));
+    const QString words = QString("the fields end at %1, their panel at %2")
+                              .arg(lowest)
+                              .arg(bottom(tree->viewport()));
+    say(words.toStdString());
+    if (lowest == 0 || lowest > command.number(0) || lowest > bottom(tree->viewport()))
+        throw CommandError(words);
+}
+
+/// Qt breaks the lines of a tool tip only if it is rich text.
+void expectWrappedToolTips(const Command&) {
+    int tool_tips = 0;
+    for (QWidget* widget : decorationTree()->findChildren<QWidget*>()) {
+        if (widget->toolTip().isEmpty()) continue;
+        ++tool_tips;
+        if (!Qt::mightBeRichText(widget->toolTip()))
+            throw CommandError("one line: " + widget->toolTip());
+    }
+    if (!tool_tips) throw CommandError("there are no tool tips");
+}
+
+}  // namespace
+
+void addDialogCommands(CommandTable& table) {
+    table.add("window", setWindowSize);
+    table.addSimple("unfold", unfoldDecoration);
+    table.addSimple("expect-deco", expectDecorationField);
+    table.addSimple("expect-fields-above", expectFieldsAbove);
+    table.addSimple("expect-wrapped-tool-tips", expectWrappedToolTips);
+    table.addSimple("help", [](const Command&) { clickButton(filterDialog(), "Help"); });
+    table.addSimple("expect-dialog-within", expectDialogWithin);
+}
+
+}  // namespace driver
