@@ -43,9 +43,11 @@ expect_at_most() {
 torus "$WORK/torus.ply"
 drive_lines torus.ply <<END
 look 2.2 0.8 2.2  0 0 0
+setdeco Surface = Toon
 setdeco Paper Color = #ffee00
 setdeco Shade Color = #0000ff
 setdeco Tones = 2
+setdeco Surface = As MeshLab Draws It
 $(papers fill)
 check Wireframe on
 $(papers wireframe_on_fill)
