@@ -33,7 +33,7 @@ public:
           usable_(without_unusable(mesh)),
           field_(precompute(mesh)),
           extractor_(mesh, field_),
-          visibility_(mesh, field_.scale),
+          visibility_(mesh, field_),
           edges_(sharp_edges(usable_, options.edge_angle)) {}
 
     std::vector<View> views() const { return views_around(usable_, options_.views); }

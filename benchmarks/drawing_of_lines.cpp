@@ -71,7 +71,7 @@ private:
 };
 
 /// With the mesh in the middle, of which the diagonal is a little larger than the view.
-LinePlacement placementOf(const View& view, const Eigen::Vector3d& centre, const FieldScale& scale,
+LinePlacement placementOf(const View& view, const Eigen::Vector3d& centre, const Field& field,
                           double zoom) {
     const double far = 1e3, near = 1e-2, focal = zoom * 2.5;
     const Eigen::Vector3d back = (view.eye - centre).normalized();
@@ -81,11 +81,11 @@ LinePlacement placementOf(const View& view, const Eigen::Vector3d& centre, const
     placement.to_eye.topLeftCorner<3, 3>() << right.transpose(), back.cross(right).transpose(),
         back.transpose();
     placement.to_eye.topRightCorner<3, 1>() = -(placement.to_eye.topLeftCorner<3, 3>() * view.eye);
-    const double unit = scale.diagonal;
+    const double unit = field.scale.diagonal;
     placement.projection << focal * height / width, 0, 0, 0, 0, focal, 0, 0, 0, 0,
         -(far + near) / (far - near), -2 * far * near / (far - near) * unit, 0, 0, -1, 0;
-    placement.diagonal = scale.diagonal;
-    placement.mean_edge = sight_edge(scale);
+    placement.diagonal = unit;
+    placement.mean_edge = sight_edge(field);
     return placement;
 }
 
@@ -104,7 +104,7 @@ public:
     }
 
     void compare(const View& view, DrawingComparison& result) {
-        placement_ = placementOf(view, box_.center(), field_.scale, options_.zoom);
+        placement_ = placementOf(view, box_.center(), field_, options_.zoom);
         result.extraction += 1e3 * seconds([&] { extract(view); });
         result.length += lengthOnScreen();
         prepareDepths();

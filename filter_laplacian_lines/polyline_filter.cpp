@@ -46,8 +46,7 @@ struct Source {
 LineSet extract(const Source& source, const laplacian_lines::Field& field, const View& view,
                 const PolylineParameters& chosen, vcg::CallBackPos* progress) {
     const laplacian_lines::LineVisibility visibility(
-        source.triangles, field.scale,
-        meshlab_host::progressTo(progress, field_share, sight_share));
+        source.triangles, field, meshlab_host::progressTo(progress, field_share, sight_share));
     if (view.w != 0 && visibility.encloses(view.eye / view.w))
         throw Error(ErrorCode::InvalidOption,
                     "The viewpoint is inside the surface. Move it outside, or choose an "

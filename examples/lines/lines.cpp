@@ -48,7 +48,7 @@ int main(int argc, char** argv) try {
     LineSet lines;
     LineExtractor(mesh, field).extract(view, LineStyle(), scratch, lines);
     std::ofstream line_file(argv[2]);
-    write_obj(LineVisibility(mesh, field.scale).visible_parts(view, lines), line_file);
+    write_obj(LineVisibility(mesh, field).visible_parts(view, lines), line_file);
     return line_file.flush() ? 0 : 1;
 } catch (const std::exception& error) {
     std::cerr << "lines: " << error.what() << '\n';

@@ -59,7 +59,7 @@ public:
           options_(options),
           box_(boundsOf(mesh)),
           extractor_(mesh, field, part(progress, 0, extractor_share)),
-          visibility_(mesh, field.scale, part(progress, extractor_share, sight_share)) {}
+          visibility_(mesh, field, part(progress, extractor_share, sight_share)) {}
 
     DrawnView stand(const ViewFrame& frame) const {
         const double unit = options_.mm_per_unit;

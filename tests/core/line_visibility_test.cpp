@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
+#include "noise.h"
 
 namespace {
 
@@ -21,7 +23,7 @@ struct Scene {
     TriangleMesh mesh;
     Field field = precompute(mesh);
     LineExtractor extractor{mesh, field};
-    LineVisibility visibility{mesh, field.scale};
+    LineVisibility visibility{mesh, field};
 
     LineSet visible(const View& view, const LineStyle& style) const {
         return visibility.visible_parts(view, extract(extractor, view, style));
@@ -104,7 +106,7 @@ void expect_true_visibility(const Scene& scene, const View& view) {
     const LineSet all = extract(scene.extractor, view, helpers::all_crossings());
     const LineSet seen = scene.visibility.visible_parts(view, all);
     const double d = scene.field.scale.diagonal;
-    const double clearance = sight_clearance(LineKind::Contour, d, scene.field.scale.mean_edge);
+    const double clearance = sight_clearance(LineKind::Contour, d, sight_edge(scene.field));
     int sure = 0, hidden = 0, wrong = 0;
     for (const LinePoint& point : all.points) {
         const Eigen::Vector3d p = point.position.cast<double>();
@@ -189,7 +191,7 @@ TEST(LineVisibility, TellsInsideFromOutside) {
     EXPECT_FALSE(scene.visibility.encloses({0.5, 0, -2}));
     TriangleMesh room = scene.mesh;
     test_meshes::flip_triangles(room, 1);
-    EXPECT_FALSE(LineVisibility(room, scene.field.scale).encloses({0, 0, 0}));
+    EXPECT_FALSE(LineVisibility(room, scene.field).encloses({0, 0, 0}));
 }
 
 TEST(LineVisibility, CancelsAndReports) {
@@ -212,12 +214,27 @@ TEST(LineVisibility, CancelsAndReports) {
     }
 }
 
+/// Contours of rough meshes are smooth, beyond the horizon by as much as the triangles are large.
+TEST(LineVisibility, OutlinesOfCoarseNoisyMeshesHaveNoGaps) {
+    const Scene scene{test_meshes::with_noise(test_meshes::torus(54, 27).mesh, 0.2)};
+    ASSERT_GT(scene.field.scale.mean_edge, 0.025 * scene.field.scale.diagonal);
+    ASSERT_GT(sight_edge(scene.field), 0);
+    const View view = View::orthographic(Eigen::Vector3d::UnitZ());  // nothing is before an outline
+    const auto length = [](const LineSet& lines) {
+        return std::accumulate(
+            lines.lines.begin(), lines.lines.end(), 0.,
+            [](double sum, const Polyline& line) { return sum + double(line.length); });
+    };
+    EXPECT_GT(length(scene.visible(view, helpers::all_contours())),
+              0.95 * length(extract(scene.extractor, view, helpers::all_contours())));
+}
+
 TEST(LineVisibility, RefusesTrianglesWithoutVertices) {
     TriangleMesh mesh = two_balls().mesh;
-    const FieldScale scale = measure_scale(mesh);
+    const Field field = precompute(mesh);
     mesh.triangles.push_back({0, 1, 1000000});
     try {
-        LineVisibility visibility(mesh, scale);
+        LineVisibility visibility(mesh, field);
         FAIL() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::InvalidMesh);

@@ -29,7 +29,7 @@ LineSet all_of_it(const TriangleMesh& mesh, const PrecomputeOptions& options,
     LineStyle style;
     style.shows[LineKind::Crease] = true;
     extractor.extract(view, style, scratch, lines);
-    return LineVisibility(mesh, field.scale).visible_parts(view, lines);
+    return LineVisibility(mesh, field).visible_parts(view, lines);
 }
 
 int fail(const char* what, long number) {

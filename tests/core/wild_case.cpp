@@ -137,7 +137,7 @@ std::string extract_views(const TriangleMesh& mesh, const Field& field, Choices&
         if (found.empty() && !helpers::same_lines(lines, helpers::extract(extractor, view, style)))
             found = "the same view gives other lines";
         if (found.empty() && choices.one_in(4) && mesh.triangles.size() <= kMostTrianglesForRays)
-            found = complaint(LineVisibility(mesh, field.scale).visible_parts(view, lines));
+            found = complaint(LineVisibility(mesh, field).visible_parts(view, lines));
         if (!found.empty()) return found;
     }
     return {};

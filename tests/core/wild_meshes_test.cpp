@@ -103,7 +103,7 @@ TEST_P(WildMesh, LinesAreFiniteFromAnyEye) {
             EXPECT_EQ(wild::complaint(helpers::extract(extractor, view, style)), "")
                 << view.eye.transpose() << ", " << view.w;
     const View view = View::perspective({3 * field.scale.diagonal, 0, 0});
-    const LineVisibility visibility(mesh(), field.scale);
+    const LineVisibility visibility(mesh(), field);
     EXPECT_EQ(wild::complaint(
                   visibility.visible_parts(view, helpers::extract(extractor, view, everything))),
               "");

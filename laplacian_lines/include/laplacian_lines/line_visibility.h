@@ -6,7 +6,6 @@
 
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_set.h"
-#include "laplacian_lines/precompute_options.h"
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
@@ -18,32 +17,25 @@ namespace laplacian_lines {
 /// horizon of the triangles.
 constexpr double kSightClearance = 0.003;
 constexpr double kContourSightClearance = 1.5;
-/// Largest mean edge, in D, of meshes that have many of them.
-constexpr double kLargestSmoothMeanEdge = 0.025;
 
-/// The mean edge that sight_clearance() means: larger where normals are smoothed by more than the
-/// usual, since contours are then farther beyond the horizon.
-inline double sight_edge(const FieldScale& scale) {
-    return std::max(scale.mean_edge, scale.normal_sigma / automatic_normal_sigma(0));
-}
+/// The mean edge that sight_clearance() means, mesh units: larger where normals are smoothed by
+/// more than the usual, since contours are then farther beyond the horizon; 0 where contours follow
+/// the edges of the mesh, as on coarse ones.
+double sight_edge(const Field& field);
 
-/// The move for a kind of lines, in the unit of D and the mean edge.
-inline double sight_clearance(LineKind kind, double diagonal, double mean_edge) {
-    const double least = kSightClearance * diagonal;
-    const double beyond_horizon = kContourSightClearance * mean_edge;
-    const bool may_be_smooth = mean_edge <= kLargestSmoothMeanEdge * diagonal;
-    const bool is_beyond = describe(kind).is_on_horizon && may_be_smooth;
-    return is_beyond && beyond_horizon > least ? beyond_horizon : least;
+/// The move for a kind of lines, in the unit of D and of `sight_edge`.
+inline double sight_clearance(LineKind kind, double diagonal, double sight_edge) {
+    const double beyond = describe(kind).is_on_horizon ? kContourSightClearance * sight_edge : 0;
+    return std::max(kSightClearance * diagonal, beyond);
 }
 
 /// Which parts of lines can be seen, by rays from points of the lines to the eye: exact, whatever
 /// the size of a picture. Built once for a mesh, which may be gone afterwards.
 class LineVisibility {
 public:
-    /// `scale` is that of the mesh's field.
+    /// `field` is that of the mesh; its scale and report count.
     /// @throws Error(InvalidMesh) if a triangle names a vertex that does not exist, Cancelled.
-    LineVisibility(const TriangleMesh& mesh, const FieldScale& scale,
-                   const Progress& progress = {});
+    LineVisibility(const TriangleMesh& mesh, const Field& field, const Progress& progress = {});
     ~LineVisibility();
     LineVisibility(LineVisibility&&) noexcept;
     LineVisibility& operator=(LineVisibility&&) noexcept;

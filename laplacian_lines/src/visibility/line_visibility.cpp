@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "clusters/coarseness.h"
+#include "laplacian_lines/precompute_options.h"
 #include "system/parallel.h"
 #include "visibility/line_parts.h"
 #include "visibility/ray_caster.h"
@@ -17,6 +19,8 @@ constexpr double kSpacing = 0.004;
 // In D: a contour that is seen to one of its sides is seen, so that the horizon that it follows
 // does not hide it.
 constexpr double kToSide = 0.0015;
+// In D: where edges are longer on the mean, many triangles are coarse, unless the mesh is rough.
+constexpr double kLargestSmoothMeanEdge = 0.025;
 
 /// Whether a place on a line is seen from the eye. For one line and one thread.
 class Sight {
@@ -54,12 +58,12 @@ private:
 
 struct LineVisibility::Data {
     RayCaster caster;
-    FieldScale scale;
+    double diagonal, contour_edge;  // as sight_clearance() has them
 
     /// The parts of one line that are seen.
     LineSet seen_parts(const View& view, const LineSet& lines, const Polyline& line) const {
-        const double clearance = sight_clearance(line.kind, scale.diagonal, sight_edge(scale));
-        const double to_side = describe(line.kind).is_on_horizon ? kToSide * scale.diagonal : 0;
+        const double clearance = sight_clearance(line.kind, diagonal, contour_edge);
+        const double to_side = describe(line.kind).is_on_horizon ? kToSide * diagonal : 0;
         Sight sight(caster, view, clearance, to_side);
         const LinePoint* points = lines.points.data() + line.first;
         const auto is_seen = [&](const LinePlace& place) {
@@ -69,17 +73,25 @@ struct LineVisibility::Data {
                                  tangent.cast<double>());
         };
         LineSet result;
-        const PartRules rules = {kSpacing * scale.diagonal, kSightClearance * scale.diagonal};
+        const PartRules rules = {kSpacing * diagonal, kSightClearance * diagonal};
         for (const LinePart& part : parts_where(lines, line, rules, is_seen))
-            append_part(lines, line, part, scale.diagonal, result);
+            append_part(lines, line, part, diagonal, result);
         return result;
     }
 };
 
-LineVisibility::LineVisibility(const TriangleMesh& mesh, const FieldScale& scale,
+double sight_edge(const Field& field) {
+    const FieldScale& scale = field.scale;
+    if (scale.mean_edge > kLargestSmoothMeanEdge * scale.diagonal && !is_rough(field.report))
+        return 0;
+    return std::max(scale.mean_edge, scale.normal_sigma / automatic_normal_sigma(0));
+}
+
+LineVisibility::LineVisibility(const TriangleMesh& mesh, const Field& field,
                                const Progress& progress)
     : data_(std::make_unique<const Data>(
-          Data{RayCaster(mesh, {progress, 0, 1, "Preparing what hides lines"}), scale})) {}
+          Data{RayCaster(mesh, {progress, 0, 1, "Preparing what hides lines"}),
+               field.scale.diagonal, sight_edge(field)})) {}
 LineVisibility::~LineVisibility() = default;
 LineVisibility::LineVisibility(LineVisibility&&) noexcept = default;
 LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;
