@@ -46,10 +46,11 @@ QString takeValue(QStringList& rest, const QString& option) {
 CommandLine parseCommandLine(const QStringList& arguments) {
     CommandLine result;
     SheetOptions& options = result.options;
-    QString views = "front";
+    QString views, sections;
     UpAxis up = UpAxis::Y;
     const std::map<QString, std::function<void(const QString&, const QString&)>> readers = {
         {"--views", [&](const QString&, const QString& v) { views = v; }},
+        {"--section", [&](const QString&, const QString& v) { sections += ' ' + v; }},
         {"--up", [&](const QString& o, const QString& v) { up = chosen(o, v, axes); }},
         {"--scale",
          [&](const QString&, const QString& v) { options.scale = line_drawing::parseScale(v); }},
@@ -85,7 +86,10 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     if (names.size() != 2) refuse("name two files: the drawing and the mesh; see --help.");
     result.drawing = names[0];
     result.mesh = names[1];
-    options.views = line_drawing::parseViews(views, up);
+    options.up = up;
+    options.sections = line_drawing::parseSections(sections);
+    if (views.isEmpty() && options.sections.empty()) views = "front";
+    if (!views.isEmpty()) options.views = line_drawing::parseViews(views, up);
     options.source = QFileInfo(result.mesh).fileName();
     // programs that read DXF draw with lines of even width
     if (result.drawing.endsWith(".dxf", Qt::CaseInsensitive))
@@ -99,6 +103,8 @@ const char* usage() {
            "\n"
            "  --views VIEWS        front, back, left, right, top, bottom, six (all of these), or\n"
            "                       AZIMUTH,ELEVATION in degrees; several with commas (front)\n"
+           "  --section x|y|z=0..1 a section across an axis, where on the way through the object;\n"
+           "                       more than one if repeated\n"
            "  --up x|y|z           the axis of the mesh that points up (y)\n"
            "  --unit mm|cm|m|in    the unit of the mesh (mm)\n"
            "  --scale 1:2|fit      drawn to true length; fit: the largest usual one (fit)\n"

@@ -56,6 +56,15 @@ Eigen::AlignedBox2d boundsOf(const TriangleMesh& mesh, const ViewFrame& frame,
         mesh, [&](const Eigen::Vector3d& p) { return place(p - middle, frame); });
 }
 
+DrawnLine project(const std::vector<Eigen::Vector3d>& section, const ViewFrame& frame,
+                  const Eigen::Vector3d& middle, double unit) {
+    DrawnLine drawn{
+        LineClass::Section, section.size() > 3 && section.front() == section.back(), {}};
+    for (const Eigen::Vector3d& p : section)
+        drawn.points.push_back({unit * place(p - middle, frame), 1});
+    return drawn;
+}
+
 std::vector<DrawnLine> project(const LineSet& lines, const ViewFrame& frame,
                                const Eigen::Vector3d& middle, double unit) {
     std::vector<DrawnLine> drawn;

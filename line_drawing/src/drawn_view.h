@@ -45,6 +45,8 @@ Eigen::AlignedBox2d boundsOf(const laplacian_lines::TriangleMesh& mesh, const Vi
                              const Eigen::Vector3d& middle);
 
 /// Lines in mesh coordinates as they look in a view, with `middle` at (0, 0), times `unit`.
+DrawnLine project(const std::vector<Eigen::Vector3d>& section, const ViewFrame& frame,
+                  const Eigen::Vector3d& middle, double unit);
 std::vector<DrawnLine> project(const laplacian_lines::LineSet& lines, const ViewFrame& frame,
                                const Eigen::Vector3d& middle, double unit);
 

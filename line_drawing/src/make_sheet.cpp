@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/make_sheet.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "cutting.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
@@ -20,14 +22,17 @@ using laplacian_lines::TriangleMesh;
 // What is done of the work when each step has ended.
 constexpr double extractor_share = 0.3, sight_share = 0.4;
 
-constexpr double double_reach = 0.2;  // mm, within which a line doubles another
+constexpr double double_reach = 0.2;                      // mm, within which a line doubles another
+constexpr double hatch_spacing = 1.5, hatch_width = 0.5;  // mm; share of an inner line's width
 
 struct LayerName {
     const char *key, *name;
 };
 /// By LineClass.
-constexpr LayerName layer_names[line_class_count] = {
-    {"outline", "Outlines"}, {"inner", "Inner lines"}, {"fine", "Fine lines"}};
+constexpr LayerName layer_names[line_class_count] = {{"outline", "Outlines"},
+                                                     {"inner", "Inner lines"},
+                                                     {"fine", "Fine lines"},
+                                                     {"section", "Sections"}};
 
 /// A part of a longer work.
 Progress part(const Progress& progress, double begin, double end) {
@@ -39,7 +44,7 @@ Progress part(const Progress& progress, double begin, double end) {
 
 void check(const SheetOptions& options) {
     const auto refuse = [](const char* why) { throw Error(ErrorCode::InvalidOption, why); };
-    if (options.views.empty()) refuse("A drawing needs a view.");
+    if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
     if (!(options.mm_per_unit > 0) || !std::isfinite(options.mm_per_unit))
         refuse("The unit of the mesh has to be a positive length.");
     if (!(options.tolerance >= 0.001 && options.tolerance <= 10))
@@ -73,6 +78,14 @@ public:
         lines = visibility_.visible_parts(view, lines, progress);
         drawn.lines = project(lines, drawn.frame, box_.center(), options_.mm_per_unit);
     }
+    /// What a section cuts, without what lies behind it.
+    DrawnView cut(const Section& section) const {
+        DrawnView drawn = stand(frameOfSection(section, options_.up));
+        const double height = box_.min()[section.axis] + section.share * box_.sizes()[section.axis];
+        for (const Cut& cut : cutMesh(mesh_, section.axis, height))
+            drawn.lines.push_back(project(cut, drawn.frame, box_.center(), options_.mm_per_unit));
+        return drawn;
+    }
     Eigen::Vector3d objectSize() const { return options_.mm_per_unit * box_.sizes(); }
 
 private:
@@ -91,13 +104,31 @@ std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& plac
     return lines;
 }
 
+std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line) {
+    std::vector<Eigen::Vector2d> positions;
+    for (const DrawnPoint& point : line.points)
+        positions.push_back(point.position);
+    return positions;
+}
+
+/// Hatching of what closed sections enclose.
+void addHatching(std::vector<DrawnLine>& lines) {
+    std::vector<std::vector<Eigen::Vector2d>> loops;
+    for (const DrawnLine& line : lines)
+        if (line.line_class == LineClass::Section && line.closed)
+            loops.push_back(positionsOf(line));
+    for (const auto& ends : hatch(loops, Eigen::Vector2d(1, -1).normalized(), hatch_spacing))
+        lines.push_back({LineClass::Fine, false, {{ends[0], hatch_width}, {ends[1], hatch_width}}});
+}
+
 /// Thin lines first: outlines lie over them.
 SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
                     const SheetOptions& options) {
     const bool has_name = view.frame.side != Side::Other;
     SheetGroup group{
         has_name ? view.frame.name.toLower() : QString("view-%1").arg(number), view.frame.name, {}};
-    const std::vector<DrawnLine> lines = withoutDoubles(place(view.lines, placement), double_reach);
+    std::vector<DrawnLine> lines = withoutDoubles(place(view.lines, placement), double_reach);
+    addHatching(lines);
     for (std::size_t c = line_class_count; c-- > 0;) {
         SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
         for (const DrawnLine& line : lines)
@@ -118,11 +149,14 @@ Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : options.views)
         views.push_back(observer.stand(frame));
+    for (const Section& section : options.sections)
+        views.push_back(observer.cut(section));
     const SheetLayout layout = layOut(views, options);  // before much work, since it may refuse
     const auto share = [&](std::size_t views_done) {
-        return sight_share + (1 - sight_share) * double(views_done) / double(views.size());
+        const double all = std::max<double>(1, double(options.views.size()));
+        return sight_share + (1 - sight_share) * double(views_done) / all;
     };
-    for (std::size_t i = 0; i < views.size(); ++i)
+    for (std::size_t i = 0; i < options.views.size(); ++i)  // sections have their lines
         observer.look(views[i], part(progress, share(i), share(i + 1)));
     Sheet sheet{layout.size, options.title, {}};
     for (std::size_t i = 0; i < views.size(); ++i)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "laplacian_lines/line_style.h"
+#include "line_drawing/section.h"
 #include "line_drawing/view_frame.h"
 
 namespace line_drawing {
@@ -23,12 +24,15 @@ enum class StrokeStyle { Tapered, Plain };
 enum class LineClass {
     Outline,  ///< contours and borders
     Inner,    ///< creases, ridges and clear Laplacian lines
-    Fine      ///< faint Laplacian lines
+    Fine,     ///< faint Laplacian lines, hatching
+    Section   ///< where a section cuts the surface
 };
-constexpr std::size_t line_class_count = 3;
+constexpr std::size_t line_class_count = 4;
 
 struct SheetOptions {
     std::vector<ViewFrame> views;
+    std::vector<line_drawing::Section> sections;  ///< drawn after the views
+    UpAxis up = UpAxis::Y;                        ///< of sections; views know theirs
     Arrangement arrangement = Arrangement::FirstAngle;
     /// Drawn length over true length. 0: the largest usual scale that fits the paper.
     double scale = 0;
@@ -36,7 +40,7 @@ struct SheetOptions {
     QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
     StrokeStyle strokes = StrokeStyle::Tapered;
     /// Widths in mm, by LineClass.
-    std::array<double, line_class_count> pens = {0.5, 0.25, 0.13};
+    std::array<double, line_class_count> pens = {0.5, 0.25, 0.13, 0.35};
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
     double tolerance = 0.02;     ///< of curves against the lines, mm on paper
     QString title;               ///< empty: none

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "line_drawing/view_frame.h"
+
+namespace line_drawing {
+
+/// A plane across an axis of the mesh.
+struct Section {
+    int axis = 0;        ///< 0 to 2: x, y, z
+    double share = 0.5;  ///< where on the way through the bounding box, 0 to 1
+};
+
+/// Sections from their names, such as "y=0.5", separated by commas or spaces; none from no text.
+/// @throws laplacian_lines::Error(InvalidOption)
+std::vector<Section> parseSections(const QString& text);
+
+/// How the section is looked at: as the side of the object that lies across its axis, from above,
+/// from the front or from the left.
+ViewFrame frameOfSection(const Section& section, UpAxis up);
+
+}  // namespace line_drawing
