@@ -37,6 +37,12 @@ std::vector<const char*> viewNames() {
     return names;
 }
 
+/// Dialogs fit small screens.
+Row folded(Row row) {
+    row.for_experts = true;
+    return row;
+}
+
 const Row& viewRow() {
     static const Row row = rows::choice<&Parameters::view>(
         "view", "View", viewNames(),
@@ -55,21 +61,17 @@ const Row& settingsRow() {
 }
 
 const Row& visibleRow() {
-    static const Row row = rows::boolean<&Parameters::visible_only>(
+    static const Row row = folded(rows::boolean<&Parameters::visible_only>(
         "visible_only", "Visible Lines Only",
-        "Leave out the parts of lines that this layer's own surface hides.");
+        "Leave out the parts of lines that this layer's own surface hides."));
     return row;
 }
 
 const Row& lightRow() {
-    static const Row row = [] {
-        Row light = rows::choice<&Parameters::light>(
-            "light", "Light Position", {"At the Eye", "Along the Light Direction"},
-            "Whose shading the Laplacian lines draw: of a light at the eye, or of a distant one. "
-            "Contours are the eye's in any case.");
-        light.for_experts = true;
-        return light;
-    }();
+    static const Row row = folded(rows::choice<&Parameters::light>(
+        "light", "Light Position", {"At the Eye", "Along the Light Direction"},
+        "Whose shading the Laplacian lines draw: of a light at the eye, or of a distant one. "
+        "Contours are the eye's in any case."));
     return row;
 }
 

@@ -113,7 +113,7 @@ private:
     StreamPoint* const begin_;
     StreamPoint* next_;
     int written_ = 0;  ///< of the line
-    StreamPoint second_, before_last_, last_;
+    StreamPoint second_{}, before_last_{}, last_{};
 };
 
 bool isDrawn(const Polyline& line) {

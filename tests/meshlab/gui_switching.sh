@@ -4,7 +4,9 @@
 # memory goes with the mesh, and with its document.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
-# whose lines take 16 MB
+# whose lines take 16 MB; from 2022.02 on, MeshLab itself keeps 29 to 33 MB of a layer that is deleted
+own_growth=0
+[[ $(meshlab_version) == 2020.* ]] || own_growth=34
 write_bumpy_torus 400 150 >"$WORK/torus.ply"
 small_torus "$WORK/small.ply"
 drive_lines torus.ply <<END
@@ -62,6 +64,6 @@ check Laplacian Lines off
 sleep 50
 delete-layer torus
 sleep 50
-expect-memory-growth 6
+expect-memory-growth $((own_growth + 6))
 END
 grep 'has grown' "$WORK/log"

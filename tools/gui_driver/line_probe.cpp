@@ -4,6 +4,7 @@
 #include "line_probe.h"
 
 #include <laplacian_lines/line_extractor.h>
+#include <laplacian_lines/line_visibility.h>
 #include <laplacian_lines/precompute.h>
 #include <meshlab_host/meshlab_api.h>
 
@@ -97,7 +98,9 @@ public:
         return modelview_.topLeftCorner<3, 3>().fullPivLu().solve(direction);
     }
 
-    void add(const LinePoint& a, const LinePoint& b, ProjectedLines& lines) const {
+    /// `tolerance`: how far behind the surface the line may be and still be seen, in D.
+    void add(const LinePoint& a, const LinePoint& b, double tolerance,
+             ProjectedLines& lines) const {
         const Eigen::Vector4d eye_a = modelview_ * a.position.cast<double>().homogeneous(),
                               eye_b = modelview_ * b.position.cast<double>().homogeneous();
         const bool faint = std::min(a.opacity, b.opacity) < least_opacity ||
@@ -108,7 +111,7 @@ public:
             const Eigen::Vector4d p = eye_a + (eye_b - eye_a) * (double(i) / steps);
             const Eigen::Vector2d at = pixel(p);
             if (nearEdge(at.x(), at.y(), width(), height(), edge)) continue;
-            const Sight seen = sight(p, at);
+            const Sight seen = sight(p, at, tolerance);
             lines.samples.push_back({at, faint && seen == Sight::Visible ? Sight::Unsure : seen});
         }
     }
@@ -130,8 +133,8 @@ private:
         return window(eye_space).z();
     }
 
-    Sight sight(const Eigen::Vector4d& p, const Eigen::Vector2d& at) const {
-        const double near = depthMoved(p, depth_tolerance * diagonal_);
+    Sight sight(const Eigen::Vector4d& p, const Eigen::Vector2d& at, double tolerance) const {
+        const double near = depthMoved(p, tolerance * diagonal_);
         bool behind_all = true;
         for (int dy = -2; dy <= 2; ++dy)
             for (int dx = -2; dx <= 2; ++dx)
@@ -156,8 +159,8 @@ private:
 
 ProjectedLines probeLayer(const MeshModel& mesh, const ProbeOptions& options) {
     const TriangleMesh triangles = liveTriangles(mesh.cm);
-    const laplacian_lines::LineExtractor extractor(
-        triangles, laplacian_lines::precompute(triangles, options.field));
+    const laplacian_lines::Field field = laplacian_lines::precompute(triangles, options.field);
+    const laplacian_lines::LineExtractor extractor(triangles, field);
     const Screen screen(mesh.cm);
     laplacian_lines::ExtractionScratch scratch;
     LineSet lines;
@@ -166,9 +169,13 @@ ProjectedLines probeLayer(const MeshModel& mesh, const ProbeOptions& options) {
     extractor.extract(view, options.style, scratch, lines);
     ProjectedLines projected;
     projected.lines = int(lines.lines.size());
-    for (const laplacian_lines::Polyline& line : lines.lines)
+    for (const laplacian_lines::Polyline& line : lines.lines) {
+        const double clearance = laplacian_lines::sight_clearance(
+            line.kind, 1, laplacian_lines::sight_edge(field) / field.scale.diagonal);
         for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
-            screen.add(lines.points[i - 1], lines.points[i], projected);
+            screen.add(lines.points[i - 1], lines.points[i],
+                       std::max(depth_tolerance, 1.1 * clearance), projected);
+    }
     return projected;
 }
 
