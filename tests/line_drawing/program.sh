@@ -61,6 +61,7 @@ refused "cannot be written" missing/plate.svg cube.off
 refused "there is no such file" plate.svg missing.ply
 refused "PLY, OBJ, STL and OFF" plate.svg "$program"
 refused "is no view" plate.svg --views above cube.off
+refused "is no section" plate.svg --section y cube.off
 refused "no scale" plate.svg --scale 2 cube.off
 refused "Take the scale" plate.svg --scale 9:1 cube.off
 refused "has to be one of" plate.svg --up w cube.off
