@@ -30,8 +30,7 @@ QString polylineHelp() {
                "They "
                "are vertices and edges, for other filters and programs (OBJ, DXF), with attributes "
                "<b>ll_...</b> that tell more about them.<br>"
-               "The view is that of the window: just apply. For another one, choose perspective or "
-               "orthographic and fill in the viewpoint or the direction.<br>"
+               "The view is that of the window: just apply, or choose another one.<br>"
                "The results of <i>Compute Laplacian Lines</i> are used while they belong to the "
                "mesh, otherwise those of its defaults.")
         .arg(kinds.join(", "));
