@@ -85,7 +85,7 @@ LinePlacement placementOf(const View& view, const Eigen::Vector3d& centre, const
     placement.projection << focal * height / width, 0, 0, 0, 0, focal, 0, 0, 0, 0,
         -(far + near) / (far - near), -2 * far * near / (far - near) * unit, 0, 0, -1, 0;
     placement.diagonal = unit;
-    placement.mean_edge = sight_edge(field);
+    placement.sight_edge = sight_edge(field);
     return placement;
 }
 

@@ -82,7 +82,7 @@ LayerInView layerInView(const MeshModel& mesh, const PreparedLines& lines,
     layer.placement.to_eye = camera.modelview * transform;
     layer.placement.projection = camera.projection;
     layer.placement.diagonal = lines.diagonal;
-    layer.placement.mean_edge = lines.mean_edge;
+    layer.placement.sight_edge = lines.sight_edge;
     layer.placement.mark_pixels = shown.mark_pixels;
     return layer;
 }

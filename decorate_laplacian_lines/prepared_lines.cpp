@@ -44,7 +44,7 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
         const Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say,
                                                       step(0, field_share));
         result->diagonal = field.scale.diagonal;
-        result->mean_edge = laplacian_lines::sight_edge(field);
+        result->sight_edge = laplacian_lines::sight_edge(field);
         result->surface = line_renderer::makeSurface(triangles, field);
         result->extractor.emplace(triangles, field, step(field_share, 1));
         result->bytes = result->extractor->memory() + line_renderer::bytesOf(*result->surface);

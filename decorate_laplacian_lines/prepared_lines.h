@@ -14,8 +14,8 @@
 /// A mesh made ready for line extraction, or the reason why it cannot be.
 struct PreparedLines {
     meshlab_host::FieldKey key;
-    double diagonal = 0;   ///< of the usable mesh's bounding box, mesh units
-    double mean_edge = 0;  ///< as sight_edge() has it, mesh units
+    double diagonal = 0;    ///< of the usable mesh's bounding box, mesh units
+    double sight_edge = 0;  ///< as sight_edge() has it, mesh units
     std::optional<laplacian_lines::LineExtractor> extractor;
     line_renderer::SurfacePointer surface;       ///< set if there is an extractor
     QString failure;                             ///< one sentence, empty if there is an extractor

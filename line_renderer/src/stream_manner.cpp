@@ -35,7 +35,7 @@ LineRadii lineRadii(const LineAppearance& appearance, double pixel_scale) {
 double lineClearance(std::size_t look, const LinePlacement& placement) {
     return meanScale(placement.to_eye) *
            laplacian_lines::sight_clearance(laplacian_lines::line_kinds[look].kind,
-                                            placement.diagonal, placement.mean_edge);
+                                            placement.diagonal, placement.sight_edge);
 }
 
 StreamManner streamManner(const LineAppearance& appearance, const LinePlacement& placement,

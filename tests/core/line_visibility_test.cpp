@@ -214,6 +214,15 @@ TEST(LineVisibility, CancelsAndReports) {
     }
 }
 
+TEST(LineVisibility, ContoursAreClearedByEdgesUnlessTheyFollowThem) {
+    const Field fine = precompute(test_meshes::sphere(5).mesh);
+    EXPECT_NEAR(sight_edge(fine), fine.scale.mean_edge, 1e-9);
+    EXPECT_EQ(sight_edge(precompute(test_meshes::cube(2))), 0);
+    EXPECT_EQ(sight_clearance(LineKind::Contour, 10, 0), 0.03);
+    EXPECT_NEAR(sight_clearance(LineKind::Contour, 10, 0.1), 0.15, 1e-12);
+    EXPECT_EQ(sight_clearance(LineKind::Ridge, 10, 0.1), 0.03);
+}
+
 /// Contours of rough meshes are smooth, beyond the horizon by as much as the triangles are large.
 TEST(LineVisibility, OutlinesOfCoarseNoisyMeshesHaveNoGaps) {
     const Scene scene{test_meshes::with_noise(test_meshes::torus(54, 27).mesh, 0.2)};

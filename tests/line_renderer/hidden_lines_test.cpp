@@ -52,7 +52,7 @@ TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
     const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
     LinePlacement placement = Canvas::placement();
     placement.diagonal = 10;
-    placement.mean_edge = 0.1;
+    placement.sight_edge = 0.1;
     expectWidths(lineWithSurfaceAt(0.029, appearance, placement), 4, 4);
     expectWidths(lineWithSurfaceAt(0.031, appearance, placement), 4, 0);
     LineSet outline = line;
@@ -67,7 +67,7 @@ TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
     };
     expect_limit(LineKind::Contour, 0.15);
     expect_limit(LineKind::Border, 0.03);
-    placement.mean_edge = 1;  // contours follow edges then
+    placement.sight_edge = 0;  // contours follow edges then
     expect_limit(LineKind::Contour, 0.03);
 }
 
