@@ -5,7 +5,7 @@
 
 #include "laplacian_lines/triangle_mesh.h"
 
-/// The faces of an OBJ file as triangles. Apart from other readers: vcglib's of MeshLab 2020.09 and
-/// 2022.02 leaves out the faces of the first vertex.
+/// The faces of an OBJ file as triangles. Apart from other readers: vcglib's of MeshLab 2020.09
+/// leaves out the faces of the first vertex.
 /// @throws std::runtime_error
 laplacian_lines::TriangleMesh readObj(const std::string& file);
