@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "decoration_parameters.h"
-#include "laplacian_lines/error.h"
 #include "line_scale.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
@@ -91,14 +90,6 @@ QString refusalLine(const MeshModel& mesh, const QString& refusal) {
     return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
 }
 
-void noteForFilters(const RichParameterList& parameters) {
-    try {
-        meshlab_host::noteDrawnStyle(drawnStyleOf(readDecorationParameters(parameters)));
-    } catch (const laplacian_lines::Error&) {
-        // redraws say what is wrong
-    }
-}
-
 }  // namespace
 
 DecorateLaplacianLines::DecorateLaplacianLines()
@@ -111,8 +102,9 @@ void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
 bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& parameters,
                                    GLArea* view) {
     // here and not at redraws: MeshLab starts decorations anew whenever a parameter changes
-    noteForFilters(parameters);
-    panel_.arrange(panelLines(readValidParameters(parameters)));
+    const ValidParameters valid = readValidParameters(parameters);
+    if (valid.refused.empty()) meshlab_host::noteDrawnStyle(drawnStyleOf(valid.chosen));
+    panel_.arrange(panelLines(valid));
     QString refusal;
     try {
         meshlab_host::WindowProgress progress;

@@ -17,9 +17,6 @@ using meshlab_host::ParameterDescription;
 
 namespace {
 
-/// Beyond this, options have no limit.
-constexpr double no_limit = 1e30;
-
 const char* nameOf(OptionKind kind) {
     switch (kind) {
         case OptionKind::Real:
@@ -51,7 +48,7 @@ QJsonObject describe(const ParameterDescription& d, double value) {
         object["choices"] = QJsonArray::fromStringList(d.choices);
     } else if (d.kind != OptionKind::Boolean) {
         object["minimum"] = d.minimum;
-        if (d.maximum < no_limit) object["maximum"] = d.maximum;
+        if (d.hasMaximum()) object["maximum"] = d.maximum;
     }
     return object;
 }

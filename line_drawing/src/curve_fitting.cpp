@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "refining.h"
+
 namespace line_drawing {
 namespace {
 
@@ -164,23 +166,6 @@ private:
     QPainterPath& path_;
 };
 
-/// Points at most `step` apart, so that curves near them are near the line between them, too; no
-/// two of one place in a row, since a curve has no direction between these.
-Points refine(const Points& points, double step) {
-    Points result;
-    for (const Vector2d& p : points) {
-        if (!result.empty()) {
-            const Vector2d from = result.back(), way = p - from;
-            const double pieces = std::ceil(way.norm() / step);
-            if (!(pieces > 0)) continue;
-            for (double i = 1; i < pieces; ++i)
-                result.push_back(from + way * (i / pieces));
-        }
-        result.push_back(p);
-    }
-    return result;
-}
-
 /// The direction from points[i] to the point that is `reach` away along the line, or to its end.
 /// A closed line goes on beyond its ends. Zero if that is nearer than half of it.
 Vector2d directionTo(const Points& points, bool closed, std::size_t i, int step, double reach) {
@@ -221,6 +206,7 @@ std::vector<std::size_t> findCorners(const Points& points, bool closed, double r
 }
 
 void fitCurve(const Points& given, bool closed, double tolerance, QPainterPath& path) {
+    // so that curves near the points are near the line between them, too
     Points points = refine(given, corner_reach * tolerance);
     if (points.size() < 2) return;
     closed = closed && points.size() > 3 && points.front() == points.back();

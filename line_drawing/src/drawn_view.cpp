@@ -46,6 +46,13 @@ Box enclose(const TriangleMesh& mesh, const PlaceOf& place_of) {
 
 }  // namespace
 
+std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line) {
+    std::vector<Eigen::Vector2d> positions;
+    for (const DrawnPoint& point : line.points)
+        positions.push_back(point.position);
+    return positions;
+}
+
 Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {
     return enclose<Eigen::AlignedBox3d>(mesh, [](const Eigen::Vector3d& p) { return p; });
 }

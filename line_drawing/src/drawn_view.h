@@ -21,6 +21,8 @@ struct DrawnLine {
     std::vector<DrawnPoint> points;
 };
 
+std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
+
 /// A view of a mesh in millimetres of the object, x right, y up, with the middle of its bounding
 /// box at (0, 0).
 struct DrawnView {

@@ -5,17 +5,15 @@
 #include <cmath>
 
 #include "cutting.h"
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
 #include "overlaps.h"
 #include "sheet_furniture.h"
+#include "words.h"
 
 namespace line_drawing {
 namespace {
 
-using laplacian_lines::Error;
-using laplacian_lines::ErrorCode;
 using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
@@ -43,7 +41,6 @@ Progress part(const Progress& progress, double begin, double end) {
 }
 
 void check(const SheetOptions& options) {
-    const auto refuse = [](const char* why) { throw Error(ErrorCode::InvalidOption, why); };
     if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
     if (!(options.mm_per_unit > 0) || !std::isfinite(options.mm_per_unit))
         refuse("The unit of the mesh has to be a positive length.");
@@ -102,13 +99,6 @@ std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& plac
         for (DrawnPoint& point : line.points)
             point.position = placement.onSheet(point.position);
     return lines;
-}
-
-std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line) {
-    std::vector<Eigen::Vector2d> positions;
-    for (const DrawnPoint& point : line.points)
-        positions.push_back(point.position);
-    return positions;
 }
 
 /// Hatching of what closed sections enclose.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "refining.h"
+
 namespace line_drawing {
 namespace {
 
@@ -23,22 +25,6 @@ double lengthOf(const DrawnLine& line) {
     for (std::size_t i = 1; i < line.points.size(); ++i)
         length += (line.points[i].position - line.points[i - 1].position).norm();
     return length;
-}
-
-/// The same line with points at most `step` apart.
-std::vector<DrawnPoint> refine(const std::vector<DrawnPoint>& points, double step) {
-    std::vector<DrawnPoint> result;
-    for (const DrawnPoint& p : points) {
-        if (!result.empty()) {
-            const DrawnPoint from = result.back();
-            const double pieces = std::ceil((p.position - from.position).norm() / step);
-            for (double i = 1; i < pieces; ++i)
-                result.push_back({from.position + (p.position - from.position) * (i / pieces),
-                                  from.weight + (p.weight - from.weight) * (i / pieces)});
-        }
-        result.push_back(p);
-    }
-    return result;
 }
 
 /// Cuts one line where it doubles others.
@@ -91,13 +77,6 @@ private:
     const std::vector<DrawnPoint> points_;
     std::vector<bool> is_double_;
 };
-
-std::vector<Vector2d> positionsOf(const DrawnLine& line) {
-    std::vector<Vector2d> positions;
-    for (const DrawnPoint& point : line.points)
-        positions.push_back(point.position);
-    return positions;
-}
 
 }  // namespace
 

@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/section.h"
 
-#include <QRegularExpression>
-#include <QStringList>
-#include <cmath>
-
-#include "laplacian_lines/error.h"
+#include "words.h"
 
 namespace line_drawing {
 namespace {
-
-[[noreturn]] void refuse(const QString& word) {
-    throw laplacian_lines::Error(
-        laplacian_lines::ErrorCode::InvalidOption,
-        QString("\"%1\" is no section. A section is an axis and a place on it, 0 to 1 of the "
-                "object, such as y=0.5.")
-            .arg(word)
-            .toStdString());
-}
 
 Section parse(const QString& word) {
     const QStringList parts = word.split('=');
@@ -25,7 +12,11 @@ Section parse(const QString& word) {
         parts.size() == 2 && parts[0].size() == 1 ? QString("xyz").indexOf(parts[0].toLower()) : -1;
     bool is_number = axis >= 0;
     const double share = is_number ? parts[1].toDouble(&is_number) : 0;
-    if (!is_number || !(share > 0 && share < 1)) refuse(word);
+    if (!is_number || !(share > 0 && share < 1))
+        refuse(
+            QString("\"%1\" is no section. A section is an axis and a place on it, 0 to 1 of the "
+                    "object, such as y=0.5.")
+                .arg(word));
     return {axis, share};
 }
 
@@ -33,7 +24,7 @@ Section parse(const QString& word) {
 
 std::vector<Section> parseSections(const QString& text) {
     std::vector<Section> sections;
-    for (const QString& word : text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts))
+    for (const QString& word : wordsOf(text))
         sections.push_back(parse(word));
     return sections;
 }

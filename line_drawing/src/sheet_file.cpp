@@ -4,17 +4,13 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
-#include "laplacian_lines/error.h"
 #include "sheet_writers.h"
+#include "words.h"
 
 namespace line_drawing {
 namespace {
 
 using Writer = QByteArray (*)(const Sheet&);
-
-[[noreturn]] void refuse(const QString& sentence) {
-    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
-}
 
 Writer writerOf(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();

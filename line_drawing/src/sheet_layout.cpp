@@ -6,13 +6,10 @@
 #include <map>
 #include <optional>
 
-#include "laplacian_lines/error.h"
+#include "words.h"
 
 namespace line_drawing {
 namespace {
-
-using laplacian_lines::Error;
-using laplacian_lines::ErrorCode;
 
 /// The usual ones of drawings, largest first: 1:2 is 0.5.
 std::vector<double> usualScales() {
@@ -34,12 +31,9 @@ std::optional<QSizeF> paperSize(const QString& name) {
     if (name.toLower() == "fit") return {};
     const auto found = sizes.find(name.toLower());
     if (found == sizes.end())
-        throw Error(
-            ErrorCode::InvalidOption,
-            QString("There is no paper \"%1\". Papers are a5, a4, a3, a2, a1, a0, or fit: as "
-                    "large as the drawing.")
-                .arg(name)
-                .toStdString());
+        refuse(QString("There is no paper \"%1\". Papers are a5, a4, a3, a2, a1, a0, or fit: as "
+                       "large as the drawing.")
+                   .arg(name));
     return found->second;
 }
 
@@ -171,10 +165,6 @@ SheetLayout layOutFreely(Layout& layout, double scale) {
     const QSizeF size = layout.sizeAt(scale);
     return layout.layOut(scale, {std::max(least_width, size.width()) + 2 * sheet_margin,
                                  size.height() + 2 * sheet_margin + strip_height});
-}
-
-[[noreturn]] void refuse(const QString& sentence) {
-    throw Error(ErrorCode::InvalidOption, sentence.toStdString());
 }
 
 /// Upright or lying, whichever takes the drawing larger.

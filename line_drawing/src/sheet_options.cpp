@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/sheet_options.h"
 
-#include <QStringList>
 #include <cmath>
 
-#include "laplacian_lines/error.h"
+#include "words.h"
 
 namespace line_drawing {
 
@@ -16,12 +15,10 @@ double parseScale(const QString& text) {
     const double real = is_other ? parts[1].toDouble(&is_other) : 0;
     const double scale = drawn / real;
     if (!is_number || !is_other || !(drawn > 0) || !(real > 0) || !std::isfinite(scale))
-        throw laplacian_lines::Error(
-            laplacian_lines::ErrorCode::InvalidOption,
+        refuse(
             QString("\"%1\" is no scale. A scale is drawn to true length, such as 1:2 or 2:1, or "
                     "fit: the largest usual one.")
-                .arg(text)
-                .toStdString());
+                .arg(text));
     return scale;
 }
 

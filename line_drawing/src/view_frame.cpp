@@ -2,19 +2,15 @@
 #include "line_drawing/view_frame.h"
 
 #include <Eigen/Geometry>
-#include <QRegularExpression>
-#include <QStringList>
 #include <cmath>
 #include <iterator>
 
-#include "laplacian_lines/error.h"
+#include "words.h"
 
 namespace line_drawing {
 namespace {
 
 using Eigen::Vector3d;
-using laplacian_lines::Error;
-using laplacian_lines::ErrorCode;
 
 /// By Side.
 const char* const side_names[] = {"Front", "Back", "Left", "Right", "Top", "Bottom"};
@@ -34,8 +30,7 @@ ViewFrame makeFrame(Side side, const QString& name, const Vector3d& towards_view
 
 class ViewWords {
 public:
-    ViewWords(const QString& text, UpAxis up)
-        : words_(text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts)), up_(up) {}
+    ViewWords(const QString& text, UpAxis up) : words_(wordsOf(text)), up_(up) {}
 
     std::vector<ViewFrame> read() {
         std::vector<ViewFrame> views;
@@ -47,7 +42,7 @@ public:
             else
                 views.push_back(readOne(word));
         }
-        if (views.empty()) refuse("");
+        if (views.empty()) refuseWord("");
         return views;
     }
 
@@ -58,19 +53,17 @@ private:
                 return frameOfSide(Side(side), up_);
         bool is_number = false;
         const double azimuth = word.toDouble(&is_number);
-        if (!is_number || next_ == words_.size()) refuse(word);
+        if (!is_number || next_ == words_.size()) refuseWord(word);
         const double elevation = words_[next_++].toDouble(&is_number);
-        if (!is_number) refuse(words_[next_ - 1]);
+        if (!is_number) refuseWord(words_[next_ - 1]);
         return frameOfDirection(azimuth, elevation, up_);
     }
 
-    [[noreturn]] static void refuse(const QString& word) {
-        throw Error(ErrorCode::InvalidOption,
-                    QString("\"%1\" is no view. Views are front, back, left, right, top, bottom, "
-                            "six (all of these), or azimuth and elevation in degrees, such as "
-                            "30,15.")
-                        .arg(word)
-                        .toStdString());
+    [[noreturn]] static void refuseWord(const QString& word) {
+        refuse(QString("\"%1\" is no view. Views are front, back, left, right, top, bottom, "
+                       "six (all of these), or azimuth and elevation in degrees, such as "
+                       "30,15.")
+                   .arg(word));
     }
 
     const QStringList words_;
@@ -101,9 +94,9 @@ ViewFrame frameOfSide(Side side, UpAxis axis) {
 
 ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {
     if (!(std::abs(elevation) <= 90) || !std::isfinite(azimuth))
-        throw Error(ErrorCode::InvalidOption,
-                    "A view's azimuth has to be a number of degrees, its elevation one between "
-                    "-90 and 90.");
+        refuse(
+            "A view's azimuth has to be a number of degrees, its elevation one between "
+            "-90 and 90.");
     constexpr double degree = 0.017453292519943295;
     const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
     const double a = azimuth * degree, e = elevation * degree;

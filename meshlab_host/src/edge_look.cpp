@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/edge_look.h"
 
-#if MESHLAB_API < 2022
-#include <common/ml_shared_data_context.h>
-#else
-#include <common/ml_shared_data_context/ml_scene_gl_shared_data_context.h>
-#endif
-
 #include <QApplication>
 #include <QTimer>
+
+#include "scene.h"
 
 namespace meshlab_host {
 namespace {
 
-using Context = MLSceneGLSharedDataContext;
 using Attributes = MLRenderingData::ATT_NAMES;
-
-/// What the views of a document share; null where there are none.
-Context* sharedContext(const MeshDocument& document) {
-    if (!qobject_cast<QApplication*>(QCoreApplication::instance())) return nullptr;
-    for (QWidget* widget : QApplication::allWidgets())
-        if (auto* context = qobject_cast<Context*>(widget))
-            if (&context->meshDoc() == &document) return context;
-    return nullptr;
-}
 
 MLRenderingData linesOnly(MeshModel& mesh) {
     MLRenderingData look;
@@ -55,14 +41,14 @@ void refreshWindow() {
 }  // namespace
 
 void showAsLines(const MeshDocument& document, int mesh_id) {
-    Context* context = sharedContext(document);
-    if (!context) return;
-    // as the context's own timer: it goes with its document
-    QTimer::singleShot(0, context, [context, mesh_id] {
-        MeshModel* mesh = context->meshDoc().getMesh(mesh_id);
+    MLSceneGLSharedDataContext* scene = sceneOf(document);
+    if (!scene) return;
+    // as the scene's own timer: it goes with its document
+    QTimer::singleShot(0, scene, [scene, mesh_id] {
+        MeshModel* mesh = scene->meshDoc().getMesh(mesh_id);
         if (!mesh || mesh->cm.fn > 0 || mesh->cm.en == 0) return;
-        context->setRenderingDataPerAllMeshViews(mesh_id, linesOnly(*mesh));
-        context->manageBuffers(mesh_id);
+        scene->setRenderingDataPerAllMeshViews(mesh_id, linesOnly(*mesh));
+        scene->manageBuffers(mesh_id);
         refreshWindow();
     });
 }

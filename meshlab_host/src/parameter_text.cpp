@@ -51,7 +51,7 @@ QString allowedValues(const ParameterDescription& d) {
         return "one of " + items.join(", ");
     }
     const QString kind = d.kind == OptionKind::Integer ? "a whole number, " : "";
-    if (d.maximum >= 1e30) return kind + QString("at least %1").arg(d.minimum);
+    if (!d.hasMaximum()) return kind + QString("at least %1").arg(d.minimum);
     return kind + QString("between %1 and %2").arg(d.minimum).arg(d.maximum);
 }
 

@@ -37,10 +37,6 @@ std::optional<double> number(const Value& value) {
     return std::nullopt;
 }
 
-}  // namespace
-
-namespace {
-
 /// Adds a parameter of this type to the list.
 template <class Rich, class Description, class... Value>
 void add(const Description& d, RichParameterList& list, const Value&... value) {

@@ -62,4 +62,12 @@ MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh) {
     return found;
 }
 
+MLSceneGLSharedDataContext* sceneOf(const MeshDocument& document) {
+    if (!qobject_cast<QApplication*>(QCoreApplication::instance())) return nullptr;
+    for (QWidget* widget : QApplication::allWidgets())
+        if (auto* scene = qobject_cast<MLSceneGLSharedDataContext*>(widget))
+            if (&scene->meshDoc() == &document) return scene;
+    return nullptr;
+}
+
 }  // namespace meshlab_host

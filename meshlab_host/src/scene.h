@@ -17,6 +17,9 @@ namespace meshlab_host {
 /// layers. Null in programs without a GUI. Decorations are not handed it.
 MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh);
 
+/// The same of a document that is there.
+MLSceneGLSharedDataContext* sceneOf(const MeshDocument& document);
+
 std::vector<const MeshModel*> layersOf(const MeshDocument& document);
 
 }  // namespace meshlab_host

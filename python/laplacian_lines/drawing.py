@@ -63,10 +63,13 @@ def draw(axes, mesh, view, line_width=1.2, color="black"):
     `line_width` is that of a Laplacian line at its strongest, in points (1/72 inch). Faint lines are paler instead of
     transparent, so that nothing shows through where pieces of a line meet. Returns the LineCollection.
     """
+    return _draw(axes, lines(mesh, view), line_width, color)
+
+
+def _draw(axes, flat, line_width=1.2, color="black"):
     from matplotlib.collections import LineCollection
     from matplotlib.colors import to_rgb
 
-    flat = lines(mesh, view)
     strengths = flat.strengths()
     order = numpy.argsort(strengths, kind="stable")  # no pale piece covers a dark one
     ink, paper = (numpy.array(to_rgb(c)) for c in (color, axes.get_figure().get_facecolor()))
@@ -92,5 +95,5 @@ def picture(file, mesh, view, size=8, dpi=150, **style):
     extent = numpy.ptp(used, axis=0) if len(used) else numpy.ones(2)
     sides = numpy.maximum(size * extent / max(extent.max(), 1e-30), 0.2 * size)
     figure = Figure(figsize=sides, dpi=dpi)
-    draw(figure.add_axes([0.02, 0.02, 0.96, 0.96]), mesh, view, **style)
+    _draw(figure.add_axes([0.02, 0.02, 0.96, 0.96]), flat, **style)
     figure.savefig(file)

@@ -42,6 +42,7 @@ private:
     static bool is_coarse(const Cluster& cluster, unsigned triangle) {
         return cluster.coarse[triangle / kMaskGroup] >> triangle % kMaskGroup & 1;
     }
+
     void add_cluster(const PlacedCluster& placed) {
         const Cluster& cluster = *placed.cluster;
         std::vector<std::uint32_t> places(cluster.triangle_count, kNoPlace);

@@ -112,10 +112,8 @@ private:
         const std::size_t step = mesh_.size() / kMostBendSamples + 1;
         std::vector<double> bends;
         for (std::size_t i = 0; i < mesh_.size(); i += step) {
-            const SymmetricTensor& s = shape_operators_[i];
-            const double squares = s.xx * s.xx + s.yy * s.yy + s.zz * s.zz +
-                                   2 * (s.yz * s.yz + s.xz * s.xz + s.xy * s.xy);
-            bends.push_back(std::sqrt(squares) * double(relative_sizes_[i]) * kernel_size_);
+            const double curvature = std::sqrt(shape_operators_[i].squaredNorm());
+            bends.push_back(curvature * double(relative_sizes_[i]) * kernel_size_);
         }
         const auto middle = bends.begin() + std::ptrdiff_t(bends.size() / 2);
         std::nth_element(bends.begin(), middle, bends.end());

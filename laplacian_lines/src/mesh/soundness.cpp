@@ -52,6 +52,34 @@ void count_edges(const VertexRanges::Range& range, EdgeCounts& counts) {
     counts.edges += edges, counts.borders += borders, counts.opposed += opposed;
 }
 
+/// Over all triangles, as multiples of one.
+struct Sums {
+    Eigen::Vector3d area_vectors = Eigen::Vector3d::Zero();
+    double area = 0, volume = 0;
+
+    void add(const Eigen::Vector3d& vector, double a, double v) {
+        area_vectors += vector;
+        area += a;
+        volume += v;
+    }
+};
+
+Sums add_up(const PreparedMesh& mesh) {
+    const auto of_block = [&](std::size_t begin, std::size_t end) {
+        Sums sums;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Triangle& t = mesh.triangles[i];
+            const Eigen::Vector3d vector = area_vector(mesh, t);
+            sums.add(vector, vector.norm(), mesh.positions[t[0]].dot(vector));
+        }
+        return sums;
+    };
+    return join_blocks(mesh.triangles.size(), Sums(), of_block, [](Sums a, const Sums& b) {
+        a.add(b.area_vectors, b.area, b.volume);
+        return a;
+    });
+}
+
 double share(std::size_t part, std::size_t whole) {
     return whole ? double(part) / double(whole) : 0;
 }
@@ -59,25 +87,16 @@ double share(std::size_t part, std::size_t whole) {
 }  // namespace
 
 void measure_soundness(const PreparedMesh& mesh, const VertexRanges& ranges, MeshReport& report) {
-    const std::vector<Triangle>& triangles = mesh.triangles;
-    if (!is_closed(triangles)) {
+    if (!is_closed(mesh.triangles)) {
         EdgeCounts counts;
         const Progress nobody;
         ranges.for_each({nobody, 0, 1, ""}, [&](const auto& range) { count_edges(range, counts); });
         report.border_share = share(counts.borders, counts.edges);
         report.opposed_share = share(counts.opposed, counts.edges);
     }
-    const auto sum = [&](auto&& value_of) {
-        return sum_of(triangles.size(), [&](std::size_t i) { return value_of(triangles[i]); });
-    };
-    const double area = sum([&](const Triangle& t) { return area_vector(mesh, t).norm(); });
-    Eigen::Vector3d open;
-    for (int axis = 0; axis < 3; ++axis)
-        open[axis] = sum([&](const Triangle& t) { return area_vector(mesh, t)[axis]; });
-    report.openness = open.norm() / area;
-    report.relative_volume =
-        sum([&](const Triangle& t) { return mesh.positions[t[0]].dot(area_vector(mesh, t)); }) /
-        area;
+    const Sums sums = add_up(mesh);
+    report.openness = sums.area_vectors.norm() / sums.area;
+    report.relative_volume = sums.volume / sums.area;
 }
 
 std::vector<MeshFault> faults_of(const MeshReport& report) {

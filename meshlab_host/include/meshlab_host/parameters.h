@@ -24,6 +24,8 @@ struct ParameterDescription {
     double maximum;
     QStringList choices;
     bool for_experts;  ///< dialogs fold it away, in MeshLab 2022.02 and later
+
+    bool hasMaximum() const { return maximum < 1e30; }
 };
 
 /// A label with the heading of the group of parameters that it opens: MeshLab shows parameters as

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QRegularExpression>
+#include <QString>
+#include <QStringList>
+
+#include "laplacian_lines/error.h"
+
+namespace line_drawing {
+
+/// Those of a list whose words are separated by commas, semicolons or spaces.
+inline QStringList wordsOf(const QString& text) {
+    return text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts);
+}
+
+/// @throws laplacian_lines::Error(InvalidOption), always
+[[noreturn]] inline void refuse(const QString& sentence) {
+    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
+}
+
+}  // namespace line_drawing
