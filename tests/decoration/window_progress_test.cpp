@@ -15,22 +15,23 @@ namespace {
 
 using meshlab_host::WindowProgress;
 
-/// A progress bar that counts how often it is painted.
-class CountingBar : public QProgressBar {
+/// Counts how often it is painted.
+template <class Widget>
+class Counting : public Widget {
 public:
     int paints = 0;
 
 protected:
     void paintEvent(QPaintEvent* event) override {
         ++paints;
-        QProgressBar::paintEvent(event);
+        Widget::paintEvent(event);
     }
 };
 
 /// A window as MeshLab's.
 class WindowProgressTest : public testing::Test {
 protected:
-    WindowProgressTest() : bar_(new CountingBar) {
+    WindowProgressTest() : bar_(new Counting<QProgressBar>) {
         window_.statusBar()->addPermanentWidget(bar_);
         window_.resize(400, 100);
         window_.show();
@@ -46,7 +47,7 @@ protected:
     }
 
     QMainWindow window_;
-    CountingBar* const bar_;
+    Counting<QProgressBar>* const bar_;
 };
 
 TEST_F(WindowProgressTest, MovesTheBarAndSaysWhatIsDone) {
@@ -77,6 +78,20 @@ TEST_F(WindowProgressTest, LetsNothingElseHappen) {
     EXPECT_FALSE(has_happened);
     wait(20);
     EXPECT_TRUE(has_happened);
+}
+
+/// Views that wait to be painted go on waiting.
+TEST_F(WindowProgressTest, PaintsNothingElse) {
+    auto* const view = new Counting<QWidget>;
+    window_.setCentralWidget(view);
+    wait(50);
+    view->update();
+    const int before = view->paints;
+    WindowProgress progress;
+    report(progress.step(0, 1), 0.3);
+    EXPECT_EQ(view->paints, before);
+    wait(50);
+    EXPECT_GT(view->paints, before);
 }
 
 TEST_F(WindowProgressTest, IsNotShownForShortWork) {

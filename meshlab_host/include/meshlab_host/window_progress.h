@@ -13,9 +13,10 @@ namespace meshlab_host {
 
 /// The progress bar and the message at the foot of MeshLab's window, for work outside of filters,
 /// to which MeshLab hands no callback. MeshLab's own one would let events happen, a redraw or a
-/// deletion of the very mesh among them, so nothing but the bar is painted here: nobody can press
-/// anything meanwhile, and there is nothing to cancel by. Not to be used while a view is painted.
-/// Does nothing in programs without such a window. GUI thread only.
+/// deletion of the very mesh among them, so nothing but the foot is painted here, and views that
+/// wait for it go on waiting: nobody can press anything meanwhile, and there is nothing to cancel
+/// by. Not to be used while a view is painted. Does nothing in programs without such a window. GUI
+/// thread only.
 class WindowProgress {
 public:
     WindowProgress();
