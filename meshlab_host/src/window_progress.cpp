@@ -22,9 +22,9 @@ QStatusBar* statusBarWithProgress() {
     return nullptr;
 }
 
-/// While it lives, nothing in the window but the status bar is painted. Whatever is painted at once,
-/// as progress bars are when their value changes, takes along all that waits for it in the window,
-/// views of the mesh that is worked on among it. These are painted later.
+/// While it lives, nothing in the window but the status bar is painted. Whatever is painted at
+/// once, as progress bars are when their value changes, takes along all that waits for it in the
+/// window, views of the mesh that is worked on among it. These are painted later.
 class OthersWait {
 public:
     explicit OthersWait(const QStatusBar& status) {
