@@ -69,7 +69,8 @@ public:
         return {frame, {unit * bounds.min(), unit * bounds.max()}, {}};
     }
     void look(DrawnView& drawn, const Progress& progress) {
-        const auto view = laplacian_lines::View::orthographic(drawn.frame.towards_viewer);
+        auto view = laplacian_lines::View::orthographic(drawn.frame.towards_viewer);
+        if (options_.light) view.light = inMesh(*options_.light, drawn.frame);
         laplacian_lines::LineSet lines;
         extractor_.extract(view, options_.style, scratch_, lines);
         lines = visibility_.visible_parts(view, lines, progress);
@@ -148,7 +149,7 @@ Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
     };
     for (std::size_t i = 0; i < options.views.size(); ++i)  // sections have their lines
         observer.look(views[i], part(progress, share(i), share(i + 1)));
-    Sheet sheet{layout.size, options.title, {}};
+    Sheet sheet{layout.size, options.title, {}, layout.scale};
     for (std::size_t i = 0; i < views.size(); ++i)
         sheet.groups.push_back(drawView(views[i], i + 1, layout.placements[i], options));
     SheetGroup furniture = drawFurniture(views, layout, observer.objectSize(), options);
