@@ -36,17 +36,17 @@ std::vector<const char*> paperChoices() {
 std::vector<AnyRow> makeRows() {
     return {
         TextRow{{"file", "File",
-                 "The drawing to write; its ending says what it is: <b>.svg</b>, <b>.pdf</b> or "
-                 "<b>.dxf</b>. A file of this name is replaced.",
+                 "The drawing to write; its ending says what it is: .svg, .pdf or "
+                 ".dxf. A file of this name is replaced.",
                  "Drawings (*.svg *.pdf *.dxf)"},
                 &Parameters::file},
         TextRow{{"views", "Views",
-                 "From where the object is seen: <b>window</b>, along the view of MeshLab's "
+                 "From where the object is seen: window, along the view of MeshLab's "
                  "window, front, back, left, right, top, bottom, six (all of these), or azimuth "
                  "and elevation in degrees, such as 30,15; several with commas."},
                 &Parameters::views},
         TextRow{{"scale", "Scale",
-                 "Drawn to true length, such as 1:2 or 2:1; <b>fit</b>: the largest usual one that "
+                 "Drawn to true length, such as 1:2 or 2:1; fit: the largest usual one that "
                  "fits the paper."},
                 &Parameters::scale},
         rows::choice<&Parameters::paper>(

@@ -47,7 +47,6 @@ button OK
 set Scale = 10:1
 set Paper = fit
 set Views = six, window
-set Sections = z=0.5
 set Title = A torus & more
 set Unit of the Mesh = cm
 set File = plate.pdf
