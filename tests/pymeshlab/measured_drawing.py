@@ -58,8 +58,8 @@ ms = meshes()
 ms.compute_matrix_from_translation_rotation_scale(rotationy=-90, scalex=2, scaley=2, scalez=2, freeze=False)
 turned, result = draw("turned.svg", ms)
 assert numpy.allclose(result["object"], 2 * numpy.ptp(vertices, axis=0)[[2, 1, 0]], atol=1e-4), result
-right, _ = draw("right.svg", views="right")
-assert abs(len(paths(turned)) - len(paths(right))) <= 2, (len(paths(turned)), len(paths(right)))
+left, _ = draw("left.svg", views="left")
+assert abs(len(paths(turned)) - len(paths(left))) <= 2, (len(paths(turned)), len(paths(left)))
 
 refused = meshes()
 make = refused.export_laplacian_lines_drawing
