@@ -30,6 +30,18 @@ void check(const SheetOptions& options) {
             refuse("The width of a pen has to be more than 0, up to 10 mm.");
 }
 
+/// As their marks, if any view has these.
+void nameSections(std::vector<DrawnView>& views) {
+    const bool has_marks = std::any_of(views.begin(), views.end(),
+                                       [](const DrawnView& view) { return !view.marks.empty(); });
+    std::size_t number = 0;
+    for (DrawnView& view : views)
+        if (view.is_section && has_marks) {
+            const QString letter = letterOf(number++);
+            view.frame.name = letter + "–" + letter;
+        }
+}
+
 }  // namespace
 
 Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
@@ -41,6 +53,7 @@ Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
         views.push_back(observer.stand(frame, options));
     for (const Section& section : options.sections)
         views.push_back(observer.cut(section, options));
+    nameSections(views);
     const SheetLayout layout = layOut(views, options);  // before much work, since it may refuse
     const auto share = [&](std::size_t views_done) {
         const double all = std::max<double>(1, double(options.views.size()));
@@ -50,7 +63,8 @@ Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
         observer.look(views[i], options, part(progress, share(i), share(i + 1)));
     Sheet sheet{layout.size, options.title, {}};
     for (std::size_t i = 0; i < views.size(); ++i)
-        sheet.groups.push_back(drawView(views[i], i + 1, layout.placements[i], options));
+        sheet.groups.push_back(
+            drawView(views[i], i + 1, layout.placements[i], layout.places[i], options));
     SheetGroup furniture =
         drawFurniture(views, layout, options.mm_per_unit * observer.objectSize(), options);
     if (!furniture.layers.empty()) sheet.groups.push_back(std::move(furniture));

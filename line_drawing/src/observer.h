@@ -11,7 +11,7 @@
 
 namespace line_drawing {
 
-/// Looks at a mesh from all sides. The mesh has to outlive it.
+/// Looks at a mesh from all sides. The mesh and its field have to outlive it.
 class Observer {
 public:
     /// @throws laplacian_lines::Error: InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
@@ -29,7 +29,12 @@ public:
     Eigen::Vector3d objectSize() const { return box_.sizes(); }
 
 private:
+    void lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
+                  const laplacian_lines::LineSet& lines, const SheetOptions& options,
+                  const laplacian_lines::Progress& progress) const;
+
     const laplacian_lines::TriangleMesh& mesh_;
+    const laplacian_lines::Field& field_;
     const Eigen::AlignedBox3d box_;
     const laplacian_lines::LineExtractor extractor_;
     const laplacian_lines::LineVisibility visibility_;
