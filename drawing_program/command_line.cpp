@@ -6,6 +6,7 @@
 #include <map>
 
 #include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
 
 namespace {
 
@@ -96,9 +97,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     if (views.isEmpty() && options.sections.empty()) views = "front";
     if (!views.isEmpty()) options.views = line_drawing::parseViews(views, up);
     options.source = QFileInfo(result.mesh).fileName();
-    // programs that read DXF draw with lines of even width
-    if (result.drawing.endsWith(".dxf", Qt::CaseInsensitive))
-        options.strokes = line_drawing::StrokeStyle::Plain;
+    options.strokes = line_drawing::strokesIn(result.drawing, options.strokes);
     return result;
 }
 
