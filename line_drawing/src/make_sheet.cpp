@@ -30,7 +30,6 @@ void check(const SheetOptions& options) {
             refuse("The width of a pen has to be more than 0, up to 10 mm.");
 }
 
-<<<<<<< HEAD
 /// As their marks, if any view has these.
 void nameSections(std::vector<DrawnView>& views) {
     const bool has_marks = std::any_of(views.begin(), views.end(),
@@ -41,85 +40,6 @@ void nameSections(std::vector<DrawnView>& views) {
             const QString letter = letterOf(number++);
             view.frame.name = letter + "–" + letter;
         }
-=======
-/// Looks at the mesh from all sides.
-class Observer {
-public:
-    Observer(const TriangleMesh& mesh, const laplacian_lines::Field& field,
-             const SheetOptions& options, const Progress& progress)
-        : mesh_(mesh),
-          options_(options),
-          box_(boundsOf(mesh)),
-          extractor_(mesh, field, part(progress, 0, extractor_share)),
-          visibility_(mesh, field, part(progress, extractor_share, sight_share)) {}
-
-    DrawnView stand(const ViewFrame& frame) const {
-        const double unit = options_.mm_per_unit;
-        const Eigen::AlignedBox2d bounds = boundsOf(mesh_, frame, box_.center());
-        return {frame, {unit * bounds.min(), unit * bounds.max()}, {}};
-    }
-    void look(DrawnView& drawn, const Progress& progress) {
-        auto view = laplacian_lines::View::orthographic(drawn.frame.towards_viewer);
-        if (options_.light) view.light = inMesh(*options_.light, drawn.frame);
-        laplacian_lines::LineSet lines;
-        extractor_.extract(view, options_.style, scratch_, lines);
-        lines = visibility_.visible_parts(view, lines, progress);
-        drawn.lines = project(lines, drawn.frame, box_.center(), options_.mm_per_unit);
-    }
-    /// What a section cuts, without what lies behind it.
-    DrawnView cut(const Section& section) const {
-        DrawnView drawn = stand(frameOfSection(section, options_.up));
-        const double height = box_.min()[section.axis] + section.share * box_.sizes()[section.axis];
-        for (const Cut& cut : cutMesh(mesh_, section.axis, height))
-            drawn.lines.push_back(project(cut, drawn.frame, box_.center(), options_.mm_per_unit));
-        return drawn;
-    }
-    Eigen::Vector3d objectSize() const { return options_.mm_per_unit * box_.sizes(); }
-
-private:
-    const TriangleMesh& mesh_;
-    const SheetOptions& options_;
-    const Eigen::AlignedBox3d box_;
-    const laplacian_lines::LineExtractor extractor_;
-    const laplacian_lines::LineVisibility visibility_;
-    laplacian_lines::ExtractionScratch scratch_;
-};
-
-std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& placement) {
-    for (DrawnLine& line : lines)
-        for (DrawnPoint& point : line.points)
-            point.position = placement.onSheet(point.position);
-    return lines;
-}
-
-/// Hatching of what closed sections enclose.
-void addHatching(std::vector<DrawnLine>& lines) {
-    std::vector<std::vector<Eigen::Vector2d>> loops;
-    for (const DrawnLine& line : lines)
-        if (line.line_class == LineClass::Section && line.closed)
-            loops.push_back(positionsOf(line));
-    for (const auto& ends : hatch(loops, Eigen::Vector2d(1, -1).normalized(), hatch_spacing))
-        lines.push_back({LineClass::Fine, false, {{ends[0], hatch_width}, {ends[1], hatch_width}}});
-}
-
-/// Thin lines first: outlines lie over them.
-SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
-                    const SheetOptions& options) {
-    const bool has_name = view.frame.side != Side::Other;
-    SheetGroup group{
-        has_name ? view.frame.name.toLower() : QString("view-%1").arg(number), view.frame.name, {}};
-    std::vector<DrawnLine> lines = withoutDoubles(place(view.lines, placement), double_reach);
-    addHatching(lines);
-    for (std::size_t c = line_class_count; c-- > 0;) {
-        SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
-        for (const DrawnLine& line : lines)
-            if (std::size_t(line.line_class) == c)
-                if (auto stroke = drawStroke(line, options))
-                    layer.paths.push_back(std::move(*stroke));
-        group.layers.push_back(std::move(layer));
-    }
-    return group;
->>>>>>> export
 }
 
 }  // namespace
@@ -140,13 +60,8 @@ Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
         return sight_share + (1 - sight_share) * double(views_done) / all;
     };
     for (std::size_t i = 0; i < options.views.size(); ++i)  // sections have their lines
-<<<<<<< HEAD
         observer.look(views[i], options, part(progress, share(i), share(i + 1)));
-    Sheet sheet{layout.size, options.title, {}};
-=======
-        observer.look(views[i], part(progress, share(i), share(i + 1)));
     Sheet sheet{layout.size, options.title, {}, layout.scale};
->>>>>>> export
     for (std::size_t i = 0; i < views.size(); ++i)
         sheet.groups.push_back(
             drawView(views[i], i + 1, layout.placements[i], layout.places[i], options));
