@@ -21,6 +21,9 @@ enum class Arrangement { FirstAngle, ThirdAngle };
 /// for plotters and CAD.
 enum class StrokeStyle { Tapered, Plain };
 
+/// How what a section cuts is drawn: with hatching, black, or as its outline alone.
+enum class WallStyle { Hatched, Filled, None };
+
 /// Classes of lines by what they show.
 enum class LineClass {
     Outline,  ///< contours and borders
@@ -40,6 +43,7 @@ struct SheetOptions {
     double mm_per_unit = 1;  ///< true length of a unit of the mesh
     QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
     StrokeStyle strokes = StrokeStyle::Tapered;
+    WallStyle wall = WallStyle::Hatched;
     /// Widths in mm, by LineClass.
     std::array<double, line_class_count> pens = {0.5, 0.25, 0.13, 0.35};
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
