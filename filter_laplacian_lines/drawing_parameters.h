@@ -22,6 +22,7 @@ struct DrawingParameters {
     line_drawing::UpAxis up = line_drawing::UpAxis::Y;
     line_drawing::Arrangement arrangement = line_drawing::Arrangement::FirstAngle;
     line_drawing::StrokeStyle strokes = line_drawing::StrokeStyle::Tapered;
+    line_drawing::WallStyle wall = line_drawing::WallStyle::Hatched;
     bool has_furniture = true;
     bool is_as_decoration = false;  ///< lines and light as the decoration has drawn them last
 };

@@ -93,6 +93,7 @@ SheetOptions sheetOptions(const DrawingParameters& chosen,
     options.mm_per_unit = mm_of_units.at(std::size_t(chosen.unit));
     options.arrangement = chosen.arrangement;
     options.strokes = line_drawing::strokesIn(chosen.file, chosen.strokes);
+    options.wall = chosen.wall;
     options.title = chosen.title;
     options.has_view_names = options.has_scale_bar = options.has_notes = chosen.has_furniture;
     if (chosen.is_as_decoration) takeFromDecoration(options);

@@ -60,6 +60,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     EXPECT_EQ(usual.up, made.up);
     EXPECT_EQ(usual.arrangement, made.arrangement);
     EXPECT_EQ(usual.strokes, made.strokes);
+    EXPECT_EQ(usual.wall, made.wall);
     EXPECT_TRUE(usual.has_notes && usual.has_scale_bar && usual.has_view_names);
 
     chosen.file = "plate.DXF";
@@ -68,6 +69,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     chosen.unit = 3;
     chosen.up = line_drawing::UpAxis::Z;
     chosen.title = "Find 17";
+    chosen.wall = line_drawing::WallStyle::Filled;
     chosen.has_furniture = false;
     const SheetOptions options = sheetOptions(chosen, std::nullopt);
     EXPECT_EQ(options.scale, 0.25);
@@ -76,6 +78,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     EXPECT_EQ(options.views.at(0).up, Eigen::Vector3d(0, 0, 1));
     EXPECT_EQ(options.strokes, line_drawing::StrokeStyle::Plain);
     EXPECT_EQ(options.title, "Find 17");
+    EXPECT_EQ(options.wall, line_drawing::WallStyle::Filled);
     EXPECT_FALSE(options.has_notes || options.has_scale_bar || options.has_view_names);
     chosen.scale = "half";
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
@@ -93,6 +96,7 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     given.up = line_drawing::UpAxis::X;
     given.arrangement = line_drawing::Arrangement::ThirdAngle;
     given.strokes = line_drawing::StrokeStyle::Plain;
+    given.wall = line_drawing::WallStyle::None;
     given.has_furniture = false;
     given.is_as_decoration = true;
     RichParameterList list;
@@ -105,6 +109,7 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     EXPECT_EQ(read.up, given.up);
     EXPECT_EQ(read.arrangement, given.arrangement);
     EXPECT_EQ(read.strokes, given.strokes);
+    EXPECT_EQ(read.wall, given.wall);
     EXPECT_FALSE(read.has_furniture);
     EXPECT_TRUE(read.is_as_decoration);
     given.paper = 7;
