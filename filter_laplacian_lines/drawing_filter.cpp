@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <cmath>
 
-#include "drawing_parameters.h"
+#include "drawing_sheet.h"
 #include "filter_help.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/make_sheet.h"

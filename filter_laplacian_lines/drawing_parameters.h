@@ -2,11 +2,9 @@
 #pragma once
 
 #include <QString>
-#include <optional>
 #include <vector>
 
 #include "line_drawing/sheet_options.h"
-#include "meshlab_host/current_view.h"
 #include "meshlab_host/meshlab_api.h"
 #include "meshlab_host/parameters.h"
 
@@ -38,12 +36,3 @@ std::vector<meshlab_host::ParameterDescription> describeDrawingParameters();
 
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
 DrawingParameters readDrawingParameters(const RichParameterList& list);
-
-/// What is to be drawn, views in world coordinates. `window` is its current view.
-/// @throws laplacian_lines::Error(InvalidOption) with what is understood, also if the view of the
-/// window or the decoration's settings are asked for where there are none.
-line_drawing::SheetOptions sheetOptions(const DrawingParameters& chosen,
-                                        const std::optional<meshlab_host::CurrentView>& window);
-
-/// Whether the view of the window is among the chosen ones.
-bool usesWindow(const DrawingParameters& chosen);

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QStringList>
 
-#include "drawing_parameters.h"
+#include "drawing_sheet.h"
 #include "laplacian_lines/error.h"
 #include "meshlab_host/drawn_style.h"
+#include "places.h"
 
 namespace {
 
@@ -30,7 +32,7 @@ QStringList viewNames(const char* views, const char* sections = "") {
 TEST(DrawingParameters, ViewsKeepTheirOrder) {
     EXPECT_EQ(viewNames("top, WINDOW;30,15 front").join('/'), "Top/View/30°, 15°/Front");
     EXPECT_EQ(viewNames("six window").size(), 7);
-    EXPECT_EQ(viewNames("").join('/'), "Front");
+    EXPECT_THROW(viewNames(""), Error);
     EXPECT_TRUE(viewNames("", "x=0.5").isEmpty());
     EXPECT_THROW(viewNames("above"), Error);
     EXPECT_THROW(viewNames("30 window"), Error);
@@ -116,6 +118,25 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     RichParameterList wrong;
     listDrawingParameters(given, wrong);
     EXPECT_THROW(readDrawingParameters(wrong), Error);
+}
+
+QString content(const char* file) {
+    QFile input(QString::fromStdString((places::repository() / file).string()));
+    EXPECT_TRUE(input.open(QIODevice::ReadOnly)) << file;
+    return QString::fromUtf8(input.readAll());
+}
+
+TEST(DrawingParameters, AreDocumentedAndInTheExample) {
+    const QString table = content("docs/parameters.md");
+    const QString example = content("examples/laplacian_lines_drawing.mlx");
+    RichParameterList list;
+    listDrawingParameters({}, list);
+    for (const RichParameter& row : list) {
+        const QString key = row.name();
+        EXPECT_TRUE(table.contains(QString("| %1 | `%2` |").arg(row.fieldDescription(), key)))
+            << key.toStdString();
+        EXPECT_TRUE(example.contains(QString("name=\"%1\"").arg(key))) << key.toStdString();
+    }
 }
 
 TEST(DrawingParameters, StartBesideTheMeshAndAtTheWindow) {
