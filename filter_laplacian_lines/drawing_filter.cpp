@@ -119,7 +119,6 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const QString file = QFileInfo(chosen.file).absoluteFilePath();
     const Eigen::Vector3d size = options.mm_per_unit * boxOf(placed.mesh).sizes();
     run.say(report(object, file, sheet, size, options));
-    run.results["file"] = file;
     run.results["scale"] = sheet.scale;
     meshlab_host::addResult("paper", {sheet.size.width(), sheet.size.height(), 0}, run.results);
     meshlab_host::addResult("object", size, run.results);

@@ -26,7 +26,7 @@ ms = meshes()
 vertices, count = ms.current_mesh().vertex_matrix(), ms.mesh_number()
 front, result = draw("front.svg", ms)
 assert front.startswith(b"<?xml") and len(paths(front)) >= 5
-assert result["file"] == str(WORK / "front.svg") and result["scale"] > 1, result
+assert result["scale"] > 1, result
 assert numpy.allclose(result["paper"], (210, 297, 0)), result
 assert numpy.allclose(result["object"], numpy.ptp(vertices, axis=0), atol=1e-5), result
 assert (ms.current_mesh().vertex_matrix() == vertices).all() and ms.mesh_number() == count
@@ -36,8 +36,8 @@ assert not ms.current_mesh().has_vertex_color(), "the mesh was changed"
 assert draw("again.svg", ms)[0] == front
 ms.compute_laplacian_lines_per_vertex()
 assert draw("with_field.svg", ms)[0] == front
-ms.compute_laplacian_lines_per_vertex(laplace_operator="Cotangent")
-assert draw("cotangent.svg", ms)[0] != front
+ms.compute_laplacian_lines_per_vertex(normal_sigma=5)
+assert draw("smooth.svg", ms)[0] != front
 script = (EXAMPLES / "laplacian_lines_drawing.mlx").read_text().replace('"drawing.svg"', f'"{WORK / "script.svg"}"')
 (WORK / "script.mlx").write_text(script)
 ms = meshes()
