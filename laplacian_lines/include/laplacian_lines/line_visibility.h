@@ -29,6 +29,11 @@ inline double sight_clearance(LineKind kind, double diagonal, double sight_edge)
     return std::max(kSightClearance * diagonal, beyond);
 }
 
+/// Lines, cut where they come into sight or go out of it.
+struct LineParts {
+    LineSet seen, hidden;
+};
+
 /// Which parts of lines can be seen, by rays from points of the lines to the eye: exact, whatever
 /// the size of a picture. Built once for a mesh, which may be gone afterwards.
 class LineVisibility {
@@ -53,6 +58,9 @@ public:
     /// result.
     LineSet visible_parts(const View& view, const LineSet& lines,
                           const Progress& progress = {}) const;
+
+    /// The same with what is hidden.
+    LineParts parts(const View& view, const LineSet& lines, const Progress& progress = {}) const;
 
 private:
     struct Data;
