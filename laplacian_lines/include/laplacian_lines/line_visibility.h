@@ -51,9 +51,10 @@ public:
     bool encloses(const Eigen::Vector3d& point) const;
 
     /// The parts of `lines` that no triangle hides, from either side. A part is a line of its own
-    /// that begins and ends where it comes into sight, to a thousandth of D, with kind, strength
+    /// that begins and ends where an outline among `lines` crosses it in the picture or a contour
+    /// turns back, elsewhere where it comes into sight, to a thousandth of D; with kind, strength
     /// and slope of the whole line and its own length. Gaps and parts that are shorter than the
-    /// clearance do not count.
+    /// clearance do not count. How it is decided: docs/algorithms.md.
     /// @throws Error(Cancelled). Thread-safe; runs on OpenMP's threads, which do not change the
     /// result.
     LineSet visible_parts(const View& view, const LineSet& lines,

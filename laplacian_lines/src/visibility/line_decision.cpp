@@ -28,7 +28,7 @@ constexpr double kInside = 0.002;  // below the surface
 // at a cusp; elsewhere on contours; elsewhere on other lines.
 constexpr double kCrossingCost = 0.001, kContourCost = 0.02, kLineCost = 0.0015;
 // What it costs to call a contour bent the other way: the second in mean edges.
-constexpr double kCuspCost = 0.002, kCuspEdges = 1;
+constexpr double kCuspCost = 0.002, kCuspEdges = 2;
 constexpr int kSideVotes = 32;  // on a line
 constexpr int kBisections = 8;
 

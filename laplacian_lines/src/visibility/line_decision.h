@@ -11,7 +11,7 @@ namespace laplacian_lines {
 
 /// Lengths that decisions go by, in mesh units.
 struct SightLengths {
-    double diagonal;    ///< D
+    double diagonal;  ///< D
     double mean_edge;
     double sight_edge;  ///< as sight_clearance() has it
 
