@@ -29,6 +29,9 @@ constexpr double kInside = 0.002;  // below the surface
 constexpr double kCrossingCost = 0.001, kContourCost = 0.02, kLineCost = 0.0015;
 // What it costs to call a contour bent the other way: the second in mean edges.
 constexpr double kCuspCost = 0.002, kCuspEdges = 2;
+// A fold that is no longer than this has to run back between so many pieces at either end.
+constexpr double kLongestFalseFold = 0.05;
+constexpr std::size_t kPiecesAround = 3;
 constexpr int kSideVotes = 32;  // on a line
 constexpr int kBisections = 8;
 
@@ -42,11 +45,11 @@ public:
     Vector3d place(const LinePlace& at) const {
         return point_at(lines_, line_, at).position.cast<double>();
     }
-    /// To the free side of a contour, unit or zero; to the right where that is not known.
-    Vector3d aside(const LinePiece& piece, const Vector3d& at) const {
+    /// To the free side of a contour, as long as the piece is in the picture; to the right where
+    /// that side is not known.
+    Vector3d across(const LinePiece& piece, const Vector3d& at) const {
         const Vector3d way = place(piece.end) - place(piece.begin);
-        const Vector3d across = way.cross(sight_.towards_eye(at)).stableNormalized();
-        return side_ < 0 ? Vector3d(-across) : across;
+        return (side_ < 0 ? -1 : 1) * way.cross(sight_.towards_eye(at));
     }
     LinePlace middle_place(const LinePiece& piece) const { return middle_of(lines_, line_, piece); }
     Vector3d middle(const LinePiece& piece) const { return place(middle_place(piece)); }
@@ -115,7 +118,8 @@ public:
         pieces_ = pieces_of(lines, line, kSpacing * lengths.diagonal, places);
         for (const LinePiece& piece : pieces_) {
             middles_.push_back(voting_.middle(piece));
-            asides_.push_back(voting_.aside(piece, middles_.back()));
+            across_.push_back(voting_.across(piece, middles_.back()));
+            asides_.push_back(across_.back().stableNormalized());
         }
         if (is_contour_ && side != 0) find_cusps();
         vote();
@@ -141,6 +145,7 @@ private:
         bends_in_ = cheapest_labels(costs, line_.closed);
         for (std::uint8_t& label : bends_in_)
             label = !label;
+        forget_false_folds();
         forget_open_forms();
     }
 
@@ -167,6 +172,29 @@ private:
         const Passage& crossing = crossings_[std::size_t(pieces_[i].place)];
         if (crossing.may_show) costs.change[0] = at_crossing;
         if (crossing.may_hide) costs.change[1] = at_crossing;
+    }
+
+    /// Between two cusps a contour runs back in the picture. If it does not, triangles only lean.
+    void forget_false_folds() {
+        const std::size_t n = pieces_.size();
+        for_each_run(bends_in_, line_.closed, [&](bool bends_in, const auto& run) {
+            if (!bends_in) return;
+            Vector3d way = Vector3d::Zero(), around = Vector3d::Zero();
+            double length = 0;
+            for (const std::size_t i : run) {
+                way += across_[i];
+                length += pieces_[i].length;
+            }
+            if (length > kLongestFalseFold * lengths_.diagonal) return;
+            for (std::size_t k = 1; k <= kPiecesAround; ++k) {
+                if (line_.closed || run.front() >= k)
+                    around += across_[(run.front() + n * k - k) % n];
+                if (line_.closed || run.back() + k < n) around += across_[(run.back() + k) % n];
+            }
+            if (way.dot(around) <= 0) return;
+            for (const std::size_t i : run)
+                bends_in_[i] = 0;
+        });
     }
 
     /// Beyond cusps contours are hidden by their own form, if that is closed. Where triangles face
@@ -216,8 +244,8 @@ private:
     const bool knows_crossings_;
     const std::vector<Passage> crossings_;
     std::vector<LinePiece> pieces_;
-    std::vector<Vector3d> middles_, asides_;
-    std::vector<std::uint8_t> bends_in_;  // empty where that is not known
+    std::vector<Vector3d> middles_, across_, asides_;  // of the pieces; asides are unit or zero
+    std::vector<std::uint8_t> bends_in_;               // empty where that is not known
     std::vector<std::uint8_t> labels_;
 };
 
@@ -232,7 +260,8 @@ int free_side(const LineSet& lines, const Polyline& line, const SightLengths& le
     const std::size_t step = pieces.size() / kSideVotes + 1;
     for (std::size_t i = 0; i < pieces.size(); i += step, ++all) {
         const Vector3d p = voting.middle(pieces[i]);
-        const Vector3d aside = kSideAside * lengths.diagonal * voting.aside(pieces[i], p);
+        const Vector3d aside =
+            kSideAside * lengths.diagonal * voting.across(pieces[i], p).stableNormalized();
         const double reach = kSideReach * lengths.diagonal;
         votes += sight.is_near_surface(p - aside, reach) - sight.is_near_surface(p + aside, reach);
     }
