@@ -10,16 +10,31 @@
 namespace line_drawing {
 namespace {
 
-using Writer = QByteArray (*)(const Sheet&);
+enum class Format { Svg, Pdf, Dxf, Png };
 
-Writer writerOf(const QString& file) {
+Format formatOf(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();
-    if (ending == "svg") return writeSvg;
-    if (ending == "pdf") return writePdf;
-    if (ending == "dxf") return writeDxf;
+    if (ending == "svg") return Format::Svg;
+    if (ending == "pdf") return Format::Pdf;
+    if (ending == "dxf") return Format::Dxf;
+    if (ending == "png") return Format::Png;
     refuse(
-        QString("\"%1\" does not end in .svg, .pdf or .dxf, which say what kind of file to write.")
+        QString("\"%1\" does not end in .svg, .pdf, .dxf or .png, which say what kind of file to "
+                "write.")
             .arg(file));
+}
+
+QByteArray write(const Sheet& sheet, Format format, double dpi) {
+    switch (format) {
+        case Format::Svg:
+            return writeSvg(sheet);
+        case Format::Pdf:
+            return writePdf(sheet);
+        case Format::Dxf:
+            return writeDxf(sheet);
+        default:
+            return writePng(sheet, dpi);
+    }
 }
 
 void open(QSaveFile& output) {
@@ -31,14 +46,14 @@ void open(QSaveFile& output) {
 }  // namespace
 
 void checkSheetFile(const QString& file) {
-    writerOf(file);
+    formatOf(file);
     QSaveFile output(file);
     open(output);
     output.cancelWriting();
 }
 
-void writeSheet(const Sheet& sheet, const QString& file) {
-    const QByteArray data = writerOf(file)(sheet);
+void writeSheet(const Sheet& sheet, const QString& file, double dpi) {
+    const QByteArray data = write(sheet, formatOf(file), dpi);
     QSaveFile output(file);
     open(output);
     output.write(data);
