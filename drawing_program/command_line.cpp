@@ -6,6 +6,7 @@
 #include <map>
 
 #include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
 
 namespace {
 
@@ -129,9 +130,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     if (result.is_collection) return result;
     options.source = QFileInfo(result.meshes[0]).fileName();
     options.title.replace("{name}", QFileInfo(result.meshes[0]).completeBaseName());
-    // programs that read DXF draw with lines of even width
-    if (result.drawing.endsWith(".dxf", Qt::CaseInsensitive))
-        options.strokes = line_drawing::StrokeStyle::Plain;
+    options.strokes = line_drawing::strokesIn(result.drawing, options.strokes);
     return result;
 }
 

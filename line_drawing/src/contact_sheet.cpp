@@ -116,7 +116,7 @@ SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh,
 
 Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const QString& title) {
     const Grid grid = chooseGrid(std::max(1, int(entries.size())), roomBelow(title));
-    Sheet sheet{grid.paper, title, {}};
+    Sheet sheet{grid.paper, title, {}, 1};
     const double left = (grid.paper.width() - grid.columns * (grid.cell + cell_gap) + cell_gap) / 2;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const int column = int(i) % grid.columns, row = int(i) / grid.columns;

@@ -56,7 +56,7 @@ Sheet drawSheet(Observer& observer, const SheetOptions& options, const Progress&
     };
     for (std::size_t i = 0; i < options.views.size(); ++i)  // sections have their lines
         observer.look(views[i], options, part(progress, share(i), share(i + 1)));
-    Sheet sheet{layout.size, options.title, {}};
+    Sheet sheet{layout.size, options.title, {}, layout.scale};
     for (std::size_t i = 0; i < views.size(); ++i)
         sheet.groups.push_back(
             drawView(views[i], i + 1, layout.placements[i], layout.places[i], options));

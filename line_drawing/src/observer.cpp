@@ -29,7 +29,8 @@ DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) c
 }
 
 void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progress& progress) {
-    const auto view = laplacian_lines::View::orthographic(drawn.frame.towards_viewer);
+    auto view = laplacian_lines::View::orthographic(drawn.frame.towards_viewer);
+    if (options.light) view.light = inMesh(*options.light, drawn.frame);
     laplacian_lines::LineSet lines;
     extractor_.extract(view, options.style, scratch_, lines);
     if (drawn.frame.is_half_section) return lookHalf(drawn, view, lines, options, progress);

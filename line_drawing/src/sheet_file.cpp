@@ -2,6 +2,7 @@
 #include "line_drawing/sheet_file.h"
 
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QSaveFile>
 
 #include "sheet_writers.h"
@@ -12,12 +13,23 @@ namespace {
 
 enum class Format { Svg, Pdf, Dxf, Png };
 
+QString endingOf(const QString& file) {
+    return QFileInfo(file).suffix().toLower();
+}
+
+void needFonts() {
+    if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance()))
+        refuse("PDF and PNG need fonts, which this program has none of. Write an SVG or DXF file.");
+}
+
 Format formatOf(const QString& file) {
-    const QString ending = QFileInfo(file).suffix().toLower();
+    const QString ending = endingOf(file);
     if (ending == "svg") return Format::Svg;
-    if (ending == "pdf") return Format::Pdf;
     if (ending == "dxf") return Format::Dxf;
-    if (ending == "png") return Format::Png;
+    if (ending == "pdf" || ending == "png") {
+        needFonts();
+        return ending == "pdf" ? Format::Pdf : Format::Png;
+    }
     refuse(
         QString("\"%1\" does not end in .svg, .pdf, .dxf or .png, which say what kind of file to "
                 "write.")
@@ -50,6 +62,10 @@ void checkSheetFile(const QString& file) {
     QSaveFile output(file);
     open(output);
     output.cancelWriting();
+}
+
+StrokeStyle strokesIn(const QString& file, StrokeStyle wanted) {
+    return endingOf(file) == "dxf" ? StrokeStyle::Plain : wanted;
 }
 
 void writeSheet(const Sheet& sheet, const QString& file, double dpi) {

@@ -25,18 +25,22 @@ std::vector<double> usualScales() {
     return scales;
 }
 
+struct Paper {
+    const char* name;
+    double width, height;  // mm, upright
+};
+constexpr Paper papers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420},
+                            {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
+
 /// Upright. None: as large as the drawing.
 std::optional<QSizeF> paperSize(const QString& name) {
-    static const std::map<QString, QSizeF> sizes = {{"a5", {148, 210}}, {"a4", {210, 297}},
-                                                    {"a3", {297, 420}}, {"a2", {420, 594}},
-                                                    {"a1", {594, 841}}, {"a0", {841, 1189}}};
-    if (name.toLower() == "fit") return {};
-    const auto found = sizes.find(name.toLower());
-    if (found == sizes.end())
-        refuse(QString("There is no paper \"%1\". Papers are a5, a4, a3, a2, a1, a0, or fit: as "
-                       "large as the drawing.")
-                   .arg(name));
-    return found->second;
+    if (name.compare("fit", Qt::CaseInsensitive) == 0) return {};
+    for (const Paper& paper : papers)
+        if (name.compare(paper.name, Qt::CaseInsensitive) == 0)
+            return QSizeF(paper.width, paper.height);
+    refuse(QString("There is no paper \"%1\". Papers are a5, a4, a3, a2, a1, a0, or fit: as large "
+                   "as the drawing.")
+               .arg(name));
 }
 
 struct Cell {
@@ -223,6 +227,13 @@ SheetLayout layOutAt(Layout& layout, double scale, const QSizeF& upright, const 
 }
 
 }  // namespace
+
+std::vector<const char*> paperNames() {
+    std::vector<const char*> names;
+    for (const Paper& paper : papers)
+        names.push_back(paper.name);
+    return names;
+}
 
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {
     Layout layout(views, options);

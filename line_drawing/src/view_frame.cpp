@@ -74,6 +74,11 @@ private:
 
 }  // namespace
 
+Vector3d inMesh(const Vector3d& direction, const ViewFrame& frame) {
+    return direction.x() * frame.right + direction.y() * frame.up +
+           direction.z() * frame.towards_viewer;
+}
+
 ViewFrame frameOfSide(Side side, UpAxis axis) {
     const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
     const QString name = side_names[std::size_t(side)];

@@ -44,6 +44,7 @@ struct Sheet {
     QSizeF size;
     QString title;
     std::vector<SheetGroup> groups;
+    double scale = 1;  ///< drawn length over true length
 };
 
 }  // namespace line_drawing

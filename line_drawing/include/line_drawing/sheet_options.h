@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "laplacian_lines/line_style.h"
@@ -53,7 +54,13 @@ struct SheetOptions {
     bool has_scale_bar = true;   ///< with the symbol of the projection
     bool has_notes = true;       ///< title, scale, size of the object, source
     laplacian_lines::LineStyle style;
+    /// Towards a distant light, whose shading the Laplacian lines draw, in each view: x right, y
+    /// up, z to the viewer. Without one it is at the eye.
+    std::optional<Eigen::Vector3d> light;
 };
+
+/// The names of papers, "a5" to "a0".
+std::vector<const char*> paperNames();
 
 /// A scale from its name, "1:2", "2:1" or "fit" (0).
 /// @throws laplacian_lines::Error(InvalidOption)

@@ -24,6 +24,9 @@ struct ViewFrame {
     bool is_half_section = false;
 };
 
+/// A direction of the picture, x right, y up, z to the viewer, in mesh coordinates.
+Eigen::Vector3d inMesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
+
 /// One of the six sides. A view of a side shows what an observer sees who walks around the object
 /// that stands upright; the top view has the object's front at its lower edge, the bottom view at
 /// its upper one.
