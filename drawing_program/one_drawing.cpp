@@ -14,14 +14,20 @@
 
 namespace {
 
+/// Scans come in metres, too, and nothing in a file tells.
 void saySize(const laplacian_lines::TriangleMesh& mesh, double unit) {
-    const Eigen::Vector3d size = unit * line_drawing::boundsOf(mesh).sizes();
-    say(stdout, QString("the object is %1 x %2 x %3 mm large, with %4 mm to the unit of the mesh; "
-                        "--unit says otherwise")
-                    .arg(size.x())
-                    .arg(size.y())
-                    .arg(size.z())
-                    .arg(unit));
+    const Eigen::AlignedBox3d box = line_drawing::boundsOf(mesh);
+    if (box.isEmpty()) return;
+    const Eigen::Vector3d size = unit * box.sizes();
+    const char* advice =
+        size.maxCoeff() < 1 ? "if it is in metres, say --unit m" : "--unit says otherwise";
+    say(stdout,
+        QString("the object is %1 x %2 x %3 mm large, with %4 mm to the unit of the mesh; %5")
+            .arg(size.x())
+            .arg(size.y())
+            .arg(size.z())
+            .arg(unit)
+            .arg(advice));
 }
 
 void writeView(const line_drawing::Sheet& sheet, const QString& file) {

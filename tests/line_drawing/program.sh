@@ -60,6 +60,21 @@ refused "unknown option" plate.svg --colour red cube.off
 refused "needs a value" plate.svg cube.off --up
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >points.off
 refused "no faces" plate.svg points.off
+: >empty.ply
+refused "empty.ply: the mesh cannot be read" plate.svg empty.ply
+sed -E '3,10s/.*/nan nan nan/' cube.off >nowhere.off
+refused "no triangle with an area" plate.svg nowhere.off
+refused "cannot be written" /proc/plate.svg cube.off
+
+# what is not finite is left out, and a size that can hardly be meant gives advice
+sed 's/^100 100 100$/nan nan nan/' cube.off >hole.off
+"$program" hole.svg "${bare[@]}" hole.off >out
+grep -q "100 x 100 x 100 mm" out || fail "a vertex that is not finite changes the size: $(cat out)"
+awk 'NR > 2 && NR < 11 { print $1 / 1e5, $2 / 1e5, $3 / 1e5; next } { print }' cube.off >metres.off
+"$program" metres.svg --scale 1:1 --unit m "${bare[@]}" metres.off >out
+grep -q "1 x 1 x 1 mm large" out || fail "1 mm in metres: $(cat out)"
+"$program" metres.svg "${bare[@]}" metres.off >out
+grep -q "if it is in metres, say --unit m" out || fail "no advice: $(cat out)"
 
 # --- several meshes give a drawing each and a contact sheet
 
