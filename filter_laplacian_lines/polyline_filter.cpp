@@ -107,6 +107,10 @@ void PolylineFilter::listParameters(const MeshModel* mesh, RichParameterList& li
     listPolylineParameters(polylineDefaults(mesh, meshlab_host::currentView()), list);
 }
 
+std::vector<meshlab_host::ParameterDescription> PolylineFilter::describeParameters() const {
+    return describePolylineParameters();
+}
+
 void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     const PolylineParameters chosen = readPolylineParameters(run.parameters);
     const MeshModel& mesh = *run.document.mm();
