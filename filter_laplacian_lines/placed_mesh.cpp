@@ -59,9 +59,9 @@ void place(const Similarity& similarity, Field& field) {
         n = (rotation * n / (factor * factor)).eval();
     for (ShapeOperator& s : field.shape_operators)
         s = shapeOperatorOf(rotation * matrixOf(s) * rotation.transpose() / factor);
+    field.curvature_derivatives.clear();
     for (float& size : field.kernel_sizes)
         size *= factor;
-    field.curvature_derivatives.clear();  // their frames turn otherwise
     for (double* length : {&field.scale.diagonal, &field.scale.mean_edge, &field.scale.kernel_size,
                            &field.scale.normal_sigma})
         *length *= similarity.factor;

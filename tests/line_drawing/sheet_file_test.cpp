@@ -66,7 +66,7 @@ TEST(SheetFiles, HaveTheSameBytesAgain) {
 
 TEST(SheetFiles, AppearWhole) {
     QTemporaryDir folder;
-    for (const char* ending : {"svg", "pdf", "dxf", "SVG"}) {
+    for (const char* ending : {"svg", "pdf", "dxf", "png", "SVG"}) {
         const QString file = folder.filePath(QString("plate.") + ending);
         checkSheetFile(file);
         EXPECT_FALSE(QFile::exists(file));
@@ -82,7 +82,7 @@ TEST(SheetFiles, OfDxfHavePlainStrokes) {
 
 TEST(SheetFiles, OfOtherKindsOrPlacesAreRefused) {
     QTemporaryDir folder;
-    for (const char* file : {"plate", "plate.png", "missing/plate.svg"}) {
+    for (const char* file : {"plate", "plate.jpg", "missing/plate.svg"}) {
         EXPECT_THROW(checkSheetFile(folder.filePath(file)), laplacian_lines::Error) << file;
         EXPECT_THROW(writeSheet(smallSheet(), folder.filePath(file)), laplacian_lines::Error)
             << file;
