@@ -110,7 +110,9 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
         run.say("The window shows perspective; drawn is what parallel rays along its view show.");
     const QString object = run.document.mm()->label();
     options.source = object;
-    const Placed placed = placeInWorld(*run.document.mm(), run);
+    Placed placed = placeInWorld(*run.document.mm(), run);
+    if (options.style.shows.needs_derivatives() && placed.field.curvature_derivatives.empty())
+        laplacian_lines::add_curvature_derivatives(placed.mesh, placed.field);
     const Sheet sheet =
         line_drawing::makeSheet(placed.mesh, placed.field, options,
                                 meshlab_host::progressTo(run.progress, field_share, sheet_share));

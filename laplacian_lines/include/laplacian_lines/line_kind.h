@@ -10,10 +10,12 @@ namespace laplacian_lines {
 /// The number is what files hold: new kinds come last.
 enum class LineKind : std::uint32_t {
     Laplacian,
-    Contour,  ///< where the surface turns away from the eye
-    Ridge,    ///< convex crest lines
-    Border,   ///< where the surface ends
-    Crease,   ///< edges of the mesh that are edges of the form
+    Contour,           ///< where the surface turns away from the eye
+    Ridge,             ///< convex crest lines
+    Border,            ///< where the surface ends
+    Crease,            ///< edges of the mesh that are edges of the form
+    Valley,            ///< concave crest lines
+    DemarcatingCurve,  ///< where reliefs turn from hollow to bulging
 };
 
 /// What LinePoint::gradient is on lines of a kind.
@@ -32,12 +34,13 @@ struct LineKindDescription {
     const char* one;    ///< a line of this kind, within a sentence
     const char* many;   ///< several
     LineGradient gradient;
-    bool is_outline = false;       ///< bounds the form; the others describe what is inside
-    bool depends_on_view = false;  ///< otherwise only which parts are seen does
-    bool is_on_horizon = false;    ///< where the surface turns away, to either side of it
-    bool shown = true;             ///< by default
-    std::uint32_t color = 0;       ///< by default, 0xRRGGBB
-    double width = 1;              ///< by default, in widths of a Laplacian line of full weight
+    bool is_outline = false;         ///< bounds the form; the others describe what is inside
+    bool depends_on_view = false;    ///< otherwise only which parts are seen does
+    bool is_on_horizon = false;      ///< where the surface turns away, to either side of it
+    bool shown = true;               ///< by default
+    bool needs_derivatives = false;  ///< none without Field::curvature_derivatives
+    std::uint32_t color = 0;         ///< by default, 0xRRGGBB
+    double width = 1;                ///< by default, in widths of a Laplacian line of full weight
 
     // What rows of the table add to the above.
     constexpr LineKindDescription as_outline() const {
@@ -49,6 +52,16 @@ struct LineKindDescription {
     constexpr LineKindDescription of_view() const {
         LineKindDescription row = *this;
         row.depends_on_view = true;
+        return row;
+    }
+    constexpr LineKindDescription on_request() const {
+        LineKindDescription row = *this;
+        row.shown = false;
+        return row;
+    }
+    constexpr LineKindDescription of_derivatives() const {
+        LineKindDescription row = on_request();
+        row.needs_derivatives = true;
         return row;
     }
     constexpr LineKindDescription on_horizon() const {
@@ -81,6 +94,15 @@ inline constexpr std::array line_kinds = {
         "Draw sharp edges of the form, on meshes of few triangles, such as those of "
         "CAD programs, and of many.",
         "crease", "creases", LineGradient::Angle},
+    LineKindDescription{LineKind::Valley, "valleys", "Valleys",
+                        "Draw concave edges of the form, sharp or rounded: the bottoms of grooves.",
+                        "valley", "valleys", LineGradient::Angle}
+        .on_request(),
+    LineKindDescription{LineKind::DemarcatingCurve, "demarcating_curves", "Demarcating Curves",
+                        "Draw the curves along which a relief turns most sharply from hollow to "
+                        "bulging: its middle height on every flank.",
+                        "demarcating curve", "demarcating curves", LineGradient::Angle}
+        .of_derivatives(),
 };
 inline constexpr std::size_t line_kind_count = line_kinds.size();
 
@@ -104,6 +126,13 @@ public:
     constexpr bool& operator[](LineKind kind) { return switches_[static_cast<std::size_t>(kind)]; }
     constexpr bool operator[](LineKind kind) const {
         return switches_[static_cast<std::size_t>(kind)];
+    }
+
+    /// Whether one of them needs Field::curvature_derivatives.
+    constexpr bool needs_derivatives() const {
+        for (const LineKindDescription& row : line_kinds)
+            if (row.needs_derivatives && (*this)[row.kind]) return true;
+        return false;
     }
 
 private:

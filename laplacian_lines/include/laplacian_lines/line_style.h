@@ -60,6 +60,11 @@ struct LineStyle {
     /// Least angle between the normals of the triangles at a crease, degrees. Where the surface on
     /// both sides is much flatter than the edge, edges of 20 degrees and more count as 40.
     double crease_angle = 40;
+    /// The same as ridge_angle for valleys.
+    double valley_angle = 10;
+    /// Least demarcation, in degrees, of a demarcating curve: how fast the curvature across it
+    /// changes, C(g,g,g), times h_e, the square of the scale that normals and C are seen at.
+    double demarcation = 4;
 };
 
 /// What the style's detail multiplies thresholds by: 1 at 50, falling. Thresholds on lengths are

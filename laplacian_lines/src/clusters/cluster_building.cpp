@@ -36,7 +36,8 @@ void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eig
 }
 
 /// Whatever a caller's field holds, floats can take powers of what is kept of it.
-constexpr double kLargestLaplacian = 1e12, kLargestCurvature = 1e8, kLargestSlopeScale = 1e15;
+constexpr double kLargestLaplacian = 1e12, kLargestCurvature = 1e8, kLargestSlopeScale = 1e15,
+                 kLargestDerivative = 1e16;
 
 double bounded(double x, double limit) {
     return std::isnan(x) ? 0 : std::clamp(x, -limit, limit);
@@ -142,6 +143,7 @@ std::size_t ClusterBuilder::lay_out() {
         edges += shared_edges[c];
     }
     data_.vertices_of_clusters.resize(vertices);
+    if (!field_.curvature_derivatives.empty()) data_.derivatives.resize(vertices);
     data_.border_edges.resize(edges);
     return units * kCacheUnit;
 }
@@ -173,7 +175,15 @@ LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
             bounded(field_.laplacian_normals[v], d * d, kLargestLaplacian),
             {curvature(s.xx), curvature(s.yy), curvature(s.zz), curvature(s.yz), curvature(s.xz),
              curvature(s.xy)},
-            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
+            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale)),
+            local_derivative(v)};
+}
+
+Eigen::Vector4f ClusterBuilder::local_derivative(std::uint32_t v) const {
+    if (field_.curvature_derivatives.empty()) return Eigen::Vector4f::Zero();
+    const double factor = data_.diagonal * data_.diagonal;
+    return field_.curvature_derivatives[v].unaryExpr(
+        [=](float x) { return float(bounded(x * factor, kLargestDerivative)); });
 }
 
 void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
@@ -239,6 +249,9 @@ void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
     auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
     for (std::size_t i = 0; i < values.size(); ++i)
         records[i] = make_record(values[i]);
+    if (!data_.derivatives.empty())
+        for (std::size_t i = 0; i < values.size(); ++i)
+            data_.derivatives[first_vertex_[c] + i] = values[i].derivative;
     // The places that are left over repeat the last vertex, which changes no "all" or "any".
     for (std::size_t i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
         const LocalVertex& v = values[std::min(i, values.size() - 1)];

@@ -65,7 +65,7 @@ ClusterStore ExtractorData::store() const {
 
 std::size_t ExtractorData::memory() const {
     return sizeof(*this) + bytes_of_clusters + bytes(clusters) + bytes(vertices_of_clusters) +
-           bytes(border_edges) + bytes(bounds);
+           bytes(border_edges) + bytes(bounds) + bytes(derivatives);
 }
 
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
@@ -76,10 +76,14 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
     for (const Cluster& cluster : data.clusters) {
         const unsigned char* memory = memory_of(store, cluster);
         const ClusterLayout layout = cluster_layout(cluster);
-        placed.push_back({&cluster, vertices,
-                          reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
-                          reinterpret_cast<const VertexRecord*>(memory + layout.records),
-                          reinterpret_cast<const float*>(memory + layout.forms[kLaplacianForm])});
+        placed.push_back(
+            {&cluster, vertices,
+             reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
+             reinterpret_cast<const VertexRecord*>(memory + layout.records),
+             reinterpret_cast<const float*>(memory + layout.forms[kLaplacianForm]),
+             data.derivatives.empty()
+                 ? nullptr
+                 : data.derivatives.data() + (vertices - data.vertices_of_clusters.data())});
         vertices += cluster.vertex_count;
     }
     return placed;
