@@ -36,9 +36,10 @@ std::vector<const char*> paperChoices() {
 std::vector<AnyRow> makeRows() {
     return {
         TextRow{{"file", "File",
-                 "The drawing to write; its ending says what it is: .svg, .pdf or .dxf. A file of "
+                 "The drawing to write; its ending says what it is: .svg, .pdf, .dxf or .png. A "
+                 "file of "
                  "this name is replaced.",
-                 "Drawings (*.svg *.pdf *.dxf)"},
+                 "Drawings (*.svg *.pdf *.dxf *.png)"},
                 &Parameters::file},
         TextRow{
             {"views", "Views",

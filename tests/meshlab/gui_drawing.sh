@@ -40,9 +40,9 @@ expect-log ${drawn}torus_drawing.svg, scale 50:1 on paper of 210 x 297 mm. The o
 set Views = front
 set File = front.svg
 apply
-set File = refused.png
+set File = refused.bmp
 apply
-expect-modal Filter Failure.*"refused.png" does not end in .svg, .pdf or .dxf
+expect-modal Filter Failure.*"refused.bmp" does not end in .svg, .pdf, .dxf or .png
 button OK
 set File = missing/refused.svg
 apply
@@ -78,7 +78,7 @@ END
 expect_same_lines torus_drawing.svg front.svg
 expect_same_lines window.svg right.svg
 [[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
-[[ ! -e $WORK/refused.svg && ! -e $WORK/refused.png ]] || fail "a refused drawing was written"
+[[ ! -e $WORK/refused.svg && ! -e $WORK/refused.bmp ]] || fail "a refused drawing was written"
 
 # Layers as they stand: turned, larger, stretched; and as the decoration draws
 drive <<END

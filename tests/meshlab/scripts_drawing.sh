@@ -54,6 +54,9 @@ draw plate.pdf views=front,left title="A plate"
 [[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
 expect_same_as_program plate.pdf --views front,left --title "A plate"
 
+draw plate.png views=six
+expect_same_as_program plate.png --views six
+
 # a field of other options is used
 sed '/<\/FilterScript>/d' "$CHECKOUT/examples/laplacian_lines.mlx" >"$WORK/both.mlx"
 sed -i 's/name="kernel_size" \(.*\) value="0"/name="kernel_size" \1 value="0.2"/' "$WORK/both.mlx"
@@ -64,7 +67,7 @@ serve -i torus.ply -s both.mlx
 ! grep -q 'computed with the default options' "$WORK/log" || fail "the attributes are not used"
 ! cmp -s "$WORK/coarse.svg" "$WORK/front.svg" || fail "the attributes make no difference"
 
-refuse_settings '"plate\.png" does not end in \.svg' file=plate.png
+refuse_settings '"plate\.bmp" does not end in \.svg' file=plate.bmp
 refuse_settings '"missing.drawing\.svg" cannot be written' file='missing\/drawing.svg'
 refuse 'At the scale 1000:1 the views take .* Take the scale ' scale=1000:1
 refuse '"half" is no scale' scale=half
