@@ -8,6 +8,7 @@
 #include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
 #include "sheet_writers.h"
+#include "strokes.h"
 
 using namespace line_drawing;
 using made_sheets::extentOf;
@@ -107,6 +108,20 @@ TEST(MeasuredDrawing, StrokesSwellToThePen) {
     EXPECT_TRUE(ring.path.contains(
         QPointF(ring.path.boundingRect().left() + 0.25, ring.path.boundingRect().center().y())));
     EXPECT_FALSE(ring.path.contains(ring.path.boundingRect().center()));
+}
+
+TEST(MeasuredDrawing, StrokesEndRound) {
+    SheetOptions options;
+    const DrawnLine line{LineClass::Outline, false, {{{10, 10}, 1}, {{15, 10}, 1}, {{20, 10}, 1}}};
+    const auto stroke = drawStroke(line, options);
+    ASSERT_TRUE(stroke);
+    const double half = options.pens[0] / 2;
+    const QRectF box = stroke->path.boundingRect();
+    EXPECT_NEAR(box.left(), 10 - half, 0.02);
+    EXPECT_NEAR(box.right(), 20 + half, 0.02);
+    EXPECT_NEAR(box.height(), 2 * half, 0.05);
+    EXPECT_FALSE(stroke->path.contains(QPointF(20 + 0.9 * half, 10 + 0.9 * half)));
+    EXPECT_TRUE(stroke->path.contains(QPointF(20 + 0.6 * half, 10 - 0.6 * half)));
 }
 
 TEST(MeasuredDrawing, IsTheSameOnAnyNumberOfThreads) {

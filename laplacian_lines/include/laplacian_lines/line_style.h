@@ -64,7 +64,7 @@ struct LineStyle {
     double valley_angle = 10;
     /// Least demarcation, in degrees, of a demarcating curve: how fast the curvature across it
     /// changes, C(g,g,g), times h_e, the square of the scale that normals and C are seen at.
-    double demarcation = 1.5;
+    double demarcation = 4;
 };
 
 /// What the style's detail multiplies thresholds by: 1 at 50, falling. Thresholds on lengths are
