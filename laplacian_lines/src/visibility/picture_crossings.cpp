@@ -71,7 +71,7 @@ private:
 
 PictureCrossings::PictureCrossings(const LineSet& lines, const View& view,
                                    const std::vector<int>& free_sides, double diagonal)
-    : lines_(lines), has_perspective_(view.w != 0), nearer_(kNearer * diagonal) {
+    : has_perspective_(view.w != 0), nearer_(kNearer * diagonal) {
     const Vector3d middle = middle_of(lines);
     const Vector3d to_eye = (view.eye - view.w * middle).stableNormalized();
     const Vector3d right = to_eye.unitOrthogonal(), up = to_eye.cross(right);

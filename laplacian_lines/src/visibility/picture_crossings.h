@@ -21,7 +21,7 @@ struct Passage {
 class PictureCrossings {
 public:
     /// `free_sides` has a sign for each line: of a contour, on which side of it its own surface is
-    /// not; 0 if that is not known, as of borders. `lines` has to outlive this.
+    /// not; 0 if that is not known, as of borders.
     PictureCrossings(const LineSet& lines, const View& view, const std::vector<int>& free_sides,
                      double diagonal);
 
@@ -43,7 +43,6 @@ private:
     /// The same share in space.
     double share(std::uint32_t point, double t) const;
 
-    const LineSet& lines_;
     std::vector<Eigen::Vector2d> places_;  ///< in the picture, by point
     std::vector<double> depths_;           ///< away from the eye
     std::vector<Outline> outlines_;
