@@ -57,9 +57,7 @@ Placed placeInWorld(const MeshModel& layer, const meshlab_host::FilterRun& run) 
                                   meshlab_host::progressTo(run.progress, 0, field_share));
     if (transform.isIdentity(0)) return result;
     place(transform, result.mesh);
-    const bool has_derivatives = !result.field.curvature_derivatives.empty();
     place(*similarity, result.field);
-    if (has_derivatives) laplacian_lines::add_curvature_derivatives(result.mesh, result.field);
     return result;
 }
 
