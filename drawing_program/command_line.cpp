@@ -39,6 +39,8 @@ const std::map<QString, line_drawing::WallStyle> walls = {
     {"hatched", line_drawing::WallStyle::Hatched},
     {"filled", line_drawing::WallStyle::Filled},
     {"none", line_drawing::WallStyle::None}};
+const std::map<QString, line_drawing::HiddenLines> hidden = {
+    {"none", line_drawing::HiddenLines::LeftOut}, {"dashed", line_drawing::HiddenLines::Dashed}};
 const std::map<QString, bool> furniture = {{"all", true}, {"none", false}};
 
 const std::map<QString, QString> formats = {
@@ -96,6 +98,8 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         {"--strokes",
          [&](const QString& o, const QString& v) { options.strokes = chosen(o, v, strokes); }},
         {"--wall", [&](const QString& o, const QString& v) { options.wall = chosen(o, v, walls); }},
+        {"--hidden",
+         [&](const QString& o, const QString& v) { options.hidden = chosen(o, v, hidden); }},
         {"--furniture",
          [&](const QString& o, const QString& v) {
              options.has_view_names = options.has_scale_bar = options.has_notes =
@@ -149,6 +153,7 @@ const char* usage() {
            "  --section x|y|z=0..1 a section across an axis, where on the way through the object;\n"
            "                       more than one if repeated\n"
            "  --wall hatched|filled|none  what sections cut (hatched)\n"
+           "  --hidden none|dashed outlines and creases behind the surface (none)\n"
            "  --up x|y|z           the axis of the mesh that points up (y)\n"
            "  --unit mm|cm|m|in    the unit of the mesh (mm)\n"
            "  --scale 1:2|fit      drawn to true length; fit: the largest usual one (fit)\n"

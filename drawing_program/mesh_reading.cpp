@@ -35,6 +35,7 @@ TriangleMesh copy(const Mesh& mesh) {
     result.positions.reserve(mesh.vert.size());
     for (const Vertex& v : mesh.vert)
         result.positions.emplace_back(v.cP()[0], v.cP()[1], v.cP()[2]);
+    result.triangles.reserve(mesh.face.size());
     for (const Face& f : mesh.face) {
         laplacian_lines::Triangle& triangle = result.triangles.emplace_back();
         for (int k = 0; k < 3; ++k)

@@ -110,7 +110,7 @@ SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh,
     const double longest = options.mm_per_unit * size.maxCoeff();
     result.title = sizeInWords(options.mm_per_unit * boundsOf(mesh).sizes());
     result.scale = longest > 0 ? view_size / longest : 1;
-    result.pens = {0.35, 0.18, 0.13, 0.25};
+    result.pens = {0.35, 0.18, 0.13, 0.25, 0.13};
     return result;
 }
 

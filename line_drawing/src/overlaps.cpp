@@ -13,6 +13,9 @@ using Eigen::Vector2d;
 
 constexpr double least_cosine = 0.94;  // of 20°
 constexpr double shortest_double = 4;  // reaches; where lines meet they are near for a while
+constexpr double same_share = 0.1;     // of the reach: so near, a line adds nothing however short
+constexpr double step_share = 0.25;    // of the reach: between the places of a line looked at
+constexpr int overlap = 5;             // of these places, a little more than a reach
 
 double distanceTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
     const Vector2d way = end - begin;
@@ -36,10 +39,21 @@ int rankOf(LineClass line_class) {
 class LineCutter {
 public:
     LineCutter(const DrawnLine& line, const DrawnLines& there, double reach)
-        : line_(line), points_(refine(line.points, reach)), is_double_(points_.size()) {
+        : line_(line),
+          points_(refine(line.points, step_share * reach)),
+          is_double_(points_.size()) {
+        std::vector<bool> is_same(points_.size());
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const double distance = there.distanceAlong(points_[i].position, wayAt(i));
+            is_double_[i] = distance < reach;
+            is_same[i] = distance < same_share * reach;
+        }
+        forgetShortRuns(is_double_, shortest_double * reach);
+        forgetShortRuns(is_same, step_share * reach / 2);
+        for (int i = 0; i < overlap; ++i)
+            shortenRuns();
         for (std::size_t i = 0; i < points_.size(); ++i)
-            is_double_[i] = there.runsAlong(points_[i].position, wayAt(i));
-        forgetShortRuns(reach);
+            if (is_same[i]) is_double_[i] = true;
     }
 
     void appendRest(std::vector<DrawnLine>& rest) const {
@@ -65,16 +79,26 @@ private:
             .stableNormalized();
     }
 
-    void forgetShortRuns(double reach) {
-        for (std::size_t begin = 0; begin < points_.size();) {
+    void forgetShortRuns(std::vector<bool>& is_in, double shortest) const {
+        for (std::size_t begin = 0; begin < is_in.size();) {
             std::size_t end = begin;
-            while (end < points_.size() && is_double_[end] == is_double_[begin])
+            while (end < is_in.size() && is_in[end] == is_in[begin])
                 ++end;
             const double length = (points_[end - 1].position - points_[begin].position).norm();
-            if (is_double_[begin] && length < shortest_double * reach)
-                std::fill(is_double_.begin() + std::ptrdiff_t(begin),
-                          is_double_.begin() + std::ptrdiff_t(end), false);
+            if (is_in[begin] && length < shortest)
+                std::fill(is_in.begin() + std::ptrdiff_t(begin),
+                          is_in.begin() + std::ptrdiff_t(end), false);
             begin = end;
+        }
+    }
+
+    /// What is left ends beside the line that it doubled, so that there is no gap.
+    void shortenRuns() {
+        const std::vector<bool> before = is_double_;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const bool has_rest_beside =
+                (i > 0 && !before[i - 1]) || (i + 1 < before.size() && !before[i + 1]);
+            if (has_rest_beside) is_double_[i] = false;
         }
     }
 
@@ -105,7 +129,8 @@ void DrawnLines::add(const std::vector<Vector2d>& line) {
     }
 }
 
-bool DrawnLines::runsAlong(const Vector2d& point, const Vector2d& way) const {
+double DrawnLines::distanceAlong(const Vector2d& point, const Vector2d& way) const {
+    double least = reach_;
     for (const double dx : {-2., 0., 2.})
         for (const double dy : {-2., 0., 2.}) {
             const auto found =
@@ -113,12 +138,11 @@ bool DrawnLines::runsAlong(const Vector2d& point, const Vector2d& way) const {
             if (found == pieces_.end()) continue;
             for (const Piece& piece : found->second) {
                 const Vector2d along = (piece.end - piece.begin).normalized();
-                if (std::abs(along.dot(way)) >= least_cosine &&
-                    distanceTo(piece.begin, piece.end, point) < reach_)
-                    return true;
+                if (std::abs(along.dot(way)) >= least_cosine)
+                    least = std::min(least, distanceTo(piece.begin, piece.end, point));
             }
         }
-    return false;
+    return least;
 }
 
 std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach) {

@@ -18,9 +18,9 @@ public:
 
     void add(const std::vector<Eigen::Vector2d>& line);
 
-    /// Whether a line through `point` in the unit direction `way` runs along one that is there,
-    /// within 20°.
-    bool runsAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way) const;
+    /// How far `point` is from a line that runs along the unit direction `way`, within 20°; the
+    /// reach if none is nearer.
+    double distanceAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way) const;
 
 private:
     struct Piece {

@@ -2,17 +2,21 @@
 #include "sheet_painting.h"
 
 #include <QFont>
+#include <QPen>
 #include <QTransform>
 
 namespace line_drawing {
 namespace {
 
 void paint(const SheetPath& path, QPainter& painter) {
-    if (path.pen_width == 0)
-        painter.fillPath(path.path, Qt::black);
-    else
-        painter.strokePath(path.path,
-                           {Qt::black, path.pen_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin});
+    if (path.pen_width == 0) return painter.fillPath(path.path, Qt::black);
+    QPen pen(Qt::black, path.pen_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    if (path.dash > 0) {
+        const double in_pens = path.dash / path.pen_width;
+        pen.setDashPattern({in_pens, in_pens / 2});
+        pen.setCapStyle(Qt::FlatCap);
+    }
+    painter.strokePath(path.path, pen);
 }
 
 void paint(const SheetText& text, QPainter& painter) {

@@ -18,6 +18,9 @@ constexpr double thinnest_middle = 0.04;  // mm; lines that are nowhere wider ar
 constexpr double least_round_width = 0.1;  // mm; ends of thinner strokes are cut off
 constexpr double half_turn = 3.141592653589793;
 
+// mm; as ISO 128 has it for this pen, nearly
+constexpr double dash = 2, shortest_dashed_line = 3 * dash;
+
 struct Spine {
     Points points;               // on the sheet
     std::vector<double> widths;  // mm, of the stroke
@@ -98,13 +101,15 @@ QPainterPath taperedStroke(const Spine& spine, bool closed, double tolerance) {
 
 std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& options) {
     const double pen = options.pens[std::size_t(line.line_class)];
-    const bool is_tapered = options.strokes == StrokeStyle::Tapered;
+    const bool is_hidden = line.line_class == LineClass::Hidden;
+    const bool is_tapered = options.strokes == StrokeStyle::Tapered && !is_hidden;
     // a faint line tapers from the width of a clear one
     const double full = line.line_class == LineClass::Fine && is_tapered
                             ? options.pens[std::size_t(LineClass::Inner)]
                             : pen;
     const Spine spine = spineOf(line, full);
     if (spine.points.size() < 2 || spine.length < options.shortest_line) return {};
+    if (is_hidden && spine.length < shortest_dashed_line) return {};
     if (*std::max_element(spine.widths.begin(), spine.widths.end()) < thinnest_middle) return {};
     const bool closed = line.closed && spine.points.size() > 3;
     SheetPath result;
@@ -112,6 +117,7 @@ std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& o
         result.path = taperedStroke(spine, closed, options.tolerance);
     } else {
         result.pen_width = pen;
+        if (is_hidden) result.dash = dash;
         fitCurve(spine.points, closed, options.tolerance, result.path);
     }
     return result;

@@ -20,7 +20,8 @@ struct LayerName {
 constexpr LayerName layer_names[line_class_count] = {{"outline", "Outlines"},
                                                      {"inner", "Inner lines"},
                                                      {"fine", "Fine lines"},
-                                                     {"section", "Sections"}};
+                                                     {"section", "Sections"},
+                                                     {"hidden", "Hidden lines"}};
 
 std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& placement) {
     for (DrawnLine& line : lines)

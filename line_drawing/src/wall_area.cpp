@@ -22,7 +22,7 @@ WallArea::WallArea(const std::vector<std::vector<Eigen::Vector2d>>& loops) {
     row_height_ = std::max(box.sizes().y() / row_count, 1e-12);
     for (const auto& loop : loops)
         for (std::size_t i = 1; i < loop.size(); ++i) {
-            const auto [low, high] = std::minmax(loop[i - 1].y(), loop[i].y());
+            const auto [low, high] = std::minmax({loop[i - 1].y(), loop[i].y()});
             for (std::size_t row = rowOf(low); row <= rowOf(high); ++row)
                 rows_[row].push_back({loop[i - 1], loop[i]});
         }

@@ -11,9 +11,9 @@ build_drawing_program() {
     build_targets "$1" laplacian_lines_drawing
 }
 
-# prepare_meshes FOLDER NAME...: sets MESHES to them, files and folders; FOLDER takes unpacked copies, each in a folder
+# unpack_meshes FOLDER NAME...: sets MESHES to them, files and folders; FOLDER takes unpacked copies, each in a folder
 # of its own, since their names may be the same. Without a NAME, the dragon.
-prepare_meshes() {
+unpack_meshes() {
     local folder=$1 name
     shift
     MESHES=()
@@ -52,6 +52,6 @@ run_drawing() {
         esac
     done
     ((${#files[@]})) || fail "--drawing needs the name of a file, FILE.svg, .pdf, .dxf or .png, or of a folder, FOLDER/"
-    prepare_meshes "$folder" "${files[@]:1}"
+    unpack_meshes "$folder" "${files[@]:1}"
     "$program" "${files[0]}" "${arguments[@]}" "${MESHES[@]}"
 }

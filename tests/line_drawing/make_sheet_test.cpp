@@ -8,6 +8,7 @@
 #include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
 #include "sheet_writers.h"
+#include "strokes.h"
 
 using namespace line_drawing;
 using made_sheets::extentOf;
@@ -76,6 +77,26 @@ TEST(MeasuredDrawing, OutlinesOfASphereAreClosedCircles) {
     }
 }
 
+TEST(MeasuredDrawing, HiddenEdgesAreDashedIfWanted) {
+    SheetOptions options = plainViews("30,30");
+    for (const bool wanted : {false, true}) {
+        options.hidden = wanted ? HiddenLines::Dashed : HiddenLines::LeftOut;
+        const Sheet sheet = sheetOf(made_sheets::cubeOf100(), options);
+        const SheetLayer& hidden = sheet.groups[0].layers.front();
+        ASSERT_EQ(hidden.key, "hidden");
+        double length = 0;
+        for (const SheetPath& path : hidden.paths) {
+            length += path.path.length();
+            EXPECT_GT(path.dash, 0);
+            EXPECT_EQ(path.pen_width, options.pens[std::size_t(LineClass::Hidden)]);
+        }
+        // three edges: one upright, cos 30 long, the others as the axes of the view have them
+        const double lying = std::hypot(std::cos(M_PI / 6), std::sin(M_PI / 6) * 0.5) +
+                             std::hypot(0.5, std::cos(M_PI / 6) * 0.5);
+        EXPECT_NEAR(length, wanted ? 100 * (std::cos(M_PI / 6) + lying) : 0, 1);
+    }
+}
+
 TEST(MeasuredDrawing, StrokesSwellToThePen) {
     SheetOptions options = plainViews("front");
     options.mm_per_unit = 40;
@@ -87,6 +108,20 @@ TEST(MeasuredDrawing, StrokesSwellToThePen) {
     EXPECT_TRUE(ring.path.contains(
         QPointF(ring.path.boundingRect().left() + 0.25, ring.path.boundingRect().center().y())));
     EXPECT_FALSE(ring.path.contains(ring.path.boundingRect().center()));
+}
+
+TEST(MeasuredDrawing, StrokesEndRound) {
+    SheetOptions options;
+    const DrawnLine line{LineClass::Outline, false, {{{10, 10}, 1}, {{15, 10}, 1}, {{20, 10}, 1}}};
+    const auto stroke = drawStroke(line, options);
+    ASSERT_TRUE(stroke);
+    const double half = options.pens[0] / 2;
+    const QRectF box = stroke->path.boundingRect();
+    EXPECT_NEAR(box.left(), 10 - half, 0.02);
+    EXPECT_NEAR(box.right(), 20 + half, 0.02);
+    EXPECT_NEAR(box.height(), 2 * half, 0.05);
+    EXPECT_FALSE(stroke->path.contains(QPointF(20 + 0.9 * half, 10 + 0.9 * half)));
+    EXPECT_TRUE(stroke->path.contains(QPointF(20 + 0.6 * half, 10 - 0.6 * half)));
 }
 
 TEST(MeasuredDrawing, IsTheSameOnAnyNumberOfThreads) {

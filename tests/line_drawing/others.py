@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What programs of others make of drawings: others.py FOLDER. There lie drawings of a cube of 100 mm from the front, the
-left and the top, plain and without furniture, cube_SCALE.svg and .dxf, and torus.svg, one with many lines. Ends with an
-error at the first thing that is not as it should be."""
+left and the top, plain and without furniture, cube_SCALE.svg and .dxf, and torus.svg, one with many lines; perhaps
+scan.svg, another. Ends with an error at the first thing that is not as it should be."""
 
 import pathlib
 import sys
@@ -156,6 +156,8 @@ def main():
         check_layers(folder / f"cube_{scale}.svg", size)
         check_dxf_of_cube(folder / f"cube_{scale}.dxf", size)
     check_lines(folder / "torus.svg")
+    if (folder / "scan.svg").exists():
+        check_lines(folder / "scan.svg")
 
 
 main()

@@ -24,5 +24,7 @@ for scale in 1:1 1:2; do
     done
 done
 "$program" torus.svg --views front,30,25 --strokes plain --furniture none --paper fit --scale 50:1 torus.ply >/dev/null
+dragon=$(dragon_file _res2) # a scan, once it is fetched
+[[ ! -s $dragon ]] || "$program" scan.svg --views six --strokes plain --furniture none --unit m "$dragon" >/dev/null
 "$DRAWING_PYTHON" -B "$here/others.py" "$folder"
 echo passed

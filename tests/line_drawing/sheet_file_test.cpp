@@ -50,6 +50,18 @@ TEST(SheetFiles, SvgIsInMillimetresWithLayers) {
     EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
 }
 
+TEST(SheetFiles, DashesAreAPropertyOfLines) {
+    Sheet sheet = smallSheet();
+    EXPECT_FALSE(writeSvg(sheet).contains("dasharray"));
+    EXPECT_FALSE(writeDxf(sheet).contains("DASHED"));
+    sheet.groups[0].layers[0].paths[0].dash = 2;
+    EXPECT_EQ(writeSvg(sheet).count("stroke-dasharray=\"2 1\""), 1);
+    const QByteArray dxf = writeDxf(sheet);
+    EXPECT_TRUE(dxf.contains("2\nDASHED\n"));
+    EXPECT_TRUE(dxf.contains("2\nOUTLINE\n70\n0\n62\n7\n6\nDASHED\n"));
+    EXPECT_TRUE(dxf.contains("2\nNAMES\n70\n0\n62\n7\n6\nCONTINUOUS\n"));
+}
+
 TEST(SheetFiles, DxfPointsUp) {
     const QByteArray dxf = writeDxf(smallSheet());
     EXPECT_TRUE(dxf.startsWith("0\nSECTION\n"));

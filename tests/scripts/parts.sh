@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Each part of the scripts requires what it uses, and is read once.
+# Each part of the scripts requires what it uses, and is read once; no two have functions of the same name.
 set -euo pipefail
 
 scripts=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../scripts")
@@ -15,6 +15,11 @@ names_in() {
     sed -E "s/^ *#.*//; s/ # .*//; s/\"[^\"\$]*\"//g; s/'[^']*'//g" "$1" | grep -oE '[a-z][a-z_]+' | sort -u
 }
 
+twice=$(grep -hoE '^[a-z_]+\(\)' -r "$scripts" --include='*.sh' | sort | uniq -d)
+[[ -z $twice ]] || {
+    printf 'two parts have a function %s\n' "${twice//$'\n'/ }"
+    exit 1
+}
 functions=$(grep -hoE '^[a-z_]+\(\)' -r "$scripts" --include='*.sh' | tr -d '()' | sort -u)
 failed=false
 while read -r part; do
