@@ -126,13 +126,13 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     if (shows_statistics_) glFinish();  // the mesh's own drawing must not count
     RedrawClock clock;
     try {
-        const ValidParameters valid = readValidParameters(parameters);
-        const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
+        const DecorationParameters chosen = readDecorationParameters(parameters);
+        const bool needs_derivatives = chosen.style.shows.needs_derivatives();
         PreparedLinesPointer lines = currentLines(mesh, view, painter);
         if (!lines || (needs_derivatives && !lines->has_derivatives))
             lines = demandLines(mesh, view, needs_derivatives);
         refusal = lines->failure;
-        if (refusal.isEmpty()) text = drawLines(mesh, *lines, parameters, view, painter, clock);
+        if (refusal.isEmpty()) text = drawLines(mesh, *lines, chosen, view, painter, clock);
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
     }
@@ -203,9 +203,8 @@ PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh,
 }
 
 QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLines& lines,
-                                          const RichParameterList& parameters, GLArea* view,
+                                          const DecorationParameters& chosen, GLArea* view,
                                           QPainter* painter, RedrawClock& clock) {
-    const DecorationParameters chosen = readDecorationParameters(parameters);
     shows_statistics_ = chosen.show_statistics;
     const CameraMatrices camera = meshlab_host::cameraFromGl();
     const laplacian_lines::View eye = viewOf(camera, meshlab_host::layerTransform(mesh.cm), chosen);

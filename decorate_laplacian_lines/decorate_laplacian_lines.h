@@ -50,7 +50,7 @@ private:
     PreparedLinesPointer currentLines(const MeshModel& mesh, GLArea* view, QPainter* painter);
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
     QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
-                      const RichParameterList& parameters, GLArea* view, QPainter* painter,
+                      const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                       line_renderer::RedrawClock& clock);
     /// Adds why a mesh has no lines to its document's log, which is `log`.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
