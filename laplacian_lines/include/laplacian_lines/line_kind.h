@@ -10,10 +10,12 @@ namespace laplacian_lines {
 /// The number is what files hold: new kinds come last.
 enum class LineKind : std::uint32_t {
     Laplacian,
-    Contour,  ///< where the surface turns away from the eye
-    Ridge,    ///< convex crest lines
-    Border,   ///< where the surface ends
-    Crease,   ///< edges of the mesh that are edges of the form
+    Contour,              ///< where the surface turns away from the eye
+    Ridge,                ///< convex crest lines
+    Border,               ///< where the surface ends
+    Crease,               ///< edges of the mesh that are edges of the form
+    SuggestiveContour,    ///< contours of a view nearby
+    SuggestiveHighlight,  ///< their counterparts in the light
 };
 
 /// What LinePoint::gradient is on lines of a kind.
@@ -56,6 +58,12 @@ struct LineKindDescription {
         row.is_on_horizon = true;
         return row;
     }
+    constexpr LineKindDescription on_demand(std::uint32_t by_color) const {
+        LineKindDescription row = *this;
+        row.shown = false;
+        row.color = by_color;
+        return row;
+    }
 };
 
 /// One row a kind, in the order of their numbers.
@@ -81,6 +89,19 @@ inline constexpr std::array line_kinds = {
         "Draw sharp edges of the form, on meshes of few triangles, such as those of "
         "CAD programs, and of many.",
         "crease", "creases", LineGradient::Angle},
+    LineKindDescription{LineKind::SuggestiveContour, "suggestive_contours", "Suggestive Contours",
+                        "Draw where outlines would begin if the object turned a little (DeCarlo "
+                        "and others 2003).",
+                        "suggestive contour", "suggestive contours", LineGradient::Illumination}
+        .of_view()
+        .on_demand(0x1f4e99),
+    LineKindDescription{LineKind::SuggestiveHighlight, "suggestive_highlights",
+                        "Suggestive Highlights",
+                        "Draw the counterparts of suggestive contours where the surface turns "
+                        "towards the eye (DeCarlo and Rusinkiewicz 2007).",
+                        "suggestive highlight", "suggestive highlights", LineGradient::Illumination}
+        .of_view()
+        .on_demand(0xd08a1d),
 };
 inline constexpr std::size_t line_kind_count = line_kinds.size();
 

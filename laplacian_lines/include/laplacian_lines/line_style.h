@@ -60,6 +60,9 @@ struct LineStyle {
     /// Least angle between the normals of the triangles at a crease, degrees. Where the surface on
     /// both sides is much flatter than the edge, edges of 20 degrees and more count as 40.
     double crease_angle = 40;
+    /// Least (x h_e)^1.5 at a suggestive contour, x the derivative of the radial curvature towards
+    /// the eye over the cosine between normal and view; twice that at a highlight.
+    double suggestive_slope = 0.03;
 };
 
 /// What the style's detail multiplies thresholds by: 1 at 50, falling. Thresholds on lengths are

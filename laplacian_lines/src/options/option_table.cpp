@@ -142,6 +142,12 @@ std::vector<StyleRow> kind_rows() {
             "more between flat surfaces are drawn as well. Larger leaves out softer edges; smaller "
             "shows facets of round forms of few triangles.")),
         kind_row<LineKind::Border>(),
+        for_experts(kind_row<LineKind::SuggestiveContour>()),
+        for_experts(kind_row<LineKind::SuggestiveHighlight>()),
+        for_experts(real<&S::suggestive_slope>(
+            "suggestive_slope", "Least Slope of Suggestive Contours", 0, 1e6,
+            "Least change of curvature across a suggestive contour (no unit). "
+            "Larger leaves out lines on gentle forms.")),
     };
 }
 

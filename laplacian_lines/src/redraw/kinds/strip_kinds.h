@@ -20,10 +20,12 @@ struct StripKind {
 
 extern const StripKind laplacian_line_strips;  ///< laplacian_lines.cpp
 extern const StripKind contour_strips;         ///< contours.cpp
+extern const StripKind suggestive_contour_strips, suggestive_highlight_strips;
 
 /// In the order of kStripKinds.
 inline std::array<const StripKind*, kStripKindCount> strip_kinds() {
-    return {&laplacian_line_strips, &contour_strips};
+    return {&laplacian_line_strips, &contour_strips, &suggestive_contour_strips,
+            &suggestive_highlight_strips};
 }
 
 }  // namespace laplacian_lines

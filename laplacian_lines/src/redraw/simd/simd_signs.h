@@ -52,6 +52,9 @@ struct ClusterInSlot {
 static inline const float* form_of(const ClusterInSlot& place, VertexForm form) {
     return reinterpret_cast<const float*>(place.memory + place.layout.forms[form]);
 }
+static inline const VertexRecord* records_of(const ClusterInSlot& place) {
+    return reinterpret_cast<const VertexRecord*>(place.memory + place.layout.records);
+}
 /// Its part of one of Batch's arrays.
 static inline float* in_slot(float* values, const ClusterInSlot& place) {
     return values + place.slot * kClusterVertices;
