@@ -9,6 +9,7 @@
 #include <random>
 
 #include "laplacian_lines/field_columns.h"
+#include "laplacian_lines/tangent_frame.h"
 
 namespace helpers {
 
@@ -44,6 +45,33 @@ double shape_error(const Field& field, const std::vector<test_meshes::SurfacePoi
         if (!use.empty() && !use[i]) continue;
         error += (matrix(field.shape_operators[i]) - truth[i].shape_operator).squaredNorm();
         size += truth[i].shape_operator.squaredNorm();
+    }
+    return std::sqrt(error / size);
+}
+
+Eigen::Vector4d derivative_entries(const std::array<Eigen::Matrix3d, 3>& derivative,
+                                   const Eigen::Vector3f& normal) {
+    const TangentFrame frame = tangent_frame(normal);
+    const Eigen::Vector3d u = frame.u.cast<double>(), v = frame.v.cast<double>();
+    const auto along = [&](const Eigen::Vector3d& x) -> Eigen::Matrix3d {
+        return x.x() * derivative[0] + x.y() * derivative[1] + x.z() * derivative[2];
+    };
+    return {u.dot(along(u) * u), u.dot(along(u) * v), v.dot(along(u) * v), v.dot(along(v) * v)};
+}
+
+double squared_size(const Eigen::Vector4d& c) {
+    return c[0] * c[0] + 3 * c[1] * c[1] + 3 * c[2] * c[2] + c[3] * c[3];
+}
+
+double derivative_error(const Field& field, const std::vector<test_meshes::SurfacePoint>& truth,
+                        const std::vector<bool>& use) {
+    double error = 0, size = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        if (!use.empty() && !use[i]) continue;
+        const Eigen::Vector4d expected =
+            derivative_entries(truth[i].shape_derivative, field.normals[i]);
+        error += squared_size(field.curvature_derivatives.at(i).cast<double>() - expected);
+        size += squared_size(expected);
     }
     return std::sqrt(error / size);
 }

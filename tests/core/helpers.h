@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "laplacian_lines/field.h"
@@ -25,6 +26,16 @@ double laplacian_error(const laplacian_lines::Field& field,
 double shape_error(const laplacian_lines::Field& field,
                    const std::vector<test_meshes::SurfacePoint>& truth,
                    const std::vector<bool>& use = {});
+
+/// C in the frame of a normal, as Field::curvature_derivatives has it.
+Eigen::Vector4d derivative_entries(const std::array<Eigen::Matrix3d, 3>& derivative,
+                                   const Eigen::Vector3f& normal);
+/// Of the eight entries of C in the tangent plane, the sum of squares.
+double squared_size(const Eigen::Vector4d& derivative);
+/// Relative error of C against the truth, all eight entries.
+double derivative_error(const laplacian_lines::Field& field,
+                        const std::vector<test_meshes::SurfacePoint>& truth,
+                        const std::vector<bool>& use = {});
 
 Eigen::Matrix3d matrix(const laplacian_lines::ShapeOperator& s);
 

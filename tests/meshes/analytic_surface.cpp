@@ -53,6 +53,28 @@ Eigen::Matrix3d shape_operator(const JetVector& ru, const JetVector& rv, const J
     return to * from.inverse();
 }
 
+/// ∇S: derivatives of all entries of S in space, made tangential.
+std::array<Eigen::Matrix3d, 3> shape_derivative(const JetVector& ru, const JetVector& rv,
+                                                const JetVector& n, const Jet& root) {
+    // Gradients of u and v along the surface.
+    const JetVector gu = scaled(cross(rv, n), reciprocal(root)),
+                    gv = scaled(cross(n, ru), reciprocal(root));
+    const JetVector nu = derivative_u(n), nv = derivative_v(n);
+    Eigen::Matrix3d by_u, by_v;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            const Jet entry = nu[i] * gu[j] + nv[i] * gv[j];
+            by_u(i, j) = entry.derivative_u().value();
+            by_v(i, j) = entry.derivative_v().value();
+        }
+    const Eigen::Vector3d normal = value(n);
+    const Eigen::Matrix3d plane = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    std::array<Eigen::Matrix3d, 3> result;
+    for (int i = 0; i < 3; ++i)
+        result[i] = plane * (by_u * value(gu)[i] + by_v * value(gv)[i]) * plane;
+    return result;
+}
+
 /// All that follows from a chart.
 struct Derivatives {
     explicit Derivatives(const Chart& chart)
@@ -82,6 +104,7 @@ SurfacePoint surface_point(const Chart& chart) {
     for (int k = 0; k < 3; ++k)
         point.laplacian_normal[k] = laplace_beltrami(d.metric, d.n[k]);
     point.shape_operator = shape_operator(d.ru, d.rv, d.n);
+    point.shape_derivative = shape_derivative(d.ru, d.rv, d.n, d.metric.root);
     return point;
 }
 
@@ -125,9 +148,13 @@ SurfacePoint closed_form_torus_point(const Torus& torus, double u, double v) {
     const Eigen::Vector3d n = std::cos(v) * radial + std::sin(v) * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d ev = -std::sin(v) * radial + std::cos(v) * Eigen::Vector3d::UnitZ();
     const double trace_slope = -torus.large * std::sin(v) / (ring * ring) / torus.small;
-    return {ring * radial + torus.small * std::sin(v) * Eigen::Vector3d::UnitZ(), n,
+    const Eigen::Matrix3d uu = eu * eu.transpose(), uv = eu * ev.transpose() + ev * eu.transpose();
+    return {ring * radial + torus.small * std::sin(v) * Eigen::Vector3d::UnitZ(),
+            n,
             -(k1 * k1 + k2 * k2) * n + trace_slope * ev,
-            k1 * eu * eu.transpose() + k2 * ev * ev.transpose()};
+            k1 * uu + k2 * ev * ev.transpose(),
+            {trace_slope * (eu.x() * uv + ev.x() * uu), trace_slope * (eu.y() * uv + ev.y() * uu),
+             trace_slope * (eu.z() * uv + ev.z() * uu)}};
 }
 
 SurfacePoint hills_point(double x, double y) {

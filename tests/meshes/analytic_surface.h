@@ -16,6 +16,8 @@ namespace test_meshes {
 struct SurfacePoint {
     Eigen::Vector3d position, normal, laplacian_normal;
     Eigen::Matrix3d shape_operator;  ///< symmetric, S n = 0
+    /// C = ∇S: of axis i, (y, z) -> C(i, y, z). Tangential and symmetric in all places.
+    std::array<Eigen::Matrix3d, 3> shape_derivative;
 };
 
 using JetVector = std::array<Jet, 3>;

@@ -160,8 +160,12 @@ AnalyticMesh cylinder(int columns, int rows, double radius, double length) {
     return grid_mesh({columns, rows, true, false}, [=](double u, double v) {
         const Eigen::Vector3d n(std::cos(2 * kPi * u), std::sin(2 * kPi * u), 0);
         const Eigen::Vector3d along(-n.y(), n.x(), 0);
-        return SurfacePoint{radius * n + length * (v - 0.5) * Eigen::Vector3d::UnitZ(), n,
-                            -n / (radius * radius), along * along.transpose() / radius};
+        const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
+        return SurfacePoint{radius * n + length * (v - 0.5) * Eigen::Vector3d::UnitZ(),
+                            n,
+                            -n / (radius * radius),
+                            along * along.transpose() / radius,
+                            {zero, zero, zero}};
     });
 }
 

@@ -35,6 +35,9 @@ struct Field {
     std::vector<Eigen::Vector3f> laplacian_normals;  ///< Δn, 1/length²; −(k1²+k2²) n + ∇(k1+k2)
     std::vector<ShapeOperator> shape_operators;      ///< S, 1/length
     std::vector<float> kernel_sizes;                 ///< √h(p), length
+    /// C = ∇S, 1/length²: C(u,u,u), C(u,u,v), C(u,v,v), C(v,v,v) in tangent_frame(normals[v]).
+    /// Symmetric in all three places. Computed only when asked for, otherwise without entries.
+    std::vector<Eigen::Vector4f> curvature_derivatives;
     FieldScale scale;
     MeshReport report;
 };

@@ -91,6 +91,12 @@ inline constexpr std::array field_columns = {
         "1/length", {{{"ll_shape_diagonal", 3}, {"ll_shape_off_diagonal", 3}}}),
     field_column<&Field::kernel_sizes>("kernel_sizes", "size √h of the kernel at the vertex",
                                        "length", {{{"ll_kernel_size", 1}}}),
+    field_column<&Field::curvature_derivatives>(
+        "curvature_derivatives",
+        "C = ∇S, the derivative of S along the surface: (uuu, uuv, uvv) and vvv in the tangent "
+        "frame",
+        "1/length²", {{{"ll_curvature_derivative", 3}, {"ll_curvature_derivative_vvv", 1}}},
+        ColumnPresence::Optional),
 };
 
 inline bool is_present(const FieldColumn& column, const Field& field) {

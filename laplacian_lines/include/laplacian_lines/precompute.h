@@ -19,6 +19,12 @@ namespace laplacian_lines {
 Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options = {},
                  const Progress& progress = {});
 
+/// Computes Field::curvature_derivatives of a field of this mesh: the same as if precompute() had
+/// been asked for them. What was there before is computed anew; the rest of the field stays.
+/// @throws Error: FieldMismatch, and those of precompute(). Thread-safe for different fields.
+void add_curvature_derivatives(const TriangleMesh& mesh, Field& field,
+                               const Progress& progress = {});
+
 /// Bounding-box diagonal and mean edge of the usable part of a mesh, with the kernel size and the
 /// smoothing that precompute() would use: 0 if it would choose by the roughness, which is not
 /// measured here. @throws Error like precompute().

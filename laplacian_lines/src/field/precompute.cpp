@@ -6,11 +6,13 @@
 
 #include "field/belkin_laplacian.h"
 #include "field/cotangent_laplacian.h"
+#include "field/curvature_derivatives.h"
 #include "field/kernel_sizes.h"
 #include "field/normal_smoothing.h"
 #include "field/roughness.h"
 #include "field/shape_operators.h"
 #include "field/vertex_normals.h"
+#include "laplacian_lines/field_columns.h"
 #include "mesh/prepared_mesh.h"
 #include "mesh/soundness.h"
 #include "sums/summation_cost.h"
@@ -28,6 +30,7 @@ constexpr double kFitCost = 20;       // of a pair of vertices in a fit, in thos
 // About the part of the whole time at which each step ends, with the default options.
 constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
 constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6, kLaplacian = 1;
+constexpr double kDerivatives = 0.15;  // of the time that is longer by them
 
 /// Whether the roughness decides how much normals are smoothed.
 bool smooths_by_roughness(const PrecomputeOptions& options) {
@@ -102,6 +105,9 @@ public:
         field.report.roughness = roughness_;
         field.report.kernel_bend = kernel_bend();
         measure_soundness(mesh_, ranges_, field.report);
+        if (options_.curvature_derivatives)
+            fill_curvature_derivatives(
+                mesh_, ranges_, stage(laplacian_end(), 1, "Differentiating the curvature"), field);
         return field;
     }
 
@@ -131,6 +137,10 @@ private:
             field.shape_operators[v] = field.shape_operators[r];
             field.kernel_sizes[v] = field.kernel_sizes[r];
         });
+    }
+
+    double laplacian_end() const {
+        return options_.curvature_derivatives ? kLaplacian - kDerivatives : kLaplacian;
     }
 
     StageProgress stage(double begin, double end, const char* name) const {
@@ -171,7 +181,7 @@ private:
 
     void compute_laplacian() {
         const StageProgress laplacian =
-            stage(kTensors, kLaplacian, "Computing the Laplacian of the normals");
+            stage(kTensors, laplacian_end(), "Computing the Laplacian of the normals");
         laplacian.report(0);
         if (options_.laplace_operator == LaplaceOperator::Cotangent) {
             laplacian_ = cotangent_laplacian(mesh_, normals_);
@@ -212,6 +222,18 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
     FieldComputation computation(prepared, tree, options, progress);
     computation.run();
     return computation.result(mesh.positions.size());
+}
+
+void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Progress& progress) {
+    if (!has_entries(field, mesh.positions.size()))
+        throw Error(ErrorCode::FieldMismatch,
+                    "The Laplacian lines field belongs to another mesh; compute it again.");
+    const StageProgress stage(progress, 0, 1, "Differentiating the curvature");
+    stage.report(0);
+    PreparedMesh prepared =
+        prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left);
+    sort_in_space(prepared);
+    fill_curvature_derivatives(prepared, VertexRanges(prepared), stage.part(0.4, 1), field);
 }
 
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {

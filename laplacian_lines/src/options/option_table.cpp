@@ -92,6 +92,10 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
                                      "Vertices at exactly the same place count as one where they "
                                      "cut the surface open, as in "
                                      "texture seams. The mesh is not changed; holes stay open."),
+        for_experts(boolean<&O::curvature_derivatives>(
+            "curvature_derivatives", "Curvature Derivatives",
+            "Compute the derivatives of the curvature as well, for programs that read them. The "
+            "decoration computes them by itself when a kind of lines needs them.")),
     };
     return table;
 }

@@ -15,7 +15,7 @@ namespace meshlab_host {
 /// Point3m and numbers as Scalarm. A per-mesh attribute ll_record tells what they are; a field
 /// without its record does not count.
 struct FieldRecord {
-    static constexpr std::uint32_t current_layout = 5;
+    static constexpr std::uint32_t current_layout = 6;
 
     std::uint32_t layout = current_layout;
     std::uint32_t columns = 0;  ///< bit i: the field had the column of row i

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// C = ∇S against smooth surfaces, its symmetries, and what it must not depend on.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "helpers.h"
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/precompute.h"
+#include "laplacian_lines/tangent_frame.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using test_meshes::AnalyticMesh;
+
+PrecomputeOptions with_derivatives() {
+    PrecomputeOptions options;
+    options.curvature_derivatives = true;
+    return options;
+}
+
+Field compute(const TriangleMesh& mesh) {
+    return precompute(mesh, with_derivatives());
+}
+
+double error_on(const AnalyticMesh& surface) {
+    return helpers::derivative_error(compute(surface.mesh), surface.truth);
+}
+
+TEST(TangentFrame, IsOrthonormalAndRightHanded) {
+    for (int i = 0; i < 2000; ++i) {
+        const double z = i < 3 ? i - 1. : std::sin(1. + i), angle = 7.3 * i;
+        const double ring = std::sqrt(std::max(0., 1 - z * z));
+        const Eigen::Vector3f n =
+            Eigen::Vector3d(ring * std::cos(angle), ring * std::sin(angle), z).cast<float>();
+        const TangentFrame frame = tangent_frame(n);
+        EXPECT_NEAR(frame.u.norm(), 1, 1e-6);
+        EXPECT_NEAR(frame.v.norm(), 1, 1e-6);
+        EXPECT_LT((frame.u.cross(frame.v) - n).norm(), 1e-6) << n.transpose();
+    }
+}
+
+TEST(CurvatureDerivatives, OfTheTruthAreThoseOfClosedFormulas) {
+    for (const double u : {0.3, 2., 5.})
+        for (const double v : {0.1, 1.5, 4.}) {
+            const auto a = test_meshes::torus_point({1, 0.4}, u, v);
+            const auto b = test_meshes::closed_form_torus_point({1, 0.4}, u, v);
+            for (int axis = 0; axis < 3; ++axis)
+                EXPECT_LT(
+                    (a.shape_derivative[std::size_t(axis)] - b.shape_derivative[std::size_t(axis)])
+                        .norm(),
+                    1e-9);
+        }
+}
+
+/// Codazzi: the truth is symmetric in all three places, so that four numbers hold it.
+TEST(CurvatureDerivatives, OfTheTruthAreSymmetric) {
+    for (const AnalyticMesh& surface : {test_meshes::bumpy_sphere(2), test_meshes::hills(8)})
+        for (const auto& point : surface.truth)
+            for (std::size_t i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j)
+                    for (int k = 0; k < 3; ++k) {
+                        const auto& c = point.shape_derivative;
+                        EXPECT_NEAR(c[i](j, k), c[std::size_t(j)](int(i), k), 1e-9);
+                        EXPECT_NEAR(c[i](j, k), c[i](k, j), 1e-9);
+                    }
+}
+
+TEST(CurvatureDerivatives, ConvergeToTheTruth) {
+    const struct {
+        const char* name;
+        AnalyticMesh (*make)(int level);
+        double coarse, ratio;
+    } families[] = {
+        {"torus", [](int l) { return test_meshes::torus(80 << l, 40 << l); }, 0.09, 0.8},
+        {"torus, jitter .25", [](int l) { return test_meshes::torus(80 << l, 40 << l, 0.25); }, 0.3,
+         1},
+        {"ellipsoid", [](int l) { return test_meshes::ellipsoid(5 + l); }, 0.2, 1.5},
+        {"bumpy sphere, jitter .15", [](int l) { return test_meshes::bumpy_sphere(5 + l, 0.15); },
+         0.3, 1.2},
+    };
+    for (const auto& family : families) {
+        const double coarse = error_on(family.make(0)), fine = error_on(family.make(1));
+        EXPECT_LT(coarse, family.coarse) << family.name;
+        EXPECT_LT(fine, family.ratio * coarse) << family.name;
+    }
+}
+
+TEST(CurvatureDerivatives, AreNoneOnPlanesAndSpheres) {
+    const Field plane = compute(test_meshes::mesh_named("plane").mesh);
+    for (const Eigen::Vector4f& c : plane.curvature_derivatives)
+        EXPECT_LT(c.norm(), 1e-4);
+    const double radius = 5;
+    const Field sphere = compute(test_meshes::sphere(5, radius).mesh);
+    double sum = 0;
+    for (const Eigen::Vector4f& c : sphere.curvature_derivatives)
+        sum += helpers::squared_size(c.cast<double>()) * std::pow(radius, 4);
+    EXPECT_LT(std::sqrt(sum / double(sphere.normals.size())), 0.2);
+}
+
+/// The field of the turned and scaled mesh against the turned and scaled field.
+TEST(CurvatureDerivatives, MoveAndScaleWithTheMesh) {
+    const TriangleMesh& mesh = test_meshes::mesh_named("bumpy_sphere").mesh;
+    const Field field = compute(mesh);
+    for (const double scale : {1e-4, 1., 1e5}) {
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+        TriangleMesh moved = mesh;
+        for (Eigen::Vector3d& p : moved.positions)
+            p = scale * (turn * p + Eigen::Vector3d(3, -1, 2));
+        const Field other = compute(moved);
+        double error = 0, size = 0;
+        for (std::size_t v = 0; v < field.normals.size(); ++v) {
+            const TangentFrame frame = tangent_frame(field.normals[v]),
+                               moved_frame = tangent_frame(other.normals[v]);
+            const Eigen::Vector3f u = turn.cast<float>() * frame.u;
+            const float c = moved_frame.u.dot(u), s = moved_frame.v.dot(u);
+            const auto cubic = [](const Eigen::Vector4f& f, float x, float y) {
+                return f[0] * x * x * x + 3 * f[1] * x * x * y + 3 * f[2] * x * y * y +
+                       f[3] * y * y * y;
+            };
+            for (const float angle : {0.f, 0.7f, 1.9f, 2.6f}) {
+                const float x = std::cos(angle), y = std::sin(angle);
+                const double expected = cubic(field.curvature_derivatives[v], x, y);
+                const double got =
+                    scale * scale *
+                    cubic(other.curvature_derivatives[v], c * x - s * y, s * x + c * y);
+                error += (got - expected) * (got - expected);
+                size += expected * expected;
+            }
+        }
+        EXPECT_LT(std::sqrt(error / size), 1e-3) << scale;
+    }
+}
+
+TEST(CurvatureDerivatives, AreTheSameAddedLater) {
+    for (const char* name : {"bumpy_sphere", "dirty_torus", "half_torus"}) {
+        const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
+        Field later = precompute(mesh);
+        EXPECT_TRUE(later.curvature_derivatives.empty());
+        add_curvature_derivatives(mesh, later);
+        EXPECT_TRUE(helpers::same_fields(later, compute(mesh))) << name;
+        add_curvature_derivatives(mesh, later);
+        EXPECT_TRUE(helpers::same_fields(later, compute(mesh))) << name;
+    }
+}
+
+TEST(CurvatureDerivatives, OfVerticesOfCutsAreThoseAcrossThem) {
+    const TriangleMesh whole = test_meshes::torus(40, 20).mesh;
+    const TriangleMesh apart = test_meshes::cut_apart(whole);
+    const Field expected = compute(whole), field = compute(apart);
+    for (std::size_t t = 0; t < whole.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_LT((field.curvature_derivatives[apart.triangles[t][k]] -
+                       expected.curvature_derivatives[whole.triangles[t][k]])
+                          .norm(),
+                      1e-2);
+    Field later = precompute(apart);
+    add_curvature_derivatives(apart, later);
+    EXPECT_TRUE(helpers::same_fields(later, field));
+}
+
+TEST(CurvatureDerivatives, DoNotDependOnTheNumberOfThreads) {
+    const TriangleMesh mesh = test_meshes::torus(160, 80, 0.2).mesh;
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const Field one = compute(mesh);
+    for (const int threads : {2, 3, 8}) {
+        omp_set_num_threads(threads);
+        EXPECT_TRUE(helpers::same_fields(one, compute(mesh))) << threads;
+    }
+    omp_set_num_threads(before);
+}
+
+TEST(CurvatureDerivatives, AreFiniteOnAnyMesh) {
+    for (const auto* entries : {&test_meshes::all_entries(), &test_meshes::wild_entries()})
+        for (const test_meshes::MeshEntry& entry : *entries) {
+            const test_meshes::TestMesh& mesh = entry.get();
+            if (mesh.has(test_meshes::kUnusable)) continue;
+            const Field field = compute(mesh.mesh);
+            ASSERT_EQ(field.curvature_derivatives.size(), mesh.mesh.positions.size());
+            for (const Eigen::Vector4f& c : field.curvature_derivatives)
+                ASSERT_TRUE(c.allFinite()) << mesh;
+        }
+}
+
+TEST(CurvatureDerivatives, AreRefusedToAFieldOfAnotherMesh) {
+    Field field = precompute(test_meshes::mesh_named("torus").mesh);
+    EXPECT_THROW(add_curvature_derivatives(test_meshes::mesh_named("plane").mesh, field), Error);
+    EXPECT_TRUE(field.curvature_derivatives.empty());
+}
+
+TEST(CurvatureDerivatives, CanBeCancelled) {
+    const TriangleMesh& mesh = test_meshes::mesh_named("torus").mesh;
+    Field field = precompute(mesh);
+    EXPECT_THROW(add_curvature_derivatives(mesh, field, [](double, const char*) { return false; }),
+                 Error);
+    EXPECT_TRUE(field.curvature_derivatives.empty());
+}
+
+}  // namespace
