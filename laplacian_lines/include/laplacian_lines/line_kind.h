@@ -16,12 +16,15 @@ enum class LineKind : std::uint32_t {
     Crease,               ///< edges of the mesh that are edges of the form
     SuggestiveContour,    ///< contours of a view nearby
     SuggestiveHighlight,  ///< their counterparts in the light
+    ApparentRidge,        ///< where curvature as it is seen is largest
+    PhoticExtremum,       ///< where the illumination changes most
 };
 
 /// What LinePoint::gradient is on lines of a kind.
 enum class LineGradient {
     None,
     Illumination,  ///< ‖∇I‖·D, dimensionless
+    Curvature,     ///< the largest view-dependent curvature q1·D, dimensionless
     Angle,         ///< by which the surface turns, degrees
 };
 
@@ -102,6 +105,18 @@ inline constexpr std::array line_kinds = {
                         "suggestive highlight", "suggestive highlights", LineGradient::Illumination}
         .of_view()
         .on_demand(0xd08a1d),
+    LineKindDescription{LineKind::ApparentRidge, "apparent_ridges", "Apparent Ridges",
+                        "Draw ridges and valleys of the surface as it is seen from the eye (Judd "
+                        "and others 2007).",
+                        "apparent ridge", "apparent ridges", LineGradient::Curvature}
+        .of_view()
+        .on_demand(0xa3282f),
+    LineKindDescription{LineKind::PhoticExtremum, "photic_extrema", "Photic Extremum Lines",
+                        "Draw where the shading changes most on its way from dark to bright (Xie "
+                        "and others 2007).",
+                        "photic extremum line", "photic extremum lines", LineGradient::Illumination}
+        .of_view()
+        .on_demand(0x2e7d4f),
 };
 inline constexpr std::size_t line_kind_count = line_kinds.size();
 

@@ -36,7 +36,8 @@ void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eig
 }
 
 /// Whatever a caller's field holds, floats can take powers of what is kept of it.
-constexpr double kLargestLaplacian = 1e12, kLargestCurvature = 1e8, kLargestSlopeScale = 1e15;
+constexpr double kLargestLaplacian = 1e12, kLargestCurvature = 1e8, kLargestDerivative = 1e12,
+                 kLargestSlopeScale = 1e15;
 
 double bounded(double x, double limit) {
     return std::isnan(x) ? 0 : std::clamp(x, -limit, limit);
@@ -135,13 +136,14 @@ std::size_t ClusterBuilder::lay_out() {
         cluster.first_unit = std::uint32_t(units);
         cluster.first_border_edge = std::uint32_t(edges);
         cluster.vertex_count = std::uint8_t(range.vertex_count);
+        cluster.first_vertex = std::uint32_t(vertices);
         cluster.triangle_count = std::uint8_t(range.end - range.begin);
-        first_vertex_.push_back(vertices);
         units += cluster_layout(cluster).end / kCacheUnit;
         vertices += range.vertex_count;
         edges += shared_edges[c];
     }
     data_.vertices_of_clusters.resize(vertices);
+    if (!field_.curvature_derivatives.empty()) data_.derivatives.resize(vertices);
     data_.border_edges.resize(edges);
     return units * kCacheUnit;
 }
@@ -178,7 +180,7 @@ LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
 
 void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
     const ClusterRange& range = partition_.ranges[c];
-    std::uint32_t* vertices = data_.vertices_of_clusters.data() + first_vertex_[c];
+    std::uint32_t* vertices = data_.vertices_of_clusters.data() + data_.clusters[c].first_vertex;
     for (std::uint32_t p = range.begin; p < range.end; ++p)
         for (std::size_t k = 0; k < 3; ++k)
             vertices[partition_.corners[3 * std::size_t(p) + k]] =
@@ -186,6 +188,18 @@ void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
     values.clear();
     for (std::uint32_t i = 0; i < range.vertex_count; ++i)
         values.push_back(local_vertex(vertices[i]));
+    if (data_.derivatives.empty()) return;
+    Eigen::Vector4f* derivatives = data_.derivatives.data() + data_.clusters[c].first_vertex;
+    for (std::uint32_t i = 0; i < range.vertex_count; ++i)
+        derivatives[i] = local_derivatives(vertices[i]);
+}
+
+Eigen::Vector4f ClusterBuilder::local_derivatives(std::uint32_t prepared) const {
+    const double squared = data_.diagonal * data_.diagonal;
+    const Eigen::Vector4f& c = field_.curvature_derivatives[mesh_.original_vertex[prepared]];
+    return (c.cast<double>() * squared)
+        .unaryExpr([](double x) { return bounded(x, kLargestDerivative); })
+        .cast<float>();
 }
 
 void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {

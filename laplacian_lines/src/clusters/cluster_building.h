@@ -31,6 +31,7 @@ private:
     std::size_t lay_out();
     void write_cluster(std::size_t cluster, Values& values);
     LocalVertex local_vertex(std::uint32_t v) const;
+    Eigen::Vector4f local_derivatives(std::uint32_t v) const;
     /// Lists the cluster's vertices with their values.
     void list_vertices(std::size_t cluster, Values& values);
     void write_triangles(std::size_t cluster, unsigned char* memory);
@@ -44,7 +45,6 @@ private:
     std::vector<std::uint8_t> coarse_;  // by triangle of the mesh
     const PlainPlaces plain_;
     Partition partition_;
-    std::vector<std::size_t> first_vertex_;  // of each cluster in data_
 };
 
 }  // namespace laplacian_lines

@@ -60,12 +60,13 @@ ClusterStore ExtractorData::store() const {
               {array(9), array(10), array(11)},
               {array(12), array(13), array(14)}},
              array(15),
-             array(16)}};
+             array(16)},
+            derivatives.empty() ? nullptr : derivatives.data()->data()};
 }
 
 std::size_t ExtractorData::memory() const {
     return sizeof(*this) + bytes_of_clusters + bytes(clusters) + bytes(vertices_of_clusters) +
-           bytes(border_edges) + bytes(bounds);
+           bytes(border_edges) + bytes(bounds) + bytes(derivatives);
 }
 
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {

@@ -26,6 +26,8 @@ struct ExtractorData {
     std::uint32_t vertex_count = 0;                   ///< of the mesh
     std::vector<std::uint32_t> border_edges;
     std::uint32_t border_edge_count = 0;  ///< the numbers in border_edges are below
+    /// C·D² by vertex of a cluster, as vertices_of_clusters; empty if the field has none.
+    std::vector<Eigen::Vector4f> derivatives;
     /// The arrays of ClusterStore about whole clusters, one after the other.
     std::vector<float> bounds;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units

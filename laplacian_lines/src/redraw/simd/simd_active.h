@@ -3,7 +3,7 @@
 // Included once by each of the files simd_*.cpp.
 #pragma once
 
-#include "redraw/simd/simd_kinds.h"
+#include "redraw/simd/simd_batch.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -162,9 +162,7 @@ static inline void find_active(const ClusterStore& store, const ExtractionTask& 
     for (ActiveTriangles& active : batch.active)
         active.count = 0;
     for (unsigned slot = 0; slot < batch.count; ++slot) {
-        const Cluster& cluster = *batch.clusters[slot];
-        const ClusterInSlot place = {cluster, cluster_layout(cluster), memory_of(store, cluster),
-                                     slot};
+        const ClusterInSlot place = place_of(store, batch, slot);
         const ClusterSigns signs = find_all_signs<Kinds>(task, kept[slot], place, batch);
         if (signs.any_mixed) find_mixed<Kinds>(task, place, signs, batch);
     }

@@ -18,6 +18,7 @@
 
 #include "redraw/kinds/contours_simd.h"
 #include "redraw/kinds/laplacian_lines_simd.h"
+#include "redraw/kinds/photic_extrema_simd.h"
 #include "redraw/kinds/suggestive_contours_simd.h"
 
 namespace laplacian_lines {
@@ -46,7 +47,9 @@ struct KindList {
 
 using StandardKinds = KindList<0, LaplacianLines, Contours>;
 using SuggestiveKinds = KindList<1, SuggestiveContours, SuggestiveHighlights>;
-static_assert(StandardKinds::is_as_declared() && SuggestiveKinds::is_as_declared(),
+using PhoticKinds = KindList<2, PhoticExtrema>;
+static_assert(StandardKinds::is_as_declared() && SuggestiveKinds::is_as_declared() &&
+                  PhoticKinds::is_as_declared(),
               "the same kinds in the same order");
 
 }  // namespace SIMD_NAMESPACE

@@ -126,11 +126,19 @@ struct SegmentMemory {
     alignas(64) std::uint16_t in_triangle[kBatch][256];
 };
 
+/// What apparent ridges have at the vertices of a batch, slot by slot.
+struct ApparentMemory {
+    alignas(64) float q[kBatchVertices];           ///< q1, 0 where there is no line
+    alignas(64) float vectors[kBatchVertices][4];  ///< r, and the derivative of q1 along it
+    alignas(64) float crossing_q[CrossingMemory::kPlaces];
+};
+
 /// What extract_strips() works in; one for each thread.
 struct SimdMemory {
     Batch batch;
     CrossingMemory crossings;
     SegmentMemory segments;
+    ApparentMemory apparent;
 };
 
 }  // namespace laplacian_lines

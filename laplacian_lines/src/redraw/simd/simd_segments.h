@@ -135,8 +135,9 @@ static inline void collect_corners(const ClusterStore& store, const Batch& batch
 /// What the slope of a segment is: with ∇f of the linear interpolant and the vectors d that a
 /// kind's test leaves in CrossingMemory::gradients,
 enum class SegmentSlope {
-    Scaled,  ///< ‖∇f‖ times slope_scale; phantoms have ∇f·d > 0
-    Along,   ///< −∇f·d, a change in a squared length, times h_e, to the power 1.5
+    Scaled,     ///< ‖∇f‖ times slope_scale; phantoms have ∇f·d > 0
+    Along,      ///< −∇f·d, a change in a squared length, times h_e, to the power 1.5
+    AlongOnce,  ///< −∇f·d, a change in a length to the power 3, times h_e^1.5
 };
 
 /// Slope of the function across the line, and whether the illumination's gradient is largest
@@ -155,9 +156,11 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
         const Floats y = fu * (vz * nx - vx * nz) + fv * (nz * ux - nx * uz);
         const Floats z = fu * (vx * ny - vy * nx) + fv * (nx * uy - ny * ux);
         const Floats product = x * load(s.gx + i) + y * load(s.gy + i) + z * load(s.gz + i);
-        if (Slope == SegmentSlope::Along) {
+        if (Slope != SegmentSlope::Scaled) {
             const Floats change = at_least(-product / (2 * squared), 0);  // d summed over both ends
-            const Floats slope = change * square_root(change) * (load(s.scale + i) / 3);
+            const Floats powered =
+                Slope == SegmentSlope::Along ? change * square_root(change) : change;
+            const Floats slope = powered * (load(s.scale + i) / 3);
             store(s.slope + i, (slope >= rules.segment_slope) & (change > 0)
                                    ? at_most(slope, rules.segment_slope + rules.full_slope)
                                    : Floats{} - 1);

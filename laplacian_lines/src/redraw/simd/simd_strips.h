@@ -123,6 +123,14 @@ static inline void name_edges(const ClusterStore& store, std::uint32_t begin,
             if (edge < Strip::kClosed) edge = store.border_edges[edge];
 }
 
+/// Makes the places after crossings [0, count) something valid.
+static inline void fill_up(const Batch& batch, CrossingMemory& m, std::size_t count) {
+    for (std::size_t i = count; i < count + kLanes; ++i) {
+        m.ends[i][0] = m.ends[i][1] = 0;
+        m.records[i][0] = m.records[i][1] = batch.first_record[0];
+    }
+}
+
 /// Computes crossings [0, count) of a kind from their ends. As the functions that it calls, it
 /// writes to whole vectors of places.
 template <class Kinds, class Kind>
@@ -130,10 +138,7 @@ static inline void find_crossings(const ClusterStore& store, const ExtractionTas
                                   const Batch& batch, unsigned kind, CrossingMemory& m,
                                   std::size_t count) {
     const VertexRecord* records = records_of(store);
-    for (std::size_t i = count; i < count + kLanes; ++i) {  // something valid
-        m.ends[i][0] = m.ends[i][1] = 0;
-        m.records[i][0] = m.records[i][1] = batch.first_record[0];
-    }
+    fill_up(batch, m, count);
     find_shares(Kind::values(batch, kind), m, count);
     find_points(records, Kind::source(task), m, count);
     Kind::test(task.kinds[Kinds::kFirst + kind].rules, task, records, m, count);
