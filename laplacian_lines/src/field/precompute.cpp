@@ -106,8 +106,9 @@ public:
         field.report.kernel_bend = kernel_bend();
         measure_soundness(mesh_, ranges_, field.report);
         if (options_.curvature_derivatives)
-            fill_curvature_derivatives(
-                mesh_, ranges_, stage(laplacian_end(), 1, "Differentiating the curvature"), field);
+            fill_curvature_derivatives(mesh_, tree_, ranges_,
+                                       stage(laplacian_end(), 1, "Differentiating the curvature"),
+                                       field);
         return field;
     }
 
@@ -232,8 +233,8 @@ void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Pro
     stage.report(0);
     PreparedMesh prepared =
         prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left);
-    sort_in_space(prepared);
-    fill_curvature_derivatives(prepared, VertexRanges(prepared), stage.part(0.4, 1), field);
+    const SpatialTree tree = sort_in_space(prepared);
+    fill_curvature_derivatives(prepared, tree, VertexRanges(prepared), stage.part(0.4, 1), field);
 }
 
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {

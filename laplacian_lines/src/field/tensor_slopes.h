@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+namespace laplacian_lines {
+
+constexpr std::size_t kSlopeLanes = 16;  ///< targets that are summed for at once
+
+/// A vertex with a symmetric tensor S.
+struct alignas(64) TensorSource {
+    float x, y, z;
+    float mass;
+    float normal[3];
+    float xx, yy, zz, yz, xz, xy;  ///< S
+};
+
+/// Vertices around which the tensors are looked at, each in the plane of u and v, by component and
+/// lane. Unused lanes may repeat others.
+struct TensorTargets {
+    alignas(64) float position[3][kSlopeLanes], normal[3][kSlopeLanes];
+    alignas(64) float u[3][kSlopeLanes], v[3][kSlopeLanes];
+    alignas(64) float per_radius[kSlopeLanes];  ///< 1 / distance within which sources count
+};
+
+/// Weighted sums over the sources, of their places (x, y) in the plane, in radii, and of the
+/// entries S(u,u), S(u,v), S(v,v) of their tensors; by number and lane.
+struct TensorSums {
+    enum { kWeight, kX, kY, kXX, kXY, kYY, kEntries, kXEntries = 9, kYEntries = 12, kNumbers = 15 };
+    alignas(64) float numbers[kNumbers][kSlopeLanes];
+};
+
+/// Sources count by mass · (1 − d²/R²)² · facing_weight(n_q·n_p), d their distance in space and R
+/// the radius. Runs with the widest vectors the processor has.
+void sum_tensors(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
+                 TensorSums& sums);
+
+}  // namespace laplacian_lines
