@@ -108,7 +108,9 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
     QString refusal;
     try {
         meshlab_host::WindowProgress progress;
-        refusal = demandLines(mesh, view, &progress)->failure;
+        const bool needs_derivatives =
+            valid.refused.empty() && valid.chosen.style.shows.needs_derivatives();
+        refusal = demandLines(mesh, view, needs_derivatives, &progress)->failure;
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
     }
@@ -124,8 +126,11 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     if (shows_statistics_) glFinish();  // the mesh's own drawing must not count
     RedrawClock clock;
     try {
+        const ValidParameters valid = readValidParameters(parameters);
+        const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
         PreparedLinesPointer lines = currentLines(mesh, view, painter);
-        if (!lines) lines = demandLines(mesh, view);
+        if (!lines || (needs_derivatives && !lines->has_derivatives))
+            lines = demandLines(mesh, view, needs_derivatives);
         refusal = lines->failure;
         if (refusal.isEmpty()) text = drawLines(mesh, *lines, parameters, view, painter, clock);
     } catch (const std::exception& error) {
@@ -155,15 +160,19 @@ void DecorateLaplacianLines::meshGone(GLArea* view) {
 }
 
 PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view,
+                                                         bool needs_derivatives,
                                                          meshlab_host::WindowProgress* shown) {
     const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
     if (!alive.empty()) cache_.releaseAllBut(view, alive);
-    const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
+    const meshlab_host::FieldSource least = meshlab_host::fieldSource(mesh.cm),
+                                    most = meshlab_host::withDerivatives(least);
+    const meshlab_host::FieldSource& source = needs_derivatives ? most : least;
     const auto prepare = [&] {
         const auto say_line = [this](const QString& line) { say(line); };
         return prepareLines(mesh.cm, mesh.label(), source, say_line, shown);
     };
-    PreparedLinesPointer lines = cache_.find(source.key);
+    PreparedLinesPointer lines = cache_.find(most.key);  // serves all
+    if (!lines && !needs_derivatives) lines = cache_.find(least.key);
     if (!lines || lines->lacked_memory) lines = prepare();
     if (lines->lacked_memory && kept_.drop()) lines = prepare();
     cache_.assign(view, mesh.id(), lines);

@@ -43,7 +43,7 @@ protected:
 private:
     /// Lines of the mesh's present geometry, found or prepared, and assigned to the view. `shown`
     /// is null while a view is painted.
-    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view,
+    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view, bool needs_derivatives,
                                      meshlab_host::WindowProgress* shown = nullptr);
     /// The view's lines, if they still belong to the mesh, as far as this is looked at while the
     /// camera moves; otherwise null.

@@ -38,6 +38,7 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
     clock.start();
     auto result = std::make_shared<PreparedLines>();
     result->key = source.key;
+    result->has_derivatives = source.options.curvature_derivatives;
     try {
         const WaitCursor wait_cursor;
         const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);

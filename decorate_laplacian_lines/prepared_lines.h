@@ -21,6 +21,7 @@ struct PreparedLines {
     QString failure;                             ///< one sentence, empty if there is an extractor
     bool lacked_memory = false;                  ///< why it failed: another try may succeed
     std::size_t bytes = 0;                       ///< of extractor and surface
+    bool has_derivatives = false;                ///< were asked for, for kinds that need them
     double preparation = 0;                      ///< time it took, milliseconds
     mutable std::optional<double> first_redraw;  ///< the plugin's time of it, milliseconds
 };

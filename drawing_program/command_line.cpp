@@ -6,6 +6,7 @@
 #include <map>
 
 #include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
 
 namespace {
 
@@ -34,6 +35,10 @@ const std::map<QString, line_drawing::Arrangement> arrangements = {
     {"third", line_drawing::Arrangement::ThirdAngle}};
 const std::map<QString, line_drawing::StrokeStyle> strokes = {
     {"tapered", line_drawing::StrokeStyle::Tapered}, {"plain", line_drawing::StrokeStyle::Plain}};
+const std::map<QString, line_drawing::WallStyle> walls = {
+    {"hatched", line_drawing::WallStyle::Hatched},
+    {"filled", line_drawing::WallStyle::Filled},
+    {"none", line_drawing::WallStyle::None}};
 const std::map<QString, bool> furniture = {{"all", true}, {"none", false}};
 
 QString takeValue(QStringList& rest, const QString& option) {
@@ -63,6 +68,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
          }},
         {"--strokes",
          [&](const QString& o, const QString& v) { options.strokes = chosen(o, v, strokes); }},
+        {"--wall", [&](const QString& o, const QString& v) { options.wall = chosen(o, v, walls); }},
         {"--furniture",
          [&](const QString& o, const QString& v) {
              options.has_view_names = options.has_scale_bar = options.has_notes =
@@ -91,9 +97,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     if (views.isEmpty() && options.sections.empty()) views = "front";
     if (!views.isEmpty()) options.views = line_drawing::parseViews(views, up);
     options.source = QFileInfo(result.mesh).fileName();
-    // programs that read DXF draw with lines of even width
-    if (result.drawing.endsWith(".dxf", Qt::CaseInsensitive))
-        options.strokes = line_drawing::StrokeStyle::Plain;
+    options.strokes = line_drawing::strokesIn(result.drawing, options.strokes);
     return result;
 }
 
@@ -101,10 +105,13 @@ const char* usage() {
     return "laplacian_lines_drawing FILE.svg|.pdf|.dxf [OPTION...] MESH: a measured drawing of a "
            "mesh\n"
            "\n"
-           "  --views VIEWS        front, back, left, right, top, bottom, six (all of these), or\n"
-           "                       AZIMUTH,ELEVATION in degrees; several with commas (front)\n"
+           "  --views VIEWS        front, back, left, right, top, bottom, six (all of these), "
+           "vessel\n"
+           "                       (half section, half view), or AZIMUTH,ELEVATION in degrees;\n"
+           "                       several with commas (front)\n"
            "  --section x|y|z=0..1 a section across an axis, where on the way through the object;\n"
            "                       more than one if repeated\n"
+           "  --wall hatched|filled|none  what sections cut (hatched)\n"
            "  --up x|y|z           the axis of the mesh that points up (y)\n"
            "  --unit mm|cm|m|in    the unit of the mesh (mm)\n"
            "  --scale 1:2|fit      drawn to true length; fit: the largest usual one (fit)\n"

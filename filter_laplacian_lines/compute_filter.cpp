@@ -66,6 +66,13 @@ void ComputeFilter::listParameters(const MeshModel* mesh, RichParameterList& lis
                                 scale.diagonal, key_prefix, list);
 }
 
+std::vector<meshlab_host::ParameterDescription> ComputeFilter::describeParameters() const {
+    std::vector<meshlab_host::ParameterDescription> result;
+    for (const auto& row : laplacian_lines::precompute_option_table())
+        result.push_back(meshlab_host::describe(row, key_prefix));
+    return result;
+}
+
 void ComputeFilter::run(const meshlab_host::FilterRun& run) const {
     QElapsedTimer clock;
     clock.start();

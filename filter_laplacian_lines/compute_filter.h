@@ -8,5 +8,6 @@ class ComputeFilter : public meshlab_host::Filter {
 public:
     meshlab_host::FilterDescription description() const override;
     void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
+    std::vector<meshlab_host::ParameterDescription> describeParameters() const override;
     void run(const meshlab_host::FilterRun& run) const override;
 };

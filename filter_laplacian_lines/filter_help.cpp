@@ -35,3 +35,13 @@ QString polylineHelp() {
                "mesh, otherwise those of its defaults.")
         .arg(kinds.join(", "));
 }
+
+QString drawingHelp() {
+    return QStringLiteral(
+        "Writes a measured drawing of the current layer as vectors: its lines at scale on paper, "
+        "seen along the view of the window or from several sides, with a scale bar. The mesh is "
+        "not "
+        "changed.<br>"
+        "The results of <i>Compute Laplacian Lines</i> are used while they belong to the mesh, "
+        "otherwise those of its defaults.");
+}

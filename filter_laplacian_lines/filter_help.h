@@ -6,3 +6,4 @@
 // The filters' help for MeshLab's dialogs and documentation, HTML.
 QString computeHelp();
 QString polylineHelp();
+QString drawingHelp();

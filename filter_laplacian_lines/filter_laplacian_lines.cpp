@@ -2,12 +2,14 @@
 #include "filter_laplacian_lines.h"
 
 #include "compute_filter.h"
+#include "drawing_filter.h"
 #include "polyline_filter.h"
 
 meshlab_host::FilterList makeFilters() {
     meshlab_host::FilterList result;
     result.push_back(std::make_unique<ComputeFilter>());
     result.push_back(std::make_unique<PolylineFilter>());
+    result.push_back(std::make_unique<DrawingFilter>());
     return result;
 }
 

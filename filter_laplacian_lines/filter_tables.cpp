@@ -8,7 +8,6 @@
 #include "filter_laplacian_lines.h"
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_kind.h"
-#include "laplacian_lines/option_table.h"
 #include "meshlab_host/parameters.h"
 #include "polyline_parameters.h"
 
@@ -33,14 +32,6 @@ const char* nameOf(OptionKind kind) {
     return "choice";
 }
 
-/// Those of both filters, whose keys differ.
-std::vector<ParameterDescription> allDescriptions() {
-    std::vector<ParameterDescription> result = describePolylineParameters();
-    for (const auto& row : laplacian_lines::precompute_option_table())
-        result.push_back(meshlab_host::describe(row, QString()));
-    return result;
-}
-
 QJsonObject describe(const ParameterDescription& d, double value) {
     QJsonObject object{{"kind", nameOf(d.kind)}};
     object["default"] = d.kind == OptionKind::Boolean ? QJsonValue(value != 0) : QJsonValue(value);
@@ -63,9 +54,16 @@ QJsonObject describePlace(const QString& key) {
     return object;
 }
 
-QJsonObject describe(const RichParameter& parameter) {
-    QJsonObject object = describePlace(parameter.name());
-    for (const ParameterDescription& description : allDescriptions())
+QJsonObject describeOther(const RichParameter& parameter) {
+    const std::optional<QString> text = meshlab_host::textIn(parameter.value());
+    if (text) return {{"kind", "text"}, {"default", *text}};
+    return describePlace(parameter.name());
+}
+
+QJsonObject describe(const RichParameter& parameter,
+                     const std::vector<ParameterDescription>& descriptions) {
+    QJsonObject object = describeOther(parameter);
+    for (const ParameterDescription& description : descriptions)
         if (description.name == parameter.name())
             object = describe(description, meshlab_host::defaultOf(parameter).value_or(0));
     object["key"] = parameter.name();
@@ -79,9 +77,10 @@ QJsonArray filters() {
     for (const auto& filter : makeFilters()) {
         RichParameterList list;
         filter->listParameters(nullptr, list);
+        const std::vector<ParameterDescription> descriptions = filter->describeParameters();
         QJsonArray parameters;
         for (const RichParameter& parameter : list)
-            parameters.append(describe(parameter));
+            parameters.append(describe(parameter, descriptions));
         const meshlab_host::FilterDescription about = filter->description();
         result.append(QJsonObject{{"name", about.name},
                                   {"python_name", about.python_name},

@@ -107,6 +107,10 @@ void PolylineFilter::listParameters(const MeshModel* mesh, RichParameterList& li
     listPolylineParameters(polylineDefaults(mesh, meshlab_host::currentView()), list);
 }
 
+std::vector<meshlab_host::ParameterDescription> PolylineFilter::describeParameters() const {
+    return describePolylineParameters();
+}
+
 void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     const PolylineParameters chosen = readPolylineParameters(run.parameters);
     const MeshModel& mesh = *run.document.mm();
@@ -115,9 +119,12 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.layer));
     const Eye eye = eyeOf(chosen, box.center(), meshlab_host::currentView());
     const View view = viewOf(eye, chosen, source.layer);
-    const laplacian_lines::Field field = meshlab_host::demandField(
-        mesh.cm, source.triangles, source.name, meshlab_host::fieldSource(mesh.cm), run.say,
-        meshlab_host::progressTo(run.progress, 0, field_share));
+    meshlab_host::FieldSource field_source = meshlab_host::fieldSource(mesh.cm);
+    if (chosen.style.shows.needs_derivatives())
+        field_source = meshlab_host::withDerivatives(std::move(field_source));
+    const laplacian_lines::Field field =
+        meshlab_host::demandField(mesh.cm, source.triangles, source.name, field_source, run.say,
+                                  meshlab_host::progressTo(run.progress, 0, field_share));
     const LineSet lines = extract(source, field, view, chosen, run.progress);
     meshlab_host::beginStep(run.progress, 1, "Adding a layer");
     addLayer(lines, source, field, chosen.colors, run.document);

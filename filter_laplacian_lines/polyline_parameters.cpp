@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polyline_parameters.h"
 
+#include <algorithm>
+
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/option_rows.h"
 
 namespace {
@@ -108,6 +111,11 @@ const PlaceRow& lightDirectionRow() {
     return row;
 }
 
+bool isKindSwitch(const std::string& key) {
+    return std::any_of(laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(),
+                       [&](const auto& kind) { return key == kind.key; });
+}
+
 /// Calls the visitor with each row, in the order of the dialog.
 template <class Visitor>
 void visitRows(Visitor& visitor) {
@@ -117,7 +125,7 @@ void visitRows(Visitor& visitor) {
     visitor.visit(settingsRow());
     visitor.visit(visibleRow());
     for (const auto& row : laplacian_lines::line_style_table())
-        if (!row.for_experts) visitor.visit(row);
+        if (!row.for_experts || isKindSwitch(row.key)) visitor.visit(row);
     visitor.visit(lightRow());
     visitor.visit(lightDirectionRow());
 }

@@ -23,12 +23,21 @@ struct DrawnLine {
 
 std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
 
+/// A plane of a section that a view shows as a line. In the coordinates of the view.
+struct SectionMark {
+    QString letter;
+    Eigen::Vector2d point, along, looking;  ///< on the line; unit directions of the line, of sight
+};
+
 /// A view of a mesh in millimetres of the object, x right, y up, with the middle of its bounding
 /// box at (0, 0).
 struct DrawnView {
     ViewFrame frame;
     Eigen::AlignedBox2d bounds;  ///< of the surface
     std::vector<DrawnLine> lines;
+    bool is_section = false;
+    std::vector<std::vector<Eigen::Vector2d>> walls = {};  ///< loops around what is cut (even-odd)
+    std::vector<SectionMark> marks = {};
 };
 
 /// Where a view is on its sheet.

@@ -27,6 +27,11 @@ double lengthOf(const DrawnLine& line) {
     return length;
 }
 
+/// Sections are what a drawing with sections is about.
+int rankOf(LineClass line_class) {
+    return line_class == LineClass::Section ? -1 : int(line_class);
+}
+
 /// Cuts one line where it doubles others.
 class LineCutter {
 public:
@@ -121,7 +126,8 @@ std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach
     for (std::size_t i = 0; i < lines.size(); ++i)
         order.emplace_back(-lengthOf(lines[i]), i);
     std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
-        const LineClass of_a = lines[a.second].line_class, of_b = lines[b.second].line_class;
+        const int of_a = rankOf(lines[a.second].line_class),
+                  of_b = rankOf(lines[b.second].line_class);
         return of_a != of_b ? of_a < of_b : a < b;
     });
     DrawnLines there(reach);

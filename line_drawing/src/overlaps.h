@@ -35,7 +35,8 @@ private:
 };
 
 /// Lines, in the sheet's coordinates, without the parts that only double others: of lower classes
-/// those along higher ones, among one class along longer ones. Sorted by class and length.
+/// those along higher ones (sections first), among one class along longer ones. Sorted by class and
+/// length.
 std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach);
 
 }  // namespace line_drawing

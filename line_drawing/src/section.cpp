@@ -29,6 +29,12 @@ std::vector<Section> parseSections(const QString& text) {
     return sections;
 }
 
+QString letterOf(std::size_t number) {
+    constexpr std::size_t letters = 26;
+    const QString last(QChar(ushort('A' + number % letters)));
+    return number < letters ? last : letterOf(number / letters - 1) + last;
+}
+
 ViewFrame frameOfSection(const Section& section, UpAxis up) {
     ViewFrame frame;
     for (const Side side : {Side::Top, Side::Front, Side::Left}) {

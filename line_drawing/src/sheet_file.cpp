@@ -2,6 +2,7 @@
 #include "line_drawing/sheet_file.h"
 
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QSaveFile>
 
 #include "sheet_writers.h"
@@ -12,10 +13,18 @@ namespace {
 
 using Writer = QByteArray (*)(const Sheet&);
 
+QString endingOf(const QString& file) {
+    return QFileInfo(file).suffix().toLower();
+}
+
 Writer writerOf(const QString& file) {
-    const QString ending = QFileInfo(file).suffix().toLower();
+    const QString ending = endingOf(file);
     if (ending == "svg") return writeSvg;
-    if (ending == "pdf") return writePdf;
+    if (ending == "pdf") {
+        if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance()))
+            refuse("PDF needs fonts, which this program has none of. Write an SVG or DXF file.");
+        return writePdf;
+    }
     if (ending == "dxf") return writeDxf;
     refuse(
         QString("\"%1\" does not end in .svg, .pdf or .dxf, which say what kind of file to write.")
@@ -35,6 +44,10 @@ void checkSheetFile(const QString& file) {
     QSaveFile output(file);
     open(output);
     output.cancelWriting();
+}
+
+StrokeStyle strokesIn(const QString& file, StrokeStyle wanted) {
+    return endingOf(file) == "dxf" ? StrokeStyle::Plain : wanted;
 }
 
 void writeSheet(const Sheet& sheet, const QString& file) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "section_marks.h"
+
 namespace line_drawing {
 namespace {
 
@@ -32,7 +34,8 @@ SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& lay
     SheetLayer layer{"names", "Names of views", {}, {}};
     for (std::size_t i = 0; i < views.size(); ++i) {
         const QRectF& place = layout.places[i];
-        layer.texts.push_back({{place.center().x(), place.bottom() + 2 * view_name_height},
+        layer.texts.push_back({{place.center().x(),
+                                place.bottom() + roomOfMarks(views[i]).y() + 2 * view_name_height},
                                view_name_height,
                                Qt::AlignHCenter,
                                views[i].frame.name});

@@ -3,9 +3,11 @@
 
 #include <QRectF>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
+#include "section_marks.h"
 #include "words.h"
 
 namespace line_drawing {
@@ -23,18 +25,22 @@ std::vector<double> usualScales() {
     return scales;
 }
 
+struct Paper {
+    const char* name;
+    double width, height;  // mm, upright
+};
+constexpr Paper papers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420},
+                            {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
+
 /// Upright. None: as large as the drawing.
 std::optional<QSizeF> paperSize(const QString& name) {
-    static const std::map<QString, QSizeF> sizes = {{"a5", {148, 210}}, {"a4", {210, 297}},
-                                                    {"a3", {297, 420}}, {"a2", {420, 594}},
-                                                    {"a1", {594, 841}}, {"a0", {841, 1189}}};
-    if (name.toLower() == "fit") return {};
-    const auto found = sizes.find(name.toLower());
-    if (found == sizes.end())
-        refuse(QString("There is no paper \"%1\". Papers are a5, a4, a3, a2, a1, a0, or fit: as "
-                       "large as the drawing.")
-                   .arg(name));
-    return found->second;
+    if (name.compare("fit", Qt::CaseInsensitive) == 0) return {};
+    for (const Paper& paper : papers)
+        if (name.compare(paper.name, Qt::CaseInsensitive) == 0)
+            return QSizeF(paper.width, paper.height);
+    refuse(QString("There is no paper \"%1\". Papers are a5, a4, a3, a2, a1, a0, or fit: as large "
+                   "as the drawing.")
+               .arg(name));
 }
 
 struct Cell {
@@ -59,7 +65,31 @@ Cell cellOf(Side side) {
     }
 }
 
-std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, Arrangement arrangement) {
+/// Sections, and views whose cell is taken: upright ones on the right in the front view's row,
+/// those from above below in its column.
+void placeBesideTheFront(const std::vector<DrawnView>& views, UpAxis up, std::vector<Cell>& cells) {
+    std::vector<bool> is_placed(views.size());
+    int last_row = 0, last_column = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const auto is_taken = [&](std::size_t k) {
+            return cells[k].row == cells[i].row && cells[k].column == cells[i].column;
+        };
+        is_placed[i] = !views[i].is_section;
+        for (std::size_t k = 0; k < i; ++k)
+            if (is_placed[k] && is_taken(k)) is_placed[i] = false;
+        if (!is_placed[i]) continue;
+        last_row = std::max(last_row, cells[i].row);
+        last_column = std::max(last_column, cells[i].column);
+    }
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (is_placed[i]) continue;
+        const bool is_from_above = std::abs(views[i].frame.towards_viewer[int(up)]) > 0.5;
+        cells[i] = is_from_above ? Cell{++last_row, 0} : Cell{0, ++last_column};
+    }
+}
+
+std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, const SheetOptions& options) {
+    const Arrangement arrangement = options.arrangement;
     constexpr int in_a_row = 4;
     std::vector<Cell> cells;
     int left = 0;
@@ -72,21 +102,24 @@ std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, Arrangement arran
     }
     int others = 0;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        if (views[i].frame.side != Side::Other) continue;
+        if (views[i].frame.side != Side::Other || views[i].is_section) continue;
         cells[i] = {2 + others / in_a_row, left + others % in_a_row};
         ++others;
     }
+    placeBesideTheFront(views, options.up, cells);
     return cells;
 }
 
 /// A row or a column: what its views take before and behind their middles, in mm of the object.
 struct Band {
     double before = 0, behind = 0;
+    double room = 0;    // for marks at both ends, mm on the sheet
     double middle = 0;  // on the sheet, mm, once it is placed
 
-    void hold(double b, double a) {
+    void hold(double b, double a, double r) {
         before = std::max(before, b);
         behind = std::max(behind, a);
+        room = std::max(room, r);
     }
 };
 using Bands = std::map<int, Band>;
@@ -96,8 +129,8 @@ double place(Bands& bands, double start, double scale, double gap) {
     double end = start;
     for (auto& [number, band] : bands) {
         if (end != start) end += gap;
-        band.middle = end + scale * band.before;
-        end = band.middle + scale * band.behind;
+        band.middle = end + band.room + scale * band.before;
+        end = band.middle + scale * band.behind + band.room;
     }
     return end;
 }
@@ -105,11 +138,12 @@ double place(Bands& bands, double start, double scale, double gap) {
 class Layout {
 public:
     Layout(const std::vector<DrawnView>& views, const SheetOptions& options)
-        : views_(views), options_(options), cells_(cellsOf(views, options.arrangement)) {
+        : views_(views), options_(options), cells_(cellsOf(views, options)) {
         for (std::size_t i = 0; i < views.size(); ++i) {
             const auto& box = views[i].bounds;
-            columns_[cells_[i].column].hold(-box.min().x(), box.max().x());
-            rows_[cells_[i].row].hold(box.max().y(), -box.min().y());
+            const Eigen::Vector2d room = roomOfMarks(views[i]);
+            columns_[cells_[i].column].hold(-box.min().x(), box.max().x(), room.x());
+            rows_[cells_[i].row].hold(box.max().y(), -box.min().y(), room.y());
         }
     }
 
@@ -193,6 +227,13 @@ SheetLayout layOutAt(Layout& layout, double scale, const QSizeF& upright, const 
 }
 
 }  // namespace
+
+std::vector<const char*> paperNames() {
+    std::vector<const char*> names;
+    for (const Paper& paper : papers)
+        names.push_back(paper.name);
+    return names;
+}
 
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {
     Layout layout(views, options);

@@ -134,7 +134,11 @@ private:
     void writePath(const SheetPath& path) {
         xml_.writeEmptyElement(svg_namespace, "path");
         xml_.writeAttribute("d", PathData().of(path.path));
-        if (path.pen_width == 0) return;  // filled with black, as is usual
+        if (path.pen_width == 0) {  // filled with black, as is usual
+            if (path.path.fillRule() == Qt::OddEvenFill)
+                xml_.writeAttribute("fill-rule", "evenodd");
+            return;
+        }
         xml_.writeAttribute("fill", "none");
         xml_.writeAttribute("stroke", "#000");
         xml_.writeAttribute("stroke-width", number(path.pen_width));

@@ -25,7 +25,7 @@ Vector3d frontOf(UpAxis axis) {
 
 ViewFrame makeFrame(Side side, const QString& name, const Vector3d& towards_viewer,
                     const Vector3d& up) {
-    return {side, name, up.cross(towards_viewer), up, towards_viewer};
+    return {side, name, up.cross(towards_viewer), up, towards_viewer, false};
 }
 
 class ViewWords {
@@ -51,6 +51,7 @@ private:
         for (std::size_t side = 0; side < std::size(side_names); ++side)
             if (word.compare(side_names[side], Qt::CaseInsensitive) == 0)
                 return frameOfSide(Side(side), up_);
+        if (word.compare("vessel", Qt::CaseInsensitive) == 0) return frameOfVessel(up_);
         bool is_number = false;
         const double azimuth = word.toDouble(&is_number);
         if (!is_number || next_ == words_.size()) refuseWord(word);
@@ -61,8 +62,8 @@ private:
 
     [[noreturn]] static void refuseWord(const QString& word) {
         refuse(QString("\"%1\" is no view. Views are front, back, left, right, top, bottom, "
-                       "six (all of these), or azimuth and elevation in degrees, such as "
-                       "30,15.")
+                       "six (all of these), vessel, or azimuth and elevation in degrees, such "
+                       "as 30,15.")
                    .arg(word));
     }
 
@@ -72,6 +73,11 @@ private:
 };
 
 }  // namespace
+
+Vector3d inMesh(const Vector3d& direction, const ViewFrame& frame) {
+    return direction.x() * frame.right + direction.y() * frame.up +
+           direction.z() * frame.towards_viewer;
+}
 
 ViewFrame frameOfSide(Side side, UpAxis axis) {
     const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
@@ -90,6 +96,13 @@ ViewFrame frameOfSide(Side side, UpAxis axis) {
         default:
             return makeFrame(side, name, front, up);
     }
+}
+
+ViewFrame frameOfVessel(UpAxis axis) {
+    ViewFrame frame = frameOfSide(Side::Front, axis);
+    frame.name = "Vessel";
+    frame.is_half_section = true;
+    return frame;
 }
 
 ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {

@@ -63,13 +63,22 @@ FieldSource fieldSource(const CMeshO& mesh) {
     return source;
 }
 
+FieldSource withDerivatives(FieldSource source) {
+    source.options.curvature_derivatives = true;
+    source.key.options = optionValues(source.options);
+    return source;
+}
+
 Field demandField(const CMeshO& mesh, const laplacian_lines::TriangleMesh& triangles,
                   const QString& mesh_name, const FieldSource& source,
                   const std::function<void(const QString&)>& say,
                   const laplacian_lines::Progress& progress) {
     if (source.status == FieldStatus::Current)
-        if (std::optional<Field> field = readField(mesh, source.key.stamp))
+        if (std::optional<Field> field = readField(mesh, source.key.stamp)) {
+            if (source.options.curvature_derivatives && field->curvature_derivatives.empty())
+                laplacian_lines::add_curvature_derivatives(triangles, *field, progress);
             return std::move(*field);
+        }
     QElapsedTimer clock;
     clock.start();
     Field field = laplacian_lines::precompute(triangles, source.options, progress);

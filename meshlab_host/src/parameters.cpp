@@ -121,6 +121,20 @@ Eigen::Vector3d readPlace(const PlaceDescription& d, const Eigen::Vector3d& fall
     return result;
 }
 
+void addText(const TextDescription& d, const QString& value, RichParameterList& list) {
+    if (d.files.isEmpty())
+        add<RichString>(d, list, value);
+    else
+        add<RichFileToSave>(d, list, value, d.files);
+}
+
+QString readText(const TextDescription& d, const QString& fallback, const RichParameterList& list) {
+    if (!list.hasParameter(d.name)) return fallback;
+    const std::optional<QString> text = textIn(list.getParameterByName(d.name).value());
+    if (!text) refuseValue("not a text", d.label, "one");
+    return *text;
+}
+
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list) {
     if (!list.hasParameter(name)) return fallback;
     const Value& value = list.getParameterByName(name).value();

@@ -12,19 +12,24 @@
     view = meshes.generate_polyline_from_laplacian_lines(view="Front")
     laplacian_lines.picture("lines.png", meshes.current_mesh(), view)
 
-Without Matplotlib, all but picture() and draw() works. parameters(FILTER) and parameters(POLYLINE_FILTER) list what the
-filters take. Works with the version of PyMeshLab that the plugin beside this package was built for.
+    meshes.set_current_mesh(0)
+    meshes.export_laplacian_lines_drawing(file="plate.svg", views="six", unit="m")
+
+Without Matplotlib, all but picture() and draw() works. parameters(FILTER), parameters(POLYLINE_FILTER) and
+parameters(DRAWING_FILTER) list what the filters take. Works with the version of PyMeshLab that the plugin beside this
+package was built for.
 """
 
 import pymeshlab
 
 from . import filters, tables
 from .drawing import Lines, draw, lines, picture
-from .tables import ATTRIBUTES, FILTER, PLUGIN, POLYLINE_FILTER, Attribute, Parameter, parameters
+from .tables import ATTRIBUTES, DRAWING_FILTER, FILTER, PLUGIN, POLYLINE_FILTER, Attribute, Parameter, parameters
 
-__all__ = ["ATTRIBUTES", "FILTER", "PLUGIN", "POLYLINE_FILTER", "Attribute", "Lines", "Parameter", "draw", "field",
-           "lines", "load", "parameters", "picture"]
-__doc__ += "\n" + "\n\n".join(filters.summary(name) for name in (FILTER, POLYLINE_FILTER))
+__all__ = ["ATTRIBUTES", "DRAWING_FILTER", "FILTER", "PLUGIN", "POLYLINE_FILTER", "Attribute", "Lines", "Parameter",
+           "draw", "field", "lines", "load", "parameters", "picture"]
+_FILTERS = (FILTER, POLYLINE_FILTER, DRAWING_FILTER)
+__doc__ += "\n" + "\n\n".join(filters.summary(name) for name in _FILTERS)
 
 
 def load(plugin=PLUGIN):
@@ -35,7 +40,7 @@ def load(plugin=PLUGIN):
     if FILTER not in pymeshlab.filter_list():
         pymeshlab.load_plugin(str(plugin))
     # PyMeshLab itself does this only for the plugins that it has at its import.
-    for name in (FILTER, POLYLINE_FILTER):
+    for name in _FILTERS:
         if not hasattr(pymeshlab.MeshSet, name):
             setattr(pymeshlab.MeshSet, name, filters.method(name))
 

@@ -11,6 +11,7 @@ import pymeshlab  # has loaded the libraries that the plugin needs
 
 FILTER = "compute_laplacian_lines_per_vertex"
 POLYLINE_FILTER = "generate_polyline_from_laplacian_lines"
+DRAWING_FILTER = "export_laplacian_lines_drawing"
 PLUGIN = pathlib.Path(__file__).resolve().parents[1] / "libfilter_laplacian_lines.so"
 
 
@@ -77,8 +78,8 @@ class Parameters(tuple):
 _TABLES = _read(PLUGIN)
 ATTRIBUTES = tuple(Attribute(**row) for row in _TABLES["columns"])
 KINDS = tuple(Kind(**row) for row in _TABLES["kinds"])
-_TYPES = {"real": "float", "integer": "int", "boolean": "bool", "choice": "str or int", "place": "three numbers",
-          "length": "PureValue or PercentageValue"}
+_TYPES = {"real": "float", "integer": "int", "boolean": "bool", "choice": "str or int", "text": "str",
+          "place": "three numbers", "length": "PureValue or PercentageValue"}
 _NUMBERS = {"real": float, "integer": int, "length": lambda value: pymeshlab.PureValue(float(value))}
 
 
@@ -92,7 +93,7 @@ def filter_row(name):
 
 
 def parameters(name=FILTER):
-    """The parameters of a filter, FILTER or POLYLINE_FILTER; printed, a text that tells what they do.
+    """The parameters of a filter, FILTER, POLYLINE_FILTER or DRAWING_FILTER; printed, a text that tells what they do.
 
     Raises ValueError if there is no such filter.
     """

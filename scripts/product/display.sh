@@ -11,7 +11,7 @@ start_display() {
     # Xvfb picks a free display itself and tells it through the file descriptor, once it accepts clients.
     Xvfb -displayfd 9 -screen 0 "$1x$2x24" +extension GLX -nolisten tcp -noreset 9>"$fifo" >/dev/null 2>&1 &
     DISPLAY_PID=$!
-    read -r -t 30 number <"$fifo" || number=
+    read -r -t 60 number <"$fifo" || number=
     rm -f "$fifo"
     if [[ -z $number ]]; then
         stop_display

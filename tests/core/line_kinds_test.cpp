@@ -43,7 +43,14 @@ LineStyle only(LineKind kind) {
     style.detail = 100;
     style.ridge_angle = 10;
     style.crease_angle = 20;
+    style.valley_angle = 5;
     return style;
+}
+
+LineExtractor extractor_of(const TestMesh& mesh) {
+    PrecomputeOptions options;
+    options.curvature_derivatives = true;
+    return {mesh.mesh, precompute(mesh.mesh, options)};
 }
 
 TEST(LineKinds, AreInTheOrderOfTheirNumbers) {
@@ -98,7 +105,7 @@ TEST_P(EachKind, IsDrawnAloneWhereItIsSwitchedOnAlone) {
     std::size_t count = 0;
     for (const MeshEntry& entry : test_meshes::all_entries()) {
         const TestMesh& mesh = entry.get();
-        const LineExtractor extractor(mesh.mesh, precompute(mesh.mesh));
+        const LineExtractor extractor = extractor_of(mesh);
         const LineSet lines =
             helpers::extract(extractor, View::perspective(Eigen::Vector3d(3, 2, 4)), only(kind()));
         for (const Polyline& line : lines.lines)
@@ -121,7 +128,7 @@ TEST_P(EachKind, FollowsTheEyeIfItSaysSo) {
     bool follows = false;
     for (const MeshEntry* entry : some_meshes()) {
         const TestMesh* mesh = &entry->get();
-        const LineExtractor extractor(mesh->mesh, precompute(mesh->mesh));
+        const LineExtractor extractor = extractor_of(*mesh);
         const auto lines_from = [&](const Eigen::Vector3d& eye) {
             LineStyle style = only(kind());
             style.contour_clearance = 0;

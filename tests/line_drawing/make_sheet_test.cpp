@@ -34,6 +34,26 @@ TEST(MeasuredDrawing, UnitsAndScalesMultiply) {
     EXPECT_NEAR(extent.width(), 50, 0.02);
 }
 
+TEST(MeasuredDrawing, KnowsItsScale) {
+    SheetOptions options = plainViews("front", "a4");
+    EXPECT_EQ(sheetOf(made_sheets::cubeOf100(), options).scale, 1);
+    options.scale = 0;
+    options.mm_per_unit = 10;
+    EXPECT_EQ(sheetOf(made_sheets::cubeOf100(), options).scale, 0.1);
+}
+
+TEST(MeasuredDrawing, ALightTurnsWithTheView) {
+    const auto mesh = test_meshes::bumpy_sphere(4).mesh;
+    const auto svg = [&](const char* views, std::optional<Eigen::Vector3d> light) {
+        SheetOptions options = plainViews(views);
+        options.mm_per_unit = 40;
+        options.light = light;
+        return writeSvg(sheetOf(mesh, options));
+    };
+    EXPECT_EQ(svg("top", Eigen::Vector3d(0, 0, 2)), svg("top", {}));
+    EXPECT_NE(svg("top", Eigen::Vector3d(-1, 1, 1)), svg("top", {}));
+}
+
 TEST(MeasuredDrawing, ViewsAreAligned) {
     const Sheet sheet = sheetOf(made_sheets::cubeOf100(), plainViews("front,left,top"));
     const QRectF front = extentOf(sheet.groups[0]);

@@ -75,6 +75,11 @@ TEST(SheetFiles, AppearWhole) {
     }
 }
 
+TEST(SheetFiles, OfDxfHavePlainStrokes) {
+    EXPECT_EQ(strokesIn("plate.DXF", StrokeStyle::Tapered), StrokeStyle::Plain);
+    EXPECT_EQ(strokesIn("dxf.svg", StrokeStyle::Tapered), StrokeStyle::Tapered);
+}
+
 TEST(SheetFiles, OfOtherKindsOrPlacesAreRefused) {
     QTemporaryDir folder;
     for (const char* file : {"plate", "plate.png", "missing/plate.svg"}) {

@@ -21,6 +21,15 @@ std::vector<DrawnView> viewsOfABox(const char* names) {
     return views;
 }
 
+TEST(SheetLayout, KnowsThePapersThatItNames) {
+    SheetOptions options;
+    for (const char* name : paperNames()) {
+        options.paper = QString(name).toUpper();
+        EXPECT_GT(layOut(viewsOfABox("front"), options).size.width(), 100) << name;
+    }
+    EXPECT_EQ(paperNames().size(), 6u);
+}
+
 TEST(SheetLayout, AlignsTheViewsInFirstAngle) {
     const SheetLayout layout = layOut(viewsOfABox("six"), {});
     const auto& at = layout.placements;  // front, back, left, right, top, bottom

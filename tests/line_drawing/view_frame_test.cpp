@@ -55,6 +55,11 @@ TEST(ViewFrames, DirectionsMeetTheSides) {
     }
 }
 
+TEST(ViewFrames, TellWhereADirectionOfThePictureLeads) {
+    const ViewFrame left = frameOfSide(Side::Left, UpAxis::Z);  // x of the picture is -y
+    EXPECT_EQ(inMesh(Vector3d(1, 2, 3), left), Vector3d(-3, -1, 2));
+}
+
 TEST(ViewFrames, AreNamed) {
     const std::vector<ViewFrame> views = parseViews("front, Top;30,-15 left", UpAxis::Z);
     ASSERT_EQ(views.size(), 4u);

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <QFile>
+#include <QTemporaryDir>
+#include <array>
 #include <set>
 
 #include "filter_laplacian_lines.h"
@@ -13,7 +16,13 @@
 
 namespace {
 
-enum FilterNumber { Compute, Polylines };
+enum FilterNumber { Compute, Polylines, Drawing };
+
+#if MESHLAB_API < 2022
+using FileNameValue = FileValue;
+#else
+using FileNameValue = StringValue;
+#endif
 
 /// The plugin as MeshLab sees it.
 class Plugin : public meshlab_host::FilterPluginBase {
@@ -103,10 +112,14 @@ protected:
 
     QString run(int cancel_from) {
         record = {{}, cancel_from};
-        return plugin.apply(GetParam(), document, plugin.defaults(GetParam(), document), callback);
+        RichParameterList list = plugin.defaults(GetParam(), document);
+        if (GetParam() == Drawing) list.setValue("file", FileNameValue(drawing()));
+        return plugin.apply(GetParam(), document, list, callback);
     }
+    QString drawing() const { return folder.filePath("drawing.svg"); }
     const CMeshO& mesh() { return document.mm()->cm; }
 
+    QTemporaryDir folder;
     MeshDocument document;
     Plugin plugin;
 };
@@ -176,6 +189,7 @@ TEST_P(FilterProgress, StopsAtOnceAndLeavesNothingBehind) {
         EXPECT_EQ(record.calls_after, 0);
         expectSame(before, LayerState(mesh()));
         EXPECT_EQ(layerCount(document), 1);
+        EXPECT_FALSE(QFile::exists(drawing()));
     }
 }
 
@@ -188,9 +202,18 @@ TEST_P(FilterProgress, KeepsEarlierResultsWhenCancelled) {
     expectSame(before, LayerState(mesh()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Filters, FilterProgress, testing::Values(Compute, Polylines),
-                         [](const auto& info) {
-                             return info.param == Compute ? "Compute" : "Polylines";
-                         });
+TEST_P(FilterProgress, DrawingsLeaveTheDocumentAsItIs) {
+    if (GetParam() != Drawing) return;
+    const LayerState before(mesh());
+    ASSERT_EQ(run(never).toStdString(), "");
+    expectSame(before, LayerState(mesh()));
+    EXPECT_EQ(layerCount(document), 1);
+    EXPECT_GT(QFile(drawing()).size(), 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Filters, FilterProgress, testing::Values(Compute, Polylines, Drawing), [](const auto& info) {
+        return std::array{"Compute", "Polylines", "Drawing"}.at(std::size_t(info.param));
+    });
 
 }  // namespace

@@ -76,4 +76,5 @@ expect-deco Gradient Threshold t hidden
 
 $(filter "Compute Laplacian Lines" compute)
 $(filter "Generate Laplacian Lines Polylines" polylines)
+$(filter "Export Laplacian Lines Drawing" drawing)
 END

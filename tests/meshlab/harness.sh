@@ -26,7 +26,7 @@ EXAMPLE=$CHECKOUT/examples/laplacian_lines.mlx
 STAGE=$LAPLACIAN_LINES_BUILD/stage
 WORK=$LAPLACIAN_LINES_BUILD/Testing/meshlab/$TEST_NAME
 DISPLAY_SIZE=${DISPLAY_SIZE:-1700x1000}
-DRIVE_SECONDS=${DRIVE_SECONDS:-100} # a hung MeshLab, before ctest's own limit, so that its log is shown
+DRIVE_SECONDS=${DRIVE_SECONDS:-200} # a hung MeshLab, before ctest's own limit, so that its log is shown
 
 # shellcheck source=/dev/null
 source "$CHECKOUT/scripts/require.sh" environment/cache environment/messages environment/packages product/display product/models \

@@ -12,7 +12,7 @@ import numpy
 import pymeshlab
 from harness import meshes
 
-FILTERS = (laplacian_lines.FILTER, laplacian_lines.POLYLINE_FILTER)
+FILTERS = (laplacian_lines.FILTER, laplacian_lines.POLYLINE_FILTER, laplacian_lines.DRAWING_FILTER)
 
 
 def listed_by_pymeshlab(name):

@@ -76,7 +76,9 @@ TriangleMesh liveTriangles(const CMeshO& mesh) {
 const LineSet& CoreLines::of(const MeshModel& mesh, const RichParameterList& parameters) {
     const DecorationParameters chosen = readDecorationParameters(parameters);
     const View view = viewOf(mesh.cm, chosen);
-    extractor(mesh.cm, optionsFor(mesh.cm)).extract(view, chosen.style, scratch_, lines_);
+    PrecomputeOptions options = optionsFor(mesh.cm);
+    options.curvature_derivatives = chosen.style.shows.needs_derivatives();
+    extractor(mesh.cm, options).extract(view, chosen.style, scratch_, lines_);
     return lines_;
 }
 

@@ -159,7 +159,9 @@ private:
 
 ProjectedLines probeLayer(const MeshModel& mesh, const ProbeOptions& options) {
     const TriangleMesh triangles = liveTriangles(mesh.cm);
-    const laplacian_lines::Field field = laplacian_lines::precompute(triangles, options.field);
+    laplacian_lines::PrecomputeOptions field_options = options.field;
+    field_options.curvature_derivatives |= options.style.shows.needs_derivatives();
+    const laplacian_lines::Field field = laplacian_lines::precompute(triangles, field_options);
     const laplacian_lines::LineExtractor extractor(triangles, field);
     const Screen screen(mesh.cm);
     laplacian_lines::ExtractionScratch scratch;

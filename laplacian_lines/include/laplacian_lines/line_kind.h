@@ -14,6 +14,8 @@ enum class LineKind : std::uint32_t {
     Ridge,                ///< convex crest lines
     Border,               ///< where the surface ends
     Crease,               ///< edges of the mesh that are edges of the form
+    Valley,               ///< concave crest lines
+    DemarcatingCurve,     ///< where reliefs turn from hollow to bulging
     SuggestiveContour,    ///< contours of a view nearby
     SuggestiveHighlight,  ///< their counterparts in the light
     ApparentRidge,        ///< where curvature as it is seen is largest
@@ -37,12 +39,13 @@ struct LineKindDescription {
     const char* one;    ///< a line of this kind, within a sentence
     const char* many;   ///< several
     LineGradient gradient;
-    bool is_outline = false;       ///< bounds the form; the others describe what is inside
-    bool depends_on_view = false;  ///< otherwise only which parts are seen does
-    bool is_on_horizon = false;    ///< where the surface turns away, to either side of it
-    bool shown = true;             ///< by default
-    std::uint32_t color = 0;       ///< by default, 0xRRGGBB
-    double width = 1;              ///< by default, in widths of a Laplacian line of full weight
+    bool is_outline = false;         ///< bounds the form; the others describe what is inside
+    bool depends_on_view = false;    ///< otherwise only which parts are seen does
+    bool is_on_horizon = false;      ///< where the surface turns away, to either side of it
+    bool shown = true;               ///< by default
+    bool needs_derivatives = false;  ///< none without Field::curvature_derivatives
+    std::uint32_t color = 0;         ///< by default, 0xRRGGBB
+    double width = 1;                ///< by default, in widths of a Laplacian line of full weight
 
     // What rows of the table add to the above.
     constexpr LineKindDescription as_outline() const {
@@ -56,15 +59,24 @@ struct LineKindDescription {
         row.depends_on_view = true;
         return row;
     }
+    constexpr LineKindDescription on_request() const {
+        LineKindDescription row = *this;
+        row.shown = false;
+        return row;
+    }
+    constexpr LineKindDescription of_derivatives() const {
+        LineKindDescription row = on_request();
+        row.needs_derivatives = true;
+        return row;
+    }
     constexpr LineKindDescription on_horizon() const {
         LineKindDescription row = of_view();
         row.is_on_horizon = true;
         return row;
     }
-    constexpr LineKindDescription on_demand(std::uint32_t by_color) const {
+    constexpr LineKindDescription in_color(std::uint32_t rgb) const {
         LineKindDescription row = *this;
-        row.shown = false;
-        row.color = by_color;
+        row.color = rgb;
         return row;
     }
 };
@@ -92,31 +104,44 @@ inline constexpr std::array line_kinds = {
         "Draw sharp edges of the form, on meshes of few triangles, such as those of "
         "CAD programs, and of many.",
         "crease", "creases", LineGradient::Angle},
+    LineKindDescription{LineKind::Valley, "valleys", "Valleys",
+                        "Draw concave edges of the form, sharp or rounded: the bottoms of grooves.",
+                        "valley", "valleys", LineGradient::Angle}
+        .on_request(),
+    LineKindDescription{LineKind::DemarcatingCurve, "demarcating_curves", "Demarcating Curves",
+                        "Draw the curves along which a relief turns most sharply from hollow to "
+                        "bulging: its middle height on every flank.",
+                        "demarcating curve", "demarcating curves", LineGradient::Angle}
+        .of_derivatives(),
     LineKindDescription{LineKind::SuggestiveContour, "suggestive_contours", "Suggestive Contours",
                         "Draw where outlines would begin if the object turned a little (DeCarlo "
                         "and others 2003).",
                         "suggestive contour", "suggestive contours", LineGradient::Illumination}
         .of_view()
-        .on_demand(0x1f4e99),
+        .on_request()
+        .in_color(0x1f4e99),
     LineKindDescription{LineKind::SuggestiveHighlight, "suggestive_highlights",
                         "Suggestive Highlights",
                         "Draw the counterparts of suggestive contours where the surface turns "
                         "towards the eye (DeCarlo and Rusinkiewicz 2007).",
                         "suggestive highlight", "suggestive highlights", LineGradient::Illumination}
         .of_view()
-        .on_demand(0xd08a1d),
+        .on_request()
+        .in_color(0xd08a1d),
     LineKindDescription{LineKind::ApparentRidge, "apparent_ridges", "Apparent Ridges",
                         "Draw ridges and valleys of the surface as it is seen from the eye (Judd "
                         "and others 2007).",
                         "apparent ridge", "apparent ridges", LineGradient::Curvature}
         .of_view()
-        .on_demand(0xa3282f),
+        .of_derivatives()
+        .in_color(0xa3282f),
     LineKindDescription{LineKind::PhoticExtremum, "photic_extrema", "Photic Extremum Lines",
                         "Draw where the shading changes most on its way from dark to bright (Xie "
                         "and others 2007).",
                         "photic extremum line", "photic extremum lines", LineGradient::Illumination}
         .of_view()
-        .on_demand(0x2e7d4f),
+        .of_derivatives()
+        .in_color(0x2e7d4f),
 };
 inline constexpr std::size_t line_kind_count = line_kinds.size();
 
@@ -140,6 +165,13 @@ public:
     constexpr bool& operator[](LineKind kind) { return switches_[static_cast<std::size_t>(kind)]; }
     constexpr bool operator[](LineKind kind) const {
         return switches_[static_cast<std::size_t>(kind)];
+    }
+
+    /// Whether one of them needs Field::curvature_derivatives.
+    constexpr bool needs_derivatives() const {
+        for (const LineKindDescription& row : line_kinds)
+            if (row.needs_derivatives && (*this)[row.kind]) return true;
+        return false;
     }
 
 private:

@@ -36,8 +36,8 @@ void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eig
 }
 
 /// Whatever a caller's field holds, floats can take powers of what is kept of it.
-constexpr double kLargestLaplacian = 1e12, kLargestCurvature = 1e8, kLargestDerivative = 1e12,
-                 kLargestSlopeScale = 1e15;
+constexpr double kLargestLaplacian = 1e12, kLargestCurvature = 1e8, kLargestSlopeScale = 1e15,
+                 kLargestDerivative = 1e16;
 
 double bounded(double x, double limit) {
     return std::isnan(x) ? 0 : std::clamp(x, -limit, limit);
@@ -175,7 +175,15 @@ LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
             bounded(field_.laplacian_normals[v], d * d, kLargestLaplacian),
             {curvature(s.xx), curvature(s.yy), curvature(s.zz), curvature(s.yz), curvature(s.xz),
              curvature(s.xy)},
-            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
+            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale)),
+            local_derivative(v)};
+}
+
+Eigen::Vector4f ClusterBuilder::local_derivative(std::uint32_t v) const {
+    if (field_.curvature_derivatives.empty()) return Eigen::Vector4f::Zero();
+    const double factor = data_.diagonal * data_.diagonal;
+    return field_.curvature_derivatives[v].unaryExpr(
+        [=](float x) { return float(bounded(x * factor, kLargestDerivative)); });
 }
 
 void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
@@ -188,18 +196,6 @@ void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
     values.clear();
     for (std::uint32_t i = 0; i < range.vertex_count; ++i)
         values.push_back(local_vertex(vertices[i]));
-    if (data_.derivatives.empty()) return;
-    Eigen::Vector4f* derivatives = data_.derivatives.data() + data_.clusters[c].first_vertex;
-    for (std::uint32_t i = 0; i < range.vertex_count; ++i)
-        derivatives[i] = local_derivatives(vertices[i]);
-}
-
-Eigen::Vector4f ClusterBuilder::local_derivatives(std::uint32_t prepared) const {
-    const double squared = data_.diagonal * data_.diagonal;
-    const Eigen::Vector4f& c = field_.curvature_derivatives[mesh_.original_vertex[prepared]];
-    return (c.cast<double>() * squared)
-        .unaryExpr([](double x) { return bounded(x, kLargestDerivative); })
-        .cast<float>();
 }
 
 void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
@@ -253,6 +249,9 @@ void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
     auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
     for (std::size_t i = 0; i < values.size(); ++i)
         records[i] = make_record(values[i]);
+    if (!data_.derivatives.empty())
+        for (std::size_t i = 0; i < values.size(); ++i)
+            data_.derivatives[cluster.first_vertex + i] = values[i].derivative;
     // The places that are left over repeat the last vertex, which changes no "all" or "any".
     for (std::size_t i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
         const LocalVertex& v = values[std::min(i, values.size() - 1)];

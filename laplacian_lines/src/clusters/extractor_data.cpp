@@ -77,10 +77,14 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
     for (const Cluster& cluster : data.clusters) {
         const unsigned char* memory = memory_of(store, cluster);
         const ClusterLayout layout = cluster_layout(cluster);
-        placed.push_back({&cluster, vertices,
-                          reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
-                          reinterpret_cast<const VertexRecord*>(memory + layout.records),
-                          reinterpret_cast<const float*>(memory + layout.forms[kLaplacianForm])});
+        placed.push_back(
+            {&cluster, vertices,
+             reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
+             reinterpret_cast<const VertexRecord*>(memory + layout.records),
+             reinterpret_cast<const float*>(memory + layout.forms[kLaplacianForm]),
+             data.derivatives.empty()
+                 ? nullptr
+                 : data.derivatives.data() + (vertices - data.vertices_of_clusters.data())});
         vertices += cluster.vertex_count;
     }
     return placed;

@@ -24,10 +24,11 @@ struct ExtractorData {
     std::vector<Cluster> clusters;
     std::vector<std::uint32_t> vertices_of_clusters;  ///< numbers in the mesh, cluster by cluster
     std::uint32_t vertex_count = 0;                   ///< of the mesh
+    /// C·D² of the vertices of clusters, as Field::curvature_derivatives has it; empty if the field
+    /// has none.
+    std::vector<Eigen::Vector4f> derivatives;
     std::vector<std::uint32_t> border_edges;
     std::uint32_t border_edge_count = 0;  ///< the numbers in border_edges are below
-    /// C·D² by vertex of a cluster, as vertices_of_clusters; empty if the field has none.
-    std::vector<Eigen::Vector4f> derivatives;
     /// The arrays of ClusterStore about whole clusters, one after the other.
     std::vector<float> bounds;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
@@ -58,7 +59,8 @@ struct PlacedCluster {
     const std::uint32_t* vertices;  ///< numbers in the mesh
     const ClusterTriangle* triangles;
     const VertexRecord* records;
-    const float* laplacians;  ///< linear forms
+    const float* laplacians;             ///< linear forms
+    const Eigen::Vector4f* derivatives;  ///< C·D² by vertex; null if there is none
 };
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
 

@@ -42,13 +42,15 @@ constexpr FixedKind fixed_kind(LineKind kind) {
             }};
 }
 
-extern const FixedKind ridges;   ///< ridges.cpp
-extern const FixedKind borders;  ///< borders.cpp
-extern const FixedKind creases;  ///< creases.cpp
+extern const FixedKind ridges;              ///< ridges.cpp
+extern const FixedKind borders;             ///< borders.cpp
+extern const FixedKind creases;             ///< creases.cpp
+extern const FixedKind valleys;             ///< ridges.cpp
+extern const FixedKind demarcating_curves;  ///< demarcating_curves.cpp
 
-constexpr std::size_t kFixedKindCount = 3;
+constexpr std::size_t kFixedKindCount = 5;
 inline std::array<const FixedKind*, kFixedKindCount> fixed_kinds() {
-    return {&ridges, &borders, &creases};
+    return {&ridges, &borders, &creases, &valleys, &demarcating_curves};
 }
 
 }  // namespace laplacian_lines

@@ -197,9 +197,9 @@ private:
 }  // namespace
 
 void measure_ridge_angles(const ExtractorData& data, const std::vector<PlacedCluster>& placed,
-                          RidgeCandidates& candidates) {
+                          Crest crest, RidgeCandidates& candidates) {
     const MeshSides sides(data, placed);
-    const SectionProbe probe(placed, sides);
+    const SectionProbe probe(placed, sides, crest.sign);
     LineSet& lines = candidates.lines;
     in_parallel<LineMemory>(lines.lines.size(), [&](std::size_t number, LineMemory& memory) {
         const Polyline& line = lines.lines[number];

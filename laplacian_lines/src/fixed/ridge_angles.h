@@ -11,6 +11,6 @@ namespace laplacian_lines {
 /// the kernel's size; less, down to 0, where the surface goes on turning as fast beyond, as a bump
 /// does, or turns on one side only. The number of threads does not matter.
 void measure_ridge_angles(const ExtractorData& data, const std::vector<PlacedCluster>& placed,
-                          RidgeCandidates& candidates);
+                          Crest crest, RidgeCandidates& candidates);
 
 }  // namespace laplacian_lines

@@ -4,9 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
-#include "fixed/segment_tracing.h"
 #include "fixed/stretches.h"
 #include "system/parallel.h"
 
@@ -31,9 +29,9 @@ Eigen::Vector3f read_form(const float* forms, unsigned v) {
 }
 
 /// `laplacian`: Δn·D²
-Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian) {
+Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float sign) {
     const Eigen::Matrix3f s =
-        Eigen::Map<const Eigen::Matrix<float, 4, 3>>(record.shape_operator[0]).topRows<3>();
+        sign * Eigen::Map<const Eigen::Matrix<float, 4, 3>>(record.shape_operator[0]).topRows<3>();
     const Eigen::Vector3f u = normal_of(record).unitOrthogonal();
     const Eigen::Vector3f v = normal_of(record).cross(u);
     const Eigen::Vector3f su = s * u, sv = s * v;
@@ -47,37 +45,26 @@ Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian) {
     bend.curvature = k1;
     bend.direction =
         (x > 0 ? ((range + x) * u + y * v).eval() : (y * u + (range - x) * v).eval()).normalized();
-    bend.derivative = bend.direction.dot(laplacian);
+    bend.derivative = sign * bend.direction.dot(laplacian);
     return bend;
 }
-
-/// A zero on an edge between two vertices of the mesh.
-struct Zero {
-    std::uint64_t edge;  ///< the smaller vertex, then the larger one
-    RidgeCandidates::Form form;
-};
-
-/// A piece of a ridge in a triangle.
-struct Piece {
-    Zero ends[2];
-};
 
 /// Finds the pieces of ridges in one cluster.
 class ClusterRidges {
 public:
-    ClusterRidges(const PlacedCluster& placed, std::uint32_t number)
+    ClusterRidges(const PlacedCluster& placed, std::uint32_t number, float sign)
         : placed_(placed), number_(number) {
         for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
-            bends_[v] = bend(placed.records[v], read_form(placed.laplacians, v));
+            bends_[v] = bend(placed.records[v], read_form(placed.laplacians, v), sign);
     }
 
-    void find(std::vector<Piece>& pieces) const {
+    void find(ZeroPieces& pieces) const {
         for (unsigned t = 0; t < placed_.cluster->triangle_count; ++t)
             add(t, pieces);
     }
 
 private:
-    void add(unsigned triangle, std::vector<Piece>& pieces) const {
+    void add(unsigned triangle, ZeroPieces& pieces) const {
         const std::uint8_t* t = placed_.triangles[triangle].corners;
         const Bend* b[3] = {&bends_[t[0]], &bends_[t[1]], &bends_[t[2]]};
         if (b[0]->curvature == 0 || b[1]->curvature == 0 || b[2]->curvature == 0) return;
@@ -92,7 +79,7 @@ private:
         }
         if ((f[0] < 0) == (f[1] < 0) && (f[0] < 0) == (f[2] < 0)) return;
         if (!falls_along(t, f, e)) return;
-        Piece piece{};
+        ZeroPiece piece{};
         int found = 0;
         for (int k = 0; k < 3; ++k)
             if ((f[k] < 0) != (f[(k + 1) % 3] < 0)) piece.ends[found++] = zero(triangle, k);
@@ -124,11 +111,12 @@ private:
         const float t = sum > 0 ? fa / sum : 0.5f;
         const Eigen::Vector3f bend_a = bends_[a].curvature * bends_[a].direction;
         const Eigen::Vector3f bend_b = bends_[b].curvature * bends_[b].direction;
-        return {std::uint64_t(placed_.vertices[a]) << 32 | placed_.vertices[b],
+        return {edge_key(placed_.vertices[a], placed_.vertices[b]),
                 {(1 - t) * position(a) + t * position(b),
                  (1 - t) * normal_of(placed_.records[a]) + t * normal_of(placed_.records[b]),
                  (1 - t) * bend_a + t * sign_to(bends_[a], bends_[b]) * bend_b,
-                 {number_, std::uint8_t(triangle), std::uint8_t(side)}}};
+                 {number_, std::uint8_t(triangle), std::uint8_t(side)},
+                 0}};
     }
 
     const PlacedCluster& placed_;
@@ -137,64 +125,20 @@ private:
 };
 
 /// In the order of the clusters.
-std::vector<std::vector<Piece>> find_pieces(const std::vector<PlacedCluster>& placed) {
-    std::vector<std::vector<Piece>> pieces(placed.size());
+std::vector<ZeroPieces> find_pieces(const std::vector<PlacedCluster>& placed, float sign) {
+    std::vector<ZeroPieces> pieces(placed.size());
     in_parallel<NoScratch>(placed.size(), [&](std::size_t c, NoScratch&) {
-        ClusterRidges(placed[c], std::uint32_t(c)).find(pieces[c]);
+        ClusterRidges(placed[c], std::uint32_t(c), sign).find(pieces[c]);
     });
     return pieces;
 }
 
-/// Joins the pieces at their ends.
-class RidgeGraph {
-public:
-    explicit RidgeGraph(const std::vector<std::vector<Piece>>& pieces) {
-        for (const std::vector<Piece>& of_cluster : pieces)
-            for (const Piece& piece : of_cluster) {
-                const std::uint32_t begin = crossing(piece.ends[0]);
-                graph_.segments.push_back({begin, crossing(piece.ends[1]), 0});
-            }
-    }
-    const CrossingGraph& graph() const { return graph_; }
-    /// The zero that a traced point comes from. Above 2^24 crossings, one beside it.
-    const Zero& zero(const LinePoint& point) const {
-        return *zeros_[std::min(std::size_t(point.gradient), zeros_.size() - 1)];
-    }
-
-private:
-    std::uint32_t crossing(const Zero& zero) {
-        const auto number = std::uint32_t(zeros_.size());
-        const auto [place, is_new] = crossing_of_edge_.try_emplace(zero.edge, number);
-        if (is_new) {
-            // Its number travels through the tracing in place of a gradient.
-            graph_.crossings.push_back({zero.form.position, float(number), 1});
-            zeros_.push_back(&zero);
-        }
-        return place->second;
-    }
-
-    CrossingGraph graph_;
-    std::vector<const Zero*> zeros_;  // by crossing
-    std::unordered_map<std::uint64_t, std::uint32_t> crossing_of_edge_;
-};
-
 }  // namespace
 
 RidgeCandidates find_ridge_candidates(const ExtractorData& data,
-                                      const std::vector<PlacedCluster>& placed) {
-    const std::vector<std::vector<Piece>> pieces = find_pieces(placed);
-    const RidgeGraph graph(pieces);
-    LineRules rules;
-    rules.kind = LineKind::Ridge;
-    rules.least_length = kLeastRidgeLength / SharpLength::kMostWeight;
-    TracingMemory memory;
-    RidgeCandidates candidates;
-    trace_segments(data, rules, graph.graph(), memory, candidates.lines);
-    for (const LinePoint& point : candidates.lines.points)
-        candidates.forms.push_back(graph.zero(point).form);
-    for (Polyline& line : candidates.lines.lines)
-        line.strength = 0;
-    return candidates;
+                                      const std::vector<PlacedCluster>& placed, Crest crest) {
+    return trace_zeros(data, crest.kind, kLeastRidgeLength / SharpLength::kMostWeight,
+                       find_pieces(placed, crest.sign));
 }
 
 }  // namespace laplacian_lines

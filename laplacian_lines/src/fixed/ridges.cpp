@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows of the convex crest lines what is sharp enough, with its weaker continuations.
+// Ridges and valleys: shows of the crest lines what is sharp enough, with its weaker continuations.
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -26,9 +26,9 @@ struct RidgeRules {
     float clearance, least_length;  ///< D
     int smoothing_passes;
 
-    explicit RidgeRules(const LineStyle& style)
+    RidgeRules(const LineStyle& style, double least_angle)
         // Angles differ less than slopes do: the eighth root.
-        : angle(float(std::pow(threshold_factor(style.detail), 0.125) * style.ridge_angle)),
+        : angle(float(std::pow(threshold_factor(style.detail), 0.125) * least_angle)),
           fading(kFading * float(style.fading)),
           // The contour of a rounded edge stays near its crest for long.
           clearance(style.shows[LineKind::Contour] ? 4 * float(style.contour_clearance) : 0),
@@ -36,12 +36,14 @@ struct RidgeRules {
           smoothing_passes(laplacian_lines::smoothing_passes(style.line_smoothing)) {}
 };
 
-class Ridges : public FixedKindLines {
+class CrestLines : public FixedKindLines {
 public:
-    explicit Ridges(const ExtractorData& data) {
+    /// `least_angle`: of the style, degrees
+    CrestLines(const ExtractorData& data, Crest crest, double LineStyle::*least_angle)
+        : least_angle_(least_angle) {
         const std::vector<PlacedCluster> placed = place_clusters(data);
-        found_ = find_ridge_candidates(data, placed);
-        measure_ridge_angles(data, placed, found_);
+        found_ = find_ridge_candidates(data, placed, crest);
+        measure_ridge_angles(data, placed, crest, found_);
         for (const Polyline& line : found_.lines.lines) {
             const LinePoint* points = found_.lines.points.data() + line.first;
             sharpest_.push_back(std::max_element(points, points + line.count,
@@ -54,7 +56,7 @@ public:
 
     void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
                 const LineStyle& style, LineSet& lines) const override {
-        const RidgeRules rules(style);
+        const RidgeRules rules(style, style.*least_angle_);
         const auto along = along_creases(data, all.whole(data, LineKind::Crease, style));
         for (std::size_t number = 0; number < found_.lines.lines.size(); ++number) {
             const Polyline& line = found_.lines.lines[number];
@@ -117,6 +119,7 @@ private:
         return along_;
     }
 
+    double LineStyle::*const least_angle_;
     mutable std::mutex mutex_;
     mutable std::shared_ptr<const LineSet> creases_;  // that along_ belongs to
     mutable std::shared_ptr<const std::vector<std::uint8_t>> along_;
@@ -124,8 +127,21 @@ private:
     std::vector<float> sharpest_;  // the largest angle of a line's points, by line
 };
 
+class Ridges : public CrestLines {
+public:
+    explicit Ridges(const ExtractorData& data)
+        : CrestLines(data, kConvexCrest, &LineStyle::ridge_angle) {}
+};
+
+class Valleys : public CrestLines {
+public:
+    explicit Valleys(const ExtractorData& data)
+        : CrestLines(data, kConcaveCrest, &LineStyle::valley_angle) {}
+};
+
 }  // namespace
 
 const FixedKind ridges = fixed_kind<Ridges>(LineKind::Ridge);
+const FixedKind valleys = fixed_kind<Valleys>(LineKind::Valley);
 
 }  // namespace laplacian_lines

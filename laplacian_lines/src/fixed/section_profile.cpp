@@ -90,7 +90,7 @@ void SectionProbe::measure(const Section& section, float reach, SectionProfile& 
             const SectionProfile::Place& last = side.back();
             const float distance = last.distance + (next[k].position - last.position).norm();
             const float angle =
-                std::atan2(next[k].normal.dot(forward), next[k].normal.dot(up)) * kDegrees;
+                sign_ * std::atan2(next[k].normal.dot(forward), next[k].normal.dot(up)) * kDegrees;
             side.push_back({distance, angle, next[k].position});
             if (distance >= reach || side.size() > kMostSteps) break;
             at[k] = sides_.across(at[k]);

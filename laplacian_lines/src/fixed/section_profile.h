@@ -36,9 +36,9 @@ private:
 /// Walks over the surface from triangle to triangle. Thread-safe.
 class SectionProbe {
 public:
-    /// All are kept by reference.
-    SectionProbe(const std::vector<PlacedCluster>& placed, const MeshSides& sides)
-        : placed_(placed), sides_(sides) {}
+    /// All are kept by reference. `sign` is what angles are multiplied by: −1 for concave edges.
+    SectionProbe(const std::vector<PlacedCluster>& placed, const MeshSides& sides, float sign = 1)
+        : placed_(placed), sides_(sides), sign_(sign) {}
 
     /// A point on a side of a triangle, and the plane through it. Local coordinates.
     struct Section {
@@ -52,6 +52,7 @@ public:
 private:
     const std::vector<PlacedCluster>& placed_;
     const MeshSides& sides_;
+    const float sign_;
 };
 
 }  // namespace laplacian_lines

@@ -146,6 +146,17 @@ std::vector<StyleRow> kind_rows() {
             "more between flat surfaces are drawn as well. Larger leaves out softer edges; smaller "
             "shows facets of round forms of few triangles.")),
         kind_row<LineKind::Border>(),
+        for_experts(kind_row<LineKind::Valley>()),
+        for_experts(real<&S::valley_angle>(
+            "valley_angle", "Valley Angle", 5, 180,
+            "Least angle in degrees by which the surface turns across a valley, measured as that "
+            "of ridges. Larger leaves out softer valleys.")),
+        for_experts(kind_row<LineKind::DemarcatingCurve>()),
+        for_experts(real<&S::demarcation>(
+            "demarcation", "Least Demarcation", 0, 180,
+            "How sharply the surface has to turn from hollow to bulging at a demarcating curve, "
+            "in degrees within the scale at which it is looked at. Larger leaves out gentle "
+            "reliefs.")),
         for_experts(kind_row<LineKind::SuggestiveContour>()),
         for_experts(kind_row<LineKind::SuggestiveHighlight>()),
         for_experts(real<&S::suggestive_slope>(

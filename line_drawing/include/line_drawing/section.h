@@ -18,6 +18,9 @@ struct Section {
 /// @throws laplacian_lines::Error(InvalidOption)
 std::vector<Section> parseSections(const QString& text);
 
+/// "A", "B", ..., "Z", "AA", ...: of the first section, the second, ...
+QString letterOf(std::size_t number);
+
 /// How the section is looked at: as the side of the object that lies across its axis, from above,
 /// from the front or from the left.
 ViewFrame frameOfSection(const Section& section, UpAxis up);

@@ -12,7 +12,7 @@ namespace line_drawing {
 /// What a sheet of paper holds, in millimetres, x to the right and y down from its upper left
 /// corner. Plain data: what a file format needs to know is all here.
 
-/// A stroke of even width, or, if that is 0, an area to be filled (nonzero winding).
+/// A stroke of even width, or, if that is 0, an area to be filled by the path's fill rule.
 struct SheetPath {
     QPainterPath path;
     double pen_width = 0;
@@ -44,6 +44,7 @@ struct Sheet {
     QSizeF size;
     QString title;
     std::vector<SheetGroup> groups;
+    double scale = 1;  ///< drawn length over true length
 };
 
 }  // namespace line_drawing

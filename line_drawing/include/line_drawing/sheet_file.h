@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "line_drawing/sheet.h"
+#include "line_drawing/sheet_options.h"
 
 namespace line_drawing {
 
@@ -16,5 +17,8 @@ void writeSheet(const Sheet& sheet, const QString& file);
 /// Before much work is done: whether writeSheet() knows the ending and can write there.
 /// @throws laplacian_lines::Error(InvalidOption)
 void checkSheetFile(const QString& file);
+
+/// The strokes that a kind of file can have: programs that read DXF draw lines of even width.
+StrokeStyle strokesIn(const QString& file, StrokeStyle wanted);
 
 }  // namespace line_drawing

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "laplacian_lines/line_style.h"
@@ -19,6 +20,9 @@ enum class Arrangement { FirstAngle, ThirdAngle };
 /// Strokes that swell and taper with the lines' weights, as filled areas; or lines of even width,
 /// for plotters and CAD.
 enum class StrokeStyle { Tapered, Plain };
+
+/// How what a section cuts is drawn: with hatching, black, or as its outline alone.
+enum class WallStyle { Hatched, Filled, None };
 
 /// Classes of lines by what they show.
 enum class LineClass {
@@ -39,6 +43,7 @@ struct SheetOptions {
     double mm_per_unit = 1;  ///< true length of a unit of the mesh
     QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
     StrokeStyle strokes = StrokeStyle::Tapered;
+    WallStyle wall = WallStyle::Hatched;
     /// Widths in mm, by LineClass.
     std::array<double, line_class_count> pens = {0.5, 0.25, 0.13, 0.35};
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
@@ -49,7 +54,13 @@ struct SheetOptions {
     bool has_scale_bar = true;   ///< with the symbol of the projection
     bool has_notes = true;       ///< title, scale, size of the object, source
     laplacian_lines::LineStyle style;
+    /// Towards a distant light, whose shading the Laplacian lines draw, in each view: x right, y
+    /// up, z to the viewer. Without one it is at the eye.
+    std::optional<Eigen::Vector3d> light;
 };
+
+/// The names of papers, "a5" to "a0".
+std::vector<const char*> paperNames();
 
 /// A scale from its name, "1:2", "2:1" or "fit" (0).
 /// @throws laplacian_lines::Error(InvalidOption)

@@ -20,7 +20,12 @@ struct ViewFrame {
     Side side = Side::Front;
     QString name;  ///< for people, "Front" or "30°, 15°"
     Eigen::Vector3d right, up, towards_viewer;
+    /// Of a vessel: left of its axis the section and what is behind it, right of it the outside.
+    bool is_half_section = false;
 };
+
+/// A direction of the picture, x right, y up, z to the viewer, in mesh coordinates.
+Eigen::Vector3d inMesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
 
 /// One of the six sides. A view of a side shows what an observer sees who walks around the object
 /// that stands upright; the top view has the object's front at its lower edge, the bottom view at
@@ -32,8 +37,11 @@ ViewFrame frameOfSide(Side side, UpAxis up);
 /// @throws laplacian_lines::Error(InvalidOption)
 ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis up);
 
+/// The front of a vessel as a half section.
+ViewFrame frameOfVessel(UpAxis up);
+
 /// Views from their names, separated by commas or spaces: front, back, left, right, top, bottom,
-/// six (all of these), or two numbers, azimuth and elevation.
+/// six (all of these), vessel, or two numbers, azimuth and elevation.
 /// @throws laplacian_lines::Error(InvalidOption) with the words that are understood.
 std::vector<ViewFrame> parseViews(const QString& text, UpAxis up);
 

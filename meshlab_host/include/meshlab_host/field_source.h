@@ -28,6 +28,8 @@ struct FieldSource {
     laplacian_lines::PrecomputeOptions options;
 };
 FieldSource fieldSource(const CMeshO& mesh);
+/// The same field with its curvature derivatives.
+FieldSource withDerivatives(FieldSource source);
 
 /// The field from there, by live index. Computing takes seconds for a million triangles and is told
 /// to `say`. The mesh is not changed; `triangles` is toTriangleMesh() of it.

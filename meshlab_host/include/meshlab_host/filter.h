@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "meshlab_host/meshlab_api.h"
+#include "meshlab_host/parameters.h"
 
 namespace meshlab_host {
 
@@ -50,6 +51,9 @@ public:
 
     /// Adds the parameters with their defaults for this mesh, the null pointer if there is none.
     virtual void listParameters(const MeshModel* mesh, RichParameterList& list) const = 0;
+
+    /// The parameters that are numbers, switches or choices, for those who show no dialog.
+    virtual std::vector<ParameterDescription> describeParameters() const = 0;
 
     /// May throw anything: the user then reads what() and the caller gets a failed filter.
     virtual void run(const FilterRun& run) const = 0;

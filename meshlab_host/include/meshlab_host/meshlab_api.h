@@ -26,6 +26,8 @@
 #define MESHLAB_HOST_DECORATE_IID DECORATE_PLUGIN_IID
 #endif
 
+#include <optional>
+
 namespace meshlab_host {
 
 #if MESHLAB_API < 2022
@@ -39,6 +41,13 @@ using ActionPointer = const QAction*;
 using RichLength = ::RichAbsPerc;
 #else
 using RichLength = ::RichPercentage;
+#endif
+
+/// The name of a file to write, with a button beside it.
+#if MESHLAB_API < 2025
+using RichFileToSave = ::RichSaveFile;
+#else
+using RichFileToSave = ::RichFileSave;
 #endif
 
 /// A point and a direction in world coordinates.
@@ -65,5 +74,14 @@ inline Point3m pointIn(const Value& value) {
     return value.getPoint3();
 }
 #endif
+
+/// The text or the name of a file that a value holds.
+inline std::optional<QString> textIn(const Value& value) {
+#if MESHLAB_API < 2022
+    if (value.isFileName()) return value.getFileName();
+#endif
+    if (value.isString()) return value.getString();
+    return std::nullopt;
+}
 
 }  // namespace meshlab_host

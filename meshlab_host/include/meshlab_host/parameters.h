@@ -98,6 +98,23 @@ void addPlace(const PlaceDescription& description, const Eigen::Vector3d& value,
 Eigen::Vector3d readPlace(const PlaceDescription& description, const Eigen::Vector3d& fallback,
                           const RichParameterList& list);
 
+/// A line of text, or the name of a file to write. Dialogs have a button beside the latter that
+/// lets the user look for it.
+struct TextDescription {
+    QString name;
+    QString label;
+    QString help;
+    QString files = QString();  ///< "Drawings (*.svg *.pdf)"; empty: any text
+    bool for_experts = false;
+};
+
+void addText(const TextDescription& description, const QString& value, RichParameterList& list);
+
+/// `fallback` if the list has none of this name.
+/// @throws laplacian_lines::Error(InvalidOption) for values that are no texts.
+QString readText(const TextDescription& description, const QString& fallback,
+                 const RichParameterList& list);
+
 /// `fallback` if the list has no color of this name. Never throws.
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list);
 

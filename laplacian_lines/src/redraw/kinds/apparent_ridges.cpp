@@ -37,6 +37,6 @@ LineRules rules_of(const LineStyle& s, bool) {
 
 const StripKind apparent_ridge_strips = {
     LineKind::ApparentRidge,
-    [](const LineStyle& style) { return style.shows[LineKind::ApparentRidge]; }, rules_of, true};
+    [](const LineStyle& style) { return style.shows[LineKind::ApparentRidge]; }, rules_of};
 
 }  // namespace laplacian_lines

@@ -22,6 +22,6 @@ LineRules rules_of(const LineStyle& s, bool light_at_eye) {
 
 const StripKind photic_extremum_strips = {
     LineKind::PhoticExtremum,
-    [](const LineStyle& style) { return style.shows[LineKind::PhoticExtremum]; }, rules_of, true};
+    [](const LineStyle& style) { return style.shows[LineKind::PhoticExtremum]; }, rules_of};
 
 }  // namespace laplacian_lines

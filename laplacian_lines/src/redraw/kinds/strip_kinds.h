@@ -16,8 +16,6 @@ struct StripKind {
     bool (*is_wanted)(const LineStyle&);
     /// Lines of a light that is not at the eye follow no contours.
     LineRules (*rules)(const LineStyle&, bool light_at_eye);
-    /// Nothing is found without Field::curvature_derivatives.
-    bool needs_derivatives = false;
 };
 
 extern const StripKind laplacian_line_strips;  ///< laplacian_lines.cpp

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// write_mesh stone|vessel|FILE [--subdivide N] FILE.ply: a mesh to draw, as binary PLY: a flaked
+// stone of 100 mm, a vessel of 200 mm, or a mesh whose triangles are cut in four, N times.
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "flaked_stone.h"
+#include "mesh_file.h"
+#include "midpoint_subdivision.h"
+#include "thrown_vessel.h"
+
+namespace {
+
+using laplacian_lines::TriangleMesh;
+
+TriangleMesh make(const std::string& name) {
+    if (name == "vessel") return test_meshes::thrown_vessel();
+    if (name != "stone") return test_meshes::read_mesh(name);
+    test_meshes::StoneShape shape;
+    shape.half_axes = {0.6, 1, 0.3};
+    TriangleMesh mesh = test_meshes::FlakedStone(shape).mesh(8);
+    for (Eigen::Vector3d& p : mesh.positions)
+        p *= 50;
+    return mesh;
+}
+
+void subdivide(TriangleMesh& mesh, int times) {
+    laplacian_lines::Field field;  // the subdivision wants one
+    const std::size_t n = mesh.positions.size();
+    field.normals.resize(n, {0, 0, 1});
+    field.laplacian_normals.resize(n, {0, 0, 0});
+    field.shape_operators.resize(n);
+    field.kernel_sizes.resize(n);
+    for (int i = 0; i < times; ++i)
+        benchmarks::subdivide(mesh, field);
+}
+
+void write(const TriangleMesh& mesh, const std::string& file) {
+    std::ofstream out(file, std::ios::binary);
+    out << "ply\nformat binary_little_endian 1.0\nelement vertex " << mesh.positions.size()
+        << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
+        << mesh.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const Eigen::Vector3d& p : mesh.positions) {
+        const Eigen::Vector3f place = p.cast<float>();
+        out.write(reinterpret_cast<const char*>(place.data()), 12);
+    }
+    for (const laplacian_lines::Triangle& t : mesh.triangles) {
+        out.put(3);
+        out.write(reinterpret_cast<const char*>(t.data()), 12);
+    }
+    if (!out.flush()) throw std::runtime_error(file + " cannot be written");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const bool divides = argc == 5 && std::string(argv[2]) == "--subdivide";
+    if (argc != 3 && !divides) {
+        std::fputs("write_mesh stone|vessel|FILE [--subdivide N] FILE.ply\n", stderr);
+        return 2;
+    }
+    try {
+        TriangleMesh mesh = make(argv[1]);
+        if (divides) subdivide(mesh, std::atoi(argv[3]));
+        write(mesh, argv[argc - 1]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

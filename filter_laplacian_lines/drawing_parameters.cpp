@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drawing_parameters.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <variant>
+
+#include "laplacian_lines/option_rows.h"
+
+namespace {
+
+using Parameters = DrawingParameters;
+using Row = laplacian_lines::OptionDescription<Parameters>;
+namespace rows = laplacian_lines::option_rows;
+
+const QString key_prefix;  // scripts use the keys as they are
+
+struct TextRow {
+    meshlab_host::TextDescription description;
+    QString Parameters::*value;
+};
+using AnyRow = std::variant<Row, TextRow>;
+
+/// Dialogs fit small screens.
+Row folded(Row row) {
+    row.for_experts = true;
+    return row;
+}
+
+std::vector<const char*> paperChoices() {
+    std::vector<const char*> names = line_drawing::paperNames();
+    names.push_back("fit");
+    return names;
+}
+
+std::vector<AnyRow> makeRows() {
+    return {
+        TextRow{{"file", "File",
+                 "The drawing to write; its ending says what it is: <b>.svg</b>, <b>.pdf</b> or "
+                 "<b>.dxf</b>. A file of this name is replaced.",
+                 "Drawings (*.svg *.pdf *.dxf)"},
+                &Parameters::file},
+        TextRow{{"views", "Views",
+                 "From where the object is seen: <b>window</b>, along the view of MeshLab's "
+                 "window, front, back, left, right, top, bottom, six (all of these), or azimuth "
+                 "and elevation in degrees, such as 30,15; several with commas."},
+                &Parameters::views},
+        TextRow{{"scale", "Scale",
+                 "Drawn to true length, such as 1:2 or 2:1; <b>fit</b>: the largest usual one that "
+                 "fits the paper."},
+                &Parameters::scale},
+        rows::choice<&Parameters::paper>(
+            "paper", "Paper", paperChoices(),
+            "Upright or lying, whichever takes the drawing larger. fit: as large as the drawing."),
+        rows::choice<&Parameters::unit>(
+            "unit", "Unit of the Mesh", {"mm", "cm", "m", "in"},
+            "What a length of 1 is in truth. The log says how large the object is with it."),
+        rows::choice<&Parameters::up>("up", "Upward Axis", {"x", "y", "z"},
+                                      "The axis of the world that points up in named views."),
+        TextRow{{"sections", "Sections",
+                 "What planes across the axes of the world cut, hatched, after the views: such as "
+                 "x=0.5 y=0.3, where 0 to 1 is the way through the object. Empty: none."},
+                &Parameters::sections},
+        TextRow{{"title", "Title", "Stands above the note of scale, size and file."},
+                &Parameters::title},
+        rows::choice<&Parameters::is_as_decoration>(
+            "settings", "Settings", {"Defaults", "As the Decoration"},
+            "As the Decoration: lines and light as the decoration Laplacian Lines has drawn them "
+            "last. Needs a window in which it has."),
+        folded(rows::choice<&Parameters::arrangement>(
+            "arrangement", "Arrangement", {"First Angle", "Third Angle"},
+            "How views lie around the front view. First angle (Europe): what is seen from the left "
+            "stands on the right; third angle (America): on the left.")),
+        folded(rows::choice<&Parameters::strokes>(
+            "strokes", "Strokes", {"Tapered", "Plain"},
+            "Lines that swell and taper as in MeshLab's view, or of even width, for plotters and "
+            "CAD; those of DXF are always plain.")),
+        folded(rows::boolean<&Parameters::has_furniture>(
+            "furniture", "Scale Bar and Notes",
+            "Names of views, scale bar, symbol of the projection, notes of scale, size and "
+            "file."))};
+}
+
+const std::vector<AnyRow>& allRows() {
+    static const std::vector<AnyRow> all = makeRows();
+    return all;
+}
+
+struct Lister {
+    const Parameters& defaults;
+    RichParameterList& list;
+
+    void operator()(const Row& row) {
+        meshlab_host::addParameter(meshlab_host::describe(row, key_prefix), row.get(defaults), 0,
+                                   list);
+    }
+    void operator()(const TextRow& row) {
+        meshlab_host::addText(row.description, defaults.*row.value, list);
+    }
+};
+
+struct ParameterReader {
+    Parameters& result;
+    const RichParameterList& list;
+
+    void operator()(const Row& row) {
+        row.set(result, meshlab_host::readParameter(meshlab_host::describe(row, key_prefix),
+                                                    row.get(result), list));
+    }
+    void operator()(const TextRow& row) {
+        result.*row.value = meshlab_host::readText(row.description, result.*row.value, list);
+    }
+};
+
+}  // namespace
+
+DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window) {
+    Parameters result;
+    if (has_window) result.views = "window";
+    if (mesh && !mesh->fullName().isEmpty()) {
+        const QFileInfo file(mesh->fullName());
+        result.file = file.dir().filePath(file.completeBaseName() + "_drawing.svg");
+    }
+    return result;
+}
+
+void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list) {
+    for (const AnyRow& row : allRows())
+        std::visit(Lister{defaults, list}, row);
+}
+
+std::vector<meshlab_host::ParameterDescription> describeDrawingParameters() {
+    std::vector<meshlab_host::ParameterDescription> result;
+    for (const AnyRow& any : allRows())
+        if (const Row* row = std::get_if<Row>(&any))
+            result.push_back(meshlab_host::describe(*row, key_prefix));
+    return result;
+}
+
+DrawingParameters readDrawingParameters(const RichParameterList& list) {
+    Parameters result;
+    for (const AnyRow& row : allRows())
+        std::visit(ParameterReader{result, list}, row);
+    return result;
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "line_drawing/sheet_options.h"
+#include "meshlab_host/current_view.h"
+#include "meshlab_host/meshlab_api.h"
+#include "meshlab_host/parameters.h"
+
+/// What the user chose for a measured drawing, as in the dialog.
+struct DrawingParameters {
+    QString file = "drawing.svg";
+    QString views = "front";
+    QString scale = "fit";
+    QString sections;
+    QString title;
+    int paper = 1;  ///< of paperNames(), and one more: as large as the drawing
+    int unit = 0;   ///< of mm, cm, m, in
+    line_drawing::UpAxis up = line_drawing::UpAxis::Y;
+    line_drawing::Arrangement arrangement = line_drawing::Arrangement::FirstAngle;
+    line_drawing::StrokeStyle strokes = line_drawing::StrokeStyle::Tapered;
+    bool has_furniture = true;
+    bool is_as_decoration = false;  ///< lines and light as the decoration has drawn them last
+};
+
+/// Where the dialog starts: with a file beside that of the mesh, and at the view of the window if
+/// there is one.
+DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window);
+
+void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list);
+
+/// The parameters that are switches or choices; texts are not among them.
+std::vector<meshlab_host::ParameterDescription> describeDrawingParameters();
+
+/// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
+DrawingParameters readDrawingParameters(const RichParameterList& list);
+
+/// What is to be drawn, views in world coordinates. `window` is its current view.
+/// @throws laplacian_lines::Error(InvalidOption) with what is understood, also if the view of the
+/// window or the decoration's settings are asked for where there are none.
+line_drawing::SheetOptions sheetOptions(const DrawingParameters& chosen,
+                                        const std::optional<meshlab_host::CurrentView>& window);
+
+/// Whether the view of the window is among the chosen ones.
+bool usesWindow(const DrawingParameters& chosen);

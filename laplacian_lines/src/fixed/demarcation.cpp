@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixed/demarcation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "laplacian_lines/tangent_frame.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr float kDegrees = 57.2957795f;
+constexpr int kDirections = 36;        // that are tried; a cubic has at most three maxima
+constexpr float kClear = 0.9f;         // of the largest maximum, the most that another one may be
+constexpr float kLeastTurn = 0.7071f;  // cosine between directions at corners
+
+float cubic(const Eigen::Vector4f& c, float x, float y) {
+    return x * x * (c[0] * x + 3 * c[1] * y) + y * y * (3 * c[2] * x + c[3] * y);
+}
+
+/// A maximum of the cubic near an angle, by Newton's method.
+float refined(const Eigen::Vector4f& c, float angle) {
+    for (int step = 0; step < 3; ++step) {
+        const float x = std::cos(angle), y = std::sin(angle);
+        // A third of the gradient and a sixth of the second derivatives.
+        const float fx = c[0] * x * x + 2 * c[1] * x * y + c[2] * y * y;
+        const float fy = c[1] * x * x + 2 * c[2] * x * y + c[3] * y * y;
+        const float fxx = c[0] * x + c[1] * y, fxy = c[1] * x + c[2] * y, fyy = c[2] * x + c[3] * y;
+        const float first = x * fy - y * fx;
+        const float second = 2 * (fxx * y * y - 2 * fxy * x * y + fyy * x * x) - (fx * x + fy * y);
+        if (!(second < 0)) break;
+        angle -= std::clamp(first / second, -0.1f, 0.1f);
+    }
+    return angle;
+}
+
+/// What counts of a vertex.
+struct Demarcation {
+    Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< g
+    Eigen::Vector3f bend = Eigen::Vector3f::Zero();
+    float curvature = 0;  ///< II(g, g)
+    float strength = 0;   ///< C(g, g, g) h_e, degrees; 0: no direction
+};
+
+Demarcation demarcation(const VertexRecord& record, const Eigen::Vector4f& derivative) {
+    Demarcation result;
+    const SteepestBend steepest = steepest_bend(derivative);
+    if (!(steepest.slope > 0)) return result;
+    const TangentFrame frame = tangent_frame(normal_of(record));
+    const Eigen::Matrix3f s =
+        Eigen::Map<const Eigen::Matrix<float, 4, 3>>(record.shape_operator[0]).topRows<3>();
+    result.direction = steepest.direction.x() * frame.u + steepest.direction.y() * frame.v;
+    result.bend = s * result.direction;
+    result.curvature = result.direction.dot(result.bend);
+    result.strength = kDegrees * steepest.slope * std::pow(record.slope_scale, 2 / 3.f);
+    return result;
+}
+
+/// Finds the pieces of curves in one cluster.
+class ClusterCurves {
+public:
+    ClusterCurves(const PlacedCluster& placed, std::uint32_t number)
+        : placed_(placed), number_(number) {
+        for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
+            at_[v] = demarcation(placed.records[v], placed.derivatives[v]);
+    }
+
+    void find(ZeroPieces& pieces) const {
+        for (unsigned t = 0; t < placed_.cluster->triangle_count; ++t)
+            add(t, pieces);
+    }
+
+private:
+    void add(unsigned triangle, ZeroPieces& pieces) const {
+        const std::uint8_t* t = placed_.triangles[triangle].corners;
+        bool is_negative[3];
+        for (int k = 0; k < 3; ++k) {
+            const Demarcation &a = at_[t[k]], &b = at_[t[(k + 1) % 3]];
+            if (!(a.direction.dot(b.direction) > kLeastTurn)) return;  // also where there is none
+            is_negative[k] = a.curvature < 0;
+        }
+        if (is_negative[0] == is_negative[1] && is_negative[0] == is_negative[2]) return;
+        ZeroPiece piece{};
+        int found = 0;
+        for (int k = 0; k < 3; ++k)
+            if (is_negative[k] != is_negative[(k + 1) % 3]) piece.ends[found++] = zero(triangle, k);
+        pieces.push_back(piece);
+    }
+
+    /// On a side of a triangle; the same, but for the side, from the triangles on both sides.
+    Zero zero(unsigned triangle, int side) const {
+        const auto& corners = placed_.triangles[triangle].corners;
+        unsigned a = corners[side], b = corners[(side + 1) % 3];
+        if (placed_.vertices[b] < placed_.vertices[a]) std::swap(a, b);
+        const float ka = std::abs(at_[a].curvature), sum = ka + std::abs(at_[b].curvature);
+        const float t = sum > 0 ? ka / sum : 0.5f;
+        const VertexRecord &p = placed_.records[a], &q = placed_.records[b];
+        return {edge_key(placed_.vertices[a], placed_.vertices[b]),
+                {(1 - t) * position_of(p) + t * position_of(q),
+                 (1 - t) * normal_of(p) + t * normal_of(q),
+                 (1 - t) * at_[a].bend + t * at_[b].bend,
+                 {number_, std::uint8_t(triangle), std::uint8_t(side)},
+                 (1 - t) * at_[a].strength + t * at_[b].strength}};
+    }
+
+    const PlacedCluster& placed_;
+    const std::uint32_t number_;
+    Demarcation at_[kClusterVertices];
+};
+
+}  // namespace
+
+SteepestBend steepest_bend(const Eigen::Vector4f& derivative) {
+    constexpr float step = 2 * 3.14159265f / kDirections;
+    float values[kDirections];
+    for (int i = 0; i < kDirections; ++i)
+        values[i] = cubic(derivative, std::cos(float(i) * step), std::sin(float(i) * step));
+    SteepestBend best;
+    float second = 0;
+    for (int i = 0; i < kDirections; ++i) {
+        if (!(values[i] > values[(i + kDirections - 1) % kDirections] &&
+              values[i] >= values[(i + 1) % kDirections]))
+            continue;
+        const float angle = refined(derivative, float(i) * step);
+        const float x = std::cos(angle), y = std::sin(angle), slope = cubic(derivative, x, y);
+        second = std::max(second, std::min(slope, best.slope));
+        if (slope > best.slope) best = {{x, y}, slope};
+    }
+    return second > kClear * best.slope ? SteepestBend() : best;
+}
+
+ZeroLines find_demarcating_curves(const ExtractorData& data,
+                                  const std::vector<PlacedCluster>& placed) {
+    if (data.derivatives.empty()) return {};
+    std::vector<ZeroPieces> pieces(placed.size());
+    in_parallel<NoScratch>(placed.size(), [&](std::size_t c, NoScratch&) {
+        ClusterCurves(placed[c], std::uint32_t(c)).find(pieces[c]);
+    });
+    ZeroLines found =
+        trace_zeros(data, LineKind::DemarcatingCurve, kLeastDemarcatingLength, pieces);
+    for (std::size_t i = 0; i < found.forms.size(); ++i)
+        found.lines.points[i].gradient = found.forms[i].value;
+    return found;
+}
+
+}  // namespace laplacian_lines

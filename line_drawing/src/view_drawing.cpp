@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view_drawing.h"
+
+#include "cutting.h"
+#include "overlaps.h"
+#include "section_marks.h"
+#include "strokes.h"
+
+namespace line_drawing {
+namespace {
+
+constexpr double double_reach = 0.2;                      // mm, within which a line doubles another
+constexpr double hatch_spacing = 1.5, hatch_width = 0.5;  // mm; share of an inner line's width
+
+struct LayerName {
+    const char *key, *name;
+};
+/// By LineClass.
+constexpr LayerName layer_names[line_class_count] = {{"outline", "Outlines"},
+                                                     {"inner", "Inner lines"},
+                                                     {"fine", "Fine lines"},
+                                                     {"section", "Sections"}};
+
+std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& placement) {
+    for (DrawnLine& line : lines)
+        for (DrawnPoint& point : line.points)
+            point.position = placement.onSheet(point.position);
+    return lines;
+}
+
+using Loops = std::vector<std::vector<Eigen::Vector2d>>;
+
+Loops place(Loops loops, const Placement& placement) {
+    for (auto& loop : loops)
+        for (Eigen::Vector2d& p : loop)
+            p = placement.onSheet(p);
+    return loops;
+}
+
+void addHatching(const Loops& walls, std::vector<DrawnLine>& lines) {
+    for (const auto& ends : hatch(walls, Eigen::Vector2d(1, -1).normalized(), hatch_spacing))
+        lines.push_back({LineClass::Fine, false, {{ends[0], hatch_width}, {ends[1], hatch_width}}});
+}
+
+SheetPath filled(const Loops& walls) {
+    SheetPath area;
+    area.path.setFillRule(Qt::OddEvenFill);
+    for (const auto& loop : walls) {
+        area.path.moveTo(loop[0].x(), loop[0].y());
+        for (const Eigen::Vector2d& p : loop)
+            area.path.lineTo(p.x(), p.y());
+        area.path.closeSubpath();
+    }
+    return area;
+}
+
+}  // namespace
+
+SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
+                    const QRectF& surface_place, const SheetOptions& options) {
+    const bool has_name = view.frame.side != Side::Other;
+    const QString key = has_name ? view.frame.name.toLower() : QString("view-%1").arg(number);
+    SheetGroup group{key, view.frame.name, {}};
+    std::vector<DrawnLine> lines = withoutDoubles(place(view.lines, placement), double_reach);
+    const Loops walls = place(view.walls, placement);
+    if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
+    for (std::size_t c = line_class_count; c-- > 0;) {
+        SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
+        if (c == std::size_t(LineClass::Section) && options.wall == WallStyle::Filled &&
+            !walls.empty())
+            layer.paths.push_back(filled(walls));
+        for (const DrawnLine& line : lines)
+            if (std::size_t(line.line_class) == c)
+                if (auto stroke = drawStroke(line, options))
+                    layer.paths.push_back(std::move(*stroke));
+        group.layers.push_back(std::move(layer));
+    }
+    if (!view.marks.empty())
+        group.layers.push_back(drawMarks(view, placement, surface_place, options));
+    return group;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "half_section.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "axis_finding.h"
+#include "made_sheets.h"
+#include "thrown_vessel.h"
+#include "wall_area.h"
+
+using namespace line_drawing;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+laplacian_lines::TriangleMesh smallVessel(double relief = 1) {
+    test_meshes::VesselShape shape;
+    shape.rings = 200;
+    shape.columns = 120;
+    shape.relief = relief;
+    return test_meshes::thrown_vessel(shape);
+}
+
+/// Something at one side of the vessel that moves the middle of its bounding box.
+void addHandle(laplacian_lines::TriangleMesh& mesh) {
+    laplacian_lines::TriangleMesh handle = test_meshes::torus(60, 30).mesh;
+    for (Vector3d& p : handle.positions)
+        p = Vector3d(100, 100, 0) + 25 * p;
+    test_meshes::append(mesh, handle);
+}
+
+const SheetLayer& layerOf(const SheetGroup& group, const char* key) {
+    for (const SheetLayer& layer : group.layers)
+        if (layer.key == key) return layer;
+    throw std::out_of_range(key);
+}
+
+SheetOptions vesselOptions() {
+    SheetOptions options;
+    options.views = parseViews("vessel", UpAxis::Y);
+    options.paper = "fit";
+    options.scale = 1;
+    options.strokes = StrokeStyle::Plain;
+    options.wall = WallStyle::Filled;
+    return options;
+}
+
+TEST(Clipping, CutsTrianglesAlongThePlane) {
+    const auto half = clip(made_sheets::cubeOf100(), {Vector3d(1, 0, 0), 13});
+    double area = 0;
+    for (const auto& t : half.triangles) {
+        const Vector3d a = half.positions[t[0]];
+        area += (half.positions[t[1]] - a).cross(half.positions[t[2]] - a).norm() / 2;
+        for (const std::uint32_t v : t)
+            EXPECT_GE(half.positions[v].x(), 13 - 1e-9);
+    }
+    EXPECT_NEAR(area, 100 * 100 + 4 * 37 * 100, 1e-6);
+}
+
+TEST(Clipping, KeepsPartsOfLinesThatEndOnThePlane) {
+    const std::vector<Cut> square = {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 0}}};
+    const auto parts = clip(square, {Vector3d(-1, 0, 0), -1});  // x <= 1, which holds both ends
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_EQ(parts[0].front(), Vector3d(1, 2, 0));
+    EXPECT_EQ(parts[0].back(), Vector3d(1, 0, 0));
+    EXPECT_EQ(parts[0].size(), 4u);
+    EXPECT_EQ(clip(square, {Vector3d(1, 0, 0), -1})[0], square[0]);
+    EXPECT_TRUE(clip(square, {Vector3d(1, 0, 0), 3}).empty());
+    EXPECT_TRUE(clipLoop(square[0], {Vector3d(1, 0, 0), 3}).empty());
+    EXPECT_EQ(clipLoop(square[0], {Vector3d(1, 0, 0), 1}).size(), 5u);
+}
+
+TEST(WallArea, TakesAwayWhatIsInside) {
+    const auto square = [](double half) {
+        return std::vector<Vector2d>{
+            {-half, -half}, {half, -half}, {half, half}, {-half, half}, {-half, -half}};
+    };
+    const WallArea area({square(5), square(2)});
+    EXPECT_TRUE(area.contains({3, 0}));
+    EXPECT_FALSE(area.contains({0, 0}));
+    EXPECT_FALSE(area.contains({6, 0}));
+    EXPECT_FALSE(area.contains({0, 9}));
+    DrawnLine line{LineClass::Inner, false, {}};
+    for (int x = -10; x <= 10; ++x)
+        line.points.push_back({{double(x), 0.1}, 1});
+    const auto rest = withoutPartsIn(area, {line});
+    ASSERT_EQ(rest.size(), 3u);
+    EXPECT_EQ(rest[0].points.back().position.x(), -6);
+    EXPECT_EQ(rest[1].points.front().position.x(), -2);
+}
+
+TEST(AxisFinding, IsTheAxisOfRevolutionWithAHandle) {
+    auto mesh = smallVessel();
+    addHandle(mesh);
+    for (Vector3d& p : mesh.positions)
+        p += Vector3d(1000, 7, -300);
+    const Vector3d axis = findAxis(mesh, 1);
+    EXPECT_NEAR(axis.x(), 1000, 0.3);
+    EXPECT_NEAR(axis.z(), -300, 0.3);
+    EXPECT_NEAR(findAxis(made_sheets::cubeOf100(), 1).x(), 0, 1e-9);
+}
+
+TEST(HalfSection, DrawsTheWallOnTheLeftAndTheOutsideOnTheRight) {
+    const Sheet sheet = made_sheets::sheetOf(smallVessel(0), vesselOptions());
+    const SheetGroup& vessel = sheet.groups.at(0);
+    EXPECT_EQ(vessel.key, "vessel");
+    const SheetLayer& wall = layerOf(vessel, "section");
+    QRectF all = made_sheets::extentOf(vessel);
+    double area = 0;
+    for (const SheetPath& path : wall.paths) {
+        EXPECT_LE(path.path.boundingRect().right(), all.center().x() + 0.05);
+        if (path.pen_width > 0) continue;
+        for (const QPolygonF& polygon : path.path.toSubpathPolygons())
+            for (int i = 1; i < polygon.size(); ++i)
+                area +=
+                    (polygon[i - 1].x() * polygon[i].y() - polygon[i - 1].y() * polygon[i].x()) / 2;
+    }
+    double expected = 0;  // of the profile, which ends on the axis
+    const auto profile = test_meshes::vessel_profile(2000);
+    for (std::size_t i = 1; i < profile.size(); ++i)
+        expected += (profile[i - 1].x() * profile[i].y() - profile[i - 1].y() * profile[i].x()) / 2;
+    EXPECT_NEAR(std::abs(area), std::abs(expected), 0.02 * std::abs(expected));
+    for (const SheetPath& path : layerOf(vessel, "outline").paths)
+        EXPECT_GE(path.path.boundingRect().left(), all.center().x() - 0.05);
+}
+
+TEST(HalfSection, HasAnAxisAndLinesThroughRimAndBase) {
+    const Sheet sheet = made_sheets::sheetOf(smallVessel(0), vesselOptions());
+    const QRectF all = made_sheets::extentOf(sheet.groups.at(0));
+    bool has_axis = false, has_rim = false, has_base = false;
+    for (const SheetPath& path : layerOf(sheet.groups[0], "inner").paths) {
+        const QRectF box = path.path.boundingRect();
+        has_axis |= box.width() < 0.01 && std::abs(box.height() - all.height()) < 0.1 &&
+                    std::abs(box.center().x() - all.center().x()) < 0.2;
+        has_rim |= box.height() < 0.2 && box.width() > 30 && std::abs(box.top() - all.top()) < 0.5;
+        has_base |=
+            box.height() < 0.2 && box.width() > 30 && std::abs(box.top() - all.bottom()) < 0.5;
+    }
+    EXPECT_TRUE(has_axis);
+    EXPECT_TRUE(has_rim);
+    EXPECT_TRUE(has_base);
+}
+
+TEST(HalfSection, StandsBesideAFrontView) {
+    SheetOptions options = vesselOptions();
+    options.views = parseViews("front,vessel", UpAxis::Y);
+    const Sheet sheet = made_sheets::sheetOf(smallVessel(), options);
+    EXPECT_GT(made_sheets::extentOf(sheet.groups[1]).left(),
+              made_sheets::extentOf(sheet.groups[0]).right());
+}
+
+}  // namespace

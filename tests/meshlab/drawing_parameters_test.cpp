@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the filter of drawings makes of its parameters.
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "drawing_parameters.h"
+#include "laplacian_lines/error.h"
+#include "meshlab_host/drawn_style.h"
+
+namespace {
+
+using laplacian_lines::Error;
+using line_drawing::SheetOptions;
+using meshlab_host::CurrentView;
+
+const CurrentView window{true, {0, 0, 9}, {1, 0, 0}, {0, 0, 1}};  // seen from x, z up
+
+QStringList viewNames(const char* views, const char* sections = "") {
+    DrawingParameters chosen;
+    chosen.views = views;
+    chosen.sections = sections;
+    QStringList names;
+    for (const line_drawing::ViewFrame& view : sheetOptions(chosen, window).views)
+        names << view.name;
+    return names;
+}
+
+TEST(DrawingParameters, ViewsKeepTheirOrder) {
+    EXPECT_EQ(viewNames("top, WINDOW;30,15 front").join('/'), "Top/View/30°, 15°/Front");
+    EXPECT_EQ(viewNames("six window").size(), 7);
+    EXPECT_EQ(viewNames("").join('/'), "Front");
+    EXPECT_TRUE(viewNames("", "x=0.5").isEmpty());
+    EXPECT_THROW(viewNames("above"), Error);
+    EXPECT_THROW(viewNames("30 window"), Error);
+    EXPECT_THROW(viewNames("front", "w=0.5"), Error);
+}
+
+TEST(DrawingParameters, TheViewOfTheWindowHasItsUpwardDirection) {
+    DrawingParameters chosen;
+    chosen.views = "window";
+    EXPECT_TRUE(usesWindow(chosen));
+    const line_drawing::ViewFrame view = sheetOptions(chosen, window).views.at(0);
+    EXPECT_EQ(view.towards_viewer, Eigen::Vector3d(1, 0, 0));
+    EXPECT_EQ(view.up, Eigen::Vector3d(0, 0, 1));
+    EXPECT_EQ(view.right, Eigen::Vector3d(0, 1, 0));
+    EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
+    chosen.views = "front";
+    EXPECT_FALSE(usesWindow(chosen));
+    EXPECT_EQ(sheetOptions(chosen, std::nullopt).views.size(), 1u);
+}
+
+TEST(DrawingParameters, BecomeOptionsOfASheet) {
+    DrawingParameters chosen;
+    const SheetOptions usual = sheetOptions(chosen, std::nullopt), made = SheetOptions();
+    EXPECT_EQ(usual.paper, made.paper);
+    EXPECT_EQ(usual.mm_per_unit, made.mm_per_unit);
+    EXPECT_EQ(usual.scale, made.scale);
+    EXPECT_EQ(usual.up, made.up);
+    EXPECT_EQ(usual.arrangement, made.arrangement);
+    EXPECT_EQ(usual.strokes, made.strokes);
+    EXPECT_TRUE(usual.has_notes && usual.has_scale_bar && usual.has_view_names);
+
+    chosen.file = "plate.DXF";
+    chosen.scale = "1:4";
+    chosen.paper = 6;
+    chosen.unit = 3;
+    chosen.up = line_drawing::UpAxis::Z;
+    chosen.title = "Find 17";
+    chosen.has_furniture = false;
+    const SheetOptions options = sheetOptions(chosen, std::nullopt);
+    EXPECT_EQ(options.scale, 0.25);
+    EXPECT_EQ(options.paper, "fit");
+    EXPECT_EQ(options.mm_per_unit, 25.4);
+    EXPECT_EQ(options.views.at(0).up, Eigen::Vector3d(0, 0, 1));
+    EXPECT_EQ(options.strokes, line_drawing::StrokeStyle::Plain);
+    EXPECT_EQ(options.title, "Find 17");
+    EXPECT_FALSE(options.has_notes || options.has_scale_bar || options.has_view_names);
+    chosen.scale = "half";
+    EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
+}
+
+TEST(DrawingParameters, AreReadAsTheyWereListed) {
+    DrawingParameters given;
+    given.file = "a.pdf";
+    given.views = "six";
+    given.scale = "2:1";
+    given.sections = "y=0.4";
+    given.title = "A = B";
+    given.paper = 0;
+    given.unit = 2;
+    given.up = line_drawing::UpAxis::X;
+    given.arrangement = line_drawing::Arrangement::ThirdAngle;
+    given.strokes = line_drawing::StrokeStyle::Plain;
+    given.has_furniture = false;
+    given.is_as_decoration = true;
+    RichParameterList list;
+    listDrawingParameters(given, list);
+    const DrawingParameters read = readDrawingParameters(list);
+    EXPECT_EQ((QStringList{read.file, read.views, read.scale, read.sections, read.title}),
+              (QStringList{given.file, given.views, given.scale, given.sections, given.title}));
+    EXPECT_EQ(read.paper, 0);
+    EXPECT_EQ(read.unit, 2);
+    EXPECT_EQ(read.up, given.up);
+    EXPECT_EQ(read.arrangement, given.arrangement);
+    EXPECT_EQ(read.strokes, given.strokes);
+    EXPECT_FALSE(read.has_furniture);
+    EXPECT_TRUE(read.is_as_decoration);
+    given.paper = 7;
+    RichParameterList wrong;
+    listDrawingParameters(given, wrong);
+    EXPECT_THROW(readDrawingParameters(wrong), Error);
+}
+
+TEST(DrawingParameters, StartBesideTheMeshAndAtTheWindow) {
+    EXPECT_EQ(drawingDefaults(nullptr, false).file, "drawing.svg");
+    EXPECT_EQ(drawingDefaults(nullptr, false).views, "front");
+    EXPECT_EQ(drawingDefaults(nullptr, true).views, "window");
+    MeshDocument document;
+    MeshModel* mesh = document.addNewMesh("/finds/find.17.ply", "find");
+    EXPECT_EQ(drawingDefaults(mesh, false).file, "/finds/find.17_drawing.svg");
+}
+
+TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
+    int count = 0;
+    QCoreApplication application(count, nullptr);
+    DrawingParameters chosen;
+    chosen.is_as_decoration = true;
+    EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
+    meshlab_host::DrawnStyle drawn;
+    drawn.style.detail = 77;
+    drawn.light = meshlab_host::CameraLight{90, 0};  // from the right of the picture
+    meshlab_host::noteDrawnStyle(drawn);
+    const SheetOptions options = sheetOptions(chosen, std::nullopt);
+    EXPECT_EQ(options.style.detail, 77);
+    ASSERT_TRUE(options.light);
+    EXPECT_NEAR((*options.light - Eigen::Vector3d::UnitX()).norm(), 0, 1e-12);
+    drawn.light.reset();
+    meshlab_host::noteDrawnStyle(drawn);
+    EXPECT_FALSE(sheetOptions(chosen, std::nullopt).light);
+}
+
+}  // namespace

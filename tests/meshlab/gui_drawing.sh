@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Measured drawings from the dialog of the filter: the window's view, files, errors, and layers that were moved.
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+
+# paths FILE: what is drawn, whatever it is called
+paths() {
+    grep -o ' d="[^"]*"' "$1"
+}
+
+# expect_same_paths A B
+expect_same_paths() {
+    diff -q <(paths "$WORK/$1") <(paths "$WORK/$2") || fail "$1 and $2 have other lines"
+}
+
+torus "$WORK/torus.ply"
+drawn='Drawing of torus.ply: /\S*/'
+drive <<END
+wait
+open torus.ply
+size 800x600
+look 0 0 6  0 0 0
+# the dialog begins with the view of the window and a file beside the mesh
+trigger Export Laplacian Lines Drawing
+sleep 300
+screen dialog.png
+apply
+expect-log torus.ply has no precomputed attributes; computed with the default options in
+expect-log The window shows perspective; drawn is what parallel rays
+expect-log ${drawn}torus_drawing.svg, scale 50:1 on paper of 210 x 297 mm. The object is 2.\S* x 2.\S* x \S* mm large
+set Views = front
+set File = front.svg
+apply
+set File = refused.png
+apply
+expect-modal Filter Failure.*"refused.png" does not end in .svg, .pdf or .dxf
+button OK
+set File = missing/refused.svg
+apply
+expect-modal Filter Failure.*"missing/refused.svg" cannot be written
+button OK
+set File = refused.svg
+set Scale = 500:1
+apply
+expect-modal Filter Failure.*Take the scale 50:1, a larger paper
+button OK
+set Scale = 10:1
+set Paper = fit
+set Views = six, window
+set Sections = z=0.5
+set Title = A torus & more
+set Unit of the Mesh = cm
+set File = plate.pdf
+apply
+expect-log plate.pdf, scale 10:1 on paper of \S+ x \S+ mm. The object is .* with 10 mm to the unit
+close
+
+# an orthographic window
+trigger Toggle Orthographic Camera
+look 6 0 0  0 0 0
+trigger Export Laplacian Lines Drawing
+set File = window.svg
+apply
+set Views = right
+set File = right.svg
+apply
+close
+expect-no-log (?s)The window shows perspective.*The window shows perspective.*The window shows perspective
+END
+expect_same_paths torus_drawing.svg front.svg
+expect_same_paths window.svg right.svg
+[[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
+[[ ! -e $WORK/refused.svg && ! -e $WORK/refused.png ]] || fail "a refused drawing was written"
+
+# Layers as they stand: turned, larger, stretched; and as the decoration draws
+drive <<END
+wait
+open torus.ply
+size 800x600
+look 0 0 6  0 0 0
+trigger Export Laplacian Lines Drawing
+set Views = right
+set File = $WORK/right.svg
+apply
+close
+$(move_layer 'Y Rotation = -90')
+trigger Export Laplacian Lines Drawing
+set Views = front
+set File = $WORK/turned.svg
+apply
+close
+$(move_layer 'X Scale = 2' 'Y Scale = 2' 'Z Scale = 2')
+trigger Export Laplacian Lines Drawing
+set File = $WORK/twice.svg
+apply
+expect-log scale 20:1 on paper of 210 x 297 mm. The object is [45].\S* x [45]
+close
+expect-no-log transformation stretches it
+$(move_layer 'X Scale = 3')
+trigger Export Laplacian Lines Drawing
+set File = $WORK/stretched.svg
+set Views = front
+apply
+expect-log transformation stretches it: its lines are computed anew
+expect-log The object is [78]\S* x 2.\S* x
+set Settings = As the Decoration
+apply
+expect-modal Filter Failure.*The decoration Laplacian Lines has drawn nothing here
+button OK
+close
+check Laplacian Lines on
+setdeco Detail = 0
+setdeco Ridges = off
+trigger Export Laplacian Lines Drawing
+set Views = front
+set Settings = As the Decoration
+set File = $WORK/as_drawn.svg
+apply
+close
+END
+turned=$(paths "$WORK/turned.svg" | wc -l) right=$(paths "$WORK/right.svg" | wc -l)
+((turned > right - 9 && turned < right + 9)) || fail "$right paths from the right, $turned of the turned layer"
+(($(paths "$WORK/as_drawn.svg" | wc -l) < $(paths "$WORK/stretched.svg" | wc -l))) ||
+    fail "the decoration's settings do not count"

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes and fields as they stand in the world.
+#include "placed_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "generators.h"
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/precompute.h"
+
+namespace {
+
+using laplacian_lines::Field;
+using laplacian_lines::TriangleMesh;
+
+Eigen::Matrix4d moved(const Eigen::Matrix3d& linear) {
+    Eigen::Matrix4d layer = Eigen::Matrix4d::Identity();
+    layer.topLeftCorner<3, 3>() = linear;
+    layer.topRightCorner<3, 1>() = Eigen::Vector3d(5, -6, 7);
+    return layer;
+}
+
+Eigen::Matrix3d turned() {
+    return Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+}
+
+double volumeOf(const TriangleMesh& mesh) {
+    double volume = 0;
+    for (const auto& t : mesh.triangles)
+        volume += mesh.positions[t[0]].dot(mesh.positions[t[1]].cross(mesh.positions[t[2]])) / 6;
+    return volume;
+}
+
+/// The largest difference, in shares of the largest vector.
+template <class Vectors>
+double difference(const Vectors& a, const Vectors& b) {
+    EXPECT_EQ(a.size(), b.size());
+    double largest = 0, most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        largest = std::max(largest, double((a[i] - b[i]).norm()));
+        most = std::max(most, double(b[i].norm()));
+    }
+    return largest / most;
+}
+
+TEST(PlacedMesh, OnlyMovesTurnsAndSizesAreSimilarities) {
+    EXPECT_TRUE(similarityOf(moved(turned())));
+    const std::optional<Similarity> twice = similarityOf(moved(2 * turned()));
+    ASSERT_TRUE(twice);
+    EXPECT_NEAR(twice->factor, 2, 1e-12);
+    EXPECT_TRUE(twice->rotation.isApprox(turned(), 1e-12));
+    EXPECT_FALSE(similarityOf(moved(Eigen::Vector3d(1, 1, 1.01).asDiagonal())));
+    EXPECT_FALSE(similarityOf(moved(Eigen::Vector3d(1, 1, -1).asDiagonal())));
+    EXPECT_FALSE(similarityOf(moved(Eigen::Matrix3d::Zero())));
+    EXPECT_FALSE(similarityOf(moved(Eigen::Matrix3d::Constant(std::nan("")))));
+}
+
+TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
+    TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh;
+    Field field = laplacian_lines::precompute(mesh);
+    const Eigen::Matrix4d layer = moved(3 * turned());
+    place(layer, mesh);
+    place(*similarityOf(layer), field);
+    const Field expected = laplacian_lines::precompute(mesh);
+    EXPECT_LT(difference(field.normals, expected.normals), 1e-3);
+    EXPECT_LT(difference(field.laplacian_normals, expected.laplacian_normals), 1e-2);
+    EXPECT_NEAR(field.scale.diagonal, expected.scale.diagonal, 0.1 * expected.scale.diagonal);
+    EXPECT_NEAR(field.scale.mean_edge, expected.scale.mean_edge, 1e-4 * expected.scale.mean_edge);
+    EXPECT_NEAR(field.kernel_sizes[0], expected.kernel_sizes[0], 1e-3 * expected.kernel_sizes[0]);
+    double largest = 0, most = 0;
+    for (std::size_t i = 0; i < field.shape_operators.size(); ++i)
+        for (const Eigen::Vector3f& v : {Eigen::Vector3f(1, 0, 0), Eigen::Vector3f(0, 1, 1)}) {
+            const Eigen::Vector3f there = expected.shape_operators[i] * v;
+            largest = std::max(largest, double((field.shape_operators[i] * v - there).norm()));
+            most = std::max(most, double(there.norm()));
+        }
+    EXPECT_LT(largest / most, 1e-2);
+}
+
+TEST(PlacedMesh, FacesKeepTheirOutside) {
+    for (const double side : {1., -1.}) {
+        TriangleMesh mesh = test_meshes::bumpy_sphere(3).mesh;
+        const double before = volumeOf(mesh);
+        place(moved(Eigen::Vector3d(1, 2, side).asDiagonal()), mesh);
+        EXPECT_NEAR(volumeOf(mesh), 2 * before, 1e-6 * before);
+    }
+}
+
+TEST(PlacedMesh, FlatTransformationsAreRefused) {
+    TriangleMesh mesh = test_meshes::bumpy_sphere(2).mesh;
+    EXPECT_THROW(place(moved(Eigen::Vector3d(1, 1, 0).asDiagonal()), mesh), laplacian_lines::Error);
+    EXPECT_THROW(place(moved(Eigen::Matrix3d::Constant(std::nan(""))), mesh),
+                 laplacian_lines::Error);
+}
+
+}  // namespace

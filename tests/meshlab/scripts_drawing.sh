@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Measured drawings in scripts: the example, the same bytes as from ./run --drawing, and errors.
+source "$(dirname "$(readlink -f "$0")")/harness.sh"
+EXAMPLE=$CHECKOUT/examples/laplacian_lines_drawing.mlx
+PROGRAM=$LAPLACIAN_LINES_BUILD/bin/laplacian_lines_drawing
+
+# draw FILE [KEY=VALUE...]
+draw() {
+    local file=$1
+    shift
+    write_script script.mlx file="$file" "$@"
+    rm -f "$WORK/$file"
+    serve -i torus.ply -s script.mlx
+    ((SERVER_CODE == 0)) || fail "the script with $* ended with $SERVER_CODE"
+    [[ -s $WORK/$file ]] || fail "the script with $* wrote no $file"
+}
+
+# expect_same_as_program FILE OPTIONS...: those of ./run --drawing
+expect_same_as_program() {
+    local file=$1
+    shift
+    if [[ ! -x $PROGRAM ]]; then
+        say "not compared: there is no $PROGRAM"
+        return
+    fi
+    (cd "$WORK" && "$PROGRAM" "program_$file" "$@" torus.ply >/dev/null)
+    cmp "$WORK/$file" "$WORK/program_$file" || fail "$file differs from what --drawing $* writes"
+}
+
+# refuse REASON [KEY=VALUE...]: no file is left behind
+refuse() {
+    refuse_settings "$1" file=refused.svg "${@:2}"
+    [[ ! -e $WORK/refused.svg ]] || fail "a drawing was written with ${*:2}"
+}
+
+torus "$WORK/torus.ply"
+draw front.svg
+expect_same_as_program front.svg
+expect_text "$WORK/log" 'torus\.ply has no precomputed attributes; computed with the default options'
+expect_text "$WORK/log" 'Drawing of torus\.ply: /.*/front\.svg, scale 50:1 on paper of 210 x 297 mm\. The object is 2\.[0-9]* x 2\.[0-9]* x .* mm large, with 1 mm to the unit'
+draw plate.dxf views=six paper=2 unit=1 up=2 title=Torus arrangement=1
+expect_same_as_program plate.dxf --views six --paper a3 --unit cm --up z --title Torus --arrangement third
+expect_text "$WORK/log" 'plate\.dxf, scale .* on paper of (297 x 420|420 x 297) mm\. .*, with 10 mm to the unit'
+draw cut.svg views=top,30,15 sections="x=0.5 y=0.4" scale=10:1 strokes=1 furniture=false paper=6
+expect_same_as_program cut.svg --views top,30,15 --section x=0.5 --section y=0.4 --scale 10:1 --strokes plain \
+    --furniture none --paper fit
+expect_text "$WORK/log" 'scale 10:1 on paper of'
+draw section.svg views= sections=z=0.5
+expect_same_as_program section.svg --section z=0.5
+draw plate.pdf views=front,left title="A plate"
+[[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
+expect_same_as_program plate.pdf --views front,left --title "A plate"
+
+# a field of other options is used
+sed '/<\/FilterScript>/d' "$CHECKOUT/examples/laplacian_lines.mlx" >"$WORK/both.mlx"
+sed -i 's/name="kernel_size" \(.*\) value="0"/name="kernel_size" \1 value="0.2"/' "$WORK/both.mlx"
+write_script script.mlx file=coarse.svg
+sed -n '/<filter /,$p' "$WORK/script.mlx" >>"$WORK/both.mlx"
+serve -i torus.ply -s both.mlx
+((SERVER_CODE == 0)) || fail "both filters after each other ended with $SERVER_CODE"
+! grep -q 'computed with the default options' "$WORK/log" || fail "the attributes are not used"
+! cmp -s "$WORK/coarse.svg" "$WORK/front.svg" || fail "the attributes make no difference"
+
+refuse_settings '"plate\.png" does not end in \.svg' file=plate.png
+refuse_settings '"missing.drawing\.svg" cannot be written' file='missing\/drawing.svg'
+refuse 'At the scale 1000:1 the views take .* Take the scale ' scale=1000:1
+refuse '"half" is no scale' scale=half
+refuse '"above" is no view' views=above
+refuse '"y" is no section' sections=y
+refuse 'There is no window whose view could be drawn' views=window
+refuse 'The decoration Laplacian Lines has drawn nothing here' settings=1
+refuse '"Unit of the Mesh" is 4\. It has to be one of 0 \(mm\)' unit=4

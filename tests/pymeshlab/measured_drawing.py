@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measured drawings as a function of Python and by the example script: files, results, errors; the mesh stays as it is."""
+
+import re
+
+import laplacian_lines
+import numpy
+from harness import EXAMPLES, MESH, expect_error, meshes, work_folder
+
+WORK = work_folder("measured_drawing")
+
+
+def draw(name, ms=None, **given):
+    """The file's bytes and what the filter returned."""
+    file = WORK / name
+    file.unlink(missing_ok=True)
+    result = (ms or meshes()).export_laplacian_lines_drawing(file=str(file), **given)
+    return file.read_bytes(), result
+
+
+def paths(svg):
+    return re.findall(rb' d="[^"]*"', svg)
+
+
+ms = meshes()
+vertices, count = ms.current_mesh().vertex_matrix(), ms.mesh_number()
+front, result = draw("front.svg", ms)
+assert front.startswith(b"<?xml") and len(paths(front)) > 10
+assert result["file"] == str(WORK / "front.svg") and result["scale"] > 1, result
+assert numpy.allclose(result["paper"], (210, 297, 0)), result
+assert numpy.allclose(result["object"], numpy.ptp(vertices, axis=0), atol=1e-5), result
+assert (ms.current_mesh().vertex_matrix() == vertices).all() and ms.mesh_number() == count
+assert not ms.current_mesh().has_vertex_color(), "the mesh was changed"
+
+# the same again, by the script, and with the field of the other filter, which is that of the defaults
+assert draw("again.svg", ms)[0] == front
+ms.compute_laplacian_lines_per_vertex()
+assert draw("with_field.svg", ms)[0] == front
+ms.compute_laplacian_lines_per_vertex(laplace_operator="Cotangent")
+assert draw("cotangent.svg", ms)[0] != front
+script = (EXAMPLES / "laplacian_lines_drawing.mlx").read_text().replace('"drawing.svg"', f'"{WORK / "script.svg"}"')
+(WORK / "script.mlx").write_text(script)
+ms = meshes()
+ms.load_filter_script(str(WORK / "script.mlx"))
+ms.apply_filter_script()
+assert (WORK / "script.svg").read_bytes() == front
+
+plate, result = draw("plate.dxf", views="six", unit="cm", up="z", paper="a3", scale="2:1", title="Torus")
+assert b"POLYLINE" in plate and result["scale"] == 2
+assert numpy.allclose(sorted(result["paper"]), (0, 297, 420)), result
+assert numpy.allclose(result["object"], 10 * numpy.ptp(vertices, axis=0), atol=1e-4), result
+cut, result = draw("cut.svg", views="", sections="z=0.5", furniture=False)
+assert 0 < len(paths(cut)) and b"<text" not in cut
+assert draw("plain.svg", strokes="Plain")[0].count(b"stroke-width") > front.count(b"stroke-width")
+
+# a layer that was turned and enlarged
+ms = meshes()
+ms.compute_matrix_from_translation_rotation_scale(rotationy=-90, scalex=2, scaley=2, scalez=2, freeze=False)
+turned, result = draw("turned.svg", ms)
+assert numpy.allclose(result["object"], 2 * numpy.ptp(vertices, axis=0)[[2, 1, 0]], atol=1e-4), result
+right, _ = draw("right.svg", views="right")
+assert abs(len(paths(turned)) - len(paths(right))) <= 8, (len(paths(turned)), len(paths(right)))
+
+refused = meshes()
+make = refused.export_laplacian_lines_drawing
+expect_error("does not end in .svg", make, file=str(WORK / "refused.png"))
+expect_error("cannot be written", make, file=str(WORK / "missing" / "refused.svg"))
+expect_error("PDF needs fonts", make, file=str(WORK / "refused.pdf"))  # PyMeshLab has no QGuiApplication
+for words, given in (("no view", {"views": "above"}), ("There is no window", {"views": "window"}),
+                     ("Take the scale", {"scale": "1000:1"}), ("has drawn nothing", {"settings": 1})):
+    expect_error(words, make, file=str(WORK / "refused.svg"), **given)
+assert not list(WORK.glob("refused*"))
+
+by_name = {parameter.name: parameter for parameter in laplacian_lines.parameters(laplacian_lines.DRAWING_FILTER)}
+assert by_name["views"].default == "front" and by_name["views"].type == "str"
+assert by_name["paper"].default == "a4" and by_name["file"].default == "drawing.svg"
+default = meshes().filter_parameter_values(laplacian_lines.DRAWING_FILTER)["file"]
+assert default == str(MESH.with_name("torus_drawing.svg")), default
