@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // write_mesh stone|vessel|FILE [--subdivide N] FILE.ply: a mesh to draw, as binary PLY: a flaked
-// stone of 100 mm, a vessel of 200 mm, or a mesh whose triangles are cut in four, N times.
+// stone of 100 mm or a vessel of 200 mm, in metres as scans come, or a mesh whose triangles are cut
+// in four, N times.
 
 #include <cstdio>
 #include <cstdlib>
@@ -17,15 +18,18 @@ namespace {
 
 using laplacian_lines::TriangleMesh;
 
+TriangleMesh scaled(TriangleMesh mesh, double factor) {
+    for (Eigen::Vector3d& p : mesh.positions)
+        p *= factor;
+    return mesh;
+}
+
 TriangleMesh make(const std::string& name) {
-    if (name == "vessel") return test_meshes::thrown_vessel();
+    if (name == "vessel") return scaled(test_meshes::thrown_vessel(), 1e-3);
     if (name != "stone") return test_meshes::read_mesh(name);
     test_meshes::StoneShape shape;
     shape.half_axes = {0.6, 1, 0.3};
-    TriangleMesh mesh = test_meshes::FlakedStone(shape).mesh(8);
-    for (Eigen::Vector3d& p : mesh.positions)
-        p *= 50;
-    return mesh;
+    return scaled(test_meshes::FlakedStone(shape).mesh(8), 0.05);
 }
 
 void subdivide(TriangleMesh& mesh, int times) {

@@ -39,7 +39,36 @@ const std::map<QString, line_drawing::WallStyle> walls = {
     {"hatched", line_drawing::WallStyle::Hatched},
     {"filled", line_drawing::WallStyle::Filled},
     {"none", line_drawing::WallStyle::None}};
+const std::map<QString, line_drawing::HiddenLines> hidden = {
+    {"none", line_drawing::HiddenLines::LeftOut}, {"dashed", line_drawing::HiddenLines::Dashed}};
 const std::map<QString, bool> furniture = {{"all", true}, {"none", false}};
+
+const std::map<QString, QString> formats = {
+    {"pdf", "pdf"}, {"svg", "svg"}, {"dxf", "dxf"}, {"png", "png"}};
+
+double parseDpi(const QString& option, const QString& word) {
+    bool is_number = false;
+    const double dpi = word.toDouble(&is_number);
+    if (!is_number || !(dpi >= 20 && dpi <= 2400))
+        refuse(QString("%1 is \"%2\". It has to be a number from 20 to 2400.").arg(option, word));
+    return dpi;
+}
+
+/// A folder of drawings is one that is there, or whose name ends like one.
+void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
+    if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
+    result.drawing = names[0];
+    result.meshes = names.mid(1);
+    result.is_collection = names[0].endsWith('/') || QFileInfo(names[0]).isDir();
+    if (result.is_collection) return;
+    if (result.meshes.size() > 1 || QFileInfo(result.meshes[0]).isDir())
+        refuse(
+            QString("several meshes give a drawing each: name a folder for them, such as %1/, in "
+                    "place of %2.")
+                .arg(QFileInfo(names[0]).completeBaseName(), names[0]));
+    if (has_format)
+        refuse("--format goes with a folder of drawings; a file says it by its ending.");
+}
 
 QString takeValue(QStringList& rest, const QString& option) {
     if (rest.isEmpty()) refuse(option + " needs a value; see --help.");
@@ -69,11 +98,17 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         {"--strokes",
          [&](const QString& o, const QString& v) { options.strokes = chosen(o, v, strokes); }},
         {"--wall", [&](const QString& o, const QString& v) { options.wall = chosen(o, v, walls); }},
+        {"--hidden",
+         [&](const QString& o, const QString& v) { options.hidden = chosen(o, v, hidden); }},
         {"--furniture",
          [&](const QString& o, const QString& v) {
              options.has_view_names = options.has_scale_bar = options.has_notes =
                  chosen(o, v, furniture);
          }},
+        {"--format",
+         [&](const QString& o, const QString& v) { result.format = chosen(o, v, formats); }},
+        {"--dpi", [&](const QString& o, const QString& v) { result.dpi = parseDpi(o, v); }},
+        {"--contact-view", [&](const QString&, const QString& v) { result.contact_view = v; }},
         {"--title", [&](const QString&, const QString& v) { options.title = v; }}};
     QStringList rest = arguments, names;
     while (!rest.isEmpty()) {
@@ -81,7 +116,9 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         if (word == "-h" || word == "--help") {
             result.help = true;
         } else if (const auto reader = readers.find(word); reader != readers.end()) {
-            reader->second(word, takeValue(rest, word));
+            const QString value = takeValue(rest, word);
+            reader->second(word, value);
+            result.words << word << value;
         } else if (word.startsWith("--")) {
             refuse("unknown option " + word + "; see --help.");
         } else {
@@ -89,21 +126,25 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         }
     }
     if (result.help) return result;
-    if (names.size() != 2) refuse("name two files: the drawing and the mesh; see --help.");
-    result.drawing = names[0];
-    result.mesh = names[1];
+    nameFiles(names, result.words.contains("--format"), result);
     options.up = up;
     options.sections = line_drawing::parseSections(sections);
     if (views.isEmpty() && options.sections.empty()) views = "front";
     if (!views.isEmpty()) options.views = line_drawing::parseViews(views, up);
-    options.source = QFileInfo(result.mesh).fileName();
+    if (result.is_collection) return result;
+    options.source = QFileInfo(result.meshes[0]).fileName();
+    options.title.replace("{name}", QFileInfo(result.meshes[0]).completeBaseName());
     options.strokes = line_drawing::strokesIn(result.drawing, options.strokes);
     return result;
 }
 
 const char* usage() {
-    return "laplacian_lines_drawing FILE.svg|.pdf|.dxf [OPTION...] MESH: a measured drawing of a "
-           "mesh\n"
+    return "laplacian_lines_drawing FILE.svg|.pdf|.dxf|.png [OPTION...] MESH\n"
+           "                       a measured drawing of a mesh\n"
+           "laplacian_lines_drawing FOLDER/ [OPTION...] MESH|FOLDER...\n"
+           "                       one of each, and a contact sheet; what is there and unchanged "
+           "is\n"
+           "                       not drawn again\n"
            "\n"
            "  --views VIEWS        front, back, left, right, top, bottom, six (all of these), "
            "vessel\n"
@@ -112,12 +153,15 @@ const char* usage() {
            "  --section x|y|z=0..1 a section across an axis, where on the way through the object;\n"
            "                       more than one if repeated\n"
            "  --wall hatched|filled|none  what sections cut (hatched)\n"
+           "  --hidden none|dashed outlines and creases behind the surface (none)\n"
            "  --up x|y|z           the axis of the mesh that points up (y)\n"
            "  --unit mm|cm|m|in    the unit of the mesh (mm)\n"
            "  --scale 1:2|fit      drawn to true length; fit: the largest usual one (fit)\n"
            "  --paper a5..a0|fit   fit: as large as the drawing (a4)\n"
            "  --arrangement first|third   of the views: first or third angle (first)\n"
            "  --strokes tapered|plain     lines that swell and taper, or of even width (tapered)\n"
-           "  --title TEXT         above the note of scale, size and file\n"
-           "  --furniture all|none names of views, scale bar, projection symbol, notes (all)\n";
+           "  --title TEXT         above the note of scale, size and file; {name}: the mesh's\n"
+           "  --furniture all|none names of views, scale bar, projection symbol, notes (all)\n"
+           "  --dpi 20..2400       of PNG files (300)\n"
+           "  --format pdf|svg|dxf|png    of the drawings in FOLDER (pdf)\n";
 }

@@ -7,8 +7,13 @@
 
 struct CommandLine {
     bool help = false;
-    QString drawing;  ///< the file to write
-    QString mesh;
+    QString drawing;     ///< the file to write, or of a collection the folder to write into
+    QStringList meshes;  ///< one, or of a collection several, or folders
+    bool is_collection = false;
+    QString format = "pdf";  ///< of a collection
+    double dpi = 300;        ///< of PNG
+    QString contact_view;    ///< a file for the view of a contact sheet; empty: none
+    QStringList words;       ///< of the options as they were given, for drawings of a collection
     line_drawing::SheetOptions options;
 };
 

@@ -71,6 +71,13 @@ const std::map<QString, TriangleMesh (*)(const QString&)> readers = {
 
 }  // namespace
 
+QStringList meshEndings() {
+    QStringList endings;
+    for (const auto& reader : readers)
+        endings << reader.first;
+    return endings;
+}
+
 TriangleMesh readMesh(const QString& file) {
     if (!QFileInfo(file).isReadable()) refuse(file, "there is no such file, or it cannot be read.");
     const auto reader = readers.find(QFileInfo(file).suffix().toLower());

@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <cmath>
 
-#include "drawing_parameters.h"
+#include "drawing_sheet.h"
 #include "filter_help.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/make_sheet.h"
@@ -57,7 +57,9 @@ Placed placeInWorld(const MeshModel& layer, const meshlab_host::FilterRun& run) 
                                   meshlab_host::progressTo(run.progress, 0, field_share));
     if (transform.isIdentity(0)) return result;
     place(transform, result.mesh);
+    const bool has_derivatives = !result.field.curvature_derivatives.empty();
     place(*similarity, result.field);
+    if (has_derivatives) laplacian_lines::add_curvature_derivatives(result.mesh, result.field);
     return result;
 }
 

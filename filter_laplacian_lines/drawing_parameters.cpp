@@ -36,18 +36,19 @@ std::vector<const char*> paperChoices() {
 std::vector<AnyRow> makeRows() {
     return {
         TextRow{{"file", "File",
-                 "The drawing to write; its ending says what it is: <b>.svg</b>, <b>.pdf</b> or "
-                 "<b>.dxf</b>. A file of this name is replaced.",
+                 "The drawing to write; its ending says what it is: .svg, .pdf or .dxf. A file of "
+                 "this name is replaced.",
                  "Drawings (*.svg *.pdf *.dxf)"},
                 &Parameters::file},
-        TextRow{{"views", "Views",
-                 "From where the object is seen: <b>window</b>, along the view of MeshLab's "
-                 "window, front, back, left, right, top, bottom, six (all of these), or azimuth "
-                 "and elevation in degrees, such as 30,15; several with commas."},
-                &Parameters::views},
+        TextRow{
+            {"views", "Views",
+             "From where the object is seen: window, along the view of MeshLab's window, front, "
+             "back, left, right, top, bottom, six (all of these), vessel (half section, half "
+             "view), or azimuth and elevation in degrees, such as 30,15; several with commas."},
+            &Parameters::views},
         TextRow{{"scale", "Scale",
-                 "Drawn to true length, such as 1:2 or 2:1; <b>fit</b>: the largest usual one that "
-                 "fits the paper."},
+                 "Drawn to true length, such as 1:2 or 2:1; fit: the largest usual one that fits "
+                 "the paper."},
                 &Parameters::scale},
         rows::choice<&Parameters::paper>(
             "paper", "Paper", paperChoices(),
@@ -58,8 +59,8 @@ std::vector<AnyRow> makeRows() {
         rows::choice<&Parameters::up>("up", "Upward Axis", {"x", "y", "z"},
                                       "The axis of the world that points up in named views."),
         TextRow{{"sections", "Sections",
-                 "What planes across the axes of the world cut, hatched, after the views: such as "
-                 "x=0.5 y=0.3, where 0 to 1 is the way through the object. Empty: none."},
+                 "What planes across the axes of the world cut: such as x=0.5 y=0.3, where 0 to 1 "
+                 "is the way through the object. Empty: none."},
                 &Parameters::sections},
         TextRow{{"title", "Title", "Stands above the note of scale, size and file."},
                 &Parameters::title},
@@ -75,6 +76,9 @@ std::vector<AnyRow> makeRows() {
             "strokes", "Strokes", {"Tapered", "Plain"},
             "Lines that swell and taper as in MeshLab's view, or of even width, for plotters and "
             "CAD; those of DXF are always plain.")),
+        folded(rows::choice<&Parameters::wall>(
+            "wall", "Walls", {"Hatched", "Filled", "None"},
+            "What sections cut: hatched, black, or its outline alone.")),
         folded(rows::boolean<&Parameters::has_furniture>(
             "furniture", "Scale Bar and Notes",
             "Names of views, scale bar, symbol of the projection, notes of scale, size and "

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <QString>
-#include <optional>
 #include <vector>
 
 #include "line_drawing/sheet_options.h"
-#include "meshlab_host/current_view.h"
 #include "meshlab_host/meshlab_api.h"
 #include "meshlab_host/parameters.h"
 
@@ -22,6 +20,7 @@ struct DrawingParameters {
     line_drawing::UpAxis up = line_drawing::UpAxis::Y;
     line_drawing::Arrangement arrangement = line_drawing::Arrangement::FirstAngle;
     line_drawing::StrokeStyle strokes = line_drawing::StrokeStyle::Tapered;
+    line_drawing::WallStyle wall = line_drawing::WallStyle::Hatched;
     bool has_furniture = true;
     bool is_as_decoration = false;  ///< lines and light as the decoration has drawn them last
 };
@@ -37,12 +36,3 @@ std::vector<meshlab_host::ParameterDescription> describeDrawingParameters();
 
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
 DrawingParameters readDrawingParameters(const RichParameterList& list);
-
-/// What is to be drawn, views in world coordinates. `window` is its current view.
-/// @throws laplacian_lines::Error(InvalidOption) with what is understood, also if the view of the
-/// window or the decoration's settings are asked for where there are none.
-line_drawing::SheetOptions sheetOptions(const DrawingParameters& chosen,
-                                        const std::optional<meshlab_host::CurrentView>& window);
-
-/// Whether the view of the window is among the chosen ones.
-bool usesWindow(const DrawingParameters& chosen);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is to be drawn, of what the user chose.
-#include <QRegularExpression>
+#include "drawing_sheet.h"
+
 #include <array>
 
-#include "drawing_parameters.h"
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "meshlab_host/drawn_style.h"
@@ -22,44 +21,20 @@ const char* const window_word = "window";
     throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence);
 }
 
-ViewFrame frameOfWindow(const std::optional<CurrentView>& window) {
-    if (!window)
+ViewFrame frameOf(const CurrentView& window) {
+    return {line_drawing::Side::Other, "View", window.up.cross(window.towards_viewer), window.up,
+            window.towards_viewer};
+}
+
+std::vector<ViewFrame> viewsOf(const DrawingParameters& chosen,
+                               const std::optional<CurrentView>& window) {
+    if (usesWindow(chosen) && !window)
         refuse(
             "There is no window whose view could be drawn. Name other \"Views\", such as front, "
             "six or 30,15.");
-    return {line_drawing::Side::Other, "View", window->up.cross(window->towards_viewer), window->up,
-            window->towards_viewer};
-}
-
-QStringList viewWords(const QString& text) {
-    return text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts);
-}
-
-bool isWindow(const QString& word) {
-    return word.compare(window_word, Qt::CaseInsensitive) == 0;
-}
-
-/// Words that name views go to those of line_drawing, up to the next "window".
-std::vector<ViewFrame> viewsOf(const DrawingParameters& chosen,
-                               const std::optional<CurrentView>& window) {
-    std::vector<ViewFrame> views;
-    QStringList named;
-    const auto addNamed = [&] {
-        if (named.isEmpty()) return;
-        for (const ViewFrame& view : line_drawing::parseViews(named.join(' '), chosen.up))
-            views.push_back(view);
-        named.clear();
-    };
-    for (const QString& word : viewWords(chosen.views)) {
-        if (!isWindow(word)) {
-            named << word;
-            continue;
-        }
-        addNamed();
-        views.push_back(frameOfWindow(window));
-    }
-    addNamed();
-    return views;
+    line_drawing::NamedViews others;
+    if (window) others[window_word] = frameOf(*window);
+    return line_drawing::parseViews(chosen.views, chosen.up, others);
 }
 
 void takeFromDecoration(SheetOptions& options) {
@@ -75,17 +50,16 @@ void takeFromDecoration(SheetOptions& options) {
 }  // namespace
 
 bool usesWindow(const DrawingParameters& chosen) {
-    return viewWords(chosen.views).contains(window_word, Qt::CaseInsensitive);
+    return chosen.views.contains(window_word, Qt::CaseInsensitive);
 }
 
 SheetOptions sheetOptions(const DrawingParameters& chosen,
                           const std::optional<CurrentView>& window) {
     SheetOptions options;
-    options.sections = line_drawing::parseSections(chosen.sections);
-    options.views = viewsOf(chosen, window);
-    if (options.views.empty() && options.sections.empty())
-        options.views = line_drawing::parseViews("front", chosen.up);
     options.up = chosen.up;
+    options.sections = line_drawing::parseSections(chosen.sections);
+    if (!chosen.views.trimmed().isEmpty() || options.sections.empty())
+        options.views = viewsOf(chosen, window);
     options.scale = line_drawing::parseScale(chosen.scale);
     const std::vector<const char*> papers = line_drawing::paperNames();
     const auto paper = std::size_t(chosen.paper);
@@ -93,6 +67,7 @@ SheetOptions sheetOptions(const DrawingParameters& chosen,
     options.mm_per_unit = mm_of_units.at(std::size_t(chosen.unit));
     options.arrangement = chosen.arrangement;
     options.strokes = line_drawing::strokesIn(chosen.file, chosen.strokes);
+    options.wall = chosen.wall;
     options.title = chosen.title;
     options.has_view_names = options.has_scale_bar = options.has_notes = chosen.has_furniture;
     if (chosen.is_as_decoration) takeFromDecoration(options);

@@ -38,10 +38,8 @@ QString polylineHelp() {
 
 QString drawingHelp() {
     return QStringLiteral(
-        "Writes a measured drawing of the current layer as vectors: its lines at scale on paper, "
-        "seen along the view of the window or from several sides, with a scale bar. The mesh is "
-        "not "
-        "changed.<br>"
+        "Writes a measured drawing of the layer: its lines at scale on paper, as vectors, seen as "
+        "in the window or from several sides.<br>"
         "The results of <i>Compute Laplacian Lines</i> are used while they belong to the mesh, "
         "otherwise those of its defaults.");
 }

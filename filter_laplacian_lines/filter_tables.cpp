@@ -55,7 +55,7 @@ QJsonObject describePlace(const QString& key) {
 }
 
 QJsonObject describeOther(const RichParameter& parameter) {
-    const std::optional<QString> text = meshlab_host::textIn(parameter.value());
+    const std::optional<QString> text = meshlab_host::defaultText(parameter);
     if (text) return {{"kind", "text"}, {"default", *text}};
     return describePlace(parameter.name());
 }

@@ -23,5 +23,6 @@ std::optional<Similarity> similarityOf(const Eigen::Matrix4d& layer);
 /// @throws laplacian_lines::Error(InvalidOption) for a transformation that cannot be inverted.
 void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh);
 
-/// Turns a field, and its lengths, into that of the placed mesh.
+/// Turns a field, and its lengths, into that of the placed mesh, but without curvature derivatives,
+/// whose frames do not turn along.
 void place(const Similarity& similarity, laplacian_lines::Field& field);

@@ -6,6 +6,7 @@
 
 #include "laplacian_lines/line_set.h"
 #include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/bounds.h"
 #include "line_drawing/sheet_options.h"
 
 namespace line_drawing {
@@ -50,8 +51,7 @@ struct Placement {
     }
 };
 
-/// The part of the mesh that has triangles.
-Eigen::AlignedBox3d boundsOf(const laplacian_lines::TriangleMesh& mesh);
+/// What the part of the mesh that has triangles takes in a view, with `middle` at (0, 0).
 Eigen::AlignedBox2d boundsOf(const laplacian_lines::TriangleMesh& mesh, const ViewFrame& frame,
                              const Eigen::Vector3d& middle);
 

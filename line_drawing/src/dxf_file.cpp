@@ -70,7 +70,7 @@ private:
         begin("TABLES");
         write(0, "TABLE");
         write(2, "LTYPE");
-        write(70, "1");
+        write(70, "2");
         write(0, "LTYPE");
         write(2, "CONTINUOUS");
         write(70, "0");
@@ -78,6 +78,7 @@ private:
         write(72, "65");
         write(73, "0");
         write(40, 0.);
+        writeDashes();
         write(0, "ENDTAB");
         write(0, "TABLE");
         write(2, "LAYER");
@@ -87,10 +88,34 @@ private:
             write(2, name);
             write(70, "0");
             write(62, "7");
-            write(6, "CONTINUOUS");
+            write(6, dashOf(name) > 0 ? "DASHED" : "CONTINUOUS");
         }
         write(0, "ENDTAB");
         end();
+    }
+
+    /// Of the paths in a layer, which have all the same.
+    double dashOf(const QByteArray& name) const {
+        for (const SheetGroup& group : sheet_.groups)
+            for (const SheetLayer& layer : group.layers)
+                if (nameOf(layer) == name && !layer.paths.empty()) return layer.paths[0].dash;
+        return 0;
+    }
+    void writeDashes() {
+        double dash = 0;
+        for (const SheetGroup& group : sheet_.groups)
+            for (const SheetLayer& layer : group.layers)
+                dash = std::max(dash, dashOf(nameOf(layer)));
+        if (dash == 0) return;
+        write(0, "LTYPE");
+        write(2, "DASHED");
+        write(70, "0");
+        write(3, "Hidden lines");
+        write(72, "65");
+        write(73, "2");
+        write(40, 1.5 * dash);
+        write(49, dash);
+        write(49, -dash / 2);
     }
 
     void writePath(const SheetPath& path, const QByteArray& layer) {

@@ -42,12 +42,7 @@ void nameSections(std::vector<DrawnView>& views) {
         }
 }
 
-}  // namespace
-
-Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
-                const SheetOptions& options, const Progress& progress) {
-    check(options);
-    Observer observer(mesh, field, part(progress, 0, sight_share));
+Sheet drawSheet(Observer& observer, const SheetOptions& options, const Progress& progress) {
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : options.views)
         views.push_back(observer.stand(frame, options));
@@ -57,7 +52,7 @@ Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
     const SheetLayout layout = layOut(views, options);  // before much work, since it may refuse
     const auto share = [&](std::size_t views_done) {
         const double all = std::max<double>(1, double(options.views.size()));
-        return sight_share + (1 - sight_share) * double(views_done) / all;
+        return double(views_done) / all;
     };
     for (std::size_t i = 0; i < options.views.size(); ++i)  // sections have their lines
         observer.look(views[i], options, part(progress, share(i), share(i + 1)));
@@ -69,6 +64,29 @@ Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
         drawFurniture(views, layout, options.mm_per_unit * observer.objectSize(), options);
     if (!furniture.layers.empty()) sheet.groups.push_back(std::move(furniture));
     return sheet;
+}
+
+}  // namespace
+
+std::vector<Sheet> makeSheets(const TriangleMesh& mesh, const laplacian_lines::Field& field,
+                              const std::vector<SheetOptions>& options, const Progress& progress) {
+    for (const SheetOptions& o : options)
+        check(o);
+    Observer observer(mesh, field, part(progress, 0, sight_share));
+    const double share = (1 - sight_share) / std::max<double>(1, double(options.size()));
+    std::vector<Sheet> sheets;
+    for (const SheetOptions& o : options) {
+        const double begin = sight_share + share * double(sheets.size());
+        const bool is_last = sheets.size() + 1 == options.size();
+        sheets.push_back(
+            drawSheet(observer, o, part(progress, begin, is_last ? 1 : begin + share)));
+    }
+    return sheets;
+}
+
+Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
+                const SheetOptions& options, const Progress& progress) {
+    return makeSheets(mesh, field, {options}, progress).front();
 }
 
 }  // namespace line_drawing

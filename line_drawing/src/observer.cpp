@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "observer.h"
 
+#include <algorithm>
+
 #include "cutting.h"
 #include "half_section.h"
 #include "place_on_axis.h"
@@ -11,6 +13,21 @@ namespace line_drawing {
 
 using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
+
+namespace {
+
+/// Without the lines that show what the surface is like: hidden ones would only confuse.
+laplacian_lines::LineSet edgesOf(laplacian_lines::LineSet lines) {
+    auto& all = lines.lines;
+    const auto is_inner = [](const laplacian_lines::Polyline& line) {
+        return !laplacian_lines::describe(line.kind).is_outline &&
+               line.kind != laplacian_lines::LineKind::Crease;
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), is_inner), all.end());
+    return lines;
+}
+
+}  // namespace
 
 Observer::Observer(const TriangleMesh& mesh, const laplacian_lines::Field& field,
                    const Progress& progress)
@@ -34,8 +51,16 @@ void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progres
     laplacian_lines::LineSet lines;
     extractor_.extract(view, options.style, scratch_, lines);
     if (drawn.frame.is_half_section) return lookHalf(drawn, view, lines, options, progress);
-    lines = visibility_.visible_parts(view, lines, progress);
-    drawn.lines = project(lines, drawn.frame, box_.center(), options.mm_per_unit);
+    const laplacian_lines::LineParts parts = visibility_.parts(view, lines, progress);
+    drawn.lines = project(parts.seen, drawn.frame, box_.center(), options.mm_per_unit);
+    if (options.hidden == HiddenLines::LeftOut) return;
+    for (DrawnLine& line :
+         project(edgesOf(parts.hidden), drawn.frame, box_.center(), options.mm_per_unit)) {
+        line.line_class = LineClass::Hidden;
+        for (DrawnPoint& point : line.points)
+            point.weight = 1;
+        drawn.lines.push_back(std::move(line));
+    }
 }
 
 void Observer::lookHalf(DrawnView& drawn, const laplacian_lines::View& view,

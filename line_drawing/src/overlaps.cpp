@@ -12,6 +12,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double least_cosine = 0.94;  // of 20°
+constexpr int overlap = 2;             // points of lines, which are at most a reach apart
 constexpr double shortest_double = 4;  // reaches; where lines meet they are near for a while
 
 double distanceTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
@@ -40,6 +41,8 @@ public:
         for (std::size_t i = 0; i < points_.size(); ++i)
             is_double_[i] = there.runsAlong(points_[i].position, wayAt(i));
         forgetShortRuns(reach);
+        for (int i = 0; i < overlap; ++i)
+            shortenRuns();
     }
 
     void appendRest(std::vector<DrawnLine>& rest) const {
@@ -75,6 +78,16 @@ private:
                 std::fill(is_double_.begin() + std::ptrdiff_t(begin),
                           is_double_.begin() + std::ptrdiff_t(end), false);
             begin = end;
+        }
+    }
+
+    /// What is left ends beside the line that it doubled, so that there is no gap.
+    void shortenRuns() {
+        const std::vector<bool> before = is_double_;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const bool has_rest_beside =
+                (i > 0 && !before[i - 1]) || (i + 1 < before.size() && !before[i + 1]);
+            if (has_rest_beside) is_double_[i] = false;
         }
     }
 

@@ -1,43 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QBuffer>
-#include <QFont>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QTransform>
 
+#include "sheet_painting.h"
 #include "sheet_writers.h"
 
 namespace line_drawing {
 namespace {
 
 constexpr int dots_per_inch = 1200;
-constexpr double mm_per_inch = 25.4;
-
-void paint(const SheetPath& path, QPainter& painter) {
-    if (path.pen_width == 0)
-        painter.fillPath(path.path, Qt::black);
-    else
-        painter.strokePath(path.path,
-                           {Qt::black, path.pen_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin});
-}
-
-/// Outlines: a font of this machine need not be on another.
-void paint(const SheetText& text, QPainter& painter) {
-    constexpr int pixels = 100;
-    QFont font("sans-serif");
-    font.setPixelSize(pixels);
-    QPainterPath letters;
-    letters.addText(0, 0, font, text.text);
-    const double width = letters.boundingRect().right();
-    const double shift = text.alignment == Qt::AlignRight     ? width
-                         : text.alignment == Qt::AlignHCenter ? width / 2
-                                                              : 0;
-    const double size = text.height / pixels;
-    painter.fillPath(
-        QTransform(size, 0, 0, size, text.position.x() - size * shift, text.position.y())
-            .map(letters),
-        Qt::black);
-}
 
 /// The writer notes the time, by which equal drawings would differ.
 void forgetTime(QByteArray& pdf) {
@@ -63,13 +35,7 @@ QByteArray writePdf(const Sheet& sheet) {
         writer.setPageMargins({0, 0, 0, 0});
         QPainter painter(&writer);
         painter.scale(dots_per_inch / mm_per_inch, dots_per_inch / mm_per_inch);
-        for (const SheetGroup& group : sheet.groups)
-            for (const SheetLayer& layer : group.layers) {
-                for (const SheetPath& path : layer.paths)
-                    paint(path, painter);
-                for (const SheetText& text : layer.texts)
-                    paint(text, painter);
-            }
+        paint(sheet, painter);
     }
     QByteArray pdf = buffer.data();
     forgetTime(pdf);

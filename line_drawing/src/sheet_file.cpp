@@ -11,24 +11,42 @@
 namespace line_drawing {
 namespace {
 
-using Writer = QByteArray (*)(const Sheet&);
+enum class Format { Svg, Pdf, Dxf, Png };
 
 QString endingOf(const QString& file) {
     return QFileInfo(file).suffix().toLower();
 }
 
-Writer writerOf(const QString& file) {
+void needFonts() {
+    if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance()))
+        refuse("PDF and PNG need fonts, which this program has none of. Write an SVG or DXF file.");
+}
+
+Format formatOf(const QString& file) {
     const QString ending = endingOf(file);
-    if (ending == "svg") return writeSvg;
-    if (ending == "pdf") {
-        if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance()))
-            refuse("PDF needs fonts, which this program has none of. Write an SVG or DXF file.");
-        return writePdf;
+    if (ending == "svg") return Format::Svg;
+    if (ending == "dxf") return Format::Dxf;
+    if (ending == "pdf" || ending == "png") {
+        needFonts();
+        return ending == "pdf" ? Format::Pdf : Format::Png;
     }
-    if (ending == "dxf") return writeDxf;
     refuse(
-        QString("\"%1\" does not end in .svg, .pdf or .dxf, which say what kind of file to write.")
+        QString("\"%1\" does not end in .svg, .pdf, .dxf or .png, which say what kind of file to "
+                "write.")
             .arg(file));
+}
+
+QByteArray write(const Sheet& sheet, Format format, double dpi) {
+    switch (format) {
+        case Format::Svg:
+            return writeSvg(sheet);
+        case Format::Pdf:
+            return writePdf(sheet);
+        case Format::Dxf:
+            return writeDxf(sheet);
+        default:
+            return writePng(sheet, dpi);
+    }
 }
 
 void open(QSaveFile& output) {
@@ -40,7 +58,7 @@ void open(QSaveFile& output) {
 }  // namespace
 
 void checkSheetFile(const QString& file) {
-    writerOf(file);
+    formatOf(file);
     QSaveFile output(file);
     open(output);
     output.cancelWriting();
@@ -50,8 +68,8 @@ StrokeStyle strokesIn(const QString& file, StrokeStyle wanted) {
     return endingOf(file) == "dxf" ? StrokeStyle::Plain : wanted;
 }
 
-void writeSheet(const Sheet& sheet, const QString& file) {
-    const QByteArray data = writerOf(file)(sheet);
+void writeSheet(const Sheet& sheet, const QString& file, double dpi) {
+    const QByteArray data = write(sheet, formatOf(file), dpi);
     QSaveFile output(file);
     open(output);
     output.write(data);

@@ -94,10 +94,7 @@ QString elided(const QString& text, double height, double width) {
 
 QString noteOf(const SheetLayout& layout, const Eigen::Vector3d& size,
                const SheetOptions& options) {
-    QStringList parts = {
-        scaleInWords(layout.scale),
-        QString("%1 × %2 × %3 mm")
-            .arg(inMillimetres(size.x()), inMillimetres(size.y()), inMillimetres(size.z()))};
+    QStringList parts = {scaleInWords(layout.scale), sizeInWords(size)};
     if (!options.source.isEmpty()) parts << options.source;
     return parts.join(" · ");
 }
@@ -124,6 +121,11 @@ double barLength(double scale, double most) {
     for (const double first : {5., 2.})
         if (first * power * scale <= most) return first * power;
     return power;
+}
+
+QString sizeInWords(const Eigen::Vector3d& size) {
+    return QString("%1 × %2 × %3 mm")
+        .arg(inMillimetres(size.x()), inMillimetres(size.y()), inMillimetres(size.z()));
 }
 
 QString lengthInWords(double mm) {

@@ -12,6 +12,8 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
 /// The longest usual length, 1, 2 or 5 times a power of ten, of which the drawing is at most `most`
 /// long; in the object's mm.
 double barLength(double scale, double most);
+/// "50.0 × 20.0 × 1.00 mm"
+QString sizeInWords(const Eigen::Vector3d& size);
 /// "5 cm" of 50.
 QString lengthInWords(double mm);
 

@@ -15,6 +15,12 @@ using Points = std::vector<Vector2d>;
 constexpr double thinnest_stroke = 0.06;  // mm; where it is less a line is drawn so thin
 constexpr double thinnest_middle = 0.04;  // mm; lines that are nowhere wider are left out
 
+constexpr double least_round_width = 0.1;  // mm; ends of thinner strokes are cut off
+constexpr double half_turn = 3.141592653589793;
+
+// mm; as ISO 128 has it for this pen, nearly
+constexpr double dash = 2, shortest_dashed_line = 3 * dash;
+
 struct Spine {
     Points points;               // on the sheet
     std::vector<double> widths;  // mm, of the stroke
@@ -59,6 +65,19 @@ Points offset(const Spine& spine, const Points& normals, double sign) {
     return edge;
 }
 
+/// Half a circle behind the end of a stroke, from its right to its left as seen along `way`.
+void addCap(const Vector2d& end, const Vector2d& normal, double width, double direction,
+            Points& outline) {
+    constexpr int points = 8;
+    if (width < least_round_width) return;
+    const Vector2d way = direction * Vector2d(normal.y(), -normal.x());
+    for (int i = 1; i < points; ++i) {
+        const double angle = half_turn * i / points;
+        outline.push_back(end + width / 2 *
+                                    (direction * std::cos(angle) * normal + std::sin(angle) * way));
+    }
+}
+
 QPainterPath taperedStroke(const Spine& spine, bool closed, double tolerance) {
     const Points normals = normalsOf(spine.points, closed);
     Points right = offset(spine, normals, 1), left = offset(spine, normals, -1);
@@ -69,7 +88,9 @@ QPainterPath taperedStroke(const Spine& spine, bool closed, double tolerance) {
         fitCurve(right, true, tolerance, path);
         fitCurve(left, true, tolerance, path);
     } else {
+        addCap(spine.points.back(), normals.back(), spine.widths.back(), 1, right);
         right.insert(right.end(), left.begin(), left.end());
+        addCap(spine.points.front(), normals.front(), spine.widths.front(), -1, right);
         right.push_back(right.front());
         fitCurve(right, true, tolerance, path);
     }
@@ -80,13 +101,15 @@ QPainterPath taperedStroke(const Spine& spine, bool closed, double tolerance) {
 
 std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& options) {
     const double pen = options.pens[std::size_t(line.line_class)];
-    const bool is_tapered = options.strokes == StrokeStyle::Tapered;
+    const bool is_hidden = line.line_class == LineClass::Hidden;
+    const bool is_tapered = options.strokes == StrokeStyle::Tapered && !is_hidden;
     // a faint line tapers from the width of a clear one
     const double full = line.line_class == LineClass::Fine && is_tapered
                             ? options.pens[std::size_t(LineClass::Inner)]
                             : pen;
     const Spine spine = spineOf(line, full);
     if (spine.points.size() < 2 || spine.length < options.shortest_line) return {};
+    if (is_hidden && spine.length < shortest_dashed_line) return {};
     if (*std::max_element(spine.widths.begin(), spine.widths.end()) < thinnest_middle) return {};
     const bool closed = line.closed && spine.points.size() > 3;
     SheetPath result;
@@ -94,6 +117,7 @@ std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& o
         result.path = taperedStroke(spine, closed, options.tolerance);
     } else {
         result.pen_width = pen;
+        if (is_hidden) result.dash = dash;
         fitCurve(spine.points, closed, options.tolerance, result.path);
     }
     return result;

@@ -142,7 +142,11 @@ private:
         xml_.writeAttribute("fill", "none");
         xml_.writeAttribute("stroke", "#000");
         xml_.writeAttribute("stroke-width", number(path.pen_width));
-        xml_.writeAttribute("stroke-linecap", "round");
+        if (path.dash > 0)
+            xml_.writeAttribute("stroke-dasharray",
+                                number(path.dash) + ' ' + number(path.dash / 2));
+        else
+            xml_.writeAttribute("stroke-linecap", "round");
         xml_.writeAttribute("stroke-linejoin", "round");
     }
 

@@ -9,7 +9,8 @@
 namespace line_drawing {
 namespace {
 
-constexpr double double_reach = 0.2;                      // mm, within which a line doubles another
+/// Within which a line doubles another, of the width of outlines: then they would merge in print.
+constexpr double double_reach = 0.7;
 constexpr double hatch_spacing = 1.5, hatch_width = 0.5;  // mm; share of an inner line's width
 
 struct LayerName {
@@ -19,7 +20,8 @@ struct LayerName {
 constexpr LayerName layer_names[line_class_count] = {{"outline", "Outlines"},
                                                      {"inner", "Inner lines"},
                                                      {"fine", "Fine lines"},
-                                                     {"section", "Sections"}};
+                                                     {"section", "Sections"},
+                                                     {"hidden", "Hidden lines"}};
 
 std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& placement) {
     for (DrawnLine& line : lines)
@@ -61,7 +63,8 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     const bool has_name = view.frame.side != Side::Other;
     const QString key = has_name ? view.frame.name.toLower() : QString("view-%1").arg(number);
     SheetGroup group{key, view.frame.name, {}};
-    std::vector<DrawnLine> lines = withoutDoubles(place(view.lines, placement), double_reach);
+    std::vector<DrawnLine> lines = withoutDoubles(
+        place(view.lines, placement), double_reach * options.pens[std::size_t(LineClass::Outline)]);
     const Loops walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
     for (std::size_t c = line_class_count; c-- > 0;) {

@@ -30,7 +30,8 @@ ViewFrame makeFrame(Side side, const QString& name, const Vector3d& towards_view
 
 class ViewWords {
 public:
-    ViewWords(const QString& text, UpAxis up) : words_(wordsOf(text)), up_(up) {}
+    ViewWords(const QString& text, UpAxis up, const NamedViews& others)
+        : words_(wordsOf(text)), up_(up), others_(others) {}
 
     std::vector<ViewFrame> read() {
         std::vector<ViewFrame> views;
@@ -52,6 +53,8 @@ private:
             if (word.compare(side_names[side], Qt::CaseInsensitive) == 0)
                 return frameOfSide(Side(side), up_);
         if (word.compare("vessel", Qt::CaseInsensitive) == 0) return frameOfVessel(up_);
+        for (const auto& [name, frame] : others_)
+            if (word.compare(name, Qt::CaseInsensitive) == 0) return frame;
         bool is_number = false;
         const double azimuth = word.toDouble(&is_number);
         if (!is_number || next_ == words_.size()) refuseWord(word);
@@ -69,6 +72,7 @@ private:
 
     const QStringList words_;
     const UpAxis up_;
+    const NamedViews& others_;
     int next_ = 0;
 };
 
@@ -119,8 +123,8 @@ ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {
                      std::cos(e) * up - std::sin(e) * outwards);
 }
 
-std::vector<ViewFrame> parseViews(const QString& text, UpAxis up) {
-    return ViewWords(text, up).read();
+std::vector<ViewFrame> parseViews(const QString& text, UpAxis up, const NamedViews& others) {
+    return ViewWords(text, up, others).read();
 }
 
 }  // namespace line_drawing

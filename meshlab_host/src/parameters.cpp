@@ -130,9 +130,14 @@ void addText(const TextDescription& d, const QString& value, RichParameterList& 
 
 QString readText(const TextDescription& d, const QString& fallback, const RichParameterList& list) {
     if (!list.hasParameter(d.name)) return fallback;
-    const std::optional<QString> text = textIn(list.getParameterByName(d.name).value());
+    const std::optional<QString> text = defaultText(list.getParameterByName(d.name));
     if (!text) refuseValue("not a text", d.label, "one");
     return *text;
+}
+
+std::optional<QString> defaultText(const RichParameter& parameter) {
+    const Value& value = parameter.value();
+    return value.isString() ? std::make_optional(value.getString()) : std::nullopt;
 }
 
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list) {

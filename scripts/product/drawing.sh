@@ -11,6 +11,24 @@ build_drawing_program() {
     build_targets "$1" laplacian_lines_drawing
 }
 
+# prepare_meshes FOLDER NAME...: sets MESHES to them, files and folders; FOLDER takes unpacked copies, each in a folder
+# of its own, since their names may be the same. Without a NAME, the dragon.
+prepare_meshes() {
+    local folder=$1 name
+    shift
+    MESHES=()
+    for name in "${@:-}"; do
+        if [[ -d $name ]]; then
+            MESHES+=("$name")
+            continue
+        fi
+        [[ -z $name ]] || check_mesh "$name"
+        mkdir -p "$folder/${#MESHES[@]}"
+        prepare_mesh "$name" "$folder/${#MESHES[@]}"
+        MESHES+=("$MESH")
+    done
+}
+
 # run_drawing CHECKOUT FOLDER ARGS...: ARGS as the program takes them, but that MESH may be missing or gzipped; FOLDER
 # takes unpacked copies.
 run_drawing() {
@@ -33,9 +51,7 @@ run_drawing() {
             ;;
         esac
     done
-    ((${#files[@]})) || fail "--drawing needs the name of a file: FILE.svg, FILE.pdf or FILE.dxf"
-    ((${#files[@]} <= 2)) || fail "one mesh at a time: ${files[1]} or ${files[2]}?"
-    [[ -z ${files[1]:-} ]] || check_mesh "${files[1]}"
-    prepare_mesh "${files[1]:-}" "$folder"
-    "$program" "${files[0]}" "${arguments[@]}" "$MESH"
+    ((${#files[@]})) || fail "--drawing needs the name of a file, FILE.svg, .pdf, .dxf or .png, or of a folder, FOLDER/"
+    prepare_meshes "$folder" "${files[@]:1}"
+    "$program" "${files[0]}" "${arguments[@]}" "${MESHES[@]}"
 }

@@ -76,6 +76,26 @@ TEST(MeasuredDrawing, OutlinesOfASphereAreClosedCircles) {
     }
 }
 
+TEST(MeasuredDrawing, HiddenEdgesAreDashedIfWanted) {
+    SheetOptions options = plainViews("30,30");
+    for (const bool wanted : {false, true}) {
+        options.hidden = wanted ? HiddenLines::Dashed : HiddenLines::LeftOut;
+        const Sheet sheet = sheetOf(made_sheets::cubeOf100(), options);
+        const SheetLayer& hidden = sheet.groups[0].layers.front();
+        ASSERT_EQ(hidden.key, "hidden");
+        double length = 0;
+        for (const SheetPath& path : hidden.paths) {
+            length += path.path.length();
+            EXPECT_GT(path.dash, 0);
+            EXPECT_EQ(path.pen_width, options.pens[std::size_t(LineClass::Hidden)]);
+        }
+        // three edges: one upright, cos 30 long, the others as the axes of the view have them
+        const double lying = std::hypot(std::cos(M_PI / 6), std::sin(M_PI / 6) * 0.5) +
+                             std::hypot(0.5, std::cos(M_PI / 6) * 0.5);
+        EXPECT_NEAR(length, wanted ? 100 * (std::cos(M_PI / 6) + lying) : 0, 1);
+    }
+}
+
 TEST(MeasuredDrawing, StrokesSwellToThePen) {
     SheetOptions options = plainViews("front");
     options.mm_per_unit = 40;

@@ -25,7 +25,7 @@ TEST(Overlaps, ALineAlongAnOutlineIsLeftOutThereOnly) {
     EXPECT_EQ(rest[0].points.size(), 2u);
     EXPECT_EQ(rest[1].points.front().position, Eigen::Vector2d(0, 5));
     EXPECT_LT(rest[1].points.back().position.y(), 0.4);
-    EXPECT_EQ(rest[1].points.back().position.x(), 0);
+    EXPECT_LE(rest[1].points.back().position.x(), 2 * reach);
 }
 
 TEST(Overlaps, LinesThatCrossOrEndAtOthersStayWhole) {
@@ -36,6 +36,16 @@ TEST(Overlaps, LinesThatCrossOrEndAtOthersStayWhole) {
     ASSERT_EQ(rest.size(), lines.size());
     for (const DrawnLine& l : rest)
         EXPECT_EQ(l.points.size(), 2u);
+}
+
+/// What goes on beyond the end of the line that it doubles meets it.
+TEST(Overlaps, LeaveNoGaps) {
+    const auto rest = withoutDoubles({line(LineClass::Outline, {{0, 0}, {20, 0}}),
+                                      line(LineClass::Outline, {{15, 0.05}, {30, 0.05}})},
+                                     reach);
+    ASSERT_EQ(rest.size(), 2u);
+    EXPECT_GE(rest[1].points.front().position.x(), 20 - reach);
+    EXPECT_LE(rest[1].points.front().position.x(), 20);
 }
 
 TEST(Overlaps, OfOneClassTheLongestStays) {

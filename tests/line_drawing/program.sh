@@ -4,6 +4,10 @@
 # its drawings.
 set -euo pipefail
 
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+# shellcheck source=/dev/null
+source "$here/made_meshes.sh"
+
 program=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -23,20 +27,6 @@ refused() {
     ! ls plate.* 2>/dev/null || fail "$* left a file"
 }
 
-# a cube of 100 mm of 12 triangles, in three formats
-write_cube() {
-    local v f
-    v=$(printf '%s\n' "0 0 0" "100 0 0" "100 100 0" "0 100 0" "0 0 100" "100 0 100" "100 100 100" "0 100 100")
-    f=$(printf '%s\n' "0 2 1" "0 3 2" "4 5 6" "4 6 7" "0 1 5" "0 5 4" "1 2 6" "1 6 5" "2 3 7" "2 7 6" "3 0 4" "3 4 7")
-    { printf 'OFF\n8 12 0\n%s\n' "$v"; awk '{ print 3, $0 }' <<<"$f"; } >cube.off
-    { awk '{ print "v", $0 }' <<<"$v"; awk '{ print "f", $1 + 1, $2 + 1, $3 + 1 }' <<<"$f"; } >cube.obj
-    {
-        printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n'
-        printf 'element face 12\nproperty list uchar int vertex_indices\nend_header\n%s\n' "$v"
-        awk '{ print 3, $0 }' <<<"$f"
-    } >cube.ply
-}
-
 # extent_mm PICTURE DPI: width and height of what is black
 extent_mm() {
     convert "$1" -background white -alpha remove -threshold 50% -trim -format '%w %h' info: |
@@ -52,11 +42,12 @@ expect_extent() {
 write_cube
 bare=(--views front --strokes plain --furniture none)
 for mesh in cube.off cube.obj cube.ply; do
-    "$program" "$mesh.svg" "${bare[@]}" --scale 1:1 "$mesh" | grep -q "100 x 100 x 100 mm" || fail "$mesh has another size"
+    "$program" "$mesh.svg" "${bare[@]}" --scale 1:1 "$mesh" >out
+    grep -q "100 x 100 x 100 mm" out || fail "$mesh has another size"
     (($(grep -c "<path" "$mesh.svg") == 1)) || fail "the outline of $mesh is not one line"
 done
 
-refused "does not end in" plate.png cube.off
+refused "does not end in" plate.jpg cube.off
 refused "cannot be written" missing/plate.svg cube.off
 refused "there is no such file" plate.svg missing.ply
 refused "PLY, OBJ, STL and OFF" plate.svg "$program"
@@ -69,24 +60,90 @@ refused "unknown option" plate.svg --colour red cube.off
 refused "needs a value" plate.svg cube.off --up
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >points.off
 refused "no faces" plate.svg points.off
+: >empty.ply
+refused "empty.ply: the mesh cannot be read" plate.svg empty.ply
+sed -E '3,10s/.*/nan nan nan/' cube.off >nowhere.off
+refused "no triangle with an area" plate.svg nowhere.off
+refused "cannot be written" /proc/plate.svg cube.off
+
+# what is not finite is left out, and a size that can hardly be meant gives advice
+sed 's/^100 100 100$/nan nan nan/' cube.off >hole.off
+"$program" hole.svg "${bare[@]}" hole.off >out
+grep -q "100 x 100 x 100 mm" out || fail "a vertex that is not finite changes the size: $(cat out)"
+awk 'NR > 2 && NR < 11 { print $1 / 1e5, $2 / 1e5, $3 / 1e5; next } { print }' cube.off >metres.off
+"$program" metres.svg --scale 1:1 --unit m "${bare[@]}" metres.off >out
+grep -q "1 x 1 x 1 mm large" out || fail "1 mm in metres: $(cat out)"
+"$program" metres.svg "${bare[@]}" metres.off >out
+grep -q "if it is in metres, say --unit m" out || fail "no advice: $(cat out)"
+
+# --- several meshes give a drawing each and a contact sheet
+
+# drawn ARGS...: what the program says of a collection
+drawn() {
+    "$program" plates/ "$@" 2>&1 || true
+}
+
+# expect_says TEXT LINE...: TEXT has these lines
+expect_says() {
+    local text=$1 line
+    shift
+    for line in "$@"; do grep -qxF -- "$line" <<<"$text" || fail "no line \"$line\" in: $text"; done
+}
+
+mkdir -p meshes more
+cp cube.off meshes/one.off
+sed 's/100/50/g' cube.off >meshes/two.off
+cp cube.ply more/three.ply
+cp cube.obj more/one.obj
+echo "no mesh" >meshes/bad.ply
+says=$(drawn --title "{name}" meshes more/three.ply)
+expect_says "$says" "plates/one.pdf: drawn" "plates/two.pdf: drawn" "plates/three.pdf: drawn" \
+    "plates/contact_sheet.pdf: 3 objects" "3 drawn, 0 unchanged, 1 not drawn"
+grep -q "^meshes/bad.ply: not drawn: the mesh cannot be read" <<<"$says" || fail "the bad mesh is not reported: $says"
+! "$program" plates/ meshes >/dev/null 2>&1 || fail "a mesh that cannot be drawn is no error"
+rm meshes/bad.ply
+drawn --title "{name}" meshes more/three.ply >/dev/null
+before=$(stat -c '%n %y' plates/{one,two,three}.pdf)
+says=$(drawn --title "{name}" meshes more/three.ply)
+expect_says "$says" "meshes/one.off: unchanged" "0 drawn, 3 unchanged, 0 not drawn"
+[[ $(stat -c '%n %y' plates/{one,two,three}.pdf) == "$before" ]] || fail "what is unchanged was written again"
+cp cube.ply meshes/two.ply && rm meshes/two.off plates/one.pdf
+expect_says "$(drawn --title "{name}" meshes more/three.ply)" "2 drawn, 1 unchanged, 0 not drawn"
+expect_says "$(drawn --title other meshes more/three.ply)" "3 drawn, 0 unchanged, 0 not drawn"
+expect_says "$(drawn --format svg meshes more)" "plates/one.off.svg: drawn" "plates/one.obj.svg: drawn" \
+    "plates/contact_sheet.svg: 4 objects"
+for name in one.off one.obj two three; do
+    grep -q ">$name<" plates/contact_sheet.svg || fail "$name is not on the contact sheet"
+done
+refused "name a folder for them" plate.svg cube.off cube.obj
+refused "name a folder for them" plate.svg meshes
+refused "--format goes with a folder" plate.svg --format pdf cube.off
+refused "there is no mesh in the folder" plates/ plates
+refused "have the same name" plates/ cube.off meshes/../cube.off
+refused "cannot be written" cube.off/plates/ meshes
+refused "20 to 2400" plate.png --dpi 5 cube.off
+refused "is too large" plate.png --dpi 2400 --paper a0 cube.off
 
 # pens of .5 mm stand out by half their width
-dpi=600
+dpi=600 missing=
 for scale in 1:1 1:2; do
     [[ $scale == 1:1 ]] && mm=100 || mm=50
     "$program" cube.svg "${bare[@]}" --scale "$scale" cube.off >/dev/null
     "$program" cube.pdf "${bare[@]}" --scale "$scale" cube.off >/dev/null
+    "$program" cube.png "${bare[@]}" --dpi $dpi --scale "$scale" cube.off >/dev/null
+    expect_extent "$(extent_mm cube.png $dpi)" "$mm.5" "PNG at $scale"
     if command -v rsvg-convert >/dev/null; then
         rsvg-convert -d $dpi -p $dpi -b white cube.svg -o svg.png
         expect_extent "$(extent_mm svg.png $dpi)" "$mm.5" "SVG at $scale"
     else
-        echo "skipped: no rsvg-convert"
+        missing=rsvg-convert
     fi
     if command -v pdftoppm >/dev/null; then
         pdftoppm -r $dpi -png -singlefile cube.pdf pdf
         expect_extent "$(extent_mm pdf.png $dpi)" "$mm.5" "PDF at $scale"
     else
-        echo "skipped: no pdftoppm"
+        missing=pdftoppm
     fi
 done
+[[ -z $missing ]] || skip "no $missing"
 echo passed

@@ -50,6 +50,18 @@ TEST(SheetFiles, SvgIsInMillimetresWithLayers) {
     EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
 }
 
+TEST(SheetFiles, DashesAreAPropertyOfLines) {
+    Sheet sheet = smallSheet();
+    EXPECT_FALSE(writeSvg(sheet).contains("dasharray"));
+    EXPECT_FALSE(writeDxf(sheet).contains("DASHED"));
+    sheet.groups[0].layers[0].paths[0].dash = 2;
+    EXPECT_EQ(writeSvg(sheet).count("stroke-dasharray=\"2 1\""), 1);
+    const QByteArray dxf = writeDxf(sheet);
+    EXPECT_TRUE(dxf.contains("2\nDASHED\n"));
+    EXPECT_TRUE(dxf.contains("2\nOUTLINE\n70\n0\n62\n7\n6\nDASHED\n"));
+    EXPECT_TRUE(dxf.contains("2\nNAMES\n70\n0\n62\n7\n6\nCONTINUOUS\n"));
+}
+
 TEST(SheetFiles, DxfPointsUp) {
     const QByteArray dxf = writeDxf(smallSheet());
     EXPECT_TRUE(dxf.startsWith("0\nSECTION\n"));
@@ -66,7 +78,7 @@ TEST(SheetFiles, HaveTheSameBytesAgain) {
 
 TEST(SheetFiles, AppearWhole) {
     QTemporaryDir folder;
-    for (const char* ending : {"svg", "pdf", "dxf", "SVG"}) {
+    for (const char* ending : {"svg", "pdf", "dxf", "png", "SVG"}) {
         const QString file = folder.filePath(QString("plate.") + ending);
         checkSheetFile(file);
         EXPECT_FALSE(QFile::exists(file));
@@ -82,7 +94,7 @@ TEST(SheetFiles, OfDxfHavePlainStrokes) {
 
 TEST(SheetFiles, OfOtherKindsOrPlacesAreRefused) {
     QTemporaryDir folder;
-    for (const char* file : {"plate", "plate.png", "missing/plate.svg"}) {
+    for (const char* file : {"plate", "plate.jpg", "missing/plate.svg"}) {
         EXPECT_THROW(checkSheetFile(folder.filePath(file)), laplacian_lines::Error) << file;
         EXPECT_THROW(writeSheet(smallSheet(), folder.filePath(file)), laplacian_lines::Error)
             << file;

@@ -70,6 +70,15 @@ TEST(ViewFrames, AreNamed) {
     EXPECT_EQ(parseViews("six", UpAxis::Z).size(), 6u);
 }
 
+TEST(ViewFrames, MayHaveNamesOfAProgram) {
+    const NamedViews others = {{"window", frameOfDirection(10, 20, UpAxis::Z)}};
+    const std::vector<ViewFrame> views = parseViews("top,Window 30,15", UpAxis::Z, others);
+    ASSERT_EQ(views.size(), 3u);
+    EXPECT_EQ(views[1].name, "10°, 20°");
+    EXPECT_EQ(views[2].name, "30°, 15°");
+    EXPECT_THROW(parseViews("30,window", UpAxis::Z, others), laplacian_lines::Error);
+}
+
 TEST(ViewFrames, OfOtherWordsAreRefused) {
     for (const char* words : {"", "above", "30", "30,left", "0,91", "front,nan,0"})
         EXPECT_THROW(parseViews(words, UpAxis::Z), laplacian_lines::Error) << words;

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QStringList>
 
-#include "drawing_parameters.h"
+#include "drawing_sheet.h"
 #include "laplacian_lines/error.h"
 #include "meshlab_host/drawn_style.h"
+#include "places.h"
 
 namespace {
 
@@ -30,7 +32,7 @@ QStringList viewNames(const char* views, const char* sections = "") {
 TEST(DrawingParameters, ViewsKeepTheirOrder) {
     EXPECT_EQ(viewNames("top, WINDOW;30,15 front").join('/'), "Top/View/30°, 15°/Front");
     EXPECT_EQ(viewNames("six window").size(), 7);
-    EXPECT_EQ(viewNames("").join('/'), "Front");
+    EXPECT_THROW(viewNames(""), Error);
     EXPECT_TRUE(viewNames("", "x=0.5").isEmpty());
     EXPECT_THROW(viewNames("above"), Error);
     EXPECT_THROW(viewNames("30 window"), Error);
@@ -60,6 +62,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     EXPECT_EQ(usual.up, made.up);
     EXPECT_EQ(usual.arrangement, made.arrangement);
     EXPECT_EQ(usual.strokes, made.strokes);
+    EXPECT_EQ(usual.wall, made.wall);
     EXPECT_TRUE(usual.has_notes && usual.has_scale_bar && usual.has_view_names);
 
     chosen.file = "plate.DXF";
@@ -68,6 +71,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     chosen.unit = 3;
     chosen.up = line_drawing::UpAxis::Z;
     chosen.title = "Find 17";
+    chosen.wall = line_drawing::WallStyle::Filled;
     chosen.has_furniture = false;
     const SheetOptions options = sheetOptions(chosen, std::nullopt);
     EXPECT_EQ(options.scale, 0.25);
@@ -76,6 +80,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     EXPECT_EQ(options.views.at(0).up, Eigen::Vector3d(0, 0, 1));
     EXPECT_EQ(options.strokes, line_drawing::StrokeStyle::Plain);
     EXPECT_EQ(options.title, "Find 17");
+    EXPECT_EQ(options.wall, line_drawing::WallStyle::Filled);
     EXPECT_FALSE(options.has_notes || options.has_scale_bar || options.has_view_names);
     chosen.scale = "half";
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
@@ -93,6 +98,7 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     given.up = line_drawing::UpAxis::X;
     given.arrangement = line_drawing::Arrangement::ThirdAngle;
     given.strokes = line_drawing::StrokeStyle::Plain;
+    given.wall = line_drawing::WallStyle::None;
     given.has_furniture = false;
     given.is_as_decoration = true;
     RichParameterList list;
@@ -105,12 +111,32 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     EXPECT_EQ(read.up, given.up);
     EXPECT_EQ(read.arrangement, given.arrangement);
     EXPECT_EQ(read.strokes, given.strokes);
+    EXPECT_EQ(read.wall, given.wall);
     EXPECT_FALSE(read.has_furniture);
     EXPECT_TRUE(read.is_as_decoration);
     given.paper = 7;
     RichParameterList wrong;
     listDrawingParameters(given, wrong);
     EXPECT_THROW(readDrawingParameters(wrong), Error);
+}
+
+QString content(const char* file) {
+    QFile input(QString::fromStdString((places::repository() / file).string()));
+    EXPECT_TRUE(input.open(QIODevice::ReadOnly)) << file;
+    return QString::fromUtf8(input.readAll());
+}
+
+TEST(DrawingParameters, AreDocumentedAndInTheExample) {
+    const QString table = content("docs/parameters.md");
+    const QString example = content("examples/laplacian_lines_drawing.mlx");
+    RichParameterList list;
+    listDrawingParameters({}, list);
+    for (const RichParameter& row : list) {
+        const QString key = row.name();
+        EXPECT_TRUE(table.contains(QString("| %1 | `%2` |").arg(row.fieldDescription(), key)))
+            << key.toStdString();
+        EXPECT_TRUE(example.contains(QString("name=\"%1\"").arg(key))) << key.toStdString();
+    }
 }
 
 TEST(DrawingParameters, StartBesideTheMeshAndAtTheWindow) {

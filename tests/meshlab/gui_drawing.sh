@@ -5,12 +5,21 @@ source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
 # paths FILE: what is drawn, whatever it is called
 paths() {
-    grep -o ' d="[^"]*"' "$1"
+    grep -o ' d="[^"]*"' "$WORK/$1"
 }
 
-# expect_same_paths A B
-expect_same_paths() {
-    diff -q <(paths "$WORK/$1") <(paths "$WORK/$2") || fail "$1 and $2 have other lines"
+# expect_same_lines A B: as many, and nine in ten begin at the same hundredth of a millimetre: cameras are of floats
+expect_same_lines() {
+    local count same
+    count=$(paths "$1" | wc -l)
+    [[ $count == "$(paths "$2" | wc -l)" ]] || fail "$1 has $count lines, $2 $(paths "$2" | wc -l)"
+    same=$(comm -12 <(starts "$1") <(starts "$2") | wc -l)
+    ((10 * same >= 9 * count)) || fail "only $same of $count lines of $1 and $2 begin at the same places"
+}
+
+# starts FILE: where lines begin
+starts() {
+    paths "$1" | sed -E 's/ d="M(-?[0-9]*)(\.?[0-9]{0,2})[0-9]* (-?[0-9]*)(\.?[0-9]{0,2}).*/\1\2 \3\4/' | sort
 }
 
 torus "$WORK/torus.ply"
@@ -47,7 +56,6 @@ button OK
 set Scale = 10:1
 set Paper = fit
 set Views = six, window
-set Sections = z=0.5
 set Title = A torus & more
 set Unit of the Mesh = cm
 set File = plate.pdf
@@ -67,8 +75,8 @@ apply
 close
 expect-no-log (?s)The window shows perspective.*The window shows perspective.*The window shows perspective
 END
-expect_same_paths torus_drawing.svg front.svg
-expect_same_paths window.svg right.svg
+expect_same_lines torus_drawing.svg front.svg
+expect_same_lines window.svg right.svg
 [[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
 [[ ! -e $WORK/refused.svg && ! -e $WORK/refused.png ]] || fail "a refused drawing was written"
 
@@ -79,8 +87,8 @@ open torus.ply
 size 800x600
 look 0 0 6  0 0 0
 trigger Export Laplacian Lines Drawing
-set Views = right
-set File = $WORK/right.svg
+set Views = left
+set File = $WORK/left.svg
 apply
 close
 $(move_layer 'Y Rotation = -90')
@@ -118,7 +126,6 @@ set File = $WORK/as_drawn.svg
 apply
 close
 END
-turned=$(paths "$WORK/turned.svg" | wc -l) right=$(paths "$WORK/right.svg" | wc -l)
-((turned > right - 9 && turned < right + 9)) || fail "$right paths from the right, $turned of the turned layer"
-(($(paths "$WORK/as_drawn.svg" | wc -l) < $(paths "$WORK/stretched.svg" | wc -l))) ||
+expect_same_lines left.svg turned.svg
+(($(paths as_drawn.svg | wc -l) < $(paths stretched.svg | wc -l))) ||
     fail "the decoration's settings do not count"

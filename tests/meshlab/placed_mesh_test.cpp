@@ -59,16 +59,21 @@ TEST(PlacedMesh, OnlyMovesTurnsAndSizesAreSimilarities) {
 
 TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
     TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh;
-    Field field = laplacian_lines::precompute(mesh);
+    laplacian_lines::PrecomputeOptions options;
+    options.curvature_derivatives = true;
+    Field field = laplacian_lines::precompute(mesh, options);
     const Eigen::Matrix4d layer = moved(3 * turned());
     place(layer, mesh);
     place(*similarityOf(layer), field);
-    const Field expected = laplacian_lines::precompute(mesh);
+    EXPECT_TRUE(field.curvature_derivatives.empty());
+    laplacian_lines::add_curvature_derivatives(mesh, field);
+    const Field expected = laplacian_lines::precompute(mesh, options);
     EXPECT_LT(difference(field.normals, expected.normals), 1e-3);
     EXPECT_LT(difference(field.laplacian_normals, expected.laplacian_normals), 1e-2);
     EXPECT_NEAR(field.scale.diagonal, expected.scale.diagonal, 0.1 * expected.scale.diagonal);
     EXPECT_NEAR(field.scale.mean_edge, expected.scale.mean_edge, 1e-4 * expected.scale.mean_edge);
     EXPECT_NEAR(field.kernel_sizes[0], expected.kernel_sizes[0], 1e-3 * expected.kernel_sizes[0]);
+    EXPECT_LT(difference(field.curvature_derivatives, expected.curvature_derivatives), 1e-2);
     double largest = 0, most = 0;
     for (std::size_t i = 0; i < field.shape_operators.size(); ++i)
         for (const Eigen::Vector3f& v : {Eigen::Vector3f(1, 0, 0), Eigen::Vector3f(0, 1, 1)}) {

@@ -25,7 +25,7 @@ def paths(svg):
 ms = meshes()
 vertices, count = ms.current_mesh().vertex_matrix(), ms.mesh_number()
 front, result = draw("front.svg", ms)
-assert front.startswith(b"<?xml") and len(paths(front)) > 10
+assert front.startswith(b"<?xml") and len(paths(front)) >= 5
 assert result["file"] == str(WORK / "front.svg") and result["scale"] > 1, result
 assert numpy.allclose(result["paper"], (210, 297, 0)), result
 assert numpy.allclose(result["object"], numpy.ptp(vertices, axis=0), atol=1e-5), result
@@ -58,8 +58,8 @@ ms = meshes()
 ms.compute_matrix_from_translation_rotation_scale(rotationy=-90, scalex=2, scaley=2, scalez=2, freeze=False)
 turned, result = draw("turned.svg", ms)
 assert numpy.allclose(result["object"], 2 * numpy.ptp(vertices, axis=0)[[2, 1, 0]], atol=1e-4), result
-right, _ = draw("right.svg", views="right")
-assert abs(len(paths(turned)) - len(paths(right))) <= 8, (len(paths(turned)), len(paths(right)))
+left, _ = draw("left.svg", views="left")
+assert abs(len(paths(turned)) - len(paths(left))) <= 2, (len(paths(turned)), len(paths(left)))
 
 refused = meshes()
 make = refused.export_laplacian_lines_drawing

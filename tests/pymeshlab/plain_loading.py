@@ -8,7 +8,8 @@ import pymeshlab
 
 REFERENCE = pathlib.Path(os.environ["LAPLACIAN_LINES_BUILD"]) / "Testing" / "reference"
 PLUGIN = pathlib.Path(os.environ["PYTHONPATH"]) / "libfilter_laplacian_lines.so"
-FILTERS = {"compute_laplacian_lines_per_vertex", "generate_polyline_from_laplacian_lines"}
+FILTERS = {"compute_laplacian_lines_per_vertex", "export_laplacian_lines_drawing",
+           "generate_polyline_from_laplacian_lines"}
 
 before = set(pymeshlab.filter_list())
 pymeshlab.load_plugin(str(PLUGIN))

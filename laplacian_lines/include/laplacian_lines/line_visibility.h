@@ -29,6 +29,11 @@ inline double sight_clearance(LineKind kind, double diagonal, double sight_edge)
     return std::max(kSightClearance * diagonal, beyond);
 }
 
+/// Lines, cut where they come into sight or go out of it.
+struct LineParts {
+    LineSet seen, hidden;
+};
+
 /// Which parts of lines can be seen, by rays from points of the lines to the eye: exact, whatever
 /// the size of a picture. Built once for a mesh, which may be gone afterwards.
 class LineVisibility {
@@ -46,13 +51,17 @@ public:
     bool encloses(const Eigen::Vector3d& point) const;
 
     /// The parts of `lines` that no triangle hides, from either side. A part is a line of its own
-    /// that begins and ends where it comes into sight, to a thousandth of D, with kind, strength
+    /// that begins and ends where an outline among `lines` crosses it in the picture or a contour
+    /// turns back, elsewhere where it comes into sight, to a thousandth of D; with kind, strength
     /// and slope of the whole line and its own length. Gaps and parts that are shorter than the
-    /// clearance do not count.
+    /// clearance do not count. How it is decided: docs/algorithms.md.
     /// @throws Error(Cancelled). Thread-safe; runs on OpenMP's threads, which do not change the
     /// result.
     LineSet visible_parts(const View& view, const LineSet& lines,
                           const Progress& progress = {}) const;
+
+    /// The same with what is hidden.
+    LineParts parts(const View& view, const LineSet& lines, const Progress& progress = {}) const;
 
 private:
     struct Data;

@@ -7,14 +7,6 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr int kBisections = 8;
-
-struct Sample {
-    LinePlace place;
-    double length;  ///< from here to the next sample
-    bool holds;
-};
-
 std::uint32_t segment_count(const Polyline& line) {
     return line.count > 0 ? line.count - 1 : 0;
 }
@@ -22,75 +14,6 @@ std::uint32_t segment_count(const Polyline& line) {
 double segment_length(const LineSet& lines, const Polyline& line, std::uint32_t segment) {
     const LinePoint* points = lines.points.data() + line.first;
     return double((points[segment + 1].position - points[segment].position).norm());
-}
-
-/// Places at most rules.spacing apart, all points of the line among them. The end of a closed line
-/// is its beginning and not there twice.
-std::vector<Sample> take_samples(const LineSet& lines, const Polyline& line, double spacing,
-                                 const std::function<bool(const LinePlace&)>& holds) {
-    std::vector<Sample> samples;
-    const auto add = [&](const LinePlace& place, double length) {
-        samples.push_back({place, length, holds(place)});
-    };
-    for (std::uint32_t segment = 0; segment < segment_count(line); ++segment) {
-        const double length = segment_length(lines, line, segment);
-        const int pieces = std::max(1, int(std::ceil(length / spacing)));
-        for (int i = 0; i < pieces; ++i)
-            add({segment, double(i) / pieces}, length / pieces);
-    }
-    if (!line.closed && segment_count(line) > 0) add({segment_count(line) - 1, 1}, 0);
-    return samples;
-}
-
-/// So that no run of a closed line is cut at the first point.
-void begin_with_a_change(std::vector<Sample>& samples) {
-    for (std::size_t i = 1; i < samples.size(); ++i)
-        if (samples[i].holds != samples[i - 1].holds) {
-            std::rotate(samples.begin(), samples.begin() + std::ptrdiff_t(i), samples.end());
-            return;
-        }
-}
-
-struct Run {
-    std::size_t begin, end;  ///< samples [begin, end)
-    bool holds;
-};
-
-std::vector<Run> runs_of(const std::vector<Sample>& samples) {
-    std::vector<Run> runs;
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        if (runs.empty() || runs.back().holds != samples[i].holds)
-            runs.push_back({i, i + 1, samples[i].holds});
-        else
-            runs.back().end = i + 1;
-    return runs;
-}
-
-/// Turns short runs of one kind into their neighbours'.
-void flip_short_runs(std::vector<Sample>& samples, bool kind, double shortest) {
-    const std::vector<Run> runs = runs_of(samples);
-    if (runs.size() < 2) return;
-    for (const Run& run : runs) {
-        double length = 0;
-        for (std::size_t i = run.begin; i < run.end; ++i)
-            length += samples[i].length;
-        if (run.holds != kind || length >= shortest) continue;
-        for (std::size_t i = run.begin; i < run.end; ++i)
-            samples[i].holds = !kind;
-    }
-}
-
-/// The place between two neighbouring samples where it begins or ceases to hold. The later one may
-/// be the first point of the next segment, which is the end of this one.
-LinePlace change_between(const Sample& earlier, LinePlace later,
-                         const std::function<bool(const LinePlace&)>& holds) {
-    if (later.segment != earlier.place.segment) later = {earlier.place.segment, 1};
-    double low = earlier.place.t, high = later.t;
-    for (int i = 0; i < kBisections; ++i) {
-        const double middle = (low + high) / 2;
-        (holds({later.segment, middle}) == earlier.holds ? low : high) = middle;
-    }
-    return {later.segment, (low + high) / 2};
 }
 
 }  // namespace
@@ -103,29 +26,74 @@ LinePoint point_at(const LineSet& lines, const Polyline& line, const LinePlace& 
             a.gradient + t * (b.gradient - a.gradient), a.opacity + t * (b.opacity - a.opacity)};
 }
 
-std::vector<LinePart> parts_where(const LineSet& lines, const Polyline& line,
-                                  const PartRules& rules,
-                                  const std::function<bool(const LinePlace&)>& holds) {
-    std::vector<Sample> samples = take_samples(lines, line, rules.spacing, holds);
-    if (line.closed) begin_with_a_change(samples);
-    flip_short_runs(samples, false, rules.shortest);
-    if (line.closed) begin_with_a_change(samples);
-    flip_short_runs(samples, true, rules.shortest);
-    if (line.closed) begin_with_a_change(samples);
-    const std::vector<Run> runs = runs_of(samples);
-    std::vector<LinePart> parts;
-    for (const Run& run : runs) {
-        if (!run.holds) continue;
-        LinePart part{samples[run.begin].place, samples[run.end - 1].place, runs.size() == 1};
-        const std::size_t last = samples.size() - 1;
-        if (!part.whole && (run.begin > 0 || line.closed))
-            part.begin =
-                change_between(samples[run.begin > 0 ? run.begin - 1 : last], part.begin, holds);
-        if (!part.whole && (run.end <= last || line.closed))
-            part.end = change_between(samples[run.end - 1],
-                                      samples[run.end <= last ? run.end : 0].place, holds);
-        parts.push_back(part);
+std::vector<LinePiece> pieces_of(const LineSet& lines, const Polyline& line, double spacing,
+                                 const std::vector<LinePlace>& places) {
+    std::vector<LinePiece> pieces;
+    LinePiece piece{{0, 0}, {0, 0}, 0};
+    const auto end_piece = [&](const LinePlace& next, int number) {
+        if (piece.length > 0) pieces.push_back(piece);
+        piece = {next, next, 0, piece.length > 0 || number >= 0 ? number : piece.place};
+    };
+    std::size_t next = 0;
+    for (std::uint32_t segment = 0; segment < segment_count(line); ++segment) {
+        const double length = segment_length(lines, line, segment);
+        const auto go_to = [&](double t) {
+            while (piece.length + (t - piece.end.t) * length > spacing) {
+                const double rest = spacing - piece.length;
+                piece.end.t = std::min(t, piece.end.t + rest / length);
+                piece.length = spacing;
+                end_piece(piece.end, -1);
+            }
+            piece.length += (t - piece.end.t) * length;
+            piece.end.t = t;
+        };
+        piece.end = {segment, 0};
+        if (piece.length == 0) piece.begin = piece.end;
+        for (; next < places.size() && places[next].segment == segment; ++next) {
+            go_to(places[next].t);
+            end_piece(places[next], int(next));
+        }
+        go_to(1);
     }
+    end_piece({}, -1);
+    return pieces;
+}
+
+LinePlace middle_of(const LineSet& lines, const Polyline& line, const LinePiece& piece) {
+    double rest = piece.length / 2;
+    for (std::uint32_t segment = piece.begin.segment; segment <= piece.end.segment; ++segment) {
+        const double begin = segment == piece.begin.segment ? piece.begin.t : 0;
+        const double end = segment == piece.end.segment ? piece.end.t : 1;
+        const double length = segment_length(lines, line, segment);
+        if (rest <= (end - begin) * length) return {segment, begin + rest / length};
+        rest -= (end - begin) * length;
+    }
+    return piece.end;
+}
+
+std::vector<LinePart> parts_of(const Polyline& line, const std::vector<LinePiece>& pieces,
+                               const std::vector<std::uint8_t>& labels, std::uint8_t label,
+                               const std::function<LinePlace(std::size_t piece)>& begin_of) {
+    const std::size_t n = pieces.size();
+    std::vector<LinePart> parts;
+    if (std::count(labels.begin(), labels.end(), label) == std::ptrdiff_t(n)) {
+        if (n > 0) parts.push_back({pieces[0].begin, pieces[n - 1].end, true});
+        return parts;
+    }
+    const auto changes = [&](std::size_t i) {
+        return i == 0 ? line.closed && labels[0] != labels[n - 1] : labels[i] != labels[i - 1];
+    };
+    std::size_t first = 0;  // of a closed line, where its parts begin
+    while (line.closed && !changes(first))
+        ++first;
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t i = (first + k) % n;
+        if (changes(i) && k > 0 && labels[i] != label) parts.back().end = begin_of(i);
+        if (labels[i] != label) continue;
+        if (changes(i) || k == 0) parts.push_back({changes(i) ? begin_of(i) : pieces[i].begin, {}});
+        parts.back().end = pieces[i].end;
+    }
+    if (line.closed && labels[(first + n - 1) % n] == label) parts.back().end = begin_of(first);
     return parts;
 }
 

@@ -31,6 +31,9 @@ public:
     /// ray does not count. The hint saves time and does not change the answer.
     bool is_hit(const Ray& ray, Hint& hint) const;
 
+    /// The unit normal of the triangle that meets the ray nearest to its middle; zero if none does.
+    Eigen::Vector3d normal_near_middle(const Ray& ray) const;
+
     /// The sum of the solid angles of all triangles at a point, over 4π; +1 inside a closed surface
     /// that faces outwards.
     double winding_number(const Eigen::Vector3d& point) const;
@@ -40,6 +43,7 @@ private:
         Eigen::Vector3d a, b, c;
     };
     class Query;
+    class MiddleQuery;
 
     std::vector<Corners> triangles_;
     BoxTree tree_;

@@ -17,4 +17,10 @@ namespace line_drawing {
 Sheet makeSheet(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field,
                 const SheetOptions& options, const laplacian_lines::Progress& progress = {});
 
+/// Several drawings of one mesh, for which it is made ready once.
+std::vector<Sheet> makeSheets(const laplacian_lines::TriangleMesh& mesh,
+                              const laplacian_lines::Field& field,
+                              const std::vector<SheetOptions>& options,
+                              const laplacian_lines::Progress& progress = {});
+
 }  // namespace line_drawing

@@ -16,6 +16,7 @@ namespace line_drawing {
 struct SheetPath {
     QPainterPath path;
     double pen_width = 0;
+    double dash = 0;  ///< length of dashes, with gaps of half of it; 0: unbroken
 };
 
 struct SheetText {

@@ -24,14 +24,18 @@ enum class StrokeStyle { Tapered, Plain };
 /// How what a section cuts is drawn: with hatching, black, or as its outline alone.
 enum class WallStyle { Hatched, Filled, None };
 
+/// What is done with outlines, borders and creases that the surface hides.
+enum class HiddenLines { LeftOut, Dashed };
+
 /// Classes of lines by what they show.
 enum class LineClass {
     Outline,  ///< contours and borders
     Inner,    ///< creases, ridges and clear Laplacian lines
     Fine,     ///< faint Laplacian lines, hatching
-    Section   ///< where a section cuts the surface
+    Section,  ///< where a section cuts the surface
+    Hidden    ///< outlines, borders and creases behind the surface, dashed
 };
-constexpr std::size_t line_class_count = 4;
+constexpr std::size_t line_class_count = 5;
 
 struct SheetOptions {
     std::vector<ViewFrame> views;
@@ -44,8 +48,9 @@ struct SheetOptions {
     QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
     StrokeStyle strokes = StrokeStyle::Tapered;
     WallStyle wall = WallStyle::Hatched;
+    HiddenLines hidden = HiddenLines::LeftOut;  ///< not in half sections
     /// Widths in mm, by LineClass.
-    std::array<double, line_class_count> pens = {0.5, 0.25, 0.13, 0.35};
+    std::array<double, line_class_count> pens = {0.5, 0.25, 0.13, 0.35, 0.18};
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
     double tolerance = 0.02;     ///< of curves against the lines, mm on paper
     QString title;               ///< empty: none

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <QString>
+#include <map>
 #include <vector>
 
 namespace line_drawing {
@@ -40,9 +41,12 @@ ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis up);
 /// The front of a vessel as a half section.
 ViewFrame frameOfVessel(UpAxis up);
 
+/// Views that a program knows besides.
+using NamedViews = std::map<QString, ViewFrame>;
+
 /// Views from their names, separated by commas or spaces: front, back, left, right, top, bottom,
-/// six (all of these), vessel, or two numbers, azimuth and elevation.
+/// six (all of these), vessel, two numbers, azimuth and elevation, or `others`.
 /// @throws laplacian_lines::Error(InvalidOption) with the words that are understood.
-std::vector<ViewFrame> parseViews(const QString& text, UpAxis up);
+std::vector<ViewFrame> parseViews(const QString& text, UpAxis up, const NamedViews& others = {});
 
 }  // namespace line_drawing

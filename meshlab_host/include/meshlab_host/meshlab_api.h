@@ -26,8 +26,6 @@
 #define MESHLAB_HOST_DECORATE_IID DECORATE_PLUGIN_IID
 #endif
 
-#include <optional>
-
 namespace meshlab_host {
 
 #if MESHLAB_API < 2022
@@ -43,8 +41,16 @@ using RichLength = ::RichAbsPerc;
 using RichLength = ::RichPercentage;
 #endif
 
-/// The name of a file to write, with a button beside it.
-#if MESHLAB_API < 2025
+/// The name of a file to write, with a button beside it. That of 2020.09 would take no notice of a
+/// name that is typed: there it is a text.
+#if MESHLAB_API < 2022
+class RichFileToSave : public ::RichString {
+public:
+    RichFileToSave(const QString& name, const QString& value, const QString&, const QString& label,
+                   const QString& help)
+        : RichString(name, value, label, help) {}
+};
+#elif MESHLAB_API < 2025
 using RichFileToSave = ::RichSaveFile;
 #else
 using RichFileToSave = ::RichFileSave;
@@ -74,14 +80,5 @@ inline Point3m pointIn(const Value& value) {
     return value.getPoint3();
 }
 #endif
-
-/// The text or the name of a file that a value holds.
-inline std::optional<QString> textIn(const Value& value) {
-#if MESHLAB_API < 2022
-    if (value.isFileName()) return value.getFileName();
-#endif
-    if (value.isString()) return value.getString();
-    return std::nullopt;
-}
 
 }  // namespace meshlab_host

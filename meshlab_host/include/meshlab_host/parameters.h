@@ -98,8 +98,8 @@ void addPlace(const PlaceDescription& description, const Eigen::Vector3d& value,
 Eigen::Vector3d readPlace(const PlaceDescription& description, const Eigen::Vector3d& fallback,
                           const RichParameterList& list);
 
-/// A line of text, or the name of a file to write. Dialogs have a button beside the latter that
-/// lets the user look for it.
+/// A line of text, or the name of a file to write. From MeshLab 2022.02 on, dialogs have a button
+/// beside the latter that lets the user look for it.
 struct TextDescription {
     QString name;
     QString label;
@@ -114,6 +114,9 @@ void addText(const TextDescription& description, const QString& value, RichParam
 /// @throws laplacian_lines::Error(InvalidOption) for values that are no texts.
 QString readText(const TextDescription& description, const QString& fallback,
                  const RichParameterList& list);
+
+/// The default of a parameter that is a text or a file; empty for others.
+std::optional<QString> defaultText(const RichParameter& parameter);
 
 /// `fallback` if the list has no color of this name. Never throws.
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "collection.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+#include "collection_items.h"
+#include "laplacian_lines/error.h"
+#include "line_drawing/contact_sheet.h"
+#include "line_drawing/sheet_file.h"
+#include "processes.h"
+#include "say.h"
+
+namespace {
+
+const char* const contact_name = "contact_sheet";
+
+[[noreturn]] void refuse(const QString& sentence) {
+    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
+}
+
+void makeFolders(const CollectionFolder& folder) {
+    if (!QDir().mkpath(folder.recordFolder()) || !QFileInfo(folder.recordFolder()).isWritable())
+        refuse(QString("the folder \"%1\" cannot be written.").arg(folder.path));
+}
+
+/// What is left to be drawn; an old record must not outlive a failure.
+std::vector<Job> jobsFor(const std::vector<CollectionItem>& items, const CollectionFolder& folder,
+                         const CommandLine& commands) {
+    std::vector<Job> jobs;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (folder.isUpToDate(items[i])) {
+            say(stdout, items[i].mesh + ": unchanged");
+            continue;
+        }
+        folder.forget(items[i]);
+        jobs.push_back({i, items[i].mesh,
+                        QStringList{folder.drawingOf(items[i])} + commands.words +
+                            QStringList{"--contact-view", folder.viewOf(items[i]), items[i].mesh}});
+    }
+    return jobs;
+}
+
+void writeContactSheet(const std::vector<CollectionItem>& items, const CollectionFolder& folder,
+                       const CommandLine& commands) {
+    std::vector<line_drawing::ContactEntry> entries;
+    for (const CollectionItem& item : items)
+        if (folder.isUpToDate(item)) entries.push_back({item.name, folder.readView(item)});
+    if (entries.empty()) return;
+    const QString file = QDir(folder.path).filePath(contact_name + ('.' + folder.format));
+    const QString title = commands.options.title.contains("{name}") ? "" : commands.options.title;
+    line_drawing::writeSheet(line_drawing::makeContactSheet(entries, title), file, commands.dpi);
+    say(stdout, QString("%1: %2 objects").arg(file).arg(entries.size()));
+}
+
+}  // namespace
+
+bool drawCollection(const CommandLine& given) {
+    CommandLine commands = given;
+    const int format = commands.words.indexOf("--format");
+    if (format >= 0)
+        commands.words.erase(commands.words.begin() + format, commands.words.begin() + format + 2);
+    const CollectionFolder folder{commands.drawing, commands.format};
+    const std::vector<CollectionItem> items =
+        itemsOf(commands.meshes, commands.words, {contact_name});
+    makeFolders(folder);
+    const std::vector<Job> jobs = jobsFor(items, folder, commands);
+    std::size_t failures = 0;
+    runJobs(QCoreApplication::applicationFilePath(), jobs, [&](const Job& job, const QString& why) {
+        if (why.isEmpty()) {
+            folder.remember(items[job.number]);
+            say(stdout, folder.drawingOf(items[job.number]) + ": drawn");
+        } else {
+            ++failures;
+            say(stderr, QString("%1: not drawn: %2").arg(job.mesh, why));
+        }
+    });
+    writeContactSheet(items, folder, commands);
+    say(stdout, QString("%1 drawn, %2 unchanged, %3 not drawn")
+                    .arg(jobs.size() - failures)
+                    .arg(items.size() - jobs.size())
+                    .arg(failures));
+    return failures == 0;
+}

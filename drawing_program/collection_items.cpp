@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "collection_items.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMap>
+#include <QSaveFile>
+
+#include "laplacian_lines/error.h"
+#include "line_drawing/contact_sheet.h"
+#include "mesh_reading.h"
+
+namespace {
+
+[[noreturn]] void refuse(const QString& sentence) {
+    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
+}
+
+QByteArray hashOfFile(const QString& name) {
+    QFile file(name);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (file.open(QIODevice::ReadOnly)) hash.addData(&file);
+    return hash.result();
+}
+
+QStringList meshesOf(const QStringList& named) {
+    QStringList filters, meshes;
+    for (const QString& ending : meshEndings())
+        filters << "*." + ending;
+    for (const QString& name : named) {
+        if (!QFileInfo(name).isDir()) {
+            meshes << name;
+            continue;
+        }
+        const QDir folder(name);
+        const QStringList files = folder.entryList(filters, QDir::Files, QDir::Name);
+        for (const QString& file : files)
+            meshes << folder.filePath(file);
+        if (files.isEmpty()) refuse(QString("there is no mesh in the folder \"%1\".").arg(name));
+    }
+    meshes.removeDuplicates();
+    return meshes;
+}
+
+}  // namespace
+
+std::vector<CollectionItem> itemsOf(const QStringList& named, const QStringList& options,
+                                    const QStringList& taken_names) {
+    const QStringList meshes = meshesOf(named);
+    QMap<QString, int> counts;
+    for (const QString& name : taken_names)
+        ++counts[name];
+    for (const QString& mesh : meshes)
+        ++counts[QFileInfo(mesh).completeBaseName()];
+    const QByteArray program = hashOfFile(QCoreApplication::applicationFilePath());
+    std::vector<CollectionItem> items;
+    QMap<QString, QString> names;
+    for (const QString& mesh : meshes) {
+        const QFileInfo info(mesh);
+        const QString base = info.completeBaseName();
+        const QString name = counts[base] > 1 ? info.fileName() : base;
+        if (names.contains(name))
+            refuse(QString("\"%1\" and \"%2\" have the same name, and so would their drawings.")
+                       .arg(names[name], mesh));
+        names[name] = mesh;
+        QCryptographicHash key(QCryptographicHash::Sha256);
+        key.addData(program);
+        key.addData(hashOfFile(mesh));
+        key.addData((options + QStringList{info.fileName()}).join('\n').toUtf8());
+        items.push_back({mesh, name, key.result().toHex()});
+    }
+    return items;
+}
+
+QString CollectionFolder::recordFolder() const {
+    return QDir(path).filePath(".laplacian_lines");
+}
+QString CollectionFolder::drawingOf(const CollectionItem& item) const {
+    return QDir(path).filePath(item.name + '.' + format);
+}
+QString CollectionFolder::viewOf(const CollectionItem& item) const {
+    return QDir(recordFolder()).filePath(item.name + '.' + format + ".view");
+}
+QString CollectionFolder::recordOf(const CollectionItem& item) const {
+    return QDir(recordFolder()).filePath(item.name + '.' + format + ".json");
+}
+
+bool CollectionFolder::isUpToDate(const CollectionItem& item) const {
+    QFile record(recordOf(item));
+    return QFileInfo::exists(drawingOf(item)) && QFileInfo::exists(viewOf(item)) &&
+           record.open(QIODevice::ReadOnly) &&
+           QJsonDocument::fromJson(record.readAll()).object()["key"].toString().toLatin1() ==
+               item.key;
+}
+
+void CollectionFolder::remember(const CollectionItem& item) const {
+    const QJsonObject record{{"mesh", QFileInfo(item.mesh).fileName()},
+                             {"key", QString::fromLatin1(item.key)}};
+    QSaveFile file(recordOf(item));
+    if (file.open(QIODevice::WriteOnly)) {
+        file.write(QJsonDocument(record).toJson());
+        file.commit();
+    }
+}
+
+void CollectionFolder::forget(const CollectionItem& item) const {
+    QFile::remove(recordOf(item));
+}
+
+line_drawing::Sheet CollectionFolder::readView(const CollectionItem& item) const {
+    QFile file(viewOf(item));
+    if (!file.open(QIODevice::ReadOnly)) refuse(file.fileName() + " cannot be read.");
+    return line_drawing::unpackSheet(file.readAll());
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <vector>
+
+#include "line_drawing/sheet.h"
+
+/// A mesh of a collection.
+struct CollectionItem {
+    QString mesh;    ///< its file
+    QString name;    ///< of its drawing, without ending; no two have the same
+    QByteArray key;  ///< tells mesh, options and program from others
+};
+
+/// The meshes that are named, and those in the folders that are named, by their names. Where two
+/// would have drawings of the same name, it is that of the mesh with its ending.
+/// @throws laplacian_lines::Error(InvalidOption) if there are none, or two with the same name.
+std::vector<CollectionItem> itemsOf(const QStringList& named, const QStringList& options,
+                                    const QStringList& taken_names);
+
+/// Where the drawings of a collection are, and the records of what they show.
+struct CollectionFolder {
+    QString path, format;
+
+    QString recordFolder() const;
+    QString drawingOf(const CollectionItem& item) const;
+    QString viewOf(const CollectionItem& item) const;  ///< for the contact sheet
+
+    /// Whether the drawing is there and is of this key.
+    bool isUpToDate(const CollectionItem& item) const;
+    void remember(const CollectionItem& item) const;
+    void forget(const CollectionItem& item) const;
+
+    /// @throws laplacian_lines::Error(InvalidOption)
+    line_drawing::Sheet readView(const CollectionItem& item) const;
+
+private:
+    QString recordOf(const CollectionItem& item) const;
+};

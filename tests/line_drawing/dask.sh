@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# dask.sh PROGRAM: the example of drawings by several machines, with two workers on this one.
+set -euo pipefail
+
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+# shellcheck source=/dev/null
+source "$here/../../scripts/require.sh" environment/messages hosts/drawing_tools
+# shellcheck source=/dev/null
+source "$here/made_meshes.sh"
+
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+ensure_drawing_tools || skip "$OBSTACLE"
+
+cd "$folder"
+write_cube
+for name in one two three; do cp cube.ply $name.ply; done
+echo "no mesh" >bad.ply
+draw=("$DRAWING_PYTHON" -B "$here/../../examples/draw_with_dask.py" --program "$program" plates)
+
+"${draw[@]}" one.ply two.ply three.ply -- --views front,left >said
+cat said
+for name in one two three; do
+    [[ -s plates/$name.pdf ]] || fail "$name has no drawing"
+    grep -qx "plates/$name.pdf: drawn" said || fail "a worker did not draw $name"
+done
+grep -qx "0 drawn, 3 unchanged, 0 not drawn" said || fail "drawings of workers were made again"
+[[ -s plates/contact_sheet.pdf ]] || fail "there is no contact sheet"
+
+! "${draw[@]}" bad.ply one.ply -- --views left >said || fail "a mesh that cannot be drawn is no error"
+grep -q "^bad.ply: not drawn: " said || fail "the bad mesh is not reported: $(cat said)"
+grep -qx "plates/one.pdf: drawn" said || fail "a bad mesh keeps others from being drawn"
+echo passed
