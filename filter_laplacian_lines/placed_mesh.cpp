@@ -62,7 +62,6 @@ void place(const Similarity& similarity, Field& field) {
     field.curvature_derivatives.clear();
     for (float& size : field.kernel_sizes)
         size *= factor;
-    field.curvature_derivatives.clear();  // their frames turn otherwise
     for (double* length : {&field.scale.diagonal, &field.scale.mean_edge, &field.scale.kernel_size,
                            &field.scale.normal_sigma})
         *length *= similarity.factor;

@@ -64,7 +64,7 @@ struct LineStyle {
     double valley_angle = 10;
     /// Least demarcation, in degrees, of a demarcating curve: how fast the curvature across it
     /// changes, C(g,g,g), times h_e, the square of the scale that normals and C are seen at.
-    double demarcation = 1.5;
+    double demarcation = 4;
     /// Least (x h_e)^1.5 at a suggestive contour, x the derivative of the radial curvature towards
     /// the eye over the cosine between normal and view; twice that at a highlight.
     double suggestive_slope = 0.015;

@@ -14,7 +14,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr float kWeak = 0.5f;  // of the style's demarcation: continues what is stronger
-constexpr float kFading = 8;   // a gentle relief is paler than a steep one
+constexpr float kFading = 3;   // a gentle relief is paler than a steep one
 
 class DemarcatingCurves : public FixedKindLines {
 public:
