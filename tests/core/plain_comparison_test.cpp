@@ -20,10 +20,17 @@ using namespace laplacian_lines;
 using reference::PlainLine;
 using test_meshes::MeshEntry;
 
+/// With all that any kind of lines needs.
+Field field_of(const TriangleMesh& mesh) {
+    PrecomputeOptions options;
+    options.curvature_derivatives = true;
+    return precompute(mesh, options);
+}
+
 class PlainComparison : public testing::TestWithParam<const MeshEntry*> {
 protected:
     const TriangleMesh& mesh() const { return GetParam()->get().mesh; }
-    const Field field_ = precompute(mesh());
+    const Field field_ = field_of(mesh());
 };
 
 INSTANTIATE_TEST_SUITE_P(Meshes, PlainComparison, testing::ValuesIn(test_meshes::meshes_with(0)),
@@ -117,6 +124,15 @@ std::vector<NamedStyle> styles() {
     LineStyle detailed = standard;
     detailed.detail = 100;
     detailed.fading = 0;
+    LineStyle others = standard;
+    others.shows = LineKindSet();
+    for (const LineKind kind : {LineKind::SuggestiveContour, LineKind::SuggestiveHighlight,
+                                LineKind::ApparentRidge, LineKind::PhoticExtremum})
+        others.shows[kind] = true;
+    LineStyle detailed_others = others;
+    detailed_others.detail = 100;
+    detailed_others.fading = 0;
+    detailed_others.shows[LineKind::Contour] = true;  // whose clearance counts
     LineStyle with_creases = helpers::all_crossings();
     with_creases.shows[LineKind::Crease] = true;  // which leaves out plain places
     return {{"default", standard},
@@ -124,7 +140,9 @@ std::vector<NamedStyle> styles() {
             {"all strokes", all_strokes},
             {"exact point light", exact},
             {"detail 100 without fading", detailed},
-            {"all crossings", helpers::all_crossings()}};
+            {"all crossings", helpers::all_crossings()},
+            {"other kinds", others},
+            {"other kinds in detail", detailed_others}};
 }
 
 TEST_P(PlainComparison, GivesTheSameLines) {
@@ -196,7 +214,7 @@ TEST_P(PlainComparison, GivesTheSameBitsWithAllInstructionSets) {
 
 TEST(ParallelExtraction, GivesTheSameBitsWithAnyNumberOfThreads) {
     const auto surface = test_meshes::bumpy_sphere(6, 0.15);  // many chunks of clusters
-    const LineExtractor extractor(surface.mesh, precompute(surface.mesh));
+    const LineExtractor extractor(surface.mesh, field_of(surface.mesh));
     const int before = omp_get_max_threads();
     for (const View& view : helpers::random_views(surface.mesh, 10))
         for (const auto& [name, style] : styles()) {

@@ -10,6 +10,7 @@
 
 #include "mesh/prepared_mesh.h"
 #include "plain_finishing.h"
+#include "plain_kinds.h"
 #include "redraw/kinds/contours.h"
 #include "redraw/kinds/strip_kinds.h"
 #include "rules/convexity.h"
@@ -45,7 +46,9 @@ struct Vertex {
     float slope_scale;
     Eigen::Vector3f normal;
     float laplacian, illumination;  // ΔI, n·l
-    double least_cosine = 1;        // between triangles around it
+    float radial, photic;           // v·S v, Hess I(∇I, ∇I)
+    ApparentCurvature apparent;
+    double least_cosine = 1;  // between triangles around it
 };
 
 ShapeOperator interpolate(float t, const ShapeOperator& a, const ShapeOperator& b) {
@@ -115,25 +118,41 @@ public:
         trace_all(rules, lines);
     }
 
+    void extract_apparent(const LineRules& rules, std::vector<PlainLine>& lines) {
+        crossings_.clear();
+        segments_.clear();
+        for (const Triangle& t : mesh_.triangles)
+            add_apparent_segment(rules, t);
+        trace_all(rules, lines);
+    }
+
 private:
     Vertex make_vertex(const Field& field, std::uint32_t prepared, bool exact_point_light) const {
         const std::uint32_t v = mesh_.original_vertex[prepared];
         const double d = mesh_.diagonal;
-        const float f = float(d);
         const ShapeOperator& s = field.shape_operators[v];
+        const auto curvature = [&](float x) { return float(double(x) * d); };
         const Eigen::Vector3d& p = mesh_.positions[prepared];
         const double size = field.kernel_sizes[v] / d;
         const double sigma = field.scale.normal_sigma / d *
                              (size / (field.scale.kernel_size / field.scale.diagonal));
         Vertex vertex;
         vertex.position = p.cast<float>();
-        vertex.shape_operator = {s.xx * f, s.yy * f, s.zz * f, s.yz * f, s.xz * f, s.xy * f};
+        vertex.shape_operator = {curvature(s.xx), curvature(s.yy), curvature(s.zz),
+                                 curvature(s.yz), curvature(s.xz), curvature(s.xy)};
         vertex.slope_scale = float(std::pow(size * size + sigma * sigma / 2, 1.5));
         vertex.normal = field.normals[v];
         vertex.illumination = linear_form(vertex.normal.cast<double>(), p, eye_);
         vertex.laplacian =
             linear_form(field.laplacian_normals[v].cast<double>() * d * d, p, light_);
         if (exact_point_light) vertex.laplacian -= light_.w * vertex.shape_operator.trace();
+        KindVertex at{vertex.position, vertex.normal, vertex.shape_operator,
+                      Eigen::Vector4f::Zero()};
+        vertex.radial = radial(at, eye_.e, eye_.w);
+        if (field.curvature_derivatives.empty()) return vertex;
+        at.derivative = (field.curvature_derivatives[v].cast<double>() * (d * d)).cast<float>();
+        vertex.photic = photic(at, light_.e, light_.w);
+        vertex.apparent = apparent_curvature(at, eye_.e, eye_.w);
         return vertex;
     }
 
@@ -179,7 +198,8 @@ private:
         c.position = (1 - t) * a.position + t * b.position;
         const Eigen::Vector3f towards_eye = eye_.towards(c.position);
         const bool contour = rules.kind == LineKind::Contour;
-        const Eigen::Vector3f l = contour ? towards_eye : light_.towards(c.position);
+        const bool of_eye = contour || is_suggestive(rules.kind);
+        const Eigen::Vector3f l = of_eye ? towards_eye : light_.towards(c.position);
         const Eigen::Vector3f normal = (1 - t) * a.normal + t * b.normal;
         c.gradient = interpolate(t, a.shape_operator, b.shape_operator) * l;
         c.gradient_norm = std::sqrt(dot(c.gradient, c.gradient));
@@ -193,6 +213,10 @@ private:
             return c;
         }
         const float facing = dot(normal, towards_eye);
+        if (is_suggestive(rules.kind)) {
+            test_radial_zero(rules, facing, towards_eye, c);
+            return c;
+        }
         c.accepted = c.gradient_norm >= rules.least_gradient &&
                      facing >= rules.least_facing * std::sqrt(dot(towards_eye, towards_eye));
         if (rules.contour_clearance > 0) {
@@ -209,7 +233,32 @@ private:
             c.accepted = c.accepted && concavity > begin;
             if (range > 0) c.opacity *= std::min((concavity - begin) / range, 1.f);
         }
+        if (rules.kind == LineKind::PhoticExtremum)
+            c.gradient /= c.gradient_norm * c.gradient_norm * c.gradient_norm;
         return c;
+    }
+
+    static bool is_suggestive(LineKind kind) {
+        return kind == LineKind::SuggestiveContour || kind == LineKind::SuggestiveHighlight;
+    }
+
+    static float clearance(const LineRules& rules, float facing, float gradient) {
+        if (!(rules.contour_clearance > 0)) return 1;
+        const float distance = facing * std::abs(facing) / (2 * gradient);
+        return std::isnan(distance)
+                   ? 0
+                   : std::clamp(2 * distance / rules.contour_clearance - 1, 0.f, 1.f);
+    }
+
+    /// With ∇f·(−gradient) the derivative of the radial curvature over the cosine.
+    static void test_radial_zero(const LineRules& rules, float facing, const Eigen::Vector3f& v,
+                                 Crossing& c) {
+        const float distance = std::sqrt(dot(v, v)), cosine = facing / distance;
+        c.accepted = cosine >= rules.least_facing;
+        c.opacity = clearance(rules, facing, c.gradient_norm);
+        const float factor = 1 / (dot(v, v) * distance * std::max(1 - cosine * cosine, 0.03f) *
+                                  std::max(cosine, 0.1f));
+        c.gradient = (rules.kind == LineKind::SuggestiveContour ? -factor : factor) * v;
     }
 
     const Crossing& crossing(const LineRules& rules, std::uint32_t below, std::uint32_t above) {
@@ -242,14 +291,82 @@ private:
             if (rules.leave_out_away && a.illumination < 0 && b.illumination < 0 &&
                 c.illumination < 0)
                 return;
-            slope = std::sqrt(dot(steepest, steepest)) / dot(n, n) *
-                    ((a.slope_scale + b.slope_scale + c.slope_scale) / 3);
-            if (!(slope >= rules.segment_slope)) return;
-            if (rules.reject_phantoms && !(dot(steepest, begin.gradient + end.gradient) <= 0))
-                return;
+            const float scale = (a.slope_scale + b.slope_scale + c.slope_scale) / 3;
+            const float product = dot(steepest, begin.gradient + end.gradient);
+            if (rules.kind == LineKind::Laplacian) {
+                slope = std::sqrt(dot(steepest, steepest)) / dot(n, n) * scale;
+                if (!(slope >= rules.segment_slope)) return;
+                if (rules.reject_phantoms && !(product <= 0)) return;
+            } else {
+                const float change = -product / (2 * dot(n, n));
+                slope = is_suggestive(rules.kind) ? change * std::sqrt(change) : change;
+                if (!accept_change(rules, change, slope *= scale)) return;
+            }
         }
         segments_.push_back(
             {{std::minmax(entry_below, entry_above), std::minmax(below, above)}, slope});
+    }
+
+    /// Steeper ones are no wider.
+    static bool accept_change(const LineRules& rules, float change, float& slope) {
+        if (!(change > 0) || !(slope >= rules.segment_slope)) return false;
+        slope = std::min(slope, rules.segment_slope + rules.full_slope);
+        return true;
+    }
+
+    Crossing apparent_crossing(const LineRules& rules, const Vertex& a, const Vertex& b) const {
+        const float fa = std::abs(a.apparent.derivative);
+        const float t = fa / (fa + std::abs(b.apparent.derivative));
+        Crossing c;
+        c.position = (1 - t) * a.position + t * b.position;
+        const Eigen::Vector3f v = eye_.towards(c.position);
+        const float facing = dot((1 - t) * a.normal + t * b.normal, v);
+        const Eigen::Vector3f gradient = interpolate(t, a.shape_operator, b.shape_operator) * v;
+        c.gradient_norm = (1 - t) * a.apparent.q + t * b.apparent.q;
+        c.opacity = clearance(rules, facing, std::sqrt(dot(gradient, gradient)));
+        c.accepted = c.gradient_norm >= rules.least_gradient &&
+                     facing >= rules.least_facing * std::sqrt(dot(v, v));
+        return c;
+    }
+
+    void add_apparent_segment(const LineRules& rules, const Triangle& t) {
+        const Vertex* const v[3] = {&vertices_[t[0]], &vertices_[t[1]], &vertices_[t[2]]};
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+        bool strong = false;
+        for (int k = 0; k < 3; ++k) {
+            const ApparentCurvature &a = v[k]->apparent, &b = v[(k + 1) % 3]->apparent;
+            const float cosine = dot(a.direction, b.direction);
+            if (a.q == 0 || !(cosine * cosine >= 0.49f)) return;
+            strong = strong || a.q >= rules.least_gradient;
+            if ((a.derivative < 0) != ((b.derivative < 0) != (cosine < 0)))
+                edges.push_back(std::minmax(t[k], t[(k + 1) % 3]));
+        }
+        if (edges.size() != 2 || !strong) return;
+        if (rules.leave_out_plain && is_plain(*v[0], *v[1], *v[2])) return;
+        const Crossing* ends[2];
+        for (int i = 0; i < 2; ++i) {
+            const auto [found, is_new] = crossings_.try_emplace(edges[i]);
+            if (is_new)
+                found->second =
+                    apparent_crossing(rules, vertices_[edges[i].first], vertices_[edges[i].second]);
+            ends[i] = &found->second;
+        }
+        if (!ends[0]->accepted || !ends[1]->accepted) return;
+        Eigen::Vector3f direction = Eigen::Vector3f::Zero();
+        float values[3];
+        for (int k = 0; k < 3; ++k) {
+            const float sign = dot(v[0]->apparent.direction, v[k]->apparent.direction) < 0 ? -1 : 1;
+            values[k] = sign * v[k]->apparent.derivative;
+            direction += sign * v[k]->apparent.direction;
+        }
+        const Eigen::Vector3f u = v[1]->position - v[0]->position,
+                              w = v[2]->position - v[0]->position;
+        const Eigen::Vector3f n = u.cross(w);
+        const Eigen::Vector3f steepest =
+            (values[1] - values[0]) * w.cross(n) + (values[2] - values[0]) * n.cross(u);
+        const float change = -dot(steepest, direction.normalized()) / dot(n, n);
+        float slope = change * ((v[0]->slope_scale + v[1]->slope_scale + v[2]->slope_scale) / 3);
+        if (accept_change(rules, change, slope)) segments_.push_back({{edges[0], edges[1]}, slope});
     }
 
     void trace_all(const LineRules& rules, std::vector<PlainLine>& lines) {
@@ -347,6 +464,16 @@ std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& fi
     LineRules contours = contour_rules(style);
     if (extraction.is_sheet()) contours.concave_thinning = LineRules::kNoThinning;
     if (style.shows[LineKind::Contour]) extraction.extract(contours, &Vertex::illumination, lines);
+    const auto extract = [&](const StripKind& kind, float Vertex::*function) {
+        if (style.shows[kind.kind])
+            extraction.extract(kind.rules(style, !view.light), function, lines);
+    };
+    extract(suggestive_contour_strips, &Vertex::radial);
+    extract(suggestive_highlight_strips, &Vertex::radial);
+    if (field.curvature_derivatives.empty()) return lines;
+    extract(photic_extremum_strips, &Vertex::photic);
+    if (style.shows[LineKind::ApparentRidge])
+        extraction.extract_apparent(apparent_ridge_strips.rules(style, !view.light), lines);
     return lines;
 }
 

@@ -10,18 +10,23 @@ namespace laplacian_lines {
 /// The number is what files hold: new kinds come last.
 enum class LineKind : std::uint32_t {
     Laplacian,
-    Contour,           ///< where the surface turns away from the eye
-    Ridge,             ///< convex crest lines
-    Border,            ///< where the surface ends
-    Crease,            ///< edges of the mesh that are edges of the form
-    Valley,            ///< concave crest lines
-    DemarcatingCurve,  ///< where reliefs turn from hollow to bulging
+    Contour,              ///< where the surface turns away from the eye
+    Ridge,                ///< convex crest lines
+    Border,               ///< where the surface ends
+    Crease,               ///< edges of the mesh that are edges of the form
+    Valley,               ///< concave crest lines
+    DemarcatingCurve,     ///< where reliefs turn from hollow to bulging
+    SuggestiveContour,    ///< contours of a view nearby
+    SuggestiveHighlight,  ///< their counterparts in the light
+    ApparentRidge,        ///< where curvature as it is seen is largest
+    PhoticExtremum,       ///< where the illumination changes most
 };
 
 /// What LinePoint::gradient is on lines of a kind.
 enum class LineGradient {
     None,
     Illumination,  ///< ‖∇I‖·D, dimensionless
+    Curvature,     ///< the largest view-dependent curvature q1·D, dimensionless
     Angle,         ///< by which the surface turns, degrees
 };
 
@@ -69,6 +74,11 @@ struct LineKindDescription {
         row.is_on_horizon = true;
         return row;
     }
+    constexpr LineKindDescription in_color(std::uint32_t rgb) const {
+        LineKindDescription row = *this;
+        row.color = rgb;
+        return row;
+    }
 };
 
 /// One row a kind, in the order of their numbers.
@@ -103,6 +113,35 @@ inline constexpr std::array line_kinds = {
                         "bulging: its middle height on every flank.",
                         "demarcating curve", "demarcating curves", LineGradient::Angle}
         .of_derivatives(),
+    LineKindDescription{LineKind::SuggestiveContour, "suggestive_contours", "Suggestive Contours",
+                        "Draw where outlines would begin if the object turned a little (DeCarlo "
+                        "and others 2003).",
+                        "suggestive contour", "suggestive contours", LineGradient::Illumination}
+        .of_view()
+        .on_request()
+        .in_color(0x1f4e99),
+    LineKindDescription{LineKind::SuggestiveHighlight, "suggestive_highlights",
+                        "Suggestive Highlights",
+                        "Draw the counterparts of suggestive contours where the surface turns "
+                        "towards the eye (DeCarlo and Rusinkiewicz 2007).",
+                        "suggestive highlight", "suggestive highlights", LineGradient::Illumination}
+        .of_view()
+        .on_request()
+        .in_color(0xd08a1d),
+    LineKindDescription{LineKind::ApparentRidge, "apparent_ridges", "Apparent Ridges",
+                        "Draw ridges and valleys of the surface as it is seen from the eye (Judd "
+                        "and others 2007).",
+                        "apparent ridge", "apparent ridges", LineGradient::Curvature}
+        .of_view()
+        .of_derivatives()
+        .in_color(0xa3282f),
+    LineKindDescription{LineKind::PhoticExtremum, "photic_extrema", "Photic Extremum Lines",
+                        "Draw where the shading changes most on its way from dark to bright (Xie "
+                        "and others 2007).",
+                        "photic extremum line", "photic extremum lines", LineGradient::Illumination}
+        .of_view()
+        .of_derivatives()
+        .in_color(0x2e7d4f),
 };
 inline constexpr std::size_t line_kind_count = line_kinds.size();
 

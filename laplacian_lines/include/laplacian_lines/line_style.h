@@ -65,6 +65,15 @@ struct LineStyle {
     /// Least demarcation, in degrees, of a demarcating curve: how fast the curvature across it
     /// changes, C(g,g,g), times h_e, the square of the scale that normals and C are seen at.
     double demarcation = 4;
+    /// Least (x h_e)^1.5 at a suggestive contour, x the derivative of the radial curvature towards
+    /// the eye over the cosine between normal and view; twice that at a highlight.
+    double suggestive_slope = 0.015;
+    /// Least q1·D of an apparent ridge, q1 the largest curvature as it is seen on the screen.
+    double apparent_curvature = 20;
+    /// Least −d²q1/dr² h_e^1.5 of an apparent ridge, r across it.
+    double apparent_slope = 0.02;
+    /// Least −d²‖∇I‖/dg² h_e^1.5 of a photic extremum line, g along ∇I.
+    double photic_slope = 0.004;
 };
 
 /// What the style's detail multiplies thresholds by: 1 at 50, falling. Thresholds on lengths are

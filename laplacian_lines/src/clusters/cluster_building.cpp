@@ -136,8 +136,8 @@ std::size_t ClusterBuilder::lay_out() {
         cluster.first_unit = std::uint32_t(units);
         cluster.first_border_edge = std::uint32_t(edges);
         cluster.vertex_count = std::uint8_t(range.vertex_count);
+        cluster.first_vertex = std::uint32_t(vertices);
         cluster.triangle_count = std::uint8_t(range.end - range.begin);
-        first_vertex_.push_back(vertices);
         units += cluster_layout(cluster).end / kCacheUnit;
         vertices += range.vertex_count;
         edges += shared_edges[c];
@@ -188,7 +188,7 @@ Eigen::Vector4f ClusterBuilder::local_derivative(std::uint32_t v) const {
 
 void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
     const ClusterRange& range = partition_.ranges[c];
-    std::uint32_t* vertices = data_.vertices_of_clusters.data() + first_vertex_[c];
+    std::uint32_t* vertices = data_.vertices_of_clusters.data() + data_.clusters[c].first_vertex;
     for (std::uint32_t p = range.begin; p < range.end; ++p)
         for (std::size_t k = 0; k < 3; ++k)
             vertices[partition_.corners[3 * std::size_t(p) + k]] =
@@ -251,7 +251,7 @@ void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
         records[i] = make_record(values[i]);
     if (!data_.derivatives.empty())
         for (std::size_t i = 0; i < values.size(); ++i)
-            data_.derivatives[first_vertex_[c] + i] = values[i].derivative;
+            data_.derivatives[cluster.first_vertex + i] = values[i].derivative;
     // The places that are left over repeat the last vertex, which changes no "all" or "any".
     for (std::size_t i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
         const LocalVertex& v = values[std::min(i, values.size() - 1)];

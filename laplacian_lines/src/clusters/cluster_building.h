@@ -46,7 +46,6 @@ private:
     std::vector<std::uint8_t> coarse_;  // by triangle of the mesh
     const PlainPlaces plain_;
     Partition partition_;
-    std::vector<std::size_t> first_vertex_;  // of each cluster in data_
 };
 
 }  // namespace laplacian_lines

@@ -60,6 +60,7 @@ struct Cluster {
     std::uint32_t first_unit;         ///< in units of kCacheUnit
     std::uint32_t first_border_edge;  ///< in ClusterStore::border_edges
     std::uint8_t vertex_count, triangle_count;
+    std::uint32_t first_vertex;  ///< the first of its vertices, over all clusters
     /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex.
     std::uint64_t convex[kClusterTriangles / kMaskGroup];
     /// Likewise: coarse ones, see coarseness.h, in which contours are no zeros.
@@ -110,6 +111,8 @@ struct ClusterStore {
     const Cluster* clusters;
     const std::uint32_t* border_edges;  ///< numbers of edges over the whole mesh
     FacingBounds facing;
+    const float*
+        derivatives;  ///< C·D² as in the field, four numbers a vertex of a cluster; or null
 };
 
 /// All memory as records, to be indexed in units of them.

@@ -60,7 +60,8 @@ ClusterStore ExtractorData::store() const {
               {array(9), array(10), array(11)},
               {array(12), array(13), array(14)}},
              array(15),
-             array(16)}};
+             array(16)},
+            derivatives.empty() ? nullptr : derivatives.data()->data()};
 }
 
 std::size_t ExtractorData::memory() const {

@@ -157,6 +157,26 @@ std::vector<StyleRow> kind_rows() {
             "How sharply the surface has to turn from hollow to bulging at a demarcating curve, "
             "in degrees within the scale at which it is looked at. Larger leaves out gentle "
             "reliefs.")),
+        for_experts(kind_row<LineKind::SuggestiveContour>()),
+        for_experts(kind_row<LineKind::SuggestiveHighlight>()),
+        for_experts(real<&S::suggestive_slope>(
+            "suggestive_slope", "Least Slope of Suggestive Contours", 0, 1e6,
+            "Least change of curvature across a suggestive contour (no unit). "
+            "Larger leaves out lines on gentle forms.")),
+        for_experts(kind_row<LineKind::ApparentRidge>()),
+        for_experts(real<&S::apparent_curvature>(
+            "apparent_curvature", "Least Apparent Curvature", 0, 1e6,
+            "Least curvature, as it is seen, of an apparent ridge (times the bounding-box "
+            "diagonal, no unit). Larger leaves out lines on gentle forms.")),
+        for_experts(real<&S::apparent_slope>(
+            "apparent_slope", "Least Slope of Apparent Ridges", 0, 1e6,
+            "How sharp the maximum of the apparent curvature must be (no unit). Larger leaves out "
+            "faint lines.")),
+        for_experts(kind_row<LineKind::PhoticExtremum>()),
+        for_experts(real<&S::photic_slope>(
+            "photic_slope", "Least Slope of Photic Extremum Lines", 0, 1e6,
+            "How sharp the maximum of the change of shading must be (no unit). Larger leaves out "
+            "faint lines.")),
     };
 }
 

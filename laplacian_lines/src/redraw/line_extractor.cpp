@@ -83,7 +83,7 @@ void set_eye(const LocalEye& eye, float out[4]) {
 }
 
 ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEye& eye,
-                         bool is_sheet) {
+                         const ExtractorData& data) {
     ExtractionTask task;
     const LocalEye light =
         view.light ? direction_to_local(*view.light, "The light has no finite direction.") : eye;
@@ -94,10 +94,11 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     for (unsigned number = 0; number < kStripKindCount; ++number) {
         const StripKind* const kind = strip_kinds()[number];
         LineRules rules = kind->rules(style, task.light_at_eye);
-        if (is_sheet) rules.concave_thinning = LineRules::kNoThinning;
+        if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
-        task.kinds[number] = {kind->is_wanted(style), least_facing, rules};
+        const bool possible = !describe(kind->kind).needs_derivatives || !data.derivatives.empty();
+        task.kinds[number] = {possible && kind->is_wanted(style), least_facing, rules};
     }
     return task;
 }
@@ -108,7 +109,7 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
                             LineSet& lines) const {
     validate(style);
     const LocalEye eye = eye_to_local(view, *data_);
-    const ExtractionTask task = make_task(view, style, eye, data_->is_sheet);
+    const ExtractionTask task = make_task(view, style, eye, *data_);
     ExtractionScratch::Memory& memory = *scratch.memory_;
     find_strips(*data_, task, memory.found);
     memory.traced.clear();

@@ -23,19 +23,26 @@ void reserve_batch(ThreadStrips& s) {
         s.points.resize(s.point_count + s.point_count / 2 + kPointsOfBatch + kPointMargin);
 }
 
-void find_batch(const ClusterStore& store, const ExtractionTask& task, const KeptCluster* clusters,
-                std::size_t count, FindingThread& thread) {
-    StripOutput outputs[kStripKindCount];
-    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
-        ThreadStrips& s = thread.strips[kind];
+void find_batch(const ClusterStore& store, const ExtractionTask& task, unsigned pass,
+                const KeptCluster* clusters, std::size_t count, FindingThread& thread) {
+    const StripPass kinds = kStripPasses[pass];
+    StripOutput outputs[kMostKindsOfPass];
+    for (unsigned kind = 0; kind < kinds.count; ++kind) {
+        ThreadStrips& s = thread.strips[kinds.first + kind];
         reserve_batch(s);
         outputs[kind] = {s.strips.data(), s.points.data(), s.strip_count, s.point_count};
     }
-    simd_functions().extract_strips(store, task, clusters, count, *thread.memory, outputs);
-    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
-        thread.strips[kind].strip_count = outputs[kind].strip_count;
-        thread.strips[kind].point_count = outputs[kind].point_count;
+    simd_functions().passes[pass].extract_strips(store, task, clusters, count, *thread.memory,
+                                                 outputs);
+    for (unsigned kind = 0; kind < kinds.count; ++kind) {
+        thread.strips[kinds.first + kind].strip_count = outputs[kind].strip_count;
+        thread.strips[kinds.first + kind].point_count = outputs[kind].point_count;
     }
+}
+
+bool is_wanted(const ExtractionTask& task, const StripPass& pass) {
+    return std::any_of(task.kinds + pass.first, task.kinds + pass.first + pass.count,
+                       [](const ExtractionTask::Wanted& kind) { return kind.lines; });
 }
 
 void find_chunk(const ClusterStore& store, std::size_t cluster_count, const ExtractionTask& task,
@@ -43,16 +50,22 @@ void find_chunk(const ClusterStore& store, std::size_t cluster_count, const Extr
     const std::size_t begin = index * kChunk, end = std::min(begin + kChunk, cluster_count);
     for (unsigned kind = 0; kind < kStripKindCount; ++kind)
         chunk.begin[kind] = thread.strips[kind].strip_count;
-    const std::size_t kept = simd_functions().cull(store, task, begin, end, thread.kept.data());
-    for (std::size_t i = 0; i < kept; i += kBatch)
-        find_batch(store, task, &thread.kept[i], std::min<std::size_t>(kBatch, kept - i), thread);
+    for (unsigned pass = 0; pass < kStripPassCount; ++pass) {
+        if (!is_wanted(task, kStripPasses[pass])) continue;
+        const std::size_t kept =
+            simd_functions().passes[pass].cull(store, task, begin, end, thread.kept.data());
+        for (std::size_t i = 0; i < kept; i += kBatch)
+            find_batch(store, task, pass, &thread.kept[i], std::min<std::size_t>(kBatch, kept - i),
+                       thread);
+    }
     for (unsigned kind = 0; kind < kStripKindCount; ++kind)
         chunk.end[kind] = thread.strips[kind].strip_count;
 }
 
 /// Any thread may find any part of the strips next time; then none of them has to allocate.
-void even_out(FoundStrips& found) {
+void even_out(const ExtractionTask& task, FoundStrips& found) {
     for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
+        if (!task.kinds[kind].lines) continue;
         std::size_t strips = 0, points = 0;
         for (const FindingThread& thread : found.threads) {
             strips += thread.strips[kind].strip_count;
@@ -103,7 +116,7 @@ void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStr
         }
     }
     if (failure) std::rethrow_exception(failure);
-    even_out(found);
+    even_out(task, found);
 }
 
 }  // namespace laplacian_lines

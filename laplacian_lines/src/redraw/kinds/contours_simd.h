@@ -5,6 +5,7 @@
 
 #include "laplacian_lines/line_kind.h"
 #include "redraw/simd/simd_crossings.h"
+#include "redraw/simd/simd_segments.h"
 #include "redraw/simd/simd_signs.h"
 
 namespace laplacian_lines {
@@ -27,6 +28,7 @@ static inline void weigh_contours(const LineRules& rules, const float eye[4], Cr
 struct Contours {
     static constexpr LineKind kKind = LineKind::Contour;
     static constexpr unsigned kForms = 1u << kFacingForm;
+    static constexpr SegmentSlope kSlope = SegmentSlope::Scaled;
     static constexpr bool kHasLeastFacing = false;
 
     static inline bool may_hold(float, float low, float high) { return !(low >= 0) & !(high < 0); }

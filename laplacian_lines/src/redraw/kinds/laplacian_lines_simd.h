@@ -5,6 +5,7 @@
 
 #include "laplacian_lines/line_kind.h"
 #include "redraw/simd/simd_crossings.h"
+#include "redraw/simd/simd_segments.h"
 #include "redraw/simd/simd_signs.h"
 
 namespace laplacian_lines {
@@ -52,11 +53,7 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
             accepted &= concavity > least;  // not so for NaN: nothing to see from above
         }
         store(m.opacity + i, opacity);
-        const std::uint64_t bits = bits_of(accepted);
-        if (i % 64 == 0)
-            m.accepted[i / 64] = bits;
-        else
-            m.accepted[i / 64] |= bits << i % 64;
+        accept(accepted, m, i);
     }
 }
 
@@ -64,6 +61,7 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
 struct LaplacianLines {
     static constexpr LineKind kKind = LineKind::Laplacian;
     static constexpr unsigned kForms = 1u << kLaplacianForm;
+    static constexpr SegmentSlope kSlope = SegmentSlope::Scaled;
     static constexpr bool kHasLeastFacing = true;
 
     static inline bool may_hold(float least_facing, float, float high) {
@@ -76,9 +74,7 @@ struct LaplacianLines {
         float* own = in_slot(values, place);
         evaluate(form_of(place, kLaplacianForm), groups, task.light, own);
         if (task.exact_point_light)
-            subtract_traces(
-                reinterpret_cast<const VertexRecord*>(place.memory + place.layout.records),
-                place.cluster, task.light[3], own);
+            subtract_traces(records_of(place), place.cluster, task.light[3], own);
         return below(own, groups, 0);
     }
 

@@ -20,10 +20,14 @@ struct StripKind {
 
 extern const StripKind laplacian_line_strips;  ///< laplacian_lines.cpp
 extern const StripKind contour_strips;         ///< contours.cpp
+extern const StripKind suggestive_contour_strips, suggestive_highlight_strips;
+extern const StripKind photic_extremum_strips;  ///< photic_extrema.cpp
+extern const StripKind apparent_ridge_strips;   ///< apparent_ridges.cpp
 
 /// In the order of kStripKinds.
 inline std::array<const StripKind*, kStripKindCount> strip_kinds() {
-    return {&laplacian_line_strips, &contour_strips};
+    return {&laplacian_line_strips,       &contour_strips,         &suggestive_contour_strips,
+            &suggestive_highlight_strips, &photic_extremum_strips, &apparent_ridge_strips};
 }
 
 }  // namespace laplacian_lines

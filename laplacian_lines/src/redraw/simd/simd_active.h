@@ -3,7 +3,7 @@
 // Included once by each of the files simd_*.cpp.
 #pragma once
 
-#include "redraw/simd/simd_kinds.h"
+#include "redraw/simd/simd_batch.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -66,24 +66,24 @@ static inline void list_mixed(std::uint64_t mask, const std::uint64_t negative[3
 
 /// Sets of a cluster's vertices: by kind those where its function is negative, then those that
 /// surely face away.
-constexpr unsigned kAwaySets = kStripKindCount;
-static_assert(kAwaySets + kStripKindCount <= kSignSets, "a set of signs for each use");
+constexpr unsigned kAwaySets = kMostKindsOfPass;
+static_assert(kAwaySets + kMostKindsOfPass <= kSignSets, "a set of signs for each use");
 
 /// Which signs a cluster has, of those that decide about its triangles.
 struct ClusterSigns {
     VertexSigns vertices;
-    bool mixed[kStripKindCount] = {}, any_away[kStripKindCount] = {};
+    bool mixed[kMostKindsOfPass] = {}, any_away[kMostKindsOfPass] = {};
     bool any_mixed = false;
 };
 
 /// Fills in the values of a kind, whose signs count for what is not surely away.
-template <class Kind>
+template <class Kinds, class Kind>
 static inline void find_signs(const ExtractionTask& task, const ClusterInSlot& place, unsigned kind,
                               bool test_facing, const BelowBound& facing, Batch& batch,
                               ClusterSigns& signs) {
     BelowBound away;
     if (Kind::kHasLeastFacing && test_facing) {
-        const float least = task.kinds[kind].least_scaled_facing;
+        const float least = task.kinds[Kinds::kFirst + kind].least_scaled_facing;
         away = least == 0 ? facing
                           : below(in_slot(batch.facing, place), form_groups(place.cluster), least);
     }
@@ -96,6 +96,7 @@ static inline void find_signs(const ExtractionTask& task, const ClusterInSlot& p
     if (away.any) signs.vertices.set(kAwaySets + kind, away.bits);
 }
 
+template <class Kinds>
 static inline ClusterSigns find_all_signs(const ExtractionTask& task, const KeptCluster& kept,
                                           const ClusterInSlot& place, Batch& batch) {
     BelowBound facing;
@@ -106,14 +107,16 @@ static inline ClusterSigns find_all_signs(const ExtractionTask& task, const Kept
         facing = below(values, groups, 0);
     }
     ClusterSigns signs;
-    for_each_kind([&](auto kind, unsigned number) {
+    Kinds::for_each([&](auto kind, unsigned number) {
         if (kept.may_hold[number])
-            find_signs<decltype(kind)>(task, place, number, kept.test_facing, facing, batch, signs);
+            find_signs<Kinds, decltype(kind)>(task, place, number, kept.test_facing, facing, batch,
+                                              signs);
     });
     return signs;
 }
 
 /// Appends the triangles of a cluster in which a function changes its sign.
+template <class Kinds>
 static inline void find_mixed(const ExtractionTask& task, const ClusterInSlot& place,
                               const ClusterSigns& signs, Batch& batch) {
     const Cluster& cluster = place.cluster;
@@ -122,9 +125,10 @@ static inline void find_mixed(const ExtractionTask& task, const ClusterInSlot& p
         const CornerLookup lookup[3] = {{corners, signs.vertices},
                                         {corners + kMaskGroup, signs.vertices},
                                         {corners + 2 * kMaskGroup, signs.vertices}};
-        for_each_kind([&](auto kind, unsigned number) {
+        Kinds::for_each([&](auto kind, unsigned number) {
             if (!signs.mixed[number]) return;
-            std::uint64_t unwanted = kind.unwanted(task.kinds[number].rules, cluster, g);
+            std::uint64_t unwanted =
+                kind.unwanted(task.kinds[Kinds::kFirst + number].rules, cluster, g);
             if (signs.any_away[number]) {
                 const unsigned away = kAwaySets + number;
                 unwanted |= lookup[0](away) & lookup[1](away) & lookup[2](away);
@@ -152,16 +156,15 @@ static inline void read_active(const ClusterStore& store, const Batch& batch,
 }
 
 /// Fills in values and active triangles of a batch.
+template <class Kinds>
 static inline void find_active(const ClusterStore& store, const ExtractionTask& task,
                                const KeptCluster* kept, Batch& batch) {
     for (ActiveTriangles& active : batch.active)
         active.count = 0;
     for (unsigned slot = 0; slot < batch.count; ++slot) {
-        const Cluster& cluster = *batch.clusters[slot];
-        const ClusterInSlot place = {cluster, cluster_layout(cluster), memory_of(store, cluster),
-                                     slot};
-        const ClusterSigns signs = find_all_signs(task, kept[slot], place, batch);
-        if (signs.any_mixed) find_mixed(task, place, signs, batch);
+        const ClusterInSlot place = place_of(store, batch, slot);
+        const ClusterSigns signs = find_all_signs<Kinds>(task, kept[slot], place, batch);
+        if (signs.any_mixed) find_mixed<Kinds>(task, place, signs, batch);
     }
     for (ActiveTriangles& active : batch.active)
         read_active(store, batch, active);

@@ -92,6 +92,25 @@ static inline void find_facing(const VertexRecord* records, const float eye[4], 
                 .gradient[3];
 }
 
+/// Notes which of crossings [i, i + kLanes) are accepted.
+static inline void accept(Ints accepted, CrossingMemory& m, std::size_t i) {
+    const std::uint64_t bits = bits_of(accepted);
+    if (i % 64 == 0)
+        m.accepted[i / 64] = bits;
+    else
+        m.accepted[i / 64] |= bits << i % 64;
+}
+
+/// Columns of gradients that a kind has changed, as rows.
+static inline void store_gradients(CrossingMemory& m, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += 4) {
+        Float4 rows[4] = {load4(m.gx + i), load4(m.gy + i), load4(m.gz + i), load4(m.lit + i)};
+        transpose(rows);
+        for (unsigned k = 0; k < 4; ++k)
+            store4(m.gradients[i + k], rows[k]);
+    }
+}
+
 /// From crossings [i, i + kLanes) to an eye or light, and the square of the distance.
 struct Towards {
     Floats x, y, z, squared;

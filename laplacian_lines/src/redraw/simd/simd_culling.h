@@ -53,6 +53,7 @@ static inline FacingRange bound_facing(const FacingBounds& bounds, const float e
     return range;
 }
 
+template <class Kinds>
 static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, std::size_t begin,
                         std::size_t end, KeptCluster* kept) {
     std::size_t count = 0;
@@ -64,8 +65,8 @@ static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, s
             cluster.number = std::uint32_t(first + i);
             bool any = false, front = low >= 0;
             // Refused by what is certain, so that nothing is where numbers are out of range.
-            for_each_kind([&](auto kind, unsigned number) {
-                const ExtractionTask::Wanted& wanted = task.kinds[number];
+            Kinds::for_each([&](auto kind, unsigned number) {
+                const ExtractionTask::Wanted& wanted = task.kinds[Kinds::kFirst + number];
                 const bool may_hold =
                     wanted.lines & kind.may_hold(wanted.least_scaled_facing, low, high);
                 cluster.may_hold[number] = may_hold;

@@ -33,15 +33,20 @@ struct LineSums {
 
 enum class InstructionSet { Baseline, Avx2, Avx512 };
 
-struct SimdFunctions {
-    InstructionSet instruction_set;
+/// How the kinds of one of kStripPasses are found.
+struct StripFunctions {
     /// Of the clusters [begin, end), a multiple of kFormGroup apart from the end of all, writes to
     /// `kept` those that can hold a line and returns their number.
     std::size_t (*cull)(const ClusterStore&, const ExtractionTask&, std::size_t begin,
                         std::size_t end, KeptCluster* kept);
-    /// Finds the strips of up to kBatch clusters.
+    /// Finds the strips of up to kBatch clusters; an output for each kind of the pass.
     void (*extract_strips)(const ClusterStore&, const ExtractionTask&, const KeptCluster* clusters,
-                           std::size_t count, SimdMemory&, StripOutput outputs[kStripKindCount]);
+                           std::size_t count, SimdMemory&, StripOutput* outputs);
+};
+
+struct SimdFunctions {
+    InstructionSet instruction_set;
+    StripFunctions passes[kStripPassCount];
     /// Appends the points of a strip to a line's columns at a place, as `weight` their slopes.
     /// Reads up to kPointMargin points more.
     void (*append_points)(const StripPoint* points, std::uint32_t count, const LineColumns& columns,

@@ -47,11 +47,14 @@ constexpr unsigned kBatchTriangles = kBatch * kClusterTriangles;
 constexpr unsigned kStripsOfBatch = kBatchTriangles;
 constexpr unsigned kPointsOfBatch = 2 * kStripsOfBatch;
 
+/// Beside the bits of VertexForm: the records of all vertices are read to find signs.
+constexpr unsigned kRecords = 1u << kVertexFormCount;
+
 /// A cluster that can hold a line, and what has to be known of it.
 struct KeptCluster {
     std::uint32_t number;
-    bool test_facing;                ///< n·eye may be negative somewhere
-    bool may_hold[kStripKindCount];  ///< a line of the kind
+    bool test_facing;                 ///< n·eye may be negative somewhere
+    bool may_hold[kMostKindsOfPass];  ///< a line of the kind, by its place in the pass
 };
 
 /// A triangle in which a function changes its sign. The crossing where the line leaves lies
@@ -83,9 +86,10 @@ struct Batch {
     const ClusterTriangle* triangles[kBatch];
     std::uint32_t first_record[kBatch];        ///< in the store's memory, units of VertexRecord
     alignas(64) float facing[kBatchVertices];  ///< n·eye, slot by slot
-    /// The functions whose zeros are wanted, likewise; not of kinds for which that is n·eye.
-    alignas(64) float values[kStripKindCount][kBatchVertices];
-    ActiveTriangles active[kStripKindCount];
+    /// The functions whose zeros are wanted, likewise, by the kinds' places in the pass; not of
+    /// kinds for which that is n·eye.
+    alignas(64) float values[kMostKindsOfPass][kBatchVertices];
+    ActiveTriangles active[kMostKindsOfPass];
 };
 
 /// Crossings of one function in a batch.
@@ -122,11 +126,19 @@ struct SegmentMemory {
     alignas(64) std::uint16_t in_triangle[kBatch][256];
 };
 
+/// What apparent ridges have at the vertices of a batch, slot by slot.
+struct ApparentMemory {
+    alignas(64) float q[kBatchVertices];           ///< q1, 0 where there is no line
+    alignas(64) float vectors[kBatchVertices][4];  ///< r, and the derivative of q1 along it
+    alignas(64) float crossing_q[CrossingMemory::kPlaces];
+};
+
 /// What extract_strips() works in; one for each thread.
 struct SimdMemory {
     Batch batch;
     CrossingMemory crossings;
     SegmentMemory segments;
+    ApparentMemory apparent;
 };
 
 }  // namespace laplacian_lines

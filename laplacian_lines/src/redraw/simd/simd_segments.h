@@ -132,8 +132,17 @@ static inline void collect_corners(const ClusterStore& store, const Batch& batch
     }
 }
 
+/// What the slope of a segment is: with ∇f of the linear interpolant and the vectors d that a
+/// kind's test leaves in CrossingMemory::gradients,
+enum class SegmentSlope {
+    Scaled,     ///< ‖∇f‖ times slope_scale; phantoms have ∇f·d > 0
+    Along,      ///< −∇f·d, a change in a squared length, times h_e, to the power 1.5
+    AlongOnce,  ///< −∇f·d, a change in a length to the power 3, times h_e^1.5
+};
+
 /// Slope of the function across the line, and whether the illumination's gradient is largest
 /// there (edge) or smallest (phantom). Refused segments get the slope −1.
+template <SegmentSlope Slope>
 static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::size_t count) {
     const float largest_product = rules.reject_phantoms ? 0 : FLT_MAX;
     for (std::size_t i = 0; i < count; i += kLanes) {
@@ -146,9 +155,19 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
         const Floats x = fu * (vy * nz - vz * ny) + fv * (ny * uz - nz * uy);
         const Floats y = fu * (vz * nx - vx * nz) + fv * (nz * ux - nx * uz);
         const Floats z = fu * (vx * ny - vy * nx) + fv * (nx * uy - ny * ux);
+        const Floats product = x * load(s.gx + i) + y * load(s.gy + i) + z * load(s.gz + i);
+        if (Slope != SegmentSlope::Scaled) {
+            const Floats change = at_least(-product / (2 * squared), 0);  // d summed over both ends
+            const Floats powered =
+                Slope == SegmentSlope::Along ? change * square_root(change) : change;
+            const Floats slope = powered * (load(s.scale + i) / 3);
+            store(s.slope + i, (slope >= rules.segment_slope) & (change > 0)
+                                   ? at_most(slope, rules.segment_slope + rules.full_slope)
+                                   : Floats{} - 1);
+            continue;
+        }
         const Floats steepness = square_root(x * x + y * y + z * z) / squared;
         const Floats slope = steepness * (load(s.scale + i) / 3);
-        const Floats product = x * load(s.gx + i) + y * load(s.gy + i) + z * load(s.gz + i);
         // Not so for a sliver's NaN, too.
         const Ints kept = (slope >= rules.segment_slope) & (product <= largest_product);
         store(s.slope + i, kept ? slope : Floats{} - 1);

@@ -47,10 +47,18 @@ struct ClusterInSlot {
     const Cluster& cluster;
     ClusterLayout layout;
     const unsigned char* memory;
+    const float* derivatives;  ///< the store's
     unsigned slot;
 };
 static inline const float* form_of(const ClusterInSlot& place, VertexForm form) {
     return reinterpret_cast<const float*>(place.memory + place.layout.forms[form]);
+}
+static inline const VertexRecord* records_of(const ClusterInSlot& place) {
+    return reinterpret_cast<const VertexRecord*>(place.memory + place.layout.records);
+}
+/// C·D² of its vertices, four numbers each.
+static inline const float* derivatives_of(const ClusterInSlot& place) {
+    return place.derivatives + std::size_t(4) * place.cluster.first_vertex;
 }
 /// Its part of one of Batch's arrays.
 static inline float* in_slot(float* values, const ClusterInSlot& place) {

@@ -123,39 +123,44 @@ static inline void name_edges(const ClusterStore& store, std::uint32_t begin,
             if (edge < Strip::kClosed) edge = store.border_edges[edge];
 }
 
+/// Makes the places after crossings [0, count) something valid.
+static inline void fill_up(const Batch& batch, CrossingMemory& m, std::size_t count) {
+    for (std::size_t i = count; i < count + kLanes; ++i) {
+        m.ends[i][0] = m.ends[i][1] = 0;
+        m.records[i][0] = m.records[i][1] = batch.first_record[0];
+    }
+}
+
 /// Computes crossings [0, count) of a kind from their ends. As the functions that it calls, it
 /// writes to whole vectors of places.
-template <class Kind>
+template <class Kinds, class Kind>
 static inline void find_crossings(const ClusterStore& store, const ExtractionTask& task,
                                   const Batch& batch, unsigned kind, CrossingMemory& m,
                                   std::size_t count) {
     const VertexRecord* records = records_of(store);
-    for (std::size_t i = count; i < count + kLanes; ++i) {  // something valid
-        m.ends[i][0] = m.ends[i][1] = 0;
-        m.records[i][0] = m.records[i][1] = batch.first_record[0];
-    }
+    fill_up(batch, m, count);
     find_shares(Kind::values(batch, kind), m, count);
     find_points(records, Kind::source(task), m, count);
-    Kind::test(task.kinds[kind].rules, task, records, m, count);
+    Kind::test(task.kinds[Kinds::kFirst + kind].rules, task, records, m, count);
 }
 
 /// Appends the strips of a kind in a batch, their edges for name_edges().
-template <class Kind>
+template <class Kinds, class Kind>
 static inline void append_strips(const ClusterStore& store, const ExtractionTask& task,
                                  unsigned kind, SimdMemory& memory, StripOutput& output) {
     const Batch& batch = memory.batch;
     const ActiveTriangles& active = batch.active[kind];
     if (active.count == 0) return;
-    const LineRules& rules = task.kinds[kind].rules;
+    const LineRules& rules = task.kinds[Kinds::kFirst + kind].rules;
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
-    find_crossings<Kind>(store, task, batch, kind, m, list_crossings(batch, active, m, s));
+    find_crossings<Kinds, Kind>(store, task, batch, kind, m, list_crossings(batch, active, m, s));
     unsigned count = active.count;
     if (rules.use_slope) {
         count = keep_accepted(m, s, count);
         if (count == 0) return;
         collect_corners(store, batch, active, Kind::values(batch, kind), m, s, count);
-        test_segments(rules, s, count);
+        test_segments<Kind::kSlope>(rules, s, count);
         count = keep_steep(s, count);
     } else {
         count = keep_all(s, count);

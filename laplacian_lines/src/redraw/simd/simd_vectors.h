@@ -165,7 +165,7 @@ struct alignas(16) VertexBits {
 };
 
 /// Up to kSignSets bits for each vertex of a cluster, for CornerLookup.
-constexpr unsigned kSignSets = 2 * kStripKindCount;
+constexpr unsigned kSignSets = 2 * kMostKindsOfPass;
 static_assert(kSignSets <= 8, "a bit of a byte each");
 class VertexSigns {
 public:

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Apparent ridges: where the view-dependent curvature q1 is largest along the direction r that
+// belongs to it. r has no sign and neither has the derivative D of q1 along it, so that zeros of D
+// are told by D r at both ends of an edge, and lines get their direction triangle by triangle.
+// Included once by each of the files simd_*.cpp.
+#pragma once
+
+#include "redraw/simd/simd_batch.h"
+#include "redraw/simd/simd_quads.h"
+#include "redraw/simd/simd_strips.h"
+
+namespace laplacian_lines {
+namespace SIMD_NAMESPACE {
+
+/// q1, D and r at four vertices; q1 = 0 where they face away or have no direction.
+struct ApparentCurvature {
+    Float4 q, derivative;
+    Vector4s direction;
+};
+
+/// The vector to the eye of unit length, its cosine with the normal, and its tangential part; and
+/// how vectors on the screen lie in the tangent plane, A = P⁻¹ = 1 + k w wᵀ: longer by 1/cosine
+/// along w.
+struct Sight {
+    Float4 per_distance, cosine, k;
+    Vector4s w;
+
+    Sight(const VertexQuad& p, const float eye[4]) {
+        const Vector4s v =
+            Vector4s{splat(eye[0]), splat(eye[1]), splat(eye[2])} - p.position * splat(eye[3]);
+        const Float4 distance = square_root4(dot(v, v));
+        per_distance = eye[3] / distance;
+        const Vector4s unit = v * (1 / distance);
+        cosine = dot(p.normal, unit);
+        w = unit - p.normal * cosine;
+        k = 1 / (cosine * (1 + cosine));
+    }
+
+    Vector4s to_surface(const Vector4s& screen) const { return screen + w * (k * dot(w, screen)); }
+
+    /// x·(dA t) for tangents x and t, dA the change of A along r.
+    Float4 change(const VertexQuad& p, const Vector4s& r, const Vector4s& x,
+                  const Vector4s& t) const {
+        const Vector4s sr = p.S(r);
+        const Float4 wr = dot(w, r);
+        const Float4 d_cosine = dot(sr, w) + per_distance * cosine * wr;
+        const Vector4s dw = (r - w * wr) * (-per_distance) - sr * cosine;
+        const Float4 wx = dot(w, x), wt = dot(w, t);
+        return k * (dot(dw, x) * wt + wx * dot(dw, t)) -
+               k * k * (1 + 2 * cosine) * d_cosine * wx * wt;
+    }
+};
+
+static inline Float4 choose(Float4 condition_positive, Float4 a, Float4 b) {
+    return condition_positive > 0 ? a : b;
+}
+
+/// q1² is the larger eigenvalue of (S A)ᵀ S A, t its direction, r that of A t; the derivative of an
+/// eigenvalue is that of the matrix between its directions: 2 q1 D = 2 (S b·dA t + C(r, a, b)) with
+/// a = A t, b = S a.
+static inline ApparentCurvature apparent_curvature(const VertexQuad& p, const float eye[4]) {
+    const Sight sight(p, eye);
+    const Vector4s su = p.S(sight.to_surface(p.u)), sv = p.S(sight.to_surface(p.v));
+    const Float4 uu = dot(su, su), uv = dot(su, sv), vv = dot(sv, sv);
+    const Float4 half = (uu - vv) / 2, root = square_root4(half * half + uv * uv);
+    const Float4 squared = (uu + vv) / 2 + root, q = square_root4(squared);
+    const Float4 absolute_half = choose(half, half, -half);
+    const Float4 tu = choose(half, absolute_half + root, uv),
+                 tv = choose(half, uv, absolute_half + root);
+    const Float4 length = square_root4(tu * tu + tv * tv);
+    const Vector4s t = p.u * (tu / length) + p.v * (tv / length);
+    const Vector4s a = sight.to_surface(t), b = p.S(a);
+    const Vector4s r = a * (1 / square_root4(dot(a, a)));
+    const Float4 derivative = (sight.change(p, r, p.S(b), t) + p.C(r, a, b)) / q;
+    const Float4 usable = choose(sight.cosine, choose(length, q, Float4{}), Float4{});
+    return {usable, derivative, r};
+}
+
+static inline void evaluate_apparent(const ClusterInSlot& place, const float eye[4],
+                                     ApparentMemory& m) {
+    const unsigned first = place.slot * kClusterVertices;
+    for (unsigned i = 0; i < place.cluster.vertex_count; i += 4) {
+        const VertexQuad p(records_of(place), derivatives_of(place), i, place.cluster.vertex_count);
+        const ApparentCurvature c = apparent_curvature(p, eye);
+        store4(m.q + first + i, c.q);
+        Float4 rows[4] = {c.direction.x, c.direction.y, c.direction.z, c.derivative};
+        transpose(rows);
+        for (unsigned k = 0; k < 4; ++k)
+            store4(m.vectors[first + i + k], rows[k]);
+    }
+}
+
+static inline float dot3(const float* a, const float* b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Directions at the ends of an edge with a greater angle than this belong to no common line.
+constexpr float kLeastAgreement = 0.7f;
+
+/// A bit for each side of a triangle on which D r changes its direction; none where directions
+/// turn.
+static inline unsigned crossed_sides(const float (*vectors)[4], const std::uint8_t corners[3]) {
+    unsigned sides = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const float *a = vectors[corners[k]], *b = vectors[corners[(k + 1) % 3]];
+        const float cosine = dot3(a, b);
+        if (!(cosine * cosine >= kLeastAgreement * kLeastAgreement)) return 0;
+        sides |= unsigned((a[3] < 0) ^ (b[3] < 0) ^ (cosine < 0)) << k;
+    }
+    return sides;
+}
+
+/// Places in crossed_sides() of two bits: the first one, the second one, in cyclic order.
+struct CrossedPair {
+    bool any;
+    unsigned first, second;
+};
+static inline CrossedPair pair_of(unsigned sides) {
+    switch (sides) {
+        case 3:
+            return {true, 0, 1};
+        case 5:
+            return {true, 2, 0};
+        case 6:
+            return {true, 1, 2};
+        default:
+            return {false, 0, 0};
+    }
+}
+
+/// Lists the triangles of a cluster that lines pass. Which of its two crossings a line leaves by is
+/// chosen so that neighbours agree.
+class ApparentTriangles {
+public:
+    ApparentTriangles(const LineRules& rules, const ClusterInSlot& place,
+                      const ApparentMemory& memory, const ClusterTriangle* triangles)
+        : cluster_(place.cluster), slot_(place.slot), triangles_(triangles) {
+        const float* q = memory.q + slot_ * kClusterVertices;
+        const float(*vectors)[4] = memory.vectors + slot_ * kClusterVertices;
+        for (unsigned i = 0; i < cluster_.triangle_count; ++i) {
+            const std::uint8_t* c = triangles[i].corners;
+            const bool strong = (q[c[0]] >= rules.least_gradient) |
+                                (q[c[1]] >= rules.least_gradient) |
+                                (q[c[2]] >= rules.least_gradient);
+            const bool seen = (q[c[0]] > 0) & (q[c[1]] > 0) & (q[c[2]] > 0);
+            const bool plain = rules.leave_out_plain &&
+                               (cluster_.plain[i / kMaskGroup] >> i % kMaskGroup & 1) != 0;
+            sides_[i] =
+                strong & seen & !plain ? std::uint8_t(crossed_sides(vectors, c)) : std::uint8_t(0);
+        }
+    }
+
+    void append(ActiveTriangles& active) {
+        for (unsigned i = 0; i < cluster_.triangle_count; ++i) {
+            const CrossedPair pair = pair_of(sides_[i]);
+            if (!pair.any) continue;
+            unsigned first = i, entry = pair.first;
+            for (;;) {  // back to where the line begins, or once round
+                const unsigned before = across(first, entry);
+                if (before == kNoNeighbour || before == i) break;
+                entry = other_side(before, side_behind(first, entry, before));
+                first = before;
+            }
+            follow(first, entry, active);
+        }
+    }
+
+private:
+    /// Lists what a line passes that enters a triangle by a side, and takes it from the list.
+    void follow(unsigned triangle, unsigned entry, ActiveTriangles& active) {
+        for (;;) {
+            const unsigned exit = other_side(triangle, entry);
+            write(triangle, entry, exit, active);
+            sides_[triangle] = 0;
+            const unsigned next = across(triangle, exit);
+            if (next == kNoNeighbour) return;
+            entry = side_behind(triangle, exit, next);
+            triangle = next;
+        }
+    }
+
+    void write(unsigned number, unsigned entry, unsigned exit, ActiveTriangles& active) const {
+        const ClusterTriangle& t = triangles_[number];
+        const auto corner = [&](unsigned k) { return t.corners[k % 3]; };
+        const unsigned place = active.count++;
+        active.slot[place] = std::uint8_t(slot_);
+        active.number[place] = std::uint8_t(number);
+        active.triangles[place] = {{corner(exit), corner(exit + 1)},
+                                   {corner(entry), corner(entry + 1)},
+                                   corner(exit + 2),
+                                   t.neighbours[exit],
+                                   t.neighbours[entry],
+                                   std::uint8_t(number)};
+    }
+
+    /// The listed triangle of this cluster behind a side, or kNoNeighbour.
+    unsigned across(unsigned triangle, unsigned side) const {
+        const unsigned next = triangles_[triangle].neighbours[side];
+        return next < cluster_.triangle_count && pair_of(sides_[next]).any ? next : kNoNeighbour;
+    }
+    /// The neighbour's name of the side that it shares.
+    unsigned side_behind(unsigned triangle, unsigned side, unsigned neighbour) const {
+        const std::uint8_t end = triangles_[triangle].corners[(side + 1) % 3];
+        const std::uint8_t* corners = triangles_[neighbour].corners;
+        return corners[0] == end ? 0 : corners[1] == end ? 1 : 2;
+    }
+    unsigned other_side(unsigned triangle, unsigned side) const {
+        const CrossedPair pair = pair_of(sides_[triangle]);
+        return pair.first == side ? pair.second : pair.first;
+    }
+
+    const Cluster& cluster_;
+    const unsigned slot_;
+    const ClusterTriangle* triangles_;
+    std::uint8_t sides_[kClusterTriangles];
+};
+
+/// Where crossings are, which are accepted, their opacities, and q1 there as the gradient.
+static inline void find_apparent_crossings(const LineRules& rules, const ExtractionTask& task,
+                                           const VertexRecord* records, ApparentMemory& apparent,
+                                           CrossingMemory& m, std::size_t count) {
+    const std::size_t places = whole_vectors(count);
+    for (std::size_t i = 0; i < places; ++i) {
+        const unsigned a = m.ends[i][0], b = m.ends[i][1];
+        const float below = __builtin_fabsf(apparent.vectors[a][3]) + FLT_MIN,
+                    sum = below + __builtin_fabsf(apparent.vectors[b][3]);
+        const float share = sum <= FLT_MAX ? below / sum : 0.5f;
+        m.share[i] = share;
+        apparent.crossing_q[i] = (1 - share) * apparent.q[a] + share * apparent.q[b];
+    }
+    find_points(records, task.eye, m, count);
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Towards v = towards(task.eye, m, i);
+        const Floats q = load(apparent.crossing_q + i), facing = load(m.lit + i);
+        accept(
+            (q >= rules.least_gradient) & (facing >= rules.least_facing * square_root(v.squared)),
+            m, i);
+        Floats opacity = Floats{} + 1;
+        if (rules.contour_clearance > 0) {
+            const Floats near = facing * absolute(facing) / (2 * load(m.gradient + i));
+            opacity = clamp01(2 * near / rules.contour_clearance - 1);
+        }
+        store(m.opacity + i, opacity);
+        store(m.gradient + i, q);
+    }
+    for (std::size_t i = 0; i < places; ++i)
+        m.points[i][3] = apparent.crossing_q[i];
+}
+
+/// Collects what test_segments() needs: D with the sign that goes with r at the first corner.
+static inline void collect_apparent_corners(const ClusterStore& store, const Batch& batch,
+                                            const ActiveTriangles& active,
+                                            const ApparentMemory& apparent, SegmentMemory& s,
+                                            unsigned count) {
+    for (std::size_t i = 0; i < whole_vectors(count); ++i) {
+        const unsigned place = s.triangle[i], slot = active.slot[place];
+        const ActiveTriangle& t = active.triangles[place];
+        const VertexRecord* records = records_of(store) + batch.first_record[slot];
+        const float(*vectors)[4] = apparent.vectors + slot * kClusterVertices;
+        const unsigned corners[3] = {t.exit[0], t.exit[1], t.third};
+        Float4 direction = {}, p[3];
+        float values[3], scale = 0;
+        for (unsigned k = 0; k < 3; ++k) {
+            p[k] = load4(records[corners[k]].position);
+            scale += p[k][3];
+            const float* vector = vectors[corners[k]];
+            const float sign = dot3(vectors[corners[0]], vector) < 0 ? -1.f : 1.f;
+            values[k] = sign * vector[3];
+            direction += sign * load4(vector);
+        }
+        const Float4 u = p[1] - p[0], v = p[2] - p[0];
+        s.ux[i] = u[0], s.uy[i] = u[1], s.uz[i] = u[2];
+        s.vx[i] = v[0], s.vy[i] = v[1], s.vz[i] = v[2];
+        s.fu[i] = values[1] - values[0];
+        s.fv[i] = values[2] - values[0];
+        const Float4 squares = direction * direction;
+        const float unit = 2 / __builtin_sqrtf(squares[0] + squares[1] + squares[2]);  // two ends
+        s.gx[i] = unit * direction[0], s.gy[i] = unit * direction[1], s.gz[i] = unit * direction[2];
+        s.scale[i] = scale;
+    }
+}
+
+/// Of simd_kinds.h what cull() asks for.
+struct ApparentRidges {
+    static constexpr LineKind kKind = LineKind::ApparentRidge;
+    static constexpr unsigned kForms = kRecords;
+
+    static inline bool may_hold(float least_facing, float, float high) {
+        return !(high < least_facing);
+    }
+};
+
+using ApparentKinds = KindList<3, ApparentRidges>;
+static_assert(ApparentKinds::is_as_declared(), "the same kind");
+
+static void extract_apparent_strips(const ClusterStore& store, const ExtractionTask& task,
+                                    const KeptCluster* clusters, std::size_t count,
+                                    SimdMemory& memory, StripOutput* outputs) {
+    using Kinds = ApparentKinds;
+    const LineRules& rules = task.kinds[Kinds::kFirst].rules;
+    Batch& batch = memory.batch;
+    begin_batch<Kinds>(store, clusters, count, batch);
+    ActiveTriangles& active = batch.active[0];
+    active.count = 0;
+    for (unsigned slot = 0; slot < batch.count; ++slot) {
+        const ClusterInSlot place = place_of(store, batch, slot);
+        evaluate_apparent(place, task.eye, memory.apparent);
+        ApparentTriangles(rules, place, memory.apparent, batch.triangles[slot]).append(active);
+    }
+    if (active.count == 0) return;
+    CrossingMemory& m = memory.crossings;
+    SegmentMemory& s = memory.segments;
+    const unsigned crossings = list_crossings(batch, active, m, s);
+    fill_up(batch, m, crossings);
+    find_apparent_crossings(rules, task, records_of(store), memory.apparent, m, crossings);
+    unsigned kept = keep_accepted(m, s, active.count);
+    collect_apparent_corners(store, batch, active, memory.apparent, s, kept);
+    test_segments<SegmentSlope::AlongOnce>(rules, s, kept);
+    kept = keep_steep(s, kept);
+    measure_segments(m, s, kept);
+    const std::uint32_t begin = outputs->strip_count;
+    StripWriter(store, batch, active, m, s, kept, *outputs).write_all();
+    name_edges(store, begin, *outputs);
+}
+
+}  // namespace SIMD_NAMESPACE
+}  // namespace laplacian_lines

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which photic extremum lines a style shows: X. Xie et al., "An Effective Illustrative
+// Visualization Framework Based on Photic Extremum Lines (PELs)", 2007.
+#include "redraw/kinds/strip_kinds.h"
+
+namespace laplacian_lines {
+namespace {
+
+/// Those of Laplacian lines, but for the slope: the second derivative of ‖∇I‖ along ∇I, times
+/// D·h_e^1.5.
+LineRules rules_of(const LineStyle& s, bool light_at_eye) {
+    const auto factor = float(threshold_factor(s.detail));
+    LineRules rules = laplacian_line_strips.rules(s, light_at_eye);
+    rules.kind = LineKind::PhoticExtremum;
+    rules.segment_slope = factor * float(s.photic_slope);
+    rules.line_slope = 2 * rules.segment_slope;
+    rules.full_slope = 12 * float(s.photic_slope);
+    return rules;
+}
+
+}  // namespace
+
+const StripKind photic_extremum_strips = {
+    LineKind::PhoticExtremum,
+    [](const LineStyle& style) { return style.shows[LineKind::PhoticExtremum]; }, rules_of};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Photic extremum lines: the zeros of Hess I(g, g), g = ∇I, where ‖g‖ is largest along g.
+// Included once by each of the files simd_*.cpp.
+#pragma once
+
+#include "redraw/kinds/laplacian_lines_simd.h"
+#include "redraw/simd/simd_quads.h"
+
+namespace laplacian_lines {
+namespace SIMD_NAMESPACE {
+
+/// Hess I(g, g) = C(g, g, l) − (n·l) ‖S g‖² − w g·S g at the vertices of a cluster, in the places
+/// of the forms.
+static inline void evaluate_photic(const ClusterInSlot& place, const float light[4],
+                                   float* values) {
+    const Cluster& cluster = place.cluster;
+    const Vector4s e = {splat(light[0]), splat(light[1]), splat(light[2])};
+    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; i += 4) {
+        const VertexQuad q(records_of(place), derivatives_of(place), i, cluster.vertex_count);
+        const Vector4s l = e - q.position * splat(light[3]);
+        const Vector4s g = q.S(l), sg = q.S(g);
+        store4(values + i, q.C(g, g, l) - dot(q.normal, l) * dot(sg, sg) - light[3] * dot(g, sg));
+    }
+}
+
+/// Makes the gradients g of crossings g/‖g‖³, with which the slope of a segment becomes the second
+/// derivative of ‖g‖ along g.
+static inline void scale_photic_gradients(CrossingMemory& m, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Floats g = load(m.gradient + i), factor = 1 / (g * g * g);
+        for (float* const column : {m.gx, m.gy, m.gz})
+            store(column + i, load(column + i) * factor);
+    }
+    store_gradients(m, count);
+}
+
+/// See simd_kinds.h.
+struct PhoticExtrema {
+    static constexpr LineKind kKind = LineKind::PhoticExtremum;
+    static constexpr unsigned kForms = kRecords;
+    static constexpr SegmentSlope kSlope = SegmentSlope::AlongOnce;
+    static constexpr bool kHasLeastFacing = true;
+
+    static inline bool may_hold(float least_facing, float, float high) {
+        return !(high < least_facing);
+    }
+
+    static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,
+                                        const BelowBound&, float* values) {
+        float* own = in_slot(values, place);
+        evaluate_photic(place, task.light, own);
+        return below(own, form_groups(place.cluster), 0);
+    }
+
+    static inline const float* values(const Batch& batch, unsigned number) {
+        return batch.values[number];
+    }
+
+    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
+                                         unsigned group) {
+        return LaplacianLines::unwanted(rules, cluster, group);
+    }
+
+    static inline const float* source(const ExtractionTask& task) { return task.light; }
+
+    static inline void test(const LineRules& rules, const ExtractionTask& task,
+                            const VertexRecord* records, CrossingMemory& m, std::size_t count) {
+        LaplacianLines::test(rules, task, records, m, count);
+        scale_photic_gradients(m, count);
+    }
+};
+
+}  // namespace SIMD_NAMESPACE
+}  // namespace laplacian_lines

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Suggestive contours and highlights: the zeros of the radial curvature, of which v·S v with the
+// vector to the eye v is a positive multiple.
+// Included once by each of the files simd_*.cpp.
+#pragma once
+
+#include "laplacian_lines/line_kind.h"
+#include "redraw/simd/simd_crossings.h"
+#include "redraw/simd/simd_segments.h"
+#include "redraw/simd/simd_signs.h"
+
+namespace laplacian_lines {
+namespace SIMD_NAMESPACE {
+
+/// v·S v at the vertices of a cluster, in the places of the forms. Places that are left over repeat
+/// the last vertex, as in the forms.
+static inline void evaluate_radial(const VertexRecord* records, const Cluster& cluster,
+                                   const float eye[4], float* values) {
+    const Float4 e = {eye[0], eye[1], eye[2], 0}, w = splat(eye[3]);
+    const unsigned places = form_groups(cluster) * kFormGroup, last = cluster.vertex_count - 1u;
+    for (unsigned i = 0; i < places; i += 4) {
+        Float4 v[4], s[4];
+        for (unsigned k = 0; k < 4; ++k) {
+            const VertexRecord& record = records[i + k < last ? i + k : last];
+            v[k] = e - w * load4(record.position);
+            s[k] = load4(record.shape_operator[0]) * splat<0>(v[k]) +
+                   load4(record.shape_operator[1]) * splat<1>(v[k]) +
+                   load4(record.shape_operator[2]) * splat<2>(v[k]);
+        }
+        transpose(v);
+        transpose(s);
+        store4(values + i, v[0] * s[0] + v[1] * s[1] + v[2] * s[2]);
+    }
+}
+
+// Where the eye looks along the normal, or along the surface, the derivative means nothing; it is
+// kept within what these let it become.
+constexpr float kLeastSquaredSine = 0.03f, kLeastCosine = 0.1f;
+
+/// Which zeros are accepted, their opacities, and as gradients the vectors −v/(|v|³ sin² cos),
+/// times `sign`, with which the slope of a segment becomes the derivative of the radial curvature
+/// towards the eye over the cosine of the normal and v.
+static inline void test_radial_zeros(const LineRules& rules, const ExtractionTask& task, float sign,
+                                     CrossingMemory& m, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Towards v = towards(task.eye, m, i);
+        const Floats facing = load(m.lit + i);
+        const Floats distance = square_root(v.squared), cosine = facing / distance;
+        const Ints accepted = cosine >= rules.least_facing;
+        Floats opacity = Floats{} + 1;
+        if (rules.contour_clearance > 0) {
+            const Floats near = facing * absolute(facing) / (2 * load(m.gradient + i));
+            opacity = clamp01(2 * near / rules.contour_clearance - 1);
+        }
+        store(m.opacity + i, opacity);
+        const Floats factor =
+            -sign / (v.squared * distance * at_least(1 - cosine * cosine, kLeastSquaredSine) *
+                     at_least(cosine, kLeastCosine));
+        store(m.gx + i, v.x * factor);
+        store(m.gy + i, v.y * factor);
+        store(m.gz + i, v.z * factor);
+        accept(accepted, m, i);
+    }
+    store_gradients(m, count);
+}
+
+/// See simd_kinds.h.
+struct SuggestiveContours {
+    static constexpr LineKind kKind = LineKind::SuggestiveContour;
+    static constexpr unsigned kForms = kRecords;
+    static constexpr SegmentSlope kSlope = SegmentSlope::Along;
+    static constexpr bool kHasLeastFacing = true;
+
+    static inline bool may_hold(float least_facing, float, float high) {
+        return !(high < least_facing);
+    }
+
+    static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,
+                                        const BelowBound&, float* values) {
+        float* own = in_slot(values, place);
+        evaluate_radial(records_of(place), place.cluster, task.eye, own);
+        return below(own, form_groups(place.cluster), 0);
+    }
+
+    static inline const float* values(const Batch& batch, unsigned number) {
+        return batch.values[number];
+    }
+
+    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
+                                         unsigned group) {
+        return rules.leave_out_plain ? cluster.plain[group] : 0;
+    }
+
+    static inline const float* source(const ExtractionTask& task) { return task.eye; }
+
+    static inline void test(const LineRules& rules, const ExtractionTask& task, const VertexRecord*,
+                            CrossingMemory& m, std::size_t count) {
+        test_radial_zeros(rules, task, 1, m, count);
+    }
+};
+
+/// See simd_kinds.h.
+struct SuggestiveHighlights : SuggestiveContours {
+    static constexpr LineKind kKind = LineKind::SuggestiveHighlight;
+
+    static inline void test(const LineRules& rules, const ExtractionTask& task, const VertexRecord*,
+                            CrossingMemory& m, std::size_t count) {
+        test_radial_zeros(rules, task, -1, m, count);
+    }
+};
+
+}  // namespace SIMD_NAMESPACE
+}  // namespace laplacian_lines

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What begins the work on a batch of clusters.
+// Included once by each of the files simd_*.cpp.
+#pragma once
+
+#include "redraw/simd/simd_kinds.h"
+
+namespace laplacian_lines {
+namespace SIMD_NAMESPACE {
+
+/// Reads memory once. Caches fetch many lines at a time only if nothing waits for the first of
+/// them.
+static inline void touch(const unsigned char* begin, const unsigned char* end) {
+    unsigned char sum = 0;
+    for (; begin < end; begin += kCacheUnit)
+        sum = (unsigned char)(sum ^ *begin);
+    asm volatile("" : : "r"(sum));
+}
+
+/// Reads what find_active() will go through.
+template <class Kinds>
+static inline void touch(const ClusterStore& store, const KeptCluster& kept) {
+    const Cluster& cluster = store.clusters[kept.number];
+    const unsigned char* memory = memory_of(store, cluster);
+    const ClusterLayout layout = cluster_layout(cluster);
+    unsigned forms = kept.test_facing ? 1u << kFacingForm : 0;
+    Kinds::for_each([&](auto kind, unsigned number) {
+        if (kept.may_hold[number]) forms |= kind.kForms;
+    });
+    for (unsigned form = 0; form < kVertexFormCount; ++form)
+        if (forms >> form & 1)
+            touch(memory + layout.forms[form],
+                  memory + layout.forms[form] + layout.corners / kVertexFormCount);
+    if (Kinds::kReadsRecords) touch(memory + layout.records, memory + layout.end);
+    touch(memory + layout.corners, memory + layout.triangles);
+}
+
+/// Fills in what a batch knows of its clusters, and reads what their signs are found from.
+template <class Kinds>
+static inline void begin_batch(const ClusterStore& store, const KeptCluster* clusters,
+                               std::size_t count, Batch& batch) {
+    batch.count = unsigned(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Cluster& cluster = store.clusters[clusters[i].number];
+        const ClusterLayout layout = cluster_layout(cluster);
+        batch.clusters[i] = &cluster;
+        batch.triangles[i] =
+            reinterpret_cast<const ClusterTriangle*>(memory_of(store, cluster) + layout.triangles);
+        batch.first_record[i] =
+            cluster.first_unit + std::uint32_t(layout.records / sizeof(VertexRecord));
+        touch<Kinds>(store, clusters[i]);
+    }
+}
+
+static inline ClusterInSlot place_of(const ClusterStore& store, const Batch& batch, unsigned slot) {
+    const Cluster& cluster = *batch.clusters[slot];
+    return {cluster, cluster_layout(cluster), memory_of(store, cluster), store.derivatives, slot};
+}
+
+}  // namespace SIMD_NAMESPACE
+}  // namespace laplacian_lines

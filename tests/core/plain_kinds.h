@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "laplacian_lines/field.h"
+
+/// The functions of vertices whose zeros are lines, for one vertex at a time. Sums are taken in the
+/// order of a redraw's inner loops, so that signs near zero are the same.
+namespace reference {
+
+/// A vertex in local coordinates.
+struct KindVertex {
+    Eigen::Vector3f position, normal;
+    laplacian_lines::ShapeOperator shape_operator;  ///< S·D
+    Eigen::Vector4f derivative;                     ///< C·D²
+
+    /// C(x, y, z) of tangents.
+    float C(const Eigen::Vector3f& x, const Eigen::Vector3f& y, const Eigen::Vector3f& z) const;
+    Eigen::Vector3f S(const Eigen::Vector3f& x) const;
+};
+
+/// v·S v, v to the eye (e, w).
+float radial(const KindVertex& p, const Eigen::Vector3f& e, float w);
+
+/// Hess I(g, g), g = ∇I, of the light (e, w).
+float photic(const KindVertex& p, const Eigen::Vector3f& e, float w);
+
+/// The largest curvature as it is seen, its derivative along its direction on the surface.
+struct ApparentCurvature {
+    float q = 0, derivative = 0;  ///< q: 0 where there is none or the surface faces away
+    Eigen::Vector3f direction = Eigen::Vector3f::Zero();
+};
+ApparentCurvature apparent_curvature(const KindVertex& p, const Eigen::Vector3f& e, float w);
+
+}  // namespace reference
