@@ -111,9 +111,11 @@ const PlaceRow& lightDirectionRow() {
     return row;
 }
 
-bool isKindSwitch(const std::string& key) {
+/// The others, with their thresholds, come by the settings of the decoration: no dialog would hold
+/// them.
+bool isSwitchOfUsualKind(const std::string& key) {
     return std::any_of(laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(),
-                       [&](const auto& kind) { return key == kind.key; });
+                       [&](const auto& kind) { return kind.shown && key == kind.key; });
 }
 
 /// Calls the visitor with each row, in the order of the dialog.
@@ -125,7 +127,7 @@ void visitRows(Visitor& visitor) {
     visitor.visit(settingsRow());
     visitor.visit(visibleRow());
     for (const auto& row : laplacian_lines::line_style_table())
-        if (!row.for_experts || isKindSwitch(row.key)) visitor.visit(row);
+        if (!row.for_experts || isSwitchOfUsualKind(row.key)) visitor.visit(row);
     visitor.visit(lightRow());
     visitor.visit(lightDirectionRow());
 }

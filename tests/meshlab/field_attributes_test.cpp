@@ -96,7 +96,7 @@ TEST_F(FieldAttributes, ComeBack) {
     EXPECT_EQ(valueOf<Point3m>(mesh, "ll_normal", 2), Point3m(4, 5, 6));
     EXPECT_EQ(valueOf<Point3m>(mesh, "ll_shape_off_diagonal", 0), Point3m(28, 29, 30));
     EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_kernel_size", 4), 52);
-    EXPECT_EQ(mesh.vert_attr.size(), 5u);
+    EXPECT_EQ(mesh.vert_attr.size(), 7u);
 }
 
 TEST_F(FieldAttributes, OfDeletedVerticesAreZero) {
@@ -109,9 +109,9 @@ TEST_F(FieldAttributes, OfDeletedVerticesAreZero) {
 TEST_F(FieldAttributes, FollowTheTable) {
     write(richer);
     EXPECT_EQ(status(), FieldStatus::Current);
-    EXPECT_EQ(valueOf<Point3m>(mesh, "ll_hue", 0), Point3m(53, 54, 55));
-    EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_light", 0), 56);
-    EXPECT_EQ(valueOf<Point3m>(mesh, "ll_hue", 2), Point3m(57, 58, 59));
+    EXPECT_EQ(valueOf<Point3m>(mesh, "ll_hue", 0), Point3m(69, 70, 71));
+    EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_light", 0), 72);
+    EXPECT_EQ(valueOf<Point3m>(mesh, "ll_hue", 2), Point3m(73, 74, 75));
     RicherField back;
     ASSERT_TRUE(store.read(mesh, geometryStamp(mesh), back));
     expectSame(back, richer, richerTable());
@@ -138,7 +138,7 @@ TEST_F(FieldAttributes, OfEarlierFieldsAreRemoved) {
     EXPECT_EQ(status(), FieldStatus::Current);
     write(richer);
     EXPECT_EQ(status(), FieldStatus::Current);
-    EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_light", 4), 68);
+    EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_light", 4), 84);
 }
 
 TEST_F(FieldAttributes, CountOnlyWithEveryValue) {
@@ -180,9 +180,13 @@ TEST_F(FieldAttributes, EveryColumnHasToFitTheMesh) {
 }
 
 TEST_F(FieldAttributes, AreNamedInTheLog) {
+    const std::string always =
+        "ll_normal, ll_laplacian_normal, ll_shape_diagonal, ll_shape_off_diagonal, ll_kernel_size";
     EXPECT_EQ(fieldAttributeNames(plain).toStdString(),
-              "ll_normal, ll_laplacian_normal, ll_shape_diagonal, ll_shape_off_diagonal, "
-              "ll_kernel_size");
+              always + ", ll_curvature_derivative, ll_curvature_derivative_vvv");
+    Field usual = plain;
+    usual.curvature_derivatives.clear();
+    EXPECT_EQ(fieldAttributeNames(usual).toStdString(), always);
 }
 
 }  // namespace
