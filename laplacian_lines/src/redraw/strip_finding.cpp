@@ -62,23 +62,28 @@ void find_chunk(const ClusterStore& store, std::size_t cluster_count, const Extr
         chunk.end[kind] = thread.strips[kind].strip_count;
 }
 
-/// Any thread may find any part of the strips next time; then none of them has to allocate.
-void even_out(const ExtractionTask& task, FoundStrips& found) {
-    for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
-        if (!task.kinds[kind].lines) continue;
-        std::size_t strips = 0, points = 0;
-        for (const FindingThread& thread : found.threads) {
-            strips += thread.strips[kind].strip_count;
-            points += thread.strips[kind].point_count;
-        }
-        for (FindingThread& thread : found.threads) {
-            ThreadStrips& s = thread.strips[kind];
-            if (s.strips.size() < strips + kStripsOfBatch)
-                s.strips.resize(strips + strips / 4 + kStripsOfBatch);
-            if (s.points.size() < points + kPointsOfBatch + kPointMargin)
-                s.points.resize(points + points / 4 + kPointsOfBatch + kPointMargin);
-        }
+void even_out(unsigned kind, FoundStrips& found) {
+    std::size_t strips = 0, points = 0;
+    for (const FindingThread& thread : found.threads) {
+        strips += thread.strips[kind].strip_count;
+        points += thread.strips[kind].point_count;
     }
+    for (FindingThread& thread : found.threads) {
+        ThreadStrips& s = thread.strips[kind];
+        if (s.strips.size() < strips + kStripsOfBatch)
+            s.strips.resize(strips + strips / 4 + kStripsOfBatch);
+        if (s.points.size() < points + kPointsOfBatch + kPointMargin)
+            s.points.resize(points + points / 4 + kPointsOfBatch + kPointMargin);
+    }
+}
+
+/// Any thread may find any part of the strips next time, or its first part; then none of them has
+/// to allocate, for kinds that share a pass with a wanted one either.
+void even_out(const ExtractionTask& task, FoundStrips& found) {
+    for (const StripPass& pass : kStripPasses)
+        if (is_wanted(task, pass))
+            for (unsigned kind = pass.first; kind < pass.first + pass.count; ++kind)
+                even_out(kind, found);
 }
 
 }  // namespace
