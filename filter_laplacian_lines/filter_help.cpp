@@ -24,7 +24,7 @@ QString computeHelp() {
 QString polylineHelp() {
     QStringList kinds;
     for (const laplacian_lines::LineKindDescription& kind : laplacian_lines::line_kinds)
-        kinds << kind.many;
+        if (kind.shown) kinds << kind.many;
     return QStringLiteral(
                "Creates a layer with the lines of the current layer as seen from one view: %1. "
                "They "

@@ -149,7 +149,7 @@ private:
 
     TensorTargets targets(const SpatialTree::Leaf& leaf, std::uint32_t begin,
                           const Eigen::Vector3d& centre) const {
-        TensorTargets t;
+        TensorTargets t = {};
         for (std::uint32_t lane = 0; lane < kSlopeLanes; ++lane) {
             const std::uint32_t v = std::min(begin + lane, leaf.end - 1);
             const CurvedVertex& vertex = vertices_[v];

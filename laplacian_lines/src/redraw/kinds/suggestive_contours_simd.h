@@ -64,9 +64,11 @@ static inline void test_radial_zeros(const LineRules& rules, const ExtractionTas
     store_gradients(m, count);
 }
 
-/// See simd_kinds.h.
-struct SuggestiveContours {
-    static constexpr LineKind kKind = LineKind::SuggestiveContour;
+/// See simd_kinds.h. With sign 1 where the radial curvature grows towards the eye, −1 where it
+/// falls.
+template <LineKind kind, int sign>
+struct RadialZeros {
+    static constexpr LineKind kKind = kind;
     static constexpr unsigned kForms = kRecords;
     static constexpr SegmentSlope kSlope = SegmentSlope::Along;
     static constexpr bool kHasLeastFacing = true;
@@ -95,19 +97,12 @@ struct SuggestiveContours {
 
     static inline void test(const LineRules& rules, const ExtractionTask& task, const VertexRecord*,
                             CrossingMemory& m, std::size_t count) {
-        test_radial_zeros(rules, task, 1, m, count);
+        test_radial_zeros(rules, task, sign, m, count);
     }
 };
 
-/// See simd_kinds.h.
-struct SuggestiveHighlights : SuggestiveContours {
-    static constexpr LineKind kKind = LineKind::SuggestiveHighlight;
-
-    static inline void test(const LineRules& rules, const ExtractionTask& task, const VertexRecord*,
-                            CrossingMemory& m, std::size_t count) {
-        test_radial_zeros(rules, task, -1, m, count);
-    }
-};
+using SuggestiveContours = RadialZeros<LineKind::SuggestiveContour, 1>;
+using SuggestiveHighlights = RadialZeros<LineKind::SuggestiveHighlight, -1>;
 
 }  // namespace SIMD_NAMESPACE
 }  // namespace laplacian_lines

@@ -161,9 +161,9 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
             const Floats powered =
                 Slope == SegmentSlope::Along ? change * square_root(change) : change;
             const Floats slope = powered * (load(s.scale + i) / 3);
-            store(s.slope + i, (slope >= rules.segment_slope) & (change > 0)
-                                   ? at_most(slope, rules.segment_slope + rules.full_slope)
-                                   : Floats{} - 1);
+            const Ints kept = (slope >= rules.segment_slope) & (change > 0);
+            store(s.slope + i,
+                  kept ? at_most(slope, rules.segment_slope + rules.full_slope) : Floats{} - 1);
             continue;
         }
         const Floats steepness = square_root(x * x + y * y + z * z) / squared;
