@@ -145,8 +145,8 @@ public:
             const bool seen = (q[c[0]] > 0) & (q[c[1]] > 0) & (q[c[2]] > 0);
             const bool plain = rules.leave_out_plain &&
                                (cluster_.plain[i / kMaskGroup] >> i % kMaskGroup & 1) != 0;
-            sides_[i] =
-                strong & seen & !plain ? std::uint8_t(crossed_sides(vectors, c)) : std::uint8_t(0);
+            const bool wanted = strong && seen && !plain;
+            sides_[i] = wanted ? std::uint8_t(crossed_sides(vectors, c)) : std::uint8_t(0);
         }
     }
 
