@@ -5,6 +5,7 @@
 // Included once by each of the files simd_*.cpp.
 #pragma once
 
+#include "redraw/kinds/facing_kind_simd.h"
 #include "redraw/simd/simd_batch.h"
 #include "redraw/simd/simd_quads.h"
 #include "redraw/simd/simd_strips.h"
@@ -281,13 +282,9 @@ static inline void collect_apparent_corners(const ClusterStore& store, const Bat
 }
 
 /// Of simd_kinds.h what cull() asks for.
-struct ApparentRidges {
+struct ApparentRidges : FacingKind {
     static constexpr LineKind kKind = LineKind::ApparentRidge;
     static constexpr unsigned kForms = kRecords;
-
-    static inline bool may_hold(float least_facing, float, float high) {
-        return !(high < least_facing);
-    }
 };
 
 using ApparentKinds = KindList<3, ApparentRidges>;

@@ -35,30 +35,16 @@ static inline void scale_photic_gradients(CrossingMemory& m, std::size_t count) 
 }
 
 /// See simd_kinds.h.
-struct PhoticExtrema {
+struct PhoticExtrema : FacingKind {
     static constexpr LineKind kKind = LineKind::PhoticExtremum;
     static constexpr unsigned kForms = kRecords;
     static constexpr SegmentSlope kSlope = SegmentSlope::AlongOnce;
-    static constexpr bool kHasLeastFacing = true;
-
-    static inline bool may_hold(float least_facing, float, float high) {
-        return !(high < least_facing);
-    }
 
     static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,
                                         const BelowBound&, float* values) {
         float* own = in_slot(values, place);
         evaluate_photic(place, task.light, own);
         return below(own, form_groups(place.cluster), 0);
-    }
-
-    static inline const float* values(const Batch& batch, unsigned number) {
-        return batch.values[number];
-    }
-
-    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
-                                         unsigned group) {
-        return LaplacianLines::unwanted(rules, cluster, group);
     }
 
     static inline const float* source(const ExtractionTask& task) { return task.light; }

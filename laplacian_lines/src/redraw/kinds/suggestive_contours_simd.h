@@ -5,9 +5,9 @@
 #pragma once
 
 #include "laplacian_lines/line_kind.h"
+#include "redraw/kinds/facing_kind_simd.h"
 #include "redraw/simd/simd_crossings.h"
 #include "redraw/simd/simd_segments.h"
-#include "redraw/simd/simd_signs.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -67,30 +67,16 @@ static inline void test_radial_zeros(const LineRules& rules, const ExtractionTas
 /// See simd_kinds.h. With sign 1 where the radial curvature grows towards the eye, −1 where it
 /// falls.
 template <LineKind kind, int sign>
-struct RadialZeros {
+struct RadialZeros : FacingKind {
     static constexpr LineKind kKind = kind;
     static constexpr unsigned kForms = kRecords;
     static constexpr SegmentSlope kSlope = SegmentSlope::Along;
-    static constexpr bool kHasLeastFacing = true;
-
-    static inline bool may_hold(float least_facing, float, float high) {
-        return !(high < least_facing);
-    }
 
     static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,
                                         const BelowBound&, float* values) {
         float* own = in_slot(values, place);
         evaluate_radial(records_of(place), place.cluster, task.eye, own);
         return below(own, form_groups(place.cluster), 0);
-    }
-
-    static inline const float* values(const Batch& batch, unsigned number) {
-        return batch.values[number];
-    }
-
-    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
-                                         unsigned group) {
-        return rules.leave_out_plain ? cluster.plain[group] : 0;
     }
 
     static inline const float* source(const ExtractionTask& task) { return task.eye; }
