@@ -4,7 +4,7 @@
 #pragma once
 
 #include "redraw/kinds/laplacian_lines_simd.h"
-#include "redraw/simd/simd_quads.h"
+#include "redraw/simd/simd_columns.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -13,13 +13,13 @@ namespace SIMD_NAMESPACE {
 /// of the forms.
 static inline void evaluate_photic(const ClusterInSlot& place, const float light[4],
                                    float* values) {
-    const Cluster& cluster = place.cluster;
-    const Vector4s e = {splat(light[0]), splat(light[1]), splat(light[2])};
-    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; i += 4) {
-        const VertexQuad q(records_of(place), derivatives_of(place), i, cluster.vertex_count);
-        const Vector4s l = e - q.position * splat(light[3]);
-        const Vector4s g = q.S(l), sg = q.S(g);
-        store4(values + i, q.C(g, g, l) - dot(q.normal, l) * dot(sg, sg) - light[3] * dot(g, sg));
+    const unsigned count = place.cluster.vertex_count;
+    const Vectors e = {Floats{} + light[0], Floats{} + light[1], Floats{} + light[2]};
+    for (unsigned i = 0; i < form_groups(place.cluster) * kFormGroup; i += kLanes) {
+        const DerivativeColumns p(records_of(place), derivatives_of(place), i, count);
+        const Vectors l = e - p.position * (Floats{} + light[3]);
+        const Vectors g = p.S(l), sg = p.S(g);
+        store(values + i, p.C(g, g, l) - dot(p.normal, l) * dot(sg, sg) - light[3] * dot(g, sg));
     }
 }
 
@@ -37,7 +37,7 @@ static inline void scale_photic_gradients(CrossingMemory& m, std::size_t count) 
 /// See simd_kinds.h.
 struct PhoticExtrema : FacingKind {
     static constexpr LineKind kKind = LineKind::PhoticExtremum;
-    static constexpr unsigned kForms = kRecords;
+    static constexpr unsigned kForms = kRecords | kDerivatives;
     static constexpr SegmentSlope kSlope = SegmentSlope::AlongOnce;
 
     static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,

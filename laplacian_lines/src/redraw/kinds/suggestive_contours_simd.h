@@ -6,6 +6,7 @@
 
 #include "laplacian_lines/line_kind.h"
 #include "redraw/kinds/facing_kind_simd.h"
+#include "redraw/simd/simd_columns.h"
 #include "redraw/simd/simd_crossings.h"
 #include "redraw/simd/simd_segments.h"
 
@@ -16,20 +17,11 @@ namespace SIMD_NAMESPACE {
 /// the last vertex, as in the forms.
 static inline void evaluate_radial(const VertexRecord* records, const Cluster& cluster,
                                    const float eye[4], float* values) {
-    const Float4 e = {eye[0], eye[1], eye[2], 0}, w = splat(eye[3]);
-    const unsigned places = form_groups(cluster) * kFormGroup, last = cluster.vertex_count - 1u;
-    for (unsigned i = 0; i < places; i += 4) {
-        Float4 v[4], s[4];
-        for (unsigned k = 0; k < 4; ++k) {
-            const VertexRecord& record = records[i + k < last ? i + k : last];
-            v[k] = e - w * load4(record.position);
-            s[k] = load4(record.shape_operator[0]) * splat<0>(v[k]) +
-                   load4(record.shape_operator[1]) * splat<1>(v[k]) +
-                   load4(record.shape_operator[2]) * splat<2>(v[k]);
-        }
-        transpose(v);
-        transpose(s);
-        store4(values + i, v[0] * s[0] + v[1] * s[1] + v[2] * s[2]);
+    const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
+    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; i += kLanes) {
+        const VertexColumns p(records, i, cluster.vertex_count);
+        const Vectors v = e - p.position * (Floats{} + eye[3]);
+        store(values + i, dot(v, p.S(v)));
     }
 }
 
