@@ -22,6 +22,8 @@ struct DrawingParameters {
     line_drawing::StrokeStyle strokes = line_drawing::StrokeStyle::Tapered;
     line_drawing::WallStyle wall = line_drawing::WallStyle::Hatched;
     bool has_furniture = true;
+    line_drawing::HiddenLines hidden = line_drawing::HiddenLines::LeftOut;
+    bool is_of_all_layers = false;  ///< the visible ones
     bool is_as_decoration = false;  ///< lines and light as the decoration has drawn them last
 };
 
