@@ -48,8 +48,10 @@ void drawOne(const CommandLine& commands) {
     std::vector<line_drawing::SheetOptions> options = {commands.options};
     const bool has_view = !commands.contact_view.isEmpty();
     if (has_view) options.push_back(line_drawing::contactOptions(mesh, commands.options));
+    laplacian_lines::PrecomputeOptions field;
+    field.curvature_derivatives = commands.options.style.shows.needs_derivatives();
     const std::vector<line_drawing::Sheet> sheets =
-        line_drawing::makeSheets(mesh, laplacian_lines::precompute(mesh), options);
+        line_drawing::makeSheets(mesh, laplacian_lines::precompute(mesh, field), options);
     line_drawing::writeSheet(sheets[0], commands.drawing, commands.dpi);
     if (has_view) writeView(sheets[1], commands.contact_view);
     say(stdout, "the drawing is " + commands.drawing);

@@ -100,7 +100,7 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     given.strokes = line_drawing::StrokeStyle::Plain;
     given.wall = line_drawing::WallStyle::None;
     given.has_furniture = false;
-    given.is_as_decoration = true;
+    given.settings = settings_of_decoration;
     RichParameterList list;
     listDrawingParameters(given, list);
     const DrawingParameters read = readDrawingParameters(list);
@@ -113,7 +113,7 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     EXPECT_EQ(read.strokes, given.strokes);
     EXPECT_EQ(read.wall, given.wall);
     EXPECT_FALSE(read.has_furniture);
-    EXPECT_TRUE(read.is_as_decoration);
+    EXPECT_EQ(read.settings, settings_of_decoration);
     given.paper = 7;
     RichParameterList wrong;
     listDrawingParameters(given, wrong);
@@ -152,7 +152,7 @@ TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
     int count = 0;
     QCoreApplication application(count, nullptr);
     DrawingParameters chosen;
-    chosen.is_as_decoration = true;
+    chosen.settings = settings_of_decoration;
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
     meshlab_host::DrawnStyle drawn;
     drawn.style.detail = 77;
