@@ -16,9 +16,8 @@ using laplacian_lines::LineKindSet;
 
 const char* const compared = "all";
 /// Of edges in pictures, with their labels.
-const std::vector<std::pair<QString, QString>> detectors = {
-    {"log", "In the Picture: Zero Crossings of the LoG"},
-    {"canny", "In the Picture: Canny's Edges"}};
+const std::vector<std::pair<QString, QString>> detectors = {{"log", "LoG of the Picture"},
+                                                            {"canny", "Canny of the Picture"}};
 
 /// Null if this is none.
 const std::pair<QString, QString>* detectorNamed(const QString& name) {

@@ -209,7 +209,7 @@ label_of() {
     [[ $view != *,* ]] || view="${view/,/°, }°"
     label="$(basename "${MESH_FILES[$1]}")${view:+ $view}"
     [[ -z ${MESH_NOISES[$1]} ]] || label+=", noise of ${MESH_NOISES[$1]} mean edges, seed $NOISE_SEED"
-    [[ ${COLUMN_DETECTORS[$3]} == - ]] || blur=", σ = $(blur_of "$(kernel_file "$1" "$2")") pixels"
+    [[ ${COLUMN_DETECTORS[$3]} == - ]] || blur=", σ = $(blur_of "$(kernel_file "$1" "$2")") px"
     printf '%s%s%s' "$label" "${COLUMN_LABELS[$3]:+\n${COLUMN_LABELS[$3]}}" "$blur"
 }
 
