@@ -8,6 +8,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_mixture.h"
 #include "line_drawing/sheet_file.h"
+#include "mesh_reading.h"
 
 namespace {
 
@@ -70,11 +71,7 @@ void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
     result.meshes = names.mid(1);
     result.is_collection = names[0].endsWith('/') || QFileInfo(names[0]).isDir();
     if (result.is_collection) return;
-    if (result.meshes.size() > 1 || QFileInfo(result.meshes[0]).isDir())
-        refuse(
-            QString("several meshes give a drawing each: name a folder for them, such as %1/, in "
-                    "place of %2.")
-                .arg(QFileInfo(names[0]).completeBaseName(), names[0]));
+    result.meshes = meshesOf(result.meshes);
     if (has_format)
         refuse("--format goes with a folder of drawings; a file says it by its ending.");
 }
@@ -143,15 +140,21 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     if (views.isEmpty() && options.sections.empty()) views = "front";
     if (!views.isEmpty()) options.views = line_drawing::parseViews(views, up);
     if (result.is_collection) return result;
-    options.source = QFileInfo(result.meshes[0]).fileName();
-    options.title.replace("{name}", QFileInfo(result.meshes[0]).completeBaseName());
+    QStringList files, mesh_names;
+    for (const QString& mesh : result.meshes) {
+        files << QFileInfo(mesh).fileName();
+        mesh_names << QFileInfo(mesh).completeBaseName();
+    }
+    options.source = files.join(", ");
+    options.title.replace("{name}", mesh_names.join(", "));
     options.strokes = line_drawing::strokesIn(result.drawing, options.strokes);
     return result;
 }
 
 const char* usage() {
-    return "laplacian_lines_drawing FILE.svg|.pdf|.dxf|.png [OPTION...] MESH\n"
-           "                       a measured drawing of a mesh\n"
+    return "laplacian_lines_drawing FILE.svg|.pdf|.dxf|.png [OPTION...] MESH|FOLDER...\n"
+           "                       a measured drawing of a mesh, or of several that hide each "
+           "other\n"
            "laplacian_lines_drawing FOLDER/ [OPTION...] MESH|FOLDER...\n"
            "                       one of each, and a contact sheet; what is there and unchanged "
            "is\n"

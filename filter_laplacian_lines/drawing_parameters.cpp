@@ -66,6 +66,9 @@ std::vector<AnyRow> makeRows() {
                 &Parameters::sections},
         TextRow{{"title", "Title", "Stands above the note of scale, size and file."},
                 &Parameters::title},
+        rows::choice<&Parameters::is_of_all_layers>(
+            "layers", "Layers", {"Current Layer", "All Visible Layers"},
+            "All Visible Layers: together, as they stand, hiding each other."),
         rows::choice<&Parameters::settings>(
             "settings", "Settings", settingsNames({"Defaults", "As the Decoration"}),
             "As the Decoration: lines and light as the decoration Laplacian Lines has drawn them "
@@ -82,6 +85,9 @@ std::vector<AnyRow> makeRows() {
         folded(rows::choice<&Parameters::wall>(
             "wall", "Walls", {"Hatched", "Filled", "None"},
             "What sections cut: hatched, black, or its outline alone.")),
+        folded(
+            rows::choice<&Parameters::hidden>("hidden", "Hidden Lines", {"None", "Dashed"},
+                                              "Outlines, borders and creases behind the surface.")),
         folded(rows::boolean<&Parameters::has_furniture>(
             "furniture", "Scale Bar and Notes",
             "Names of views, scale bar, symbol of the projection, notes of scale, size and "

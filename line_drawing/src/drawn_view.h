@@ -24,6 +24,9 @@ struct DrawnLine {
 
 std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
 
+/// Loops around what a section cuts of one object (even-odd); none where it cuts nothing.
+using Wall = std::vector<std::vector<Eigen::Vector2d>>;
+
 /// A plane of a section that a view shows as a line. In the coordinates of the view.
 struct SectionMark {
     QString letter;
@@ -37,7 +40,7 @@ struct DrawnView {
     Eigen::AlignedBox2d bounds;  ///< of the surface
     std::vector<DrawnLine> lines;
     bool is_section = false;
-    std::vector<std::vector<Eigen::Vector2d>> walls = {};  ///< loops around what is cut (even-odd)
+    std::vector<Wall> walls = {};  ///< by object
     std::vector<SectionMark> marks = {};
 };
 

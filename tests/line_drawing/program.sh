@@ -77,7 +77,25 @@ grep -q "1 x 1 x 1 mm large" out || fail "1 mm in metres: $(cat out)"
 "$program" metres.svg "${bare[@]}" metres.off >out
 grep -q "if it is in metres, say --unit m" out || fail "no advice: $(cat out)"
 
-# --- several meshes give a drawing each and a contact sheet
+# --- several meshes in a file are one drawing
+
+mkdir scene more_of_them
+cp cube.off scene/near.off
+awk 'NR > 2 && NR < 11 { print $1 + 50, $2, $3 - 300; next } { print }' cube.off >scene/far.off
+"$program" together.svg "${bare[@]}" --title "{name}" --scale 1:1 --paper a3 scene/near.off scene/far.off >out
+grep -q "together the objects are 150 x 100 x 400 mm" out || fail "two cubes have another size: $(cat out)"
+# the far one's outline is an angle beside the near one's
+(($(grep -c "<path" together.svg) == 2)) || fail "two cubes have other outlines than theirs"
+"$program" folder.svg "${bare[@]}" --title "{name}" --scale 1:1 --paper a3 scene >/dev/null
+"$program" order.svg "${bare[@]}" --title "{name}" --scale 1:1 --paper a3 scene/{far,near}.off >/dev/null
+cmp folder.svg order.svg || fail "a folder is not drawn as its meshes"
+"$program" notes.svg --title "{name}" scene >/dev/null
+grep -q ">far, near<" notes.svg && grep -q "far.off, near.off" notes.svg || fail "the sheet does not name its objects"
+refused "points.off: the mesh has no faces" plate.svg cube.off points.off
+refused "nowhere.off: " plate.svg cube.off nowhere.off
+refused "there is no mesh in the folder" plate.svg more_of_them
+
+# --- several meshes in a folder are a drawing each and a contact sheet
 
 # drawn ARGS...: what the program says of a collection
 drawn() {
@@ -116,8 +134,6 @@ expect_says "$(drawn --format svg meshes more)" "plates/one.off.svg: drawn" "pla
 for name in one.off one.obj two three; do
     grep -q ">$name<" plates/contact_sheet.svg || fail "$name is not on the contact sheet"
 done
-refused "name a folder for them" plate.svg cube.off cube.obj
-refused "name a folder for them" plate.svg meshes
 refused "--format goes with a folder" plate.svg --format pdf cube.off
 refused "there is no mesh in the folder" plates/ plates
 refused "have the same name" plates/ cube.off meshes/../cube.off

@@ -63,6 +63,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     EXPECT_EQ(usual.arrangement, made.arrangement);
     EXPECT_EQ(usual.strokes, made.strokes);
     EXPECT_EQ(usual.wall, made.wall);
+    EXPECT_EQ(usual.hidden, made.hidden);
     EXPECT_TRUE(usual.has_notes && usual.has_scale_bar && usual.has_view_names);
 
     chosen.file = "plate.DXF";
@@ -72,6 +73,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     chosen.up = line_drawing::UpAxis::Z;
     chosen.title = "Find 17";
     chosen.wall = line_drawing::WallStyle::Filled;
+    chosen.hidden = line_drawing::HiddenLines::Dashed;
     chosen.has_furniture = false;
     const SheetOptions options = sheetOptions(chosen, std::nullopt);
     EXPECT_EQ(options.scale, 0.25);
@@ -80,6 +82,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     EXPECT_EQ(options.views.at(0).up, Eigen::Vector3d(0, 0, 1));
     EXPECT_EQ(options.strokes, line_drawing::StrokeStyle::Plain);
     EXPECT_EQ(options.title, "Find 17");
+    EXPECT_EQ(options.hidden, line_drawing::HiddenLines::Dashed);
     EXPECT_EQ(options.wall, line_drawing::WallStyle::Filled);
     EXPECT_FALSE(options.has_notes || options.has_scale_bar || options.has_view_names);
     chosen.scale = "half";
@@ -101,6 +104,8 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     given.wall = line_drawing::WallStyle::None;
     given.has_furniture = false;
     given.settings = settings_of_decoration;
+    given.is_of_all_layers = true;
+    given.hidden = line_drawing::HiddenLines::Dashed;
     RichParameterList list;
     listDrawingParameters(given, list);
     const DrawingParameters read = readDrawingParameters(list);
@@ -114,6 +119,8 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     EXPECT_EQ(read.wall, given.wall);
     EXPECT_FALSE(read.has_furniture);
     EXPECT_EQ(read.settings, settings_of_decoration);
+    EXPECT_TRUE(read.is_of_all_layers);
+    EXPECT_EQ(read.hidden, given.hidden);
     given.paper = 7;
     RichParameterList wrong;
     listDrawingParameters(given, wrong);

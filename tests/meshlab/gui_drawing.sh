@@ -80,6 +80,53 @@ expect_same_lines window.svg right.svg
 [[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
 [[ ! -e $WORK/refused.svg && ! -e $WORK/refused.bmp ]] || fail "a refused drawing was written"
 
+# All visible layers, each with its own results; a hidden one is none of them
+write_bumpy_torus 120 60 >"$WORK/ring.ply"
+drive <<END
+wait
+open torus.ply
+open ring.ply
+select-layer ring
+$(move_layer 'X Translation = 0.9' 'X Rotation = 80')
+trigger Compute Laplacian Lines
+apply
+close
+size 800x600
+trigger Export Laplacian Lines Drawing
+set Views = front, 30,20
+set Layers = All Visible Layers
+set File = both.svg
+apply
+expect-log torus.ply has no precomputed attributes
+expect-no-log ring.ply has no precomputed attributes
+expect-log Drawing of torus.ply, ring.ply: \S*both.svg, .* Together the objects are 3
+set Layers = Current Layer
+set File = ring.svg
+apply
+expect-log Drawing of ring.ply: \S*ring.svg, .* The object is
+close
+show-layer torus
+sleep 200
+trigger Export Laplacian Lines Drawing
+set Views = front, 30,20
+set Layers = All Visible Layers
+set File = shown.svg
+apply
+close
+show-layer ring
+sleep 200
+trigger Export Laplacian Lines Drawing
+set Layers = All Visible Layers
+set File = refused.svg
+apply
+expect-modal Filter Failure.*No visible layer can be drawn
+button OK
+close
+END
+cmp "$WORK/ring.svg" "$WORK/shown.svg" || fail "a hidden layer is drawn"
+(($(paths both.svg | wc -l) > $(paths ring.svg | wc -l))) || fail "one of two layers is not drawn"
+[[ ! -e $WORK/refused.svg ]] || fail "nothing was drawn into a file"
+
 # Layers as they stand: turned, larger, stretched; and as the decoration draws
 drive <<END
 wait

@@ -48,7 +48,7 @@ struct SheetOptions {
     QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
     StrokeStyle strokes = StrokeStyle::Tapered;
     WallStyle wall = WallStyle::Hatched;
-    HiddenLines hidden = HiddenLines::LeftOut;  ///< not in half sections
+    HiddenLines hidden = HiddenLines::LeftOut;
     /// Widths in mm, by LineClass.
     std::array<double, line_class_count> pens = {0.5, 0.25, 0.13, 0.35, 0.18};
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper

@@ -18,6 +18,9 @@ struct StripKind {
     LineRules (*rules)(const LineStyle&, bool light_at_eye);
 };
 
+/// What rules of kinds that are told by slopes have in common: all but the kinds' own thresholds.
+LineRules rules_by_slope(LineKind kind, const LineStyle& style);
+
 extern const StripKind laplacian_line_strips;  ///< laplacian_lines.cpp
 extern const StripKind contour_strips;         ///< contours.cpp
 extern const StripKind suggestive_contour_strips, suggestive_highlight_strips;

@@ -2,8 +2,6 @@
 // Which suggestive contours and highlights a style shows: D. DeCarlo, A. Finkelstein, S.
 // Rusinkiewicz, A. Santella, "Suggestive Contours for Conveying Shape" (2003); D. DeCarlo, S.
 // Rusinkiewicz, "Highlight Lines for Conveying Shape" (2007).
-#include <cmath>
-
 #include "redraw/kinds/strip_kinds.h"
 
 namespace laplacian_lines {
@@ -13,20 +11,12 @@ namespace {
 /// and view, times h_e, all to the power 1.5.
 LineRules rules_of(const LineStyle& s, LineKind kind, float slope) {
     const auto factor = float(threshold_factor(s.detail));
-    LineRules rules;
-    rules.kind = kind;
+    LineRules rules = rules_by_slope(kind, s);
     rules.least_facing = 0;
     rules.leave_out_away = true;
-    rules.leave_out_plain = s.shows[LineKind::Crease];
-    rules.use_slope = true;
     rules.segment_slope = factor * slope;
     rules.line_slope = 2 * factor * slope;
     rules.full_slope = 8 * slope;
-    rules.least_length = float(std::sqrt(factor) * s.shortest_line);
-    rules.fading = float(s.fading);
-    rules.smoothing_passes = smoothing_passes(s.line_smoothing);
-    rules.end_length = float(s.end_length);
-    if (s.shows[LineKind::Contour]) rules.contour_clearance = float(s.contour_clearance);
     return rules;
 }
 

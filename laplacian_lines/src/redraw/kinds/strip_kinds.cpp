@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "redraw/kinds/strip_kinds.h"
+
+#include <cmath>
+
+namespace laplacian_lines {
+
+LineRules rules_by_slope(LineKind kind, const LineStyle& s) {
+    LineRules rules;
+    rules.kind = kind;
+    rules.leave_out_plain = s.shows[LineKind::Crease];
+    rules.use_slope = true;
+    rules.least_length = float(std::sqrt(threshold_factor(s.detail)) * s.shortest_line);
+    rules.fading = float(s.fading);
+    rules.smoothing_passes = smoothing_passes(s.line_smoothing);
+    rules.end_length = float(s.end_length);
+    if (s.shows[LineKind::Contour]) rules.contour_clearance = float(s.contour_clearance);
+    return rules;
+}
+
+}  // namespace laplacian_lines
