@@ -8,6 +8,7 @@
 
 #include "drawing_sheet.h"
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/line_mixture.h"
 #include "meshlab_host/drawn_style.h"
 #include "places.h"
 
@@ -172,6 +173,18 @@ TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
     drawn.light.reset();
     meshlab_host::noteDrawnStyle(drawn);
     EXPECT_FALSE(sheetOptions(chosen, std::nullopt).light);
+}
+
+TEST(DrawingParameters, TakeTheKindsOfMixtures) {
+    for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
+        DrawingParameters chosen;
+        chosen.settings = settings_of_decoration + 1 + int(i);
+        const SheetOptions options = sheetOptions(chosen, std::nullopt);
+        for (const auto& kind : laplacian_lines::line_kinds)
+            EXPECT_EQ(options.style.shows[kind.kind],
+                      laplacian_lines::line_mixtures[i].kinds[kind.kind])
+                << laplacian_lines::line_mixtures[i].key << ": " << kind.key;
+    }
 }
 
 }  // namespace
