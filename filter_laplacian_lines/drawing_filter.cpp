@@ -35,9 +35,11 @@ QString lengths(const Eigen::Vector3d& size) {
 QString report(const PlacedLayers& layers, const QString& file, const Sheet& sheet,
                const Eigen::Vector3d& size, const SheetOptions& options) {
     return QString(
-               "Drawing of %1: %2, scale %3 on paper of %4 x %5 mm. %6 %7 large, with %8 mm to the "
+               "Drawing of %1: %2, %3 on paper of %4 x %5 mm. %6 %7 large, with %8 mm to the "
                "unit of the mesh.")
-        .arg(namesOf(layers), file, line_drawing::scaleInWords(sheet.scale))
+        .arg(namesOf(layers), file,
+             sheet.scale > 0 ? "scale " + line_drawing::scaleInWords(sheet.scale)
+                             : "in perspective and so without a scale")
         .arg(sheet.size.width())
         .arg(sheet.size.height())
         .arg(QString(layers.size() > 1 ? "Together the objects are" : "The object is"),
@@ -71,8 +73,6 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     line_drawing::checkSheetFile(chosen.file);
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::currentView();
     SheetOptions options = sheetOptions(chosen, window);
-    if (usesWindow(chosen) && !window->is_orthographic)
-        run.say("The window shows perspective; drawn is what parallel rays along its view show.");
     const PlacedLayers layers = placeLayers(
         {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, field_share);
     options.source = namesOf(layers);

@@ -37,16 +37,15 @@ std::vector<const char*> paperChoices() {
 std::vector<AnyRow> makeRows() {
     return {
         TextRow{{"file", "File",
-                 "The drawing to write; its ending says what it is: .svg, .pdf, .dxf or .png. A "
-                 "file of "
-                 "this name is replaced.",
+                 "Its ending says what it is: .svg, .pdf, .dxf or .png. A file of this name is "
+                 "replaced.",
                  "Drawings (*.svg *.pdf *.dxf *.png)"},
                 &Parameters::file},
         TextRow{
             {"views", "Views",
-             "From where the object is seen: window, along the view of MeshLab's window, front, "
-             "back, left, right, top, bottom, six (all of these), vessel (half section, half "
-             "view), or azimuth and elevation in degrees, such as 30,15; several with commas."},
+             "Several with commas: window, as in MeshLab, front, back, left, right, top, bottom, "
+             "six (all of these), vessel (half section, half view), or two angles, azimuth and "
+             "elevation, such as 30,15."},
             &Parameters::views},
         TextRow{{"scale", "Scale",
                  "Drawn to true length, such as 1:2 or 2:1; fit: the largest usual one that fits "

@@ -23,13 +23,15 @@ const char* const window_word = "window";
 }
 
 ViewFrame frameOf(const CurrentView& window) {
-    return {line_drawing::Side::Other, "View", window.up.cross(window.towards_viewer), window.up,
-            window.towards_viewer};
+    ViewFrame frame{line_drawing::Side::Other, "View", window.up.cross(window.towards_viewer),
+                    window.up, window.towards_viewer};
+    if (!window.is_orthographic) frame.eye = window.eye;
+    return frame;
 }
 
 std::vector<ViewFrame> viewsOf(const DrawingParameters& chosen,
                                const std::optional<CurrentView>& window) {
-    if (usesWindow(chosen) && !window)
+    if (chosen.views.contains(window_word, Qt::CaseInsensitive) && !window)
         refuse(
             "There is no window whose view could be drawn. Name other \"Views\", such as front, "
             "six or 30,15.");
@@ -49,10 +51,6 @@ void takeFromDecoration(SheetOptions& options) {
 }
 
 }  // namespace
-
-bool usesWindow(const DrawingParameters& chosen) {
-    return chosen.views.contains(window_word, Qt::CaseInsensitive);
-}
 
 SheetOptions sheetOptions(const DrawingParameters& chosen,
                           const std::optional<CurrentView>& window) {

@@ -55,9 +55,8 @@ HalfSection::HalfSection(const Objects& objects, const laplacian_lines::Triangle
 
 void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) const {
     const int across = axisAlong(behind_.normal);
-    const auto flat = [&](const Cut& cut) {
-        return positionsOf(project(cut, drawn.frame, middle, unit));
-    };
+    const Projection projection(drawn.frame, middle);
+    const auto flat = [&](const Cut& cut) { return positionsOf(project(cut, projection, unit)); };
     std::vector<Vector2d> points;
     std::vector<Cut> cut_lines;
     for (const Object& object : objects_) {
@@ -72,7 +71,7 @@ void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) co
     }
     if (points.empty()) return;
     for (const Cut& cut : clip(cut_lines, left()))
-        drawn.lines.push_back(project(cut, drawn.frame, middle, unit));
+        drawn.lines.push_back(project(cut, projection, unit));
     const double height = drawn.bounds.sizes().y(), at = unit * right_.depth(middle);
     const Level rim = levelOf(points, 1, level_share * height),
                 base = levelOf(points, -1, level_share * height);

@@ -20,7 +20,7 @@ public:
     HalfSpace right() const { return right_; }
 
     /// Adds to a view the section, the axis and the lines through rim and base. Lines of the view
-    /// that show through the wall are taken away. `middle` and `unit` as in project().
+    /// that show through the wall are taken away. `unit` as in project(), `middle` as in Projection.
     void draw(DrawnView& drawn, const Eigen::Vector3d& middle, double unit) const;
 
 private:

@@ -8,6 +8,7 @@
 #include "place_on_axis.h"
 #include "progress_part.h"
 #include "section_marks.h"
+#include "words.h"
 
 namespace line_drawing {
 
@@ -57,14 +58,20 @@ Observer::Observer(const Objects& objects, const Progress& progress)
 
 DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) const {
     const double unit = options.mm_per_unit;
-    const Eigen::AlignedBox2d bounds = boundsOf(surface_.mesh(), frame, box_.center());
+    const Eigen::AlignedBox2d bounds = Projection(frame, box_.center()).boundsOf(surface_.mesh());
+    if (frame.eye && bounds.isEmpty())
+        refuse("All of the object is behind the eye of a view in perspective.");
     return {frame, {unit * bounds.min(), unit * bounds.max()},
             {},    false,
             {},    marksOf(frame, options, box_)};
 }
 
 void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progress& progress) {
-    auto view = laplacian_lines::View::orthographic(drawn.frame.towards_viewer);
+    laplacian_lines::View view = Projection(drawn.frame, box_.center()).view();
+    if (drawn.frame.eye && visibility_.encloses(*drawn.frame.eye))
+        refuse(
+            "The eye of a view in perspective is inside the surface. Move it outside, or take a "
+            "view without perspective.");
     if (options.light) view.light = inMesh(*options.light, drawn.frame);
     std::vector<laplacian_lines::LineSet> lines(objects_.size());
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -75,8 +82,9 @@ void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progres
 
 std::vector<DrawnLine> Observer::draw(const laplacian_lines::LineParts& parts,
                                       const ViewFrame& frame, const SheetOptions& options) const {
+    const Projection projection(frame, box_.center());
     const auto project_lines = [&](const laplacian_lines::LineSet& lines) {
-        return project(lines, frame, box_.center(), options.mm_per_unit);
+        return project(projection.inSight(lines), projection, options.mm_per_unit);
     };
     std::vector<DrawnLine> drawn = project_lines(parts.seen);
     if (options.hidden == HiddenLines::LeftOut) return drawn;
@@ -112,10 +120,11 @@ DrawnView Observer::cut(const Section& section, const SheetOptions& options) con
     DrawnView drawn = stand(frameOfSection(section, options.up), options);
     drawn.is_section = true;
     drawn.marks.clear();
+    const Projection projection(drawn.frame, box_.center());
     for (const Object& object : objects_) {
         Wall& wall = drawn.walls.emplace_back();
         for (const Cut& cut : cutMesh(object.mesh, section.axis, placeOnAxis(section, box_))) {
-            drawn.lines.push_back(project(cut, drawn.frame, box_.center(), options.mm_per_unit));
+            drawn.lines.push_back(project(cut, projection, options.mm_per_unit));
             if (drawn.lines.back().closed) wall.push_back(positionsOf(drawn.lines.back()));
         }
     }

@@ -111,9 +111,9 @@ TEST(SeveralObjects, EachHasItsOwnWallInSections) {
     EXPECT_GT(rising, 80);
     EXPECT_NEAR(rising, falling, 3);
     options.wall = WallStyle::Filled;
+    const Sheet filled = sheetOfAll({cube, moved(cube, {100, 0, 0})}, options);
     int areas = 0;
-    for (const SheetPath& path :
-         layerOf(sheetOfAll({cube, moved(cube, {100, 0, 0})}, options).groups[1], "section").paths)
+    for (const SheetPath& path : layerOf(filled.groups[1], "section").paths)
         areas += path.pen_width == 0;
     EXPECT_EQ(areas, 2);
 }

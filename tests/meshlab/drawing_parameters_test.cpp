@@ -43,14 +43,16 @@ TEST(DrawingParameters, ViewsKeepTheirOrder) {
 TEST(DrawingParameters, TheViewOfTheWindowHasItsUpwardDirection) {
     DrawingParameters chosen;
     chosen.views = "window";
-    EXPECT_TRUE(usesWindow(chosen));
     const line_drawing::ViewFrame view = sheetOptions(chosen, window).views.at(0);
     EXPECT_EQ(view.towards_viewer, Eigen::Vector3d(1, 0, 0));
     EXPECT_EQ(view.up, Eigen::Vector3d(0, 0, 1));
     EXPECT_EQ(view.right, Eigen::Vector3d(0, 1, 0));
+    EXPECT_FALSE(view.eye);
+    CurrentView perspective = window;
+    perspective.is_orthographic = false;
+    EXPECT_EQ(sheetOptions(chosen, perspective).views.at(0).eye, window.eye);
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
     chosen.views = "front";
-    EXPECT_FALSE(usesWindow(chosen));
     EXPECT_EQ(sheetOptions(chosen, std::nullopt).views.size(), 1u);
 }
 

@@ -42,7 +42,9 @@ struct SheetOptions {
     std::vector<line_drawing::Section> sections;  ///< drawn after the views
     UpAxis up = UpAxis::Y;                        ///< of sections; views know theirs
     Arrangement arrangement = Arrangement::FirstAngle;
-    /// Drawn length over true length. 0: the largest usual scale that fits the paper.
+    /// Drawn length over true length. 0: the largest usual scale that fits the paper. Views in
+    /// perspective have none: beside others they are as large as at the middle of the object, and
+    /// alone they fill the paper.
     double scale = 0;
     double mm_per_unit = 1;  ///< true length of a unit of the mesh
     QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
