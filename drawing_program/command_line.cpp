@@ -6,6 +6,7 @@
 #include <map>
 
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/line_mixture.h"
 #include "line_drawing/sheet_file.h"
 #include "mesh_reading.h"
 
@@ -55,6 +56,14 @@ double parseDpi(const QString& option, const QString& word) {
     return dpi;
 }
 
+laplacian_lines::LineKindSet parseKinds(const QString& option, const QString& names) {
+    const auto kinds = laplacian_lines::kinds_named(names.toStdString());
+    if (!kinds)
+        refuse(QString("%1 is \"%2\". It has to be some of %3, with commas between.")
+                   .arg(option, names, QString::fromStdString(laplacian_lines::names_of_kinds())));
+    return *kinds;
+}
+
 /// A folder of drawings is one that is there, or whose name ends like one.
 void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
     if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
@@ -95,6 +104,8 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         {"--strokes",
          [&](const QString& o, const QString& v) { options.strokes = chosen(o, v, strokes); }},
         {"--wall", [&](const QString& o, const QString& v) { options.wall = chosen(o, v, walls); }},
+        {"--kinds",
+         [&](const QString& o, const QString& v) { options.style.shows = parseKinds(o, v); }},
         {"--hidden",
          [&](const QString& o, const QString& v) { options.hidden = chosen(o, v, hidden); }},
         {"--furniture",
@@ -156,6 +167,8 @@ const char* usage() {
            "  --section x|y|z=0..1 a section across an axis, where on the way through the object;\n"
            "                       more than one if repeated\n"
            "  --wall hatched|filled|none  what sections cut (hatched)\n"
+           "  --kinds NAMES        of lines, with the outlines: usual, laplacian_lines, ridges,\n"
+           "                       apparent_ridges and so on, with commas; a wrong one lists all\n"
            "  --hidden none|dashed outlines and creases behind the surface (none)\n"
            "  --up x|y|z           the axis of the mesh that points up (y)\n"
            "  --unit mm|cm|m|in    the unit of the mesh (mm)\n"

@@ -41,9 +41,12 @@ std::vector<TriangleMesh> readMeshes(const QStringList& files) {
     return meshes;
 }
 
-laplacian_lines::Field fieldOf(const TriangleMesh& mesh, const QString& file) {
+laplacian_lines::Field fieldOf(const TriangleMesh& mesh, const QString& file,
+                               const laplacian_lines::LineStyle& style) {
+    laplacian_lines::PrecomputeOptions options;
+    options.curvature_derivatives = style.shows.needs_derivatives();
     try {
-        return laplacian_lines::precompute(mesh);
+        return laplacian_lines::precompute(mesh, options);
     } catch (const laplacian_lines::Error& error) {
         throw laplacian_lines::Error(error.code(), file.toStdString() + ": " + error.what());
     }
@@ -69,7 +72,7 @@ void drawOne(const CommandLine& commands) {
     if (has_view) options.push_back(line_drawing::contactOptions(meshes.front(), commands.options));
     std::vector<laplacian_lines::Field> fields;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        fields.push_back(fieldOf(meshes[i], commands.meshes[int(i)]));
+        fields.push_back(fieldOf(meshes[i], commands.meshes[int(i)], commands.options.style));
     line_drawing::Objects objects;
     for (std::size_t i = 0; i < meshes.size(); ++i)
         objects.push_back({meshes[i], fields[i]});

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "laplacian_lines/option_rows.h"
+#include "settings_choice.h"
 
 namespace {
 
@@ -67,10 +68,11 @@ std::vector<AnyRow> makeRows() {
         rows::choice<&Parameters::is_of_all_layers>(
             "layers", "Layers", {"Current Layer", "All Visible Layers"},
             "All Visible Layers: together, as they stand, hiding each other."),
-        rows::choice<&Parameters::is_as_decoration>(
-            "settings", "Settings", {"Defaults", "As the Decoration"},
+        rows::choice<&Parameters::settings>(
+            "settings", "Settings", settingsNames({"Defaults", "As the Decoration"}),
             "As the Decoration: lines and light as the decoration Laplacian Lines has drawn them "
-            "last. Needs a window in which it has."),
+            "last. Needs a window in which it has. The others: lines of these kinds, with the "
+            "outlines."),
         folded(rows::choice<&Parameters::arrangement>(
             "arrangement", "Arrangement", {"First Angle", "Third Angle"},
             "How views lie around the front view. First angle (Europe): what is seen from the left "

@@ -6,6 +6,7 @@
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "meshlab_host/drawn_style.h"
+#include "settings_choice.h"
 
 using line_drawing::SheetOptions;
 using line_drawing::ViewFrame;
@@ -69,6 +70,7 @@ SheetOptions sheetOptions(const DrawingParameters& chosen,
     options.hidden = chosen.hidden;
     options.title = chosen.title;
     options.has_view_names = options.has_scale_bar = options.has_notes = chosen.has_furniture;
-    if (chosen.is_as_decoration) takeFromDecoration(options);
+    if (chosen.settings == settings_of_decoration) takeFromDecoration(options);
+    if (const auto* mixture = mixtureAt(chosen.settings)) options.style.shows = mixture->kinds;
     return options;
 }

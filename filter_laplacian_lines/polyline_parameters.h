@@ -25,7 +25,8 @@ enum class ViewChoice {
     Top,
     Bottom
 };
-enum class SettingsChoice { AsSetBelow, AsTheDecoration };
+/// From FirstMixture on they are laplacian_lines::line_mixtures.
+enum class SettingsChoice { AsSetBelow, AsTheDecoration, FirstMixture };
 enum class LightChoice { AtTheEye, FromADirection };
 
 /// An orthographic view along an axis of the world, as in MeshLab's menu; of the choices from Front
@@ -42,8 +43,7 @@ struct PolylineParameters {
     LightChoice light = LightChoice::AtTheEye;
     Eigen::Vector3d light_direction = Eigen::Vector3d::UnitZ();  ///< towards the light
     laplacian_lines::LineStyle style;
-    // Only the decoration has the following.
-    std::optional<meshlab_host::CameraLight> camera_light;
+    std::optional<meshlab_host::CameraLight> camera_light;  ///< only the decoration has one
     meshlab_host::KindColors colors = meshlab_host::usualKindColors();
 };
 

@@ -43,6 +43,7 @@ refused "is no section" plate.svg --section y cube.off
 refused "no scale" plate.svg --scale 2 cube.off
 refused "Take the scale" plate.svg --scale 9:1 cube.off
 refused "has to be one of" plate.svg --up w cube.off
+refused "--kinds is \"ridge\". It has to be some of usual, laplacian_lines, " plate.svg --kinds ridge cube.off
 refused "unknown option" plate.svg --colour red cube.off
 refused "needs a value" plate.svg cube.off --up
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >points.off

@@ -8,6 +8,7 @@
 
 #include "drawing_sheet.h"
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/line_mixture.h"
 #include "meshlab_host/drawn_style.h"
 #include "places.h"
 
@@ -105,7 +106,7 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     given.strokes = line_drawing::StrokeStyle::Plain;
     given.wall = line_drawing::WallStyle::None;
     given.has_furniture = false;
-    given.is_as_decoration = true;
+    given.settings = settings_of_decoration;
     given.is_of_all_layers = true;
     given.hidden = line_drawing::HiddenLines::Dashed;
     RichParameterList list;
@@ -120,7 +121,7 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     EXPECT_EQ(read.strokes, given.strokes);
     EXPECT_EQ(read.wall, given.wall);
     EXPECT_FALSE(read.has_furniture);
-    EXPECT_TRUE(read.is_as_decoration);
+    EXPECT_EQ(read.settings, settings_of_decoration);
     EXPECT_TRUE(read.is_of_all_layers);
     EXPECT_EQ(read.hidden, given.hidden);
     given.paper = 7;
@@ -161,7 +162,7 @@ TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
     int count = 0;
     QCoreApplication application(count, nullptr);
     DrawingParameters chosen;
-    chosen.is_as_decoration = true;
+    chosen.settings = settings_of_decoration;
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
     meshlab_host::DrawnStyle drawn;
     drawn.style.detail = 77;
@@ -174,6 +175,18 @@ TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
     drawn.light.reset();
     meshlab_host::noteDrawnStyle(drawn);
     EXPECT_FALSE(sheetOptions(chosen, std::nullopt).light);
+}
+
+TEST(DrawingParameters, TakeTheKindsOfMixtures) {
+    for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
+        DrawingParameters chosen;
+        chosen.settings = settings_of_decoration + 1 + int(i);
+        const SheetOptions options = sheetOptions(chosen, std::nullopt);
+        for (const auto& kind : laplacian_lines::line_kinds)
+            EXPECT_EQ(options.style.shows[kind.kind],
+                      laplacian_lines::line_mixtures[i].kinds[kind.kind])
+                << laplacian_lines::line_mixtures[i].key << ": " << kind.key;
+    }
 }
 
 }  // namespace

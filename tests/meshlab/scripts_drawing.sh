@@ -56,6 +56,11 @@ draw plate.pdf views=front,left title="A plate"
 [[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
 expect_same_as_program plate.pdf --views front,left --title "A plate"
 
+# kinds of lines by mixtures, whose numbers are those of Settings
+draw ridges.svg settings=5
+expect_same_as_program ridges.svg --kinds apparent_ridges
+! cmp -s "$WORK/ridges.svg" "$WORK/front.svg" || fail "apparent ridges look like the usual lines"
+
 draw plate.png views=six
 expect_same_as_program plate.png --views six
 draw hidden.svg views=30,40 hidden=1
