@@ -44,7 +44,9 @@ void transfer(Archive&& archive, TriangleMesh& mesh, Field& field) {
 void prepare(const std::string& file, const std::string& mesh_file) {
     std::ofstream out(file, std::ios::binary);
     TriangleMesh mesh = test_meshes::read_mesh(mesh_file);
-    Field field = precompute(mesh);
+    PrecomputeOptions options;
+    options.curvature_derivatives = true;
+    Field field = precompute(mesh, options);
     transfer(
         [&](const auto& values) {
             const std::size_t count = values.size();
@@ -70,10 +72,12 @@ void read(const std::string& file, TriangleMesh& mesh, Field& field) {
         mesh, field);
 }
 
+/// 0 where nobody counts them.
 std::size_t passed_triangles(const std::string& key, const Redraws::Crossings& crossings) {
     if (key.find("plain_laplacian") == 0) return crossings.laplacian;
     if (key == "plain_contours") return crossings.contour;
     if (key == "suggestive_contours") return crossings.suggestive;
+    if (key.find("kind_") == 0) return 0;
     return crossings.laplacian + crossings.contour;
 }
 
@@ -97,7 +101,7 @@ void count_all(const std::string& file) {
     Field field;
     read(file, mesh, field);
     Redraws redraws(mesh, field);
-    for (const auto& contenders : {redraws.fast(), redraws.plain()})
+    for (const auto& contenders : {redraws.fast(), redraws.kinds(), redraws.plain()})
         for (const Contender& contender : contenders)
             if (contender.key != "lines_two_threads")
                 count(contender, redraws, mesh.positions.size());

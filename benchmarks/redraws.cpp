@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "kind_styles.h"
 #include "orbit.h"
 
 namespace benchmarks {
@@ -89,6 +90,13 @@ std::vector<Contender> Redraws::fast() {
                 extraction(key, std::string("the same by ") + name_of(set), set, 1, style_));
     contenders.push_back(
         extraction("default_style", "the same with ridges and borders", best_, 1, LineStyle()));
+    return contenders;
+}
+
+std::vector<Contender> Redraws::kinds() {
+    std::vector<Contender> contenders;
+    for (const NamedStyle& style : kind_styles())
+        contenders.push_back(extraction("kind_" + style.key, style.text, best_, 1, style.style));
     return contenders;
 }
 

@@ -24,6 +24,8 @@ public:
     /// The extractor in the default style, but for ridges and borders, which do not depend on the
     /// view; by instruction set and threads. They use this object.
     std::vector<Contender> fast();
+    /// Each style of kind_styles(), likewise. Kinds that need C have nothing to draw without it.
+    std::vector<Contender> kinds();
     /// Plain ways to draw less, on one thread. They use this object.
     std::vector<Contender> plain();
     /// Reading the memory of the plain mesh, and as much as the extractor holds.

@@ -77,10 +77,19 @@ struct Reader {
     }
 };
 
+void putMixtureIntoEffect(DecorationParameters& parameters) {
+    const laplacian_lines::LineMixture* mixture = mixtureOf(parameters);
+    if (!mixture) return;
+    parameters.style.shows = mixture->kinds;
+    parameters.lines.colored = mixture->colored;
+}
+
+/// Without their color, those of a mixture that have one would be taken for others.
 void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
     if (style == DrawingStyle::Custom) return;
-    for (line_renderer::LineLook& look : parameters.appearance.looks)
-        look.color = Qt::black;
+    for (const auto& kind : laplacian_lines::line_kinds)
+        if (!mixtureOf(parameters) || !parameters.lines.colored[kind.kind])
+            parameters.appearance.looks[std::size_t(kind.kind)].color = Qt::black;
     parameters.surface.style = line_renderer::SurfaceAppearance::Paper;
     parameters.surface.paper = Qt::white;
     parameters.background = Background::Paper;
@@ -91,6 +100,7 @@ void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
 DecorationParameters read(const RichParameterList& list, std::set<std::string>* refused) {
     DecorationParameters result;
     visitRows(Reader{result, list, refused});
+    putMixtureIntoEffect(result);
     // contours without width must not push other lines aside
     if (result.lines.outline_factor == 0)
         result.style.shows[laplacian_lines::LineKind::Contour] = false;
@@ -109,6 +119,11 @@ std::vector<DecorationField> decorationFields() {
     std::vector<DecorationField> fields;
     visitRows(Describer{fields});
     return fields;
+}
+
+const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters) {
+    if (parameters.mixture == as_switched) return nullptr;
+    return &laplacian_lines::line_mixtures.at(std::size_t(parameters.mixture - 1));
 }
 
 DecorationParameters readDecorationParameters(const RichParameterList& list) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/line_style.h"
 #include "line_choice.h"
 #include "line_renderer/line_appearance.h"
@@ -15,6 +16,9 @@
 
 /// A choice of looks by one parameter, which then counts more than the others it stands for.
 enum class DrawingStyle { Custom, Publication, Archaeology };
+
+/// The kinds of lines are those that are switched on; otherwise a mixture says which.
+constexpr int as_switched = 0;
 
 /// What is seen where no surface is.
 enum class Background { AsMeshLabDrawsIt, Paper };
@@ -27,6 +31,7 @@ enum class Light { AtTheEye, FixedToTheCamera };
 /// What the user chose in MeshLab's decoration parameters, which are the same for all views.
 struct DecorationParameters {
     DrawingStyle drawing_style = DrawingStyle::Custom;
+    int mixture = as_switched;  ///< of laplacian_lines::line_mixtures, counted from 1
     laplacian_lines::LineStyle style;
     LineChoice lines;
     line_renderer::LineAppearance appearance;  ///< its looks are those of `lines` and the style
@@ -51,7 +56,10 @@ struct DecorationField {
 };
 std::vector<DecorationField> decorationFields();
 
-/// The drawing style is already put into effect in what it stands for.
+/// Null if the kinds are as switched.
+const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters);
+
+/// Drawing style and mixture are already put into effect in what they stand for.
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
 DecorationParameters readDecorationParameters(const RichParameterList& list);
 

@@ -60,6 +60,6 @@ DecorationSetting readDecorationSetting(const QString& text) {
     for (const TextRow& row : textRows())
         if (name.compare(row.label, Qt::CaseInsensitive) == 0 ||
             name.compare(row.key, Qt::CaseInsensitive) == 0)
-            return {row.label, row.value(text.section('=', 1).trimmed())};
+            return {row.key, row.label, row.value(text.section('=', 1).trimmed())};
     refuse(QString("The decoration has no parameter \"%1\".").arg(name));
 }

@@ -5,6 +5,7 @@
 
 /// A parameter of the decoration and its value, as the field in the layer dialog has them.
 struct DecorationSetting {
+    QString key;
     QString label;
     QString value;
 };

@@ -5,11 +5,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_rows.h"
 
 namespace {
 
 using namespace laplacian_lines::option_rows;
+using laplacian_lines::LineKind;
 using laplacian_lines::OptionKind;
 using line_renderer::LineAppearance;
 using line_renderer::SurfaceAppearance;
@@ -26,6 +28,13 @@ template <class Row>
 ParameterRow forExperts(Row row) {
     row.for_experts = true;
     return row;
+}
+
+std::vector<const char*> mixtureNames() {
+    std::vector<const char*> names = {"Laplacian Lines, as Switched"};
+    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::line_mixtures)
+        names.push_back(mixture.label);
+    return names;
 }
 
 template <auto... Path>
@@ -47,6 +56,11 @@ ParameterGroup everyday() {
              "black lines on white paper that fills the view, whatever those say. Archaeology: the "
              "same, with the light fixed to the camera, by default on the upper left. The other "
              "parameters count in all styles."),
+         choice<&Parameters::mixture>(
+             "lines", "Lines", mixtureNames(),
+             "Which kinds of lines are drawn, each with the outlines: those that are switched on, "
+             "or one of the kinds of other papers, for comparison. The last has all at once, each "
+             "in a color of its own."),
          style("detail"),
          real<line_choice, &LineChoice::width>(
              "line_width", "Line Width", 0.1, 64,
@@ -60,13 +74,43 @@ ParameterGroup everyday() {
          choice<&Parameters::appearance, &LineAppearance::hidden>(
              "hidden_lines", "Hidden Lines", {"Left Out", "Faint", "Dashed"},
              "What is drawn of lines that the surface hides: nothing, faint lines, or dashes."),
-         style("contours"), style("laplacian_lines"), style("single_strokes"), style("ridges"),
-         style("ridge_angle"), style("creases"), style("crease_angle"), style("borders"),
+         style("contours"), style("laplacian_lines"), forExperts(style("single_strokes")),
+         forExperts(style("ridges")), style("ridge_angle"), forExperts(style("creases")),
+         style("crease_angle"), forExperts(style("borders")),
          choice<&Parameters::shown>(
              "parameters", "Parameters", {"Basic", "All"},
              "Which parameters are shown: those that everybody uses, or also surface, background, "
              "light and what decides which lines are drawn. Those that are not shown keep their "
              "values.")}};
+}
+
+/// The color of a kind that has one of its own.
+template <LineKind Kind>
+ColorRow kindColor(const char* key, const char* label) {
+    return {
+        key,
+        label,
+        "Where all kinds are drawn in colors, and wherever another color than the default is "
+        "chosen here; otherwise that of other lines.",
+        [](Parameters& parameters) -> QColor& { return parameters.lines.own[std::size_t(Kind)]; },
+        true,
+        Kind};
+}
+
+ParameterGroup colorsOfKinds() {
+    return {
+        "Colors of Kinds",
+        {
+            kindColor<LineKind::Ridge>("ridge_color", "Ridge Color"),
+            kindColor<LineKind::Valley>("valley_color", "Valley Color"),
+            kindColor<LineKind::DemarcatingCurve>("demarcation_color", "Demarcation Color"),
+            kindColor<LineKind::SuggestiveContour>("suggestive_color", "Suggestive Contour Color"),
+            kindColor<LineKind::SuggestiveHighlight>("highlight_color", "Highlight Color"),
+            kindColor<LineKind::ApparentRidge>("apparent_color", "Apparent Ridge Color"),
+            kindColor<LineKind::PhoticExtremum>("photic_color", "Photic Extremum Color"),
+            kindColor<LineKind::Crease>("crease_color", "Crease Color"),
+            kindColor<LineKind::Border>("border_color", "Border Color"),
+        }};
 }
 
 ParameterGroup surface() {
@@ -136,6 +180,7 @@ ParameterGroup experts() {
 }  // namespace
 
 const std::vector<ParameterGroup>& decorationTable() {
-    static const std::vector<ParameterGroup> table = {everyday(), surface(), light(), experts()};
+    static const std::vector<ParameterGroup> table = {everyday(), surface(), light(),
+                                                      colorsOfKinds(), experts()};
     return table;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct ColorRow {
     const char* help;
     QColor& (*color)(DecorationParameters&);
     bool for_experts = false;
+    std::optional<laplacian_lines::LineKind> kind = {};  ///< whose own color it is
 };
 
 /// A parameter: one of the decoration's own or of the core's line style.

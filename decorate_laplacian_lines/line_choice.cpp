@@ -8,12 +8,28 @@ using laplacian_lines::LineKindDescription;
 using line_renderer::LineLook;
 using line_renderer::LineLooks;
 
+ColorsOfKinds keyColors() {
+    ColorsOfKinds colors;
+    std::transform(laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(),
+                   colors.begin(),
+                   [](const LineKindDescription& kind) { return QColor(kind.key_color); });
+    return colors;
+}
+
+laplacian_lines::LineKindSet usuallyColored() {
+    laplacian_lines::LineKindSet set;
+    for (const LineKindDescription& kind : laplacian_lines::line_kinds)
+        set[kind.kind] = kind.color != 0;
+    return set;
+}
+
 LineLook lookOf(const LineKindDescription& kind, const LineChoice& choice) {
     const LineKindDescription& model =
         describe(kind.is_outline ? LineKind::Contour : LineKind::Laplacian);
-    const QColor& chosen = kind.is_outline ? choice.outline_color : choice.color;
+    const QColor& common = kind.is_outline ? choice.outline_color : choice.color;
+    const QColor& own = choice.own.at(std::size_t(kind.kind));
     const double factor = kind.is_outline ? choice.outline_factor : 1;
-    return {kind.color == model.color ? chosen : QColor(kind.color),
+    return {choice.colored[kind.kind] || own != QColor(kind.key_color) ? own : common,
             choice.width * factor * (kind.width / model.width)};
 }
 

@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "overrulers.h"
+
 using line_renderer::SurfaceAppearance;
 using meshlab_host::PanelField;
 using meshlab_host::PanelLine;
@@ -17,18 +19,15 @@ const std::vector<Keys> first_lines = {
     {"detail", "line_width"},
     {"line_color", "contour_color"},
     {"hidden_lines", "parameters"},
+    {"lines"},
     {"contours", "laplacian_lines"},
-    {"borders", "single_strokes"},
-    {"ridges", "creases"},
+    {"single_strokes", "ridges"},
+    {"creases", "borders"},
     {"ridge_angle", "crease_angle"},
 };
 
 QString obstacleOf(const std::string& key, const DecorationParameters& chosen) {
-    static const std::set<std::string> overruled = {"line_color",  "contour_color", "surface",
-                                                    "tones",       "background",    "paper_color",
-                                                    "shade_color", "light"};
-    if (chosen.drawing_style != DrawingStyle::Custom && overruled.count(key))
-        return "The drawing style sets this. Choose Custom to set it here.";
+    if (isOverruled(key, chosen)) return overrulerOf(key)->sentence;
     if (chosen.surface.style != SurfaceAppearance::Toon && (key == "tones" || key == "shade_color"))
         return "Only for the surface Toon.";
     if (chosen.light != Light::FixedToTheCamera &&

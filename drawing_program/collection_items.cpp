@@ -27,25 +27,6 @@ QByteArray hashOfFile(const QString& name) {
     return hash.result();
 }
 
-QStringList meshesOf(const QStringList& named) {
-    QStringList filters, meshes;
-    for (const QString& ending : meshEndings())
-        filters << "*." + ending;
-    for (const QString& name : named) {
-        if (!QFileInfo(name).isDir()) {
-            meshes << name;
-            continue;
-        }
-        const QDir folder(name);
-        const QStringList files = folder.entryList(filters, QDir::Files, QDir::Name);
-        for (const QString& file : files)
-            meshes << folder.filePath(file);
-        if (files.isEmpty()) refuse(QString("there is no mesh in the folder \"%1\".").arg(name));
-    }
-    meshes.removeDuplicates();
-    return meshes;
-}
-
 }  // namespace
 
 std::vector<CollectionItem> itemsOf(const QStringList& named, const QStringList& options,

@@ -6,7 +6,9 @@
 #include <map>
 
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/line_mixture.h"
 #include "line_drawing/sheet_file.h"
+#include "mesh_reading.h"
 
 namespace {
 
@@ -54,6 +56,14 @@ double parseDpi(const QString& option, const QString& word) {
     return dpi;
 }
 
+laplacian_lines::LineKindSet parseKinds(const QString& option, const QString& names) {
+    const auto kinds = laplacian_lines::kinds_named(names.toStdString());
+    if (!kinds)
+        refuse(QString("%1 is \"%2\". It has to be some of %3, with commas between.")
+                   .arg(option, names, QString::fromStdString(laplacian_lines::names_of_kinds())));
+    return *kinds;
+}
+
 /// A folder of drawings is one that is there, or whose name ends like one.
 void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
     if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
@@ -61,11 +71,7 @@ void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
     result.meshes = names.mid(1);
     result.is_collection = names[0].endsWith('/') || QFileInfo(names[0]).isDir();
     if (result.is_collection) return;
-    if (result.meshes.size() > 1 || QFileInfo(result.meshes[0]).isDir())
-        refuse(
-            QString("several meshes give a drawing each: name a folder for them, such as %1/, in "
-                    "place of %2.")
-                .arg(QFileInfo(names[0]).completeBaseName(), names[0]));
+    result.meshes = meshesOf(result.meshes);
     if (has_format)
         refuse("--format goes with a folder of drawings; a file says it by its ending.");
 }
@@ -98,6 +104,8 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         {"--strokes",
          [&](const QString& o, const QString& v) { options.strokes = chosen(o, v, strokes); }},
         {"--wall", [&](const QString& o, const QString& v) { options.wall = chosen(o, v, walls); }},
+        {"--kinds",
+         [&](const QString& o, const QString& v) { options.style.shows = parseKinds(o, v); }},
         {"--hidden",
          [&](const QString& o, const QString& v) { options.hidden = chosen(o, v, hidden); }},
         {"--furniture",
@@ -132,15 +140,21 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     if (views.isEmpty() && options.sections.empty()) views = "front";
     if (!views.isEmpty()) options.views = line_drawing::parseViews(views, up);
     if (result.is_collection) return result;
-    options.source = QFileInfo(result.meshes[0]).fileName();
-    options.title.replace("{name}", QFileInfo(result.meshes[0]).completeBaseName());
+    QStringList files, mesh_names;
+    for (const QString& mesh : result.meshes) {
+        files << QFileInfo(mesh).fileName();
+        mesh_names << QFileInfo(mesh).completeBaseName();
+    }
+    options.source = files.join(", ");
+    options.title.replace("{name}", mesh_names.join(", "));
     options.strokes = line_drawing::strokesIn(result.drawing, options.strokes);
     return result;
 }
 
 const char* usage() {
-    return "laplacian_lines_drawing FILE.svg|.pdf|.dxf|.png [OPTION...] MESH\n"
-           "                       a measured drawing of a mesh\n"
+    return "laplacian_lines_drawing FILE.svg|.pdf|.dxf|.png [OPTION...] MESH|FOLDER...\n"
+           "                       a measured drawing of a mesh, or of several that hide each "
+           "other\n"
            "laplacian_lines_drawing FOLDER/ [OPTION...] MESH|FOLDER...\n"
            "                       one of each, and a contact sheet; what is there and unchanged "
            "is\n"
@@ -153,6 +167,8 @@ const char* usage() {
            "  --section x|y|z=0..1 a section across an axis, where on the way through the object;\n"
            "                       more than one if repeated\n"
            "  --wall hatched|filled|none  what sections cut (hatched)\n"
+           "  --kinds NAMES        of lines, with the outlines: usual, laplacian_lines, ridges,\n"
+           "                       apparent_ridges and so on, with commas; a wrong one lists all\n"
            "  --hidden none|dashed outlines and creases behind the surface (none)\n"
            "  --up x|y|z           the axis of the mesh that points up (y)\n"
            "  --unit mm|cm|m|in    the unit of the mesh (mm)\n"

@@ -8,7 +8,7 @@
 struct CommandLine {
     bool help = false;
     QString drawing;     ///< the file to write, or of a collection the folder to write into
-    QStringList meshes;  ///< one, or of a collection several, or folders
+    QStringList meshes;  ///< or folders of them; in a file, all are drawn together
     bool is_collection = false;
     QString format = "pdf";  ///< of a collection
     double dpi = 300;        ///< of PNG

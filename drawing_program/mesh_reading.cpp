@@ -6,6 +6,7 @@
 #include <wrap/io_trimesh/import_ply.h>
 #include <wrap/io_trimesh/import_stl.h>
 
+#include <QDir>
 #include <QFileInfo>
 #include <functional>
 #include <map>
@@ -72,11 +73,26 @@ const std::map<QString, TriangleMesh (*)(const QString&)> readers = {
 
 }  // namespace
 
-QStringList meshEndings() {
-    QStringList endings;
+QStringList meshesOf(const QStringList& named) {
+    QStringList filters, meshes;
     for (const auto& reader : readers)
-        endings << reader.first;
-    return endings;
+        filters << "*." + reader.first;
+    for (const QString& name : named) {
+        if (!QFileInfo(name).isDir()) {
+            meshes << name;
+            continue;
+        }
+        const QDir folder(name);
+        const QStringList files = folder.entryList(filters, QDir::Files, QDir::Name);
+        for (const QString& file : files)
+            meshes << folder.filePath(file);
+        if (files.isEmpty())
+            throw laplacian_lines::Error(
+                laplacian_lines::ErrorCode::InvalidOption,
+                QString("there is no mesh in the folder \"%1\".").arg(name).toStdString());
+    }
+    meshes.removeDuplicates();
+    return meshes;
 }
 
 TriangleMesh readMesh(const QString& file) {

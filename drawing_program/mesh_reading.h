@@ -5,8 +5,9 @@
 
 #include "laplacian_lines/triangle_mesh.h"
 
-/// Of the files that readMesh() reads: "ply" and so on.
-QStringList meshEndings();
+/// The meshes that are named, and those in the folders that are named, by their names.
+/// @throws laplacian_lines::Error(InvalidOption) if there is none in a folder.
+QStringList meshesOf(const QStringList& named);
 
 /// Reads a mesh as MeshLab does: PLY, OBJ, STL, OFF. Polygons become triangles.
 /// @throws laplacian_lines::Error(InvalidMesh) with a sentence that names the file.

@@ -14,20 +14,42 @@
 
 namespace {
 
+using laplacian_lines::TriangleMesh;
+
 /// Scans come in metres, too, and nothing in a file tells.
-void saySize(const laplacian_lines::TriangleMesh& mesh, double unit) {
-    const Eigen::AlignedBox3d box = line_drawing::boundsOf(mesh);
+void saySize(const std::vector<TriangleMesh>& meshes, double unit) {
+    Eigen::AlignedBox3d box;
+    for (const TriangleMesh& mesh : meshes)
+        box.extend(line_drawing::boundsOf(mesh));
     if (box.isEmpty()) return;
     const Eigen::Vector3d size = unit * box.sizes();
     const char* advice =
         size.maxCoeff() < 1 ? "if it is in metres, say --unit m" : "--unit says otherwise";
-    say(stdout,
-        QString("the object is %1 x %2 x %3 mm large, with %4 mm to the unit of the mesh; %5")
-            .arg(size.x())
-            .arg(size.y())
-            .arg(size.z())
-            .arg(unit)
-            .arg(advice));
+    say(stdout, QString("%1 %2 x %3 x %4 mm large, with %5 mm to the unit of the mesh; %6")
+                    .arg(meshes.size() > 1 ? "together the objects are" : "the object is")
+                    .arg(size.x())
+                    .arg(size.y())
+                    .arg(size.z())
+                    .arg(unit)
+                    .arg(advice));
+}
+
+std::vector<TriangleMesh> readMeshes(const QStringList& files) {
+    std::vector<TriangleMesh> meshes;
+    for (const QString& file : files)
+        meshes.push_back(readMesh(file));
+    return meshes;
+}
+
+laplacian_lines::Field fieldOf(const TriangleMesh& mesh, const QString& file,
+                               const laplacian_lines::LineStyle& style) {
+    laplacian_lines::PrecomputeOptions options;
+    options.curvature_derivatives = style.shows.needs_derivatives();
+    try {
+        return laplacian_lines::precompute(mesh, options);
+    } catch (const laplacian_lines::Error& error) {
+        throw laplacian_lines::Error(error.code(), file.toStdString() + ": " + error.what());
+    }
 }
 
 void writeView(const line_drawing::Sheet& sheet, const QString& file) {
@@ -43,13 +65,18 @@ void writeView(const line_drawing::Sheet& sheet, const QString& file) {
 
 void drawOne(const CommandLine& commands) {
     line_drawing::checkSheetFile(commands.drawing);
-    const laplacian_lines::TriangleMesh mesh = readMesh(commands.meshes[0]);
-    saySize(mesh, commands.options.mm_per_unit);
+    const std::vector<TriangleMesh> meshes = readMeshes(commands.meshes);
+    saySize(meshes, commands.options.mm_per_unit);
     std::vector<line_drawing::SheetOptions> options = {commands.options};
     const bool has_view = !commands.contact_view.isEmpty();
-    if (has_view) options.push_back(line_drawing::contactOptions(mesh, commands.options));
-    const std::vector<line_drawing::Sheet> sheets =
-        line_drawing::makeSheets(mesh, laplacian_lines::precompute(mesh), options);
+    if (has_view) options.push_back(line_drawing::contactOptions(meshes.front(), commands.options));
+    std::vector<laplacian_lines::Field> fields;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        fields.push_back(fieldOf(meshes[i], commands.meshes[int(i)], commands.options.style));
+    line_drawing::Objects objects;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        objects.push_back({meshes[i], fields[i]});
+    const std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
     line_drawing::writeSheet(sheets[0], commands.drawing, commands.dpi);
     if (has_view) writeView(sheets[1], commands.contact_view);
     say(stdout, "the drawing is " + commands.drawing);

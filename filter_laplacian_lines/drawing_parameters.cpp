@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "laplacian_lines/option_rows.h"
+#include "settings_choice.h"
 
 namespace {
 
@@ -36,16 +37,15 @@ std::vector<const char*> paperChoices() {
 std::vector<AnyRow> makeRows() {
     return {
         TextRow{{"file", "File",
-                 "The drawing to write; its ending says what it is: .svg, .pdf, .dxf or .png. A "
-                 "file of "
-                 "this name is replaced.",
+                 "Its ending says what it is: .svg, .pdf, .dxf or .png. A file of this name is "
+                 "replaced.",
                  "Drawings (*.svg *.pdf *.dxf *.png)"},
                 &Parameters::file},
         TextRow{
             {"views", "Views",
-             "From where the object is seen: window, along the view of MeshLab's window, front, "
-             "back, left, right, top, bottom, six (all of these), vessel (half section, half "
-             "view), or azimuth and elevation in degrees, such as 30,15; several with commas."},
+             "Several with commas: window, as in MeshLab, front, back, left, right, top, bottom, "
+             "six (all of these), vessel (half section, half view), or two angles, azimuth and "
+             "elevation, such as 30,15."},
             &Parameters::views},
         TextRow{{"scale", "Scale",
                  "Drawn to true length, such as 1:2 or 2:1; fit: the largest usual one that fits "
@@ -65,10 +65,14 @@ std::vector<AnyRow> makeRows() {
                 &Parameters::sections},
         TextRow{{"title", "Title", "Stands above the note of scale, size and file."},
                 &Parameters::title},
-        rows::choice<&Parameters::is_as_decoration>(
-            "settings", "Settings", {"Defaults", "As the Decoration"},
+        rows::choice<&Parameters::is_of_all_layers>(
+            "layers", "Layers", {"Current Layer", "All Visible Layers"},
+            "All Visible Layers: together, as they stand, hiding each other."),
+        rows::choice<&Parameters::settings>(
+            "settings", "Settings", settingsNames({"Defaults", "As the Decoration"}),
             "As the Decoration: lines and light as the decoration Laplacian Lines has drawn them "
-            "last. Needs a window in which it has."),
+            "last. Needs a window in which it has. The others: lines of these kinds, with the "
+            "outlines."),
         folded(rows::choice<&Parameters::arrangement>(
             "arrangement", "Arrangement", {"First Angle", "Third Angle"},
             "How views lie around the front view. First angle (Europe): what is seen from the left "
@@ -80,6 +84,9 @@ std::vector<AnyRow> makeRows() {
         folded(rows::choice<&Parameters::wall>(
             "wall", "Walls", {"Hatched", "Filled", "None"},
             "What sections cut: hatched, black, or its outline alone.")),
+        folded(
+            rows::choice<&Parameters::hidden>("hidden", "Hidden Lines", {"None", "Dashed"},
+                                              "Outlines, borders and creases behind the surface.")),
         folded(rows::boolean<&Parameters::has_furniture>(
             "furniture", "Scale Bar and Notes",
             "Names of views, scale bar, symbol of the projection, notes of scale, size and "

@@ -8,6 +8,9 @@
 #include "meshlab_host/meshlab_api.h"
 #include "meshlab_host/parameters.h"
 
+/// Which lines: the usual ones, or lines and light as the decoration has drawn them last.
+constexpr int default_settings = 0, settings_of_decoration = 1;
+
 /// What the user chose for a measured drawing, as in the dialog.
 struct DrawingParameters {
     QString file = "drawing.svg";
@@ -22,7 +25,9 @@ struct DrawingParameters {
     line_drawing::StrokeStyle strokes = line_drawing::StrokeStyle::Tapered;
     line_drawing::WallStyle wall = line_drawing::WallStyle::Hatched;
     bool has_furniture = true;
-    bool is_as_decoration = false;  ///< lines and light as the decoration has drawn them last
+    line_drawing::HiddenLines hidden = line_drawing::HiddenLines::LeftOut;
+    bool is_of_all_layers = false;  ///< the visible ones
+    int settings = default_settings;  ///< from 2 on, mixtures of lines
 };
 
 /// Where the dialog starts: with a file beside that of the mesh, and at the view of the window if

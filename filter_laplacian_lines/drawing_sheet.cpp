@@ -6,6 +6,7 @@
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "meshlab_host/drawn_style.h"
+#include "settings_choice.h"
 
 using line_drawing::SheetOptions;
 using line_drawing::ViewFrame;
@@ -22,13 +23,15 @@ const char* const window_word = "window";
 }
 
 ViewFrame frameOf(const CurrentView& window) {
-    return {line_drawing::Side::Other, "View", window.up.cross(window.towards_viewer), window.up,
-            window.towards_viewer};
+    ViewFrame frame{line_drawing::Side::Other, "View", window.up.cross(window.towards_viewer),
+                    window.up, window.towards_viewer};
+    if (!window.is_orthographic) frame.eye = window.eye;
+    return frame;
 }
 
 std::vector<ViewFrame> viewsOf(const DrawingParameters& chosen,
                                const std::optional<CurrentView>& window) {
-    if (usesWindow(chosen) && !window)
+    if (chosen.views.contains(window_word, Qt::CaseInsensitive) && !window)
         refuse(
             "There is no window whose view could be drawn. Name other \"Views\", such as front, "
             "six or 30,15.");
@@ -49,10 +52,6 @@ void takeFromDecoration(SheetOptions& options) {
 
 }  // namespace
 
-bool usesWindow(const DrawingParameters& chosen) {
-    return chosen.views.contains(window_word, Qt::CaseInsensitive);
-}
-
 SheetOptions sheetOptions(const DrawingParameters& chosen,
                           const std::optional<CurrentView>& window) {
     SheetOptions options;
@@ -68,8 +67,10 @@ SheetOptions sheetOptions(const DrawingParameters& chosen,
     options.arrangement = chosen.arrangement;
     options.strokes = line_drawing::strokesIn(chosen.file, chosen.strokes);
     options.wall = chosen.wall;
+    options.hidden = chosen.hidden;
     options.title = chosen.title;
     options.has_view_names = options.has_scale_bar = options.has_notes = chosen.has_furniture;
-    if (chosen.is_as_decoration) takeFromDecoration(options);
+    if (chosen.settings == settings_of_decoration) takeFromDecoration(options);
+    if (const auto* mixture = mixtureAt(chosen.settings)) options.style.shows = mixture->kinds;
     return options;
 }

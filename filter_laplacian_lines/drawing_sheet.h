@@ -12,6 +12,3 @@
 /// window or the decoration's settings are asked for where there are none.
 line_drawing::SheetOptions sheetOptions(const DrawingParameters& chosen,
                                         const std::optional<meshlab_host::CurrentView>& window);
-
-/// Whether the view of the window is among the chosen ones.
-bool usesWindow(const DrawingParameters& chosen);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polyline_parameters.h"
 
+#include <QColor>
 #include <algorithm>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/option_rows.h"
+#include "settings_choice.h"
 
 namespace {
 
@@ -24,19 +26,12 @@ struct PlaceRow {
     int counts_at;           ///< and its value for that
 };
 
-const std::vector<SideView>& sideViews() {
-    static const std::vector<SideView> views = {{"Front", {0, 0, 1}}, {"Back", {0, 0, -1}},
-                                                {"Left", {-1, 0, 0}}, {"Right", {1, 0, 0}},
-                                                {"Top", {0, 1, 0}},   {"Bottom", {0, -1, 0}}};
-    return views;
-}
-
 std::vector<const char*> viewNames() {
     std::vector<const char*> names = {"Current View of the Window",
                                       "Perspective, from the Viewpoint",
                                       "Orthographic, along the View Direction"};
-    for (const SideView& side : sideViews())
-        names.push_back(side.name);
+    for (const char* side : line_drawing::sideNames())
+        names.push_back(side);
     return names;
 }
 
@@ -57,9 +52,10 @@ const Row& viewRow() {
 
 const Row& settingsRow() {
     static const Row row = rows::choice<&Parameters::settings>(
-        "settings", "Settings", {"As Set Below", "As the Decoration"},
+        "settings", "Settings", settingsNames({"As Set Below", "As the Decoration"}),
         "As the Decoration: lines, hidden lines, light and colors as the decoration Laplacian "
-        "Lines has drawn them last, whatever is set below. Needs a window in which it has.");
+        "Lines has drawn them last, whatever is set below. Needs a window in which it has. The "
+        "others: lines of these kinds, whichever are switched on below, with the outlines.");
     return row;
 }
 
@@ -111,8 +107,8 @@ const PlaceRow& lightDirectionRow() {
     return row;
 }
 
-/// The others, with their thresholds, come by the settings of the decoration: no dialog would hold
-/// them.
+/// The others come by mixtures, and with their thresholds by the settings of the decoration: no
+/// dialog would hold them.
 bool isSwitchOfUsualKind(const std::string& key) {
     return std::any_of(laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(),
                        [&](const auto& kind) { return kind.shown && key == kind.key; });
@@ -184,6 +180,13 @@ struct Describer {
     }
 };
 
+void takeFromMixture(const laplacian_lines::LineMixture& mixture, Parameters& parameters) {
+    parameters.style.shows = mixture.kinds;
+    for (const auto& kind : laplacian_lines::line_kinds)
+        parameters.colors[std::size_t(kind.kind)] =
+            QColor(mixture.colored[kind.kind] ? kind.key_color : 0).rgb();
+}
+
 void takeFromDecoration(Parameters& parameters) {
     const std::optional<meshlab_host::DrawnStyle> drawn = meshlab_host::drawnStyle();
     if (!drawn)
@@ -200,8 +203,9 @@ void takeFromDecoration(Parameters& parameters) {
 
 }  // namespace
 
-const SideView& sideView(ViewChoice choice) {
-    return sideViews().at(std::size_t(choice) - std::size_t(ViewChoice::Front));
+line_drawing::ViewFrame sideView(ViewChoice choice) {
+    return frameOfSide(line_drawing::Side(int(choice) - int(ViewChoice::Front)),
+                       line_drawing::UpAxis::Y);
 }
 
 PolylineParameters polylineDefaults(const MeshModel* mesh,
@@ -242,5 +246,6 @@ PolylineParameters readPolylineParameters(const RichParameterList& list) {
     ParameterReader reader{result, list};
     visitRows(reader);
     if (result.settings == SettingsChoice::AsTheDecoration) takeFromDecoration(result);
+    if (const auto* mixture = mixtureAt(int(result.settings))) takeFromMixture(*mixture, result);
     return result;
 }

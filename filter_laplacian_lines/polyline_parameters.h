@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "laplacian_lines/line_style.h"
+#include "line_drawing/view_frame.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/drawn_style.h"
@@ -24,16 +25,13 @@ enum class ViewChoice {
     Top,
     Bottom
 };
-enum class SettingsChoice { AsSetBelow, AsTheDecoration };
+/// From FirstMixture on they are laplacian_lines::line_mixtures.
+enum class SettingsChoice { AsSetBelow, AsTheDecoration, FirstMixture };
 enum class LightChoice { AtTheEye, FromADirection };
 
-/// An orthographic view along an axis of the world, as in MeshLab's menu.
-struct SideView {
-    const char* name;
-    Eigen::Vector3d towards_viewer;
-};
-/// Of the choices from Front on.
-const SideView& sideView(ViewChoice choice);
+/// An orthographic view along an axis of the world, as in MeshLab's menu; of the choices from Front
+/// on.
+line_drawing::ViewFrame sideView(ViewChoice choice);
 
 /// What the user chose for lines as polylines. Points and directions are in world coordinates.
 struct PolylineParameters {
@@ -45,8 +43,7 @@ struct PolylineParameters {
     LightChoice light = LightChoice::AtTheEye;
     Eigen::Vector3d light_direction = Eigen::Vector3d::UnitZ();  ///< towards the light
     laplacian_lines::LineStyle style;
-    // Only the decoration has the following.
-    std::optional<meshlab_host::CameraLight> camera_light;
+    std::optional<meshlab_host::CameraLight> camera_light;  ///< only the decoration has one
     meshlab_host::KindColors colors = meshlab_host::usualKindColors();
 };
 

@@ -106,7 +106,8 @@ SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh,
     result.sections.clear();
     result.paper = "fit";
     result.has_view_names = result.has_scale_bar = result.has_notes = false;
-    const Eigen::Vector2d size = boundsOf(mesh, result.views[0], Eigen::Vector3d::Zero()).sizes();
+    const Eigen::Vector2d size =
+        Projection(result.views[0], Eigen::Vector3d::Zero()).boundsOf(mesh).sizes();
     const double longest = options.mm_per_unit * size.maxCoeff();
     result.title = sizeInWords(options.mm_per_unit * boundsOf(mesh).sizes());
     result.scale = longest > 0 ? view_size / longest : 1;

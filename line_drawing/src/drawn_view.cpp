@@ -30,20 +30,6 @@ LineClass classOf(const LineSet& lines, const Polyline& line) {
     return is_faint ? LineClass::Fine : LineClass::Inner;
 }
 
-Eigen::Vector2d place(const Eigen::Vector3d& p, const ViewFrame& frame) {
-    return {frame.right.dot(p), frame.up.dot(p)};
-}
-
-template <class Box, class PlaceOf>
-Box enclose(const TriangleMesh& mesh, const PlaceOf& place_of) {
-    Box box;
-    for (const laplacian_lines::Triangle& t : mesh.triangles)
-        for (const std::uint32_t v : t)
-            if (v < mesh.positions.size() && mesh.positions[v].allFinite())
-                box.extend(place_of(mesh.positions[v]));
-    return box;
-}
-
 }  // namespace
 
 std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line) {
@@ -54,26 +40,24 @@ std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line) {
 }
 
 Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {
-    return enclose<Eigen::AlignedBox3d>(mesh, [](const Eigen::Vector3d& p) { return p; });
+    Eigen::AlignedBox3d box;
+    for (const laplacian_lines::Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t)
+            if (v < mesh.positions.size() && mesh.positions[v].allFinite())
+                box.extend(mesh.positions[v]);
+    return box;
 }
 
-Eigen::AlignedBox2d boundsOf(const TriangleMesh& mesh, const ViewFrame& frame,
-                             const Eigen::Vector3d& middle) {
-    return enclose<Eigen::AlignedBox2d>(
-        mesh, [&](const Eigen::Vector3d& p) { return place(p - middle, frame); });
-}
-
-DrawnLine project(const std::vector<Eigen::Vector3d>& section, const ViewFrame& frame,
-                  const Eigen::Vector3d& middle, double unit) {
+DrawnLine project(const std::vector<Eigen::Vector3d>& section, const Projection& projection,
+                  double unit) {
     DrawnLine drawn{
         LineClass::Section, section.size() > 3 && section.front() == section.back(), {}};
     for (const Eigen::Vector3d& p : section)
-        drawn.points.push_back({unit * place(p - middle, frame), 1});
+        drawn.points.push_back({unit * projection(p), 1});
     return drawn;
 }
 
-std::vector<DrawnLine> project(const LineSet& lines, const ViewFrame& frame,
-                               const Eigen::Vector3d& middle, double unit) {
+std::vector<DrawnLine> project(const LineSet& lines, const Projection& projection, double unit) {
     std::vector<DrawnLine> drawn;
     for (const Polyline& line : lines.lines) {
         drawn.push_back({classOf(lines, line), line.closed, {}});
@@ -81,7 +65,7 @@ std::vector<DrawnLine> project(const LineSet& lines, const ViewFrame& frame,
         for (std::uint32_t i = 0; i < line.count; ++i) {
             const LinePoint& point = lines.points[line.first + i];
             drawn.back().points.push_back(
-                {unit * place(point.position.cast<double>() - middle, frame), widthOf(point)});
+                {unit * projection(point.position.cast<double>()), widthOf(point)});
         }
     }
     return drawn;

@@ -8,6 +8,7 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/sheet_options.h"
+#include "projection.h"
 
 namespace line_drawing {
 
@@ -24,6 +25,9 @@ struct DrawnLine {
 
 std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
 
+/// Loops around what a section cuts of one object (even-odd); none where it cuts nothing.
+using Wall = std::vector<std::vector<Eigen::Vector2d>>;
+
 /// A plane of a section that a view shows as a line. In the coordinates of the view.
 struct SectionMark {
     QString letter;
@@ -37,7 +41,7 @@ struct DrawnView {
     Eigen::AlignedBox2d bounds;  ///< of the surface
     std::vector<DrawnLine> lines;
     bool is_section = false;
-    std::vector<std::vector<Eigen::Vector2d>> walls = {};  ///< loops around what is cut (even-odd)
+    std::vector<Wall> walls = {};  ///< by object
     std::vector<SectionMark> marks = {};
 };
 
@@ -51,14 +55,10 @@ struct Placement {
     }
 };
 
-/// What the part of the mesh that has triangles takes in a view, with `middle` at (0, 0).
-Eigen::AlignedBox2d boundsOf(const laplacian_lines::TriangleMesh& mesh, const ViewFrame& frame,
-                             const Eigen::Vector3d& middle);
-
-/// Lines in mesh coordinates as they look in a view, with `middle` at (0, 0), times `unit`.
-DrawnLine project(const std::vector<Eigen::Vector3d>& section, const ViewFrame& frame,
-                  const Eigen::Vector3d& middle, double unit);
-std::vector<DrawnLine> project(const laplacian_lines::LineSet& lines, const ViewFrame& frame,
-                               const Eigen::Vector3d& middle, double unit);
+/// Lines in mesh coordinates as they look in a view, times `unit`.
+DrawnLine project(const std::vector<Eigen::Vector3d>& section, const Projection& projection,
+                  double unit);
+std::vector<DrawnLine> project(const laplacian_lines::LineSet& lines, const Projection& projection,
+                               double unit);
 
 }  // namespace line_drawing

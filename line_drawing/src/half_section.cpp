@@ -46,29 +46,32 @@ Level levelOf(const std::vector<Vector2d>& points, double sign, double reach) {
 
 }  // namespace
 
-HalfSection::HalfSection(const laplacian_lines::TriangleMesh& mesh, const ViewFrame& frame)
-    : mesh_(mesh),
-      axis_(findAxis(mesh, axisAlong(frame.up))),
+HalfSection::HalfSection(const Objects& objects, const laplacian_lines::TriangleMesh& all,
+                         const ViewFrame& frame)
+    : objects_(objects),
+      axis_(findAxis(all, axisAlong(frame.up))),
       behind_{-frame.towards_viewer, -frame.towards_viewer.dot(axis_)},
       right_{frame.right, frame.right.dot(axis_)} {}
 
 void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) const {
     const int across = axisAlong(behind_.normal);
-    const std::vector<Cut> cuts = cutMesh(mesh_, across, axis_[across]);
-    if (cuts.empty()) return;
-    const auto flat = [&](const Cut& cut) {
-        return positionsOf(project(cut, drawn.frame, middle, unit));
-    };
+    const Projection projection(drawn.frame, middle);
+    const auto flat = [&](const Cut& cut) { return positionsOf(project(cut, projection, unit)); };
     std::vector<Vector2d> points;
-    for (const Cut& cut : cuts) {
-        const std::vector<Vector2d> line = flat(cut);
-        points.insert(points.end(), line.begin(), line.end());
-        if (cut.front() != cut.back()) continue;
-        drawn.walls.push_back(flat(clipLoop(cut, left())));
+    std::vector<Cut> cut_lines;
+    for (const Object& object : objects_) {
+        Wall& wall = drawn.walls.emplace_back();
+        for (Cut& cut : cutMesh(object.mesh, across, axis_[across])) {
+            const std::vector<Vector2d> line = flat(cut);
+            points.insert(points.end(), line.begin(), line.end());
+            if (cut.front() == cut.back()) wall.push_back(flat(clipLoop(cut, left())));
+            cut_lines.push_back(std::move(cut));
+        }
+        drawn.lines = withoutPartsIn(WallArea(wall), std::move(drawn.lines));
     }
-    drawn.lines = withoutPartsIn(WallArea(drawn.walls), std::move(drawn.lines));
-    for (const Cut& cut : clip(cuts, left()))
-        drawn.lines.push_back(project(cut, drawn.frame, middle, unit));
+    if (points.empty()) return;
+    for (const Cut& cut : clip(cut_lines, left()))
+        drawn.lines.push_back(project(cut, projection, unit));
     const double height = drawn.bounds.sizes().y(), at = unit * right_.depth(middle);
     const Level rim = levelOf(points, 1, level_share * height),
                 base = levelOf(points, -1, level_share * height);

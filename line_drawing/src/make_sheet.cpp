@@ -68,11 +68,12 @@ Sheet drawSheet(Observer& observer, const SheetOptions& options, const Progress&
 
 }  // namespace
 
-std::vector<Sheet> makeSheets(const TriangleMesh& mesh, const laplacian_lines::Field& field,
-                              const std::vector<SheetOptions>& options, const Progress& progress) {
+std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOptions>& options,
+                              const Progress& progress) {
+    if (objects.empty()) refuse("A drawing needs an object.");
     for (const SheetOptions& o : options)
         check(o);
-    Observer observer(mesh, field, part(progress, 0, sight_share));
+    Observer observer(objects, part(progress, 0, sight_share));
     const double share = (1 - sight_share) / std::max<double>(1, double(options.size()));
     std::vector<Sheet> sheets;
     for (const SheetOptions& o : options) {
@@ -86,7 +87,7 @@ std::vector<Sheet> makeSheets(const TriangleMesh& mesh, const laplacian_lines::F
 
 Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
                 const SheetOptions& options, const Progress& progress) {
-    return makeSheets(mesh, field, {options}, progress).front();
+    return makeSheets({{mesh, field}}, {options}, progress).front();
 }
 
 }  // namespace line_drawing

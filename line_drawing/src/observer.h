@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drawn_view.h"
-#include "laplacian_lines/field.h"
+#include "joined_surface.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/progress.h"
@@ -11,12 +11,11 @@
 
 namespace line_drawing {
 
-/// Looks at a mesh from all sides. The mesh and its field have to outlive it.
+/// Looks at objects from all sides. They have to outlive it.
 class Observer {
 public:
     /// @throws laplacian_lines::Error: InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
-    Observer(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field,
-             const laplacian_lines::Progress& progress);
+    Observer(const Objects& objects, const laplacian_lines::Progress& progress);
 
     /// A view without its lines.
     DrawnView stand(const ViewFrame& frame, const SheetOptions& options) const;
@@ -30,13 +29,17 @@ public:
 
 private:
     void lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
-                  const laplacian_lines::LineSet& lines, const SheetOptions& options,
+                  const std::vector<laplacian_lines::LineSet>& lines, const SheetOptions& options,
                   const laplacian_lines::Progress& progress) const;
 
-    const laplacian_lines::TriangleMesh& mesh_;
-    const laplacian_lines::Field& field_;
+    /// With what is hidden, if that is to be drawn.
+    std::vector<DrawnLine> draw(const laplacian_lines::LineParts& parts, const ViewFrame& frame,
+                                const SheetOptions& options) const;
+
+    const Objects objects_;
+    const JoinedSurface surface_;
     const Eigen::AlignedBox3d box_;
-    const laplacian_lines::LineExtractor extractor_;
+    const std::vector<laplacian_lines::LineExtractor> extractors_;
     const laplacian_lines::LineVisibility visibility_;
     laplacian_lines::ExtractionScratch scratch_;
 };

@@ -74,6 +74,7 @@ std::vector<SectionMark> marksOf(const ViewFrame& frame, const SheetOptions& opt
                                  const Eigen::AlignedBox3d& box) {
     constexpr double on_edge = 1e-9;
     std::vector<SectionMark> marks;
+    if (frame.eye) return marks;  // sees hardly a plane from its edge
     for (std::size_t i = 0; i < options.sections.size(); ++i) {
         const Section& section = options.sections[i];
         if (std::abs(frame.towards_viewer[section.axis]) > on_edge) continue;

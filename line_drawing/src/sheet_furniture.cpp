@@ -15,6 +15,7 @@ constexpr double thin_pen = 0.18;
 constexpr double title_height = 4, note_height = 2.6, longest_bar = 50, bar_height = 1.2;
 constexpr double symbol_height = 5, symbol_width = 14, strip_gap = 6;
 constexpr double letter_width = 0.6;  // of a font's height, on average
+const char* const no_scale = "perspective, not to scale";
 
 SheetPath filled(const QRectF& rectangle) {
     SheetPath result;
@@ -30,6 +31,10 @@ QString inMillimetres(double x) {
     return QString::number(x, 'f', x < 10 ? 2 : x < 1000 ? 1 : 0);
 }
 
+QString nameOf(const ViewFrame& frame, bool beside_scale) {
+    return frame.eye && beside_scale ? QString("%1 (%2)").arg(frame.name, no_scale) : frame.name;
+}
+
 SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& layout) {
     SheetLayer layer{"names", "Names of views", {}, {}};
     for (std::size_t i = 0; i < views.size(); ++i) {
@@ -38,7 +43,7 @@ SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& lay
                                 place.bottom() + roomOfMarks(views[i]).y() + 2 * view_name_height},
                                view_name_height,
                                Qt::AlignHCenter,
-                               views[i].frame.name});
+                               nameOf(views[i].frame, layout.scale > 0)});
     }
     return layer;
 }
@@ -94,7 +99,8 @@ QString elided(const QString& text, double height, double width) {
 
 QString noteOf(const SheetLayout& layout, const Eigen::Vector3d& size,
                const SheetOptions& options) {
-    QStringList parts = {scaleInWords(layout.scale), sizeInWords(size)};
+    QStringList parts = {layout.scale > 0 ? scaleInWords(layout.scale) : no_scale,
+                         sizeInWords(size)};
     if (!options.source.isEmpty()) parts << options.source;
     return parts.join(" · ");
 }
@@ -141,7 +147,7 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
         group.layers.push_back(viewNames(views, layout));
     const double bottom = layout.size.height() - sheet_margin;
     double right = layout.size.width() - sheet_margin;
-    if (options.has_scale_bar) {
+    if (options.has_scale_bar && layout.scale > 0) {
         SheetLayer layer{"scale", "Scale", {}, {}};
         right = addScaleBar({right, bottom}, layout.scale, layer) - strip_gap;
         if (showsSides(views)) {

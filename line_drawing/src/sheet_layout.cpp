@@ -201,6 +201,27 @@ SheetLayout layOutFreely(Layout& layout, double scale) {
                                  size.height() + 2 * sheet_margin + strip_height});
 }
 
+/// The scale at which views just fit, since lengths between them stay as they are.
+double fillingScale(Layout& layout, const QSizeF& paper) {
+    const QSizeF fixed = layout.sizeAt(0), growing = layout.sizeAt(1) - fixed;
+    const QSizeF left = room(paper) - fixed;
+    return std::min(left.width() / growing.width(), left.height() / growing.height());
+}
+
+/// Views that have no scale: as large as the paper takes them, A4 if that may be any.
+SheetLayout layOutFilling(Layout& layout, const std::optional<QSizeF>& paper) {
+    const QSizeF upright = paper.value_or(QSizeF(papers[1].width, papers[1].height));
+    const QSizeF lying = upright.transposed();
+    const double a = fillingScale(layout, upright), b = fillingScale(layout, lying);
+    if (!(std::max(a, b) > 0) || !std::isfinite(std::max(a, b)))
+        refuse("Nothing of the object is in sight, or the paper has no room for so many views.");
+    SheetLayout result = !paper  ? layOutFreely(layout, std::max(a, b))
+                         : b > a ? layout.layOut(b, lying)
+                                 : layout.layOut(a, upright);
+    result.scale = 0;
+    return result;
+}
+
 /// Upright or lying, whichever takes the drawing larger.
 SheetLayout layOutLargest(Layout& layout, const QSizeF& upright) {
     const QSizeF lying = upright.transposed();
@@ -235,9 +256,15 @@ std::vector<const char*> paperNames() {
     return names;
 }
 
+bool areInPerspective(const std::vector<DrawnView>& views) {
+    return std::all_of(views.begin(), views.end(),
+                       [](const DrawnView& view) { return view.frame.eye.has_value(); });
+}
+
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {
     Layout layout(views, options);
     const std::optional<QSizeF> paper = paperSize(options.paper);
+    if (areInPerspective(views)) return layOutFilling(layout, paper);
     if (!paper) return layOutFreely(layout, options.scale > 0 ? options.scale : 1);
     if (options.scale > 0) return layOutAt(layout, options.scale, *paper, options.paper);
     return layOutLargest(layout, *paper);

@@ -12,10 +12,13 @@ constexpr double sheet_margin = 10, view_gap = 10, view_name_height = 3, strip_h
 
 struct SheetLayout {
     QSizeF size;
-    double scale;
+    double scale;  ///< 0: all views are in perspective
     std::vector<Placement> placements;  ///< one for each view
     std::vector<QRectF> places;         ///< of the views' surfaces, mm
 };
+
+/// Whether there is no scale at all.
+bool areInPerspective(const std::vector<DrawnView>& views);
 
 /// Places views in rows and columns around the front view, so that what is at one height of the
 /// object is at one height of the sheet; views of other directions stand in rows below.

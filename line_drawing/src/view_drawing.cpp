@@ -30,24 +30,29 @@ std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& plac
     return lines;
 }
 
-using Loops = std::vector<std::vector<Eigen::Vector2d>>;
-
-Loops place(Loops loops, const Placement& placement) {
-    for (auto& loop : loops)
-        for (Eigen::Vector2d& p : loop)
-            p = placement.onSheet(p);
-    return loops;
+std::vector<Wall> place(std::vector<Wall> walls, const Placement& placement) {
+    for (Wall& wall : walls)
+        for (auto& loop : wall)
+            for (Eigen::Vector2d& p : loop)
+                p = placement.onSheet(p);
+    return walls;
 }
 
-void addHatching(const Loops& walls, std::vector<DrawnLine>& lines) {
-    for (const auto& ends : hatch(walls, Eigen::Vector2d(1, -1).normalized(), hatch_spacing))
-        lines.push_back({LineClass::Fine, false, {{ends[0], hatch_width}, {ends[1], hatch_width}}});
+/// One object rising to the right, the next to the left (ISO 128-3 on adjacent parts).
+void addHatching(const std::vector<Wall>& walls, std::vector<DrawnLine>& lines) {
+    double rise = -1;
+    for (const Wall& wall : walls) {
+        for (const auto& ends : hatch(wall, Eigen::Vector2d(1, rise).normalized(), hatch_spacing))
+            lines.push_back(
+                {LineClass::Fine, false, {{ends[0], hatch_width}, {ends[1], hatch_width}}});
+        rise = -rise;
+    }
 }
 
-SheetPath filled(const Loops& walls) {
+SheetPath filled(const Wall& wall) {
     SheetPath area;
     area.path.setFillRule(Qt::OddEvenFill);
-    for (const auto& loop : walls) {
+    for (const auto& loop : wall) {
         area.path.moveTo(loop[0].x(), loop[0].y());
         for (const Eigen::Vector2d& p : loop)
             area.path.lineTo(p.x(), p.y());
@@ -65,13 +70,13 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     SheetGroup group{key, view.frame.name, {}};
     std::vector<DrawnLine> lines = withoutDoubles(
         place(view.lines, placement), double_reach * options.pens[std::size_t(LineClass::Outline)]);
-    const Loops walls = place(view.walls, placement);
+    const std::vector<Wall> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
     for (std::size_t c = line_class_count; c-- > 0;) {
         SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
-        if (c == std::size_t(LineClass::Section) && options.wall == WallStyle::Filled &&
-            !walls.empty())
-            layer.paths.push_back(filled(walls));
+        if (c == std::size_t(LineClass::Section) && options.wall == WallStyle::Filled)
+            for (const Wall& wall : walls)
+                if (!wall.empty()) layer.paths.push_back(filled(wall));
         for (const DrawnLine& line : lines)
             if (std::size_t(line.line_class) == c)
                 if (auto stroke = drawStroke(line, options))

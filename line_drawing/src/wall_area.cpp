@@ -11,7 +11,7 @@ constexpr std::size_t row_count = 256;
 
 }  // namespace
 
-WallArea::WallArea(const std::vector<std::vector<Eigen::Vector2d>>& loops) {
+WallArea::WallArea(const Wall& loops) {
     Eigen::AlignedBox2d box;
     for (const auto& loop : loops)
         for (const Eigen::Vector2d& p : loop)

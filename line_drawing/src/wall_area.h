@@ -8,7 +8,7 @@ namespace line_drawing {
 /// What loops enclose (even-odd), to be asked often.
 class WallArea {
 public:
-    explicit WallArea(const std::vector<std::vector<Eigen::Vector2d>>& loops);
+    explicit WallArea(const Wall& loops);
 
     bool contains(const Eigen::Vector2d& point) const;
 

@@ -75,8 +75,8 @@ Field demandField(const CMeshO& mesh, const laplacian_lines::TriangleMesh& trian
                   const laplacian_lines::Progress& progress) {
     if (source.status == FieldStatus::Current)
         if (std::optional<Field> field = readField(mesh, source.key.stamp)) {
-            if (source.options.curvature_derivatives && field->curvature_derivatives.empty())
-                laplacian_lines::add_curvature_derivatives(triangles, *field, progress);
+            if (source.options.curvature_derivatives)
+                demandDerivatives(triangles, *field, progress);
             return std::move(*field);
         }
     QElapsedTimer clock;
@@ -86,6 +86,12 @@ Field demandField(const CMeshO& mesh, const laplacian_lines::TriangleMesh& trian
     for (const QString& line : meshAdvice(field.report))
         say(mesh_name + ": " + line);
     return field;
+}
+
+void demandDerivatives(const laplacian_lines::TriangleMesh& triangles, Field& field,
+                       const laplacian_lines::Progress& progress) {
+    if (field.curvature_derivatives.empty())
+        laplacian_lines::add_curvature_derivatives(triangles, field, progress);
 }
 
 }  // namespace meshlab_host

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "meshlab_host/layers.h"
 #include "scene.h"
 
 namespace meshlab_host {

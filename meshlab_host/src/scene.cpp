@@ -5,6 +5,8 @@
 #include <QPointer>
 #include <algorithm>
 
+#include "meshlab_host/layers.h"
+
 namespace meshlab_host {
 namespace {
 
@@ -38,18 +40,6 @@ bool holds(const MeshDocument* document, const MeshModel& mesh) {
 }
 
 }  // namespace
-
-std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
-    std::vector<const MeshModel*> layers;
-#if MESHLAB_API < 2022
-    for (const MeshModel* mesh : document.meshList)
-        if (mesh) layers.push_back(mesh);
-#else
-    for (const MeshModel& mesh : document.meshIterator())
-        layers.push_back(&mesh);
-#endif
-    return layers;
-}
 
 MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh) {
     static WatchedDocuments documents;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "meshlab_host/meshlab_api.h"
 
 #if MESHLAB_API < 2022
@@ -19,7 +17,5 @@ MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh);
 
 /// The same of a document that is there.
 MLSceneGLSharedDataContext* sceneOf(const MeshDocument& document);
-
-std::vector<const MeshModel*> layersOf(const MeshDocument& document);
 
 }  // namespace meshlab_host

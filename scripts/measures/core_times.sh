@@ -86,7 +86,8 @@ count_instructions() {
         sub(/^desc: Trigger: Client Request: /, "") { key = $0 }
         sub(/^totals: /, "") { total[key] = $0 }
         NF == 5 {
-            printf "| %s | %.1f | %.0f | %.0f |\n", $2, total[$1] / $3 / 1e6, total[$1] / $3 / $4, total[$1] / $5
+            triangle = $5 ? sprintf("%.0f", total[$1] / $5) : "–"
+            printf "| %s | %.1f | %.0f | %s |\n", $2, total[$1] / $3 / 1e6, total[$1] / $3 / $4, triangle
         }' "$work"/dump* "$work/redraws"
     rm -rf "$work"
 }

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # MeshLab with Laplacian lines switched on, in a window or on a picture. The GUI driver does the clicking.
 
-require environment/messages product/display product/models product/private_home
+require environment/messages product/comparison product/display product/models product/private_home
 
 readonly LINES_ACTION="Laplacian Lines"
 readonly SHEET_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf # of DISPLAY_PACKAGES
 readonly MESHLAB_MINUTES=15 # more than a mesh of ten million triangles takes to load and prepare
 readonly DRIVER_ERROR=3     # the exit code of MeshLab when the driver ends it
+readonly NOISE_SEED=1
 readonly LINE_SIDE=900      # pixels of a picture's shorter side, above which lines get wider with it
 declare -gA NAMED_VIEWS=([front]="0,0" [right]="90,0" [back]="180,0" [left]="-90,0" [top]="0,90" [bottom]="0,-90")
 
 # What the options of a picture say
-PICTURE_SIZE=1200x900 PICTURE_UP=y PICTURE_ZOOM=1 PICTURE_PROJECTION=perspective
+PICTURE_SIZE=1200x900 PICTURE_UP=y PICTURE_ZOOM=1 PICTURE_PROJECTION=perspective PICTURE_KINDS='' PICTURE_NOISE=''
 declare -ga PICTURE_VIEWS=() PICTURE_OPTIONS=()
 
 # picture_option OPTION [VALUE]...: sets them by the first of the words, and OPTION_WORDS to how many it has
@@ -36,6 +37,15 @@ picture_option() {
         [[ $value =~ ^$number$ ]] && awk -v zoom="$value" 'BEGIN { exit !(zoom >= 0.1 && zoom <= 10) }' ||
             fail "--zoom needs a factor from 0.1 to 10"
         PICTURE_ZOOM=$value
+        ;;
+    --kinds)
+        [[ -n $value && $value != -* ]] || fail "--kinds needs names of kinds of lines with commas between, such as all or apparent_ridges,valleys"
+        PICTURE_KINDS=$value
+        ;;
+    --noise)
+        [[ $value =~ ^$number$ ]] && awk -v noise="$value" 'BEGIN { exit !(noise > 0 && noise <= 2) }' ||
+            fail "--noise needs a share of the mean edge, above 0 and up to 2"
+        PICTURE_NOISE=$value
         ;;
     --orthographic)
         PICTURE_PROJECTION=orthographic
@@ -95,38 +105,57 @@ frame_command() {
     printf 'frame %s %s %s %s\n' "${view/,/ }" "$PICTURE_UP" "$PICTURE_ZOOM" "$PICTURE_PROJECTION"
 }
 
-# drawing MESH VIEW: the file of this drawing, by the numbers of both
+# drawing ROW VIEW COLUMN: the file of this drawing, by the numbers of the three
 drawing() {
-    printf '%s/drawing_%d_%d.png\n' "$DRAWINGS" "$1" "$2"
+    printf '%s/drawing_%d_%d_%d.png\n' "$DRAWINGS" "$1" "$2" "$3"
 }
 
-# drawing_script FIRST FOLDER: draws the meshes from the FIRST-th on by one MeshLab, on white paper. What stands between
+# kernel_file ROW VIEW: takes the size of the kernel in the drawing
+kernel_file() {
+    printf '%s/kernel_%d_%d\n' "$DRAWINGS" "$1" "$2"
+}
+
+# load_commands ROW: opens its mesh, with noise if it has some
+load_commands() {
+    local noisy=$DRAWINGS/noisy_$1.ply
+    printf '%s\n' "load ${MESH_FILES[$1]}"
+    [[ -z ${MESH_NOISES[$1]} ]] ||
+        printf '%s\n' "write-noisy ${MESH_NOISES[$1]} $NOISE_SEED \"$noisy\"" "trigger Delete Current Mesh" "load $noisy"
+}
+
+# drawing_script FIRST FOLDER: draws the rows from the FIRST-th on by one MeshLab, on white paper. What stands between
 # "together" and the end of its line is done before MeshLab redraws: each redraw of a large mesh takes its time. The style
 # Publication looks the same, but what the user sets besides would not count.
 drawing_script() {
-    local mesh view settings=()
+    local row view column settings=()
     mapfile -t settings < <(user_settings "$2")
     printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "check Show Layer Dialog on" "check Show Info Panel off" \
         "check Show Trackball off" "size $PICTURE_SIZE" "scale-lines $LINE_SIDE"
-    for ((mesh = $1; mesh < ${#MESH_FILES[@]}; ++mesh)); do
-        printf '%s\n' "load ${MESH_FILES[mesh]}" "size $PICTURE_SIZE"
+    for ((row = $1; row < ${#MESH_FILES[@]}; ++row)); do
+        load_commands "$row"
+        printf '%s\n' "size $PICTURE_SIZE"
         printf 'together %s' draw-lines
         printf ' ; %s' "setdeco Surface = Paper" "setdeco Background = Paper Color" "${settings[@]}"
         for view in "${!PICTURE_VIEWS[@]}"; do
-            printf ' ; %s' "$(frame_command "${PICTURE_VIEWS[view]}")" "grab $(drawing "$mesh" "$view")"
+            printf ' ; %s' "$(frame_command "${PICTURE_VIEWS[view]}")"
+            ! columns_have_edges || printf ' ; write-kernel %s' "$(kernel_file "$row" "$view")"
+            for column in "${!COLUMN_LABELS[@]}"; do
+                column_commands "$column" "$(drawing "$row" "$view" "$column")"
+            done
         done
         printf ' ; %s\n' "trigger Delete Current Mesh"
     done
     printf 'quit\n'
 }
 
-# first_undrawn FIRST: the first mesh from there on whose drawings are not all there, or the number of meshes
+# first_undrawn FIRST: the first row from there on whose drawings are not all there, or the number of rows
 first_undrawn() {
-    local mesh=$1
-    while ((mesh < ${#MESH_FILES[@]})) && [[ -e $(drawing "$mesh" $((${#PICTURE_VIEWS[@]} - 1))) ]]; do
-        ((++mesh))
+    local row=$1
+    while ((row < ${#MESH_FILES[@]})) &&
+        [[ -e $(drawing "$row" $((${#PICTURE_VIEWS[@]} - 1)) $((${#COLUMN_LABELS[@]} - 1))) ]]; do
+        ((++row))
     done
-    printf '%d\n' "$mesh"
+    printf '%d\n' "$row"
 }
 
 # draw_meshes STAGE FOLDER: all drawings of MESH_FILES, by as few MeshLabs as their failures allow. Sets FAILED_MESHES.
@@ -150,45 +179,84 @@ draw_meshes() {
     done
 }
 
-# prepare_meshes FOLDER MESH...: fills MESH_FILES and MESH_NAMES with what MeshLab is to draw; FAILED_MESHES with the rest
+# add_row FILE NAME NOISE
+add_row() {
+    MESH_FILES+=("$1")
+    MESH_NAMES+=("$2${3:+, with noise}")
+    MESH_NOISES+=("$3")
+}
+
+# prepare_meshes FOLDER MESH...: fills MESH_FILES and MESH_NAMES with what MeshLab is to draw, a row each, and MESH_NOISES
+# with how far its vertices are moved; FAILED_MESHES with the rest
 prepare_meshes() {
     local folder=$1 mesh file
-    MESH_FILES=() MESH_NAMES=() FAILED_MESHES=()
+    MESH_FILES=() MESH_NAMES=() MESH_NOISES=() FAILED_MESHES=()
     shift
     for mesh in "$@"; do
         mkdir "$folder/${#MESH_FILES[@]}_${#FAILED_MESHES[@]}"
         if file=$(prepare_mesh "$mesh" "$folder/${#MESH_FILES[@]}_${#FAILED_MESHES[@]}" && printf '%s' "$MESH"); then
-            MESH_FILES+=("$file")
-            MESH_NAMES+=("${mesh:-$(basename "$file")}")
+            add_row "$file" "${mesh:-$(basename "$file")}" ""
+            [[ -z $PICTURE_NOISE ]] || add_row "$file" "${mesh:-$(basename "$file")}" "$PICTURE_NOISE"
         else
             FAILED_MESHES+=("$mesh")
         fi
     done
 }
 
-# put_together FILE: the one drawing that there is, or a sheet of all
+# label_of ROW VIEW COLUMN
+label_of() {
+    local view=${PICTURE_VIEWS[$2]} label blur=
+    [[ $view != *,* ]] || view="${view/,/°, }°"
+    label="$(basename "${MESH_FILES[$1]}")${view:+ $view}"
+    [[ -z ${MESH_NOISES[$1]} ]] || label+=", noise of ${MESH_NOISES[$1]} mean edges, seed $NOISE_SEED"
+    [[ ${COLUMN_DETECTORS[$3]} == - ]] || blur=", σ = $(blur_of "$(kernel_file "$1" "$2")") px"
+    printf '%s%s%s' "$label" "${COLUMN_LABELS[$3]:+\n${COLUMN_LABELS[$3]}}" "$blur"
+}
+
+# finish_edges ROW VIEW: finds the edges in its pictures of the shaded surface
+finish_edges() {
+    local column width=${PICTURE_SIZE%x*} height=${PICTURE_SIZE#*x} scale
+    scale=$(awk -v side=$((width < height ? width : height)) -v least="$LINE_SIDE" 'BEGIN { print side / least }')
+    for column in "${!COLUMN_LABELS[@]}"; do
+        [[ ${COLUMN_DETECTORS[column]} == - ]] ||
+            draw_edges "$column" "$(blur_of "$(kernel_file "$1" "$2")")" "$scale" "$(drawing "$1" "$2" "$column")"
+    done
+}
+
+# has_drawings ROW VIEW: all that the row of a sheet holds
+has_drawings() {
+    local column
+    for column in "${!COLUMN_LABELS[@]}"; do
+        [[ -e $(drawing "$1" "$2" "$column") ]] || return 1
+    done
+}
+
+# put_together FILE: the one drawing that there is, or a sheet of all: several kinds in columns, unless there is but one row
 put_together() {
-    local target=$1 mesh view label
-    local -a sheet=()
-    for mesh in "${!MESH_FILES[@]}"; do
+    local target=$1 row view column rows=0
+    local -a sheet=() tiles=()
+    for row in "${!MESH_FILES[@]}"; do
         for view in "${!PICTURE_VIEWS[@]}"; do
-            [[ -e $(drawing "$mesh" "$view") ]] || continue
-            label=${PICTURE_VIEWS[view]}
-            [[ $label != *,* ]] || label="${label/,/°, }°"
-            sheet+=(-label "$(basename "${MESH_FILES[mesh]}") $label" "$(drawing "$mesh" "$view")")
+            has_drawings "$row" "$view" || continue
+            finish_edges "$row" "$view"
+            ((++rows))
+            for column in "${!COLUMN_LABELS[@]}"; do
+                sheet+=(-label "$(label_of "$row" "$view" "$column")" "$(drawing "$row" "$view" "$column")")
+            done
         done
     done
     ((${#sheet[@]})) || fail "no picture was written"
-    if ((${#MESH_FILES[@]} + ${#FAILED_MESHES[@]} == 1 && ${#PICTURE_VIEWS[@]} == 1)); then
+    ((rows == 1 || ${#COLUMN_LABELS[@]} == 1)) || tiles=(-tile "${#COLUMN_LABELS[@]}x")
+    if ((${#MESH_FILES[@]} + ${#FAILED_MESHES[@]} == 1 && ${#sheet[@]} == 3)); then
         mv "${sheet[2]}" "$target"
     else
-        montage -font "$SHEET_FONT" -pointsize 18 "${sheet[@]}" -geometry +8+8 "$target" || fail "ImageMagick's montage could not put the sheet together"
+        montage -font "$SHEET_FONT" -pointsize 18 "${sheet[@]}" "${tiles[@]}" -geometry +8+8 "$target" || fail "ImageMagick's montage could not put the sheet together"
     fi
     say "the picture is $target"
 }
 
-# take_pictures STAGE FOLDER PICTURE MESH...: one picture, or a sheet of one for each mesh and view, as the options say.
-# A sheet goes on without the meshes that fail, and then ends with an error.
+# take_pictures STAGE FOLDER PICTURE MESH...: one picture, or a sheet of one for each mesh, view and column, as the options
+# say. A sheet goes on without the meshes that fail, and then ends with an error.
 take_pictures() {
     local stage=$1 folder=$2 picture=$3 target
     target=$(readlink -f "$(dirname "$picture")")/$(basename "$picture")
@@ -197,7 +265,7 @@ take_pictures() {
     prepare_meshes "$folder" "${@:4}"
     # room for the window around the view and for the dialogs beside it
     start_display $((${PICTURE_SIZE%x*} + 600)) $((${PICTURE_SIZE#*x} + 300))
-    say "drawing $((${#MESH_FILES[@]} * ${#PICTURE_VIEWS[@]})) times $PICTURE_SIZE in MeshLab"
+    say "drawing $((${#MESH_FILES[@]} * ${#PICTURE_VIEWS[@]} * ${#COLUMN_LABELS[@]})) times $PICTURE_SIZE in MeshLab"
     draw_meshes "$stage" "$folder"
     put_together "$target"
     ((${#FAILED_MESHES[@]} == 0)) || fail "not drawn: ${FAILED_MESHES[*]}"

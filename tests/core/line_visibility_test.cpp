@@ -44,6 +44,13 @@ Scene two_balls() {
     return {mesh};
 }
 
+/// In D.
+double length_of(const LineSet& lines) {
+    return std::accumulate(
+        lines.lines.begin(), lines.lines.end(), 0.,
+        [](double sum, const Polyline& line) { return sum + double(line.length); });
+}
+
 bool is_in_front(const LineSet& lines, const Polyline& line) {
     return lines.points[line.first].position.z() > -2;
 }
@@ -65,6 +72,41 @@ TEST(LineVisibility, NearBallHidesAThirdOfTheFarOnesOutline) {
             EXPECT_NEAR(std::abs(end.position.y()), std::sqrt(0.75), 0.02);
         }
     }
+}
+
+/// The same of two surfaces with fields of their own.
+TEST(LineVisibility, SurfacesHideEachOther) {
+    const Scene near{ball({0, 0, 0})}, far{ball({1, 0, -4})};
+    const LineVisibility both(two_balls().mesh, {&near.field, &far.field});
+    const View view = View::orthographic(Eigen::Vector3d::UnitZ());
+    const auto outlines = [&](const Scene& scene) {
+        return extract(scene.extractor, view, helpers::all_contours());
+    };
+    const LineParts parts = both.parts(view, {outlines(near), outlines(far)});
+    ASSERT_EQ(parts.seen.lines.size(), 2u);
+    ASSERT_EQ(parts.hidden.lines.size(), 1u);
+    for (const Polyline& line : parts.seen.lines)
+        EXPECT_EQ(line.closed, is_in_front(parts.seen, line));
+    const double length = double(parts.hidden.lines[0].length) * far.field.scale.diagonal;
+    EXPECT_NEAR(length, 2 * kPi / 3, 0.03);
+}
+
+/// A surface is judged by its own lengths, also beside one that is a thousand times as large.
+TEST(LineVisibility, ALargeSurfaceDoesNotBlurASmallOne) {
+    const Scene small{test_meshes::torus(120, 60).mesh};
+    TriangleMesh mesh = small.mesh, large_ball = test_meshes::sphere(4).mesh;
+    for (Eigen::Vector3d& p : large_ball.positions)
+        p = 1000 * p + Eigen::Vector3d(2000, 0, 0);
+    const Field large_field = precompute(large_ball);
+    test_meshes::append(mesh, large_ball);
+    const View view = View::orthographic({0, 1, 0.5});
+    const LineSet lines = extract(small.extractor, view, helpers::all_contours());
+    const LineParts alone = small.visibility.parts(view, lines);
+    const LineParts beside =
+        LineVisibility(mesh, {&small.field, &large_field}).parts(view, {lines, LineSet()});
+    ASSERT_FALSE(alone.hidden.lines.empty());
+    EXPECT_EQ(beside.seen.lines.size(), alone.seen.lines.size());
+    EXPECT_NEAR(length_of(beside.hidden), length_of(alone.hidden), 0.01);
 }
 
 TEST(LineVisibility, EyeBetweenTheBallsSeesTheFarOutlineWhole) {

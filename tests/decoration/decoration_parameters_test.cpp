@@ -13,6 +13,7 @@
 
 namespace {
 
+using laplacian_lines::LineKind;
 using line_renderer::HiddenLines;
 using line_renderer::SurfaceAppearance;
 
@@ -46,7 +47,8 @@ TEST(DecorationParameters, BeginWithWhatEverybodyUses) {
     const QStringList keys = listedKeys();
     ASSERT_GT(keys.size(), 20);
     EXPECT_EQ(keys[0], "drawing_style");
-    EXPECT_EQ(keys[1], "detail");
+    EXPECT_EQ(keys[1], "lines");
+    EXPECT_EQ(keys[2], "detail");
     EXPECT_LT(keys.indexOf("light_elevation"), keys.indexOf("gradient_threshold"));
     EXPECT_LT(keys.indexOf("line_width"), keys.indexOf("gradient_threshold"));
     EXPECT_LT(keys.indexOf("contours"), keys.indexOf("laplacian_lines"));
@@ -78,7 +80,7 @@ TEST(DecorationParameters, HaveNoHeadingOverSwitches) {
         ++headings;
         EXPECT_FALSE(parameter.value().isBool()) << parameter.name().toStdString();
     }
-    EXPECT_EQ(headings, 3);
+    EXPECT_EQ(headings, 4);
 }
 
 TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
@@ -125,6 +127,55 @@ TEST(DecorationParameters, DrawingStylesOverrideColorsPaperAndLight) {
         EXPECT_EQ(read.style.detail, 70);
         EXPECT_EQ(read.camera_light.azimuth, 20);
     }
+}
+
+/// The default is the switches': those that older settings hold go on to count.
+TEST(DecorationParameters, SwitchesCountByDefault) {
+    RichParameterList list;
+    list.addParam(RichBool(kPrefix + "laplacian_lines", false, "", ""));
+    list.addParam(RichBool(kPrefix + "valleys", true, "", ""));
+    const DecorationParameters read = readDecorationParameters(list);
+    EXPECT_EQ(mixtureOf(read), nullptr);
+    EXPECT_FALSE(read.style.shows[LineKind::Laplacian]);
+    EXPECT_TRUE(read.style.shows[LineKind::Valley]);
+}
+
+RichEnum mixture(int value) {
+    return {kPrefix + "lines", value, QStringList(), "", ""};
+}
+
+/// A mixture counts more than the switches, and leaves all other parameters.
+TEST(DecorationParameters, MixturesOverrideSwitchesOfKinds) {
+    for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
+        const laplacian_lines::LineMixture& wanted = laplacian_lines::line_mixtures[i];
+        RichParameterList list;
+        list.addParam(mixture(int(i) + 1));
+        list.addParam(RichBool(kPrefix + "valleys", true, "", ""));
+        list.addParam(RichBool(kPrefix + "contours", false, "", ""));
+        list.addParam(number("detail", 70));
+        const DecorationParameters read = readDecorationParameters(list);
+        EXPECT_EQ(mixtureOf(read), &wanted);
+        EXPECT_EQ(read.style.detail, 70);
+        for (const auto& kind : laplacian_lines::line_kinds)
+            EXPECT_EQ(read.style.shows[kind.kind], wanted.kinds[kind.kind])
+                << wanted.key << ": " << kind.key;
+    }
+}
+
+/// In colors, or in those of all other lines.
+TEST(DecorationParameters, MixturesSayWhichKindsHaveTheirOwnColor) {
+    for (int style : {0, 1})
+        for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
+            const laplacian_lines::LineMixture& wanted = laplacian_lines::line_mixtures[i];
+            RichParameterList list;
+            list.addParam(mixture(int(i) + 1));
+            list.addParam(choice("drawing_style", style));
+            const DecorationParameters read = readDecorationParameters(list);
+            for (const auto& kind : laplacian_lines::line_kinds)
+                EXPECT_EQ(read.appearance.looks[std::size_t(kind.kind)].color,
+                          wanted.colored[kind.kind] ? QColor(kind.key_color) : QColor(Qt::black))
+                    << wanted.key << ": " << kind.key;
+        }
 }
 
 TEST(DecorationParameters, OutOfRangeAreAtTheirDefaultsWhereOthersCount) {

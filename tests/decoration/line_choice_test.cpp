@@ -39,18 +39,30 @@ TEST(LineChoice, FillsTheLooksByWhatIsAnOutline) {
     }
 }
 
-/// A new row of the table: its own color stays, its width keeps its proportion.
-TEST(LineChoice, KeepsWhatAKindHasOfItsOwn) {
+/// A new row of the table keeps its proportion.
+TEST(LineChoice, KeepsTheWidthsOfKindsInProportion) {
     LineKindDescription inside = describe(LineKind::Ridge);
-    inside.color = 0x2040ff;
     inside.width = 0.5;
-    const LineLook look = lookOf(inside, colorful());
-    EXPECT_EQ(look.color, QColor(0x20, 0x40, 0xff));
-    EXPECT_DOUBLE_EQ(look.width, 1.5);
+    EXPECT_DOUBLE_EQ(lookOf(inside, colorful()).width, 1.5);
     LineKindDescription outline = describe(LineKind::Border);
     outline.width = 2 * describe(LineKind::Contour).width;
     EXPECT_DOUBLE_EQ(lookOf(outline, colorful()).width, 15);
     EXPECT_EQ(lookOf(outline, colorful()).color, QColor(4, 5, 6));
+}
+
+/// The colored ones, and those that were given another color than the default.
+TEST(LineChoice, LeavesKindsTheirOwnColor) {
+    LineChoice choice = colorful();
+    EXPECT_EQ(lookOf(describe(LineKind::ApparentRidge), choice).color,
+              QColor(describe(LineKind::ApparentRidge).key_color));
+    EXPECT_EQ(lookOf(describe(LineKind::Valley), choice).color, QColor(1, 2, 3, 90));
+    choice.own[std::size_t(LineKind::Valley)] = Qt::green;
+    EXPECT_EQ(lookOf(describe(LineKind::Valley), choice).color, QColor(Qt::green));
+    choice.colored = {};
+    EXPECT_EQ(lookOf(describe(LineKind::ApparentRidge), choice).color, QColor(1, 2, 3, 90));
+    choice.colored[LineKind::Ridge] = true;
+    EXPECT_EQ(lookOf(describe(LineKind::Ridge), choice).color,
+              QColor(describe(LineKind::Ridge).key_color));
 }
 
 TEST(LineChoice, MayHaveOutlinesWithoutWidth) {

@@ -46,17 +46,21 @@ TEST(PanelLines, ShowThoseForExpertsWhenAsked) {
     EXPECT_GT(hidden, 20);
     for (const char* key : {"drawing_style", "parameters", "hidden_lines", "line_color"})
         EXPECT_TRUE(basic.at(key).is_shown) << key;
-    for (const auto& row : laplacian_lines::line_style_table())
-        EXPECT_EQ(basic.at(row.key).is_shown, !row.for_experts) << row.key;
+    for (const DecorationField& field : decorationFields())
+        EXPECT_EQ(basic.at(field.key).is_shown, !field.for_experts) << field.key;
+    for (const char* key : {"lines", "contours", "laplacian_lines"})
+        EXPECT_TRUE(basic.at(key).is_shown) << key;
 }
 
-/// All that is drawn, as far as drawing styles say anything about it.
+/// All that is drawn, as far as drawing styles and mixtures say anything about it.
 bool drawAlike(const DecorationParameters& a, const DecorationParameters& b) {
     bool looks_alike = true;
     for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind)
         looks_alike =
             looks_alike && a.appearance.looks[kind].color == b.appearance.looks[kind].color;
     const bool is_toon = a.surface.style == SurfaceAppearance::Toon;
+    for (const auto& kind : laplacian_lines::line_kinds)
+        looks_alike = looks_alike && a.style.shows[kind.kind] == b.style.shows[kind.kind];
     return looks_alike && a.surface.style == b.surface.style &&
            a.surface.paper == b.surface.paper && a.background == b.background &&
            a.light == b.light &&
@@ -67,13 +71,15 @@ bool drawAlike(const DecorationParameters& a, const DecorationParameters& b) {
 }
 
 /// Another value than the default for each parameter of this kind.
-std::vector<std::pair<std::string, RichParameterList>> changes(int drawing_style, int surface) {
+std::vector<std::pair<std::string, RichParameterList>> changes(int drawing_style, int surface,
+                                                               int lines) {
     const std::vector<std::pair<const char*, int>> numbers = {
         {"surface", (surface + 1) % 3}, {"background", 1}, {"light", 1}};
     std::vector<std::pair<std::string, RichParameterList>> result;
     const auto begin = [&](const char* key) -> RichParameterList& {
         RichParameterList list;
         list.addParam(RichEnum(kPrefix + "drawing_style", drawing_style, {"0", "1", "2"}, "", ""));
+        list.addParam(RichEnum(kPrefix + "lines", lines, QStringList(), "", ""));
         if (std::string(key) != "surface")
             list.addParam(RichEnum(kPrefix + "surface", surface, {"0", "1", "2"}, "", ""));
         result.emplace_back(key, list);
@@ -81,28 +87,37 @@ std::vector<std::pair<std::string, RichParameterList>> changes(int drawing_style
     };
     for (const auto& [key, value] : numbers)
         begin(key).addParam(RichEnum(kPrefix + key, value, {"0", "1", "2"}, "", ""));
-    for (const char* key : {"line_color", "contour_color", "paper_color", "shade_color"})
+    for (const char* key : {"line_color", "contour_color", "paper_color", "shade_color",
+                            "ridge_color", "highlight_color", "apparent_color", "border_color"})
         begin(key).addParam(RichColor(kPrefix + key, Qt::green, "", ""));
     begin("tones").addParam(RichInt(kPrefix + "tones", 5, "", ""));
     for (const char* key : {"light_azimuth", "light_elevation"})
         begin(key).addParam(RichFloat(kPrefix + key, 11, "", ""));
+    for (const auto& kind : laplacian_lines::line_kinds)
+        begin(kind.key).addParam(RichBool(kPrefix + kind.key, !kind.shown, "", ""));
     return result;
 }
 
-/// Off is what changes nothing, in each style and with each surface.
+void expectOffIsWithoutEffect(int style, int surface, int lines) {
+    RichParameterList unchanged;
+    unchanged.addParam(RichEnum(kPrefix + "drawing_style", style, {"0", "1", "2"}, "", ""));
+    unchanged.addParam(RichEnum(kPrefix + "surface", surface, {"0", "1", "2"}, "", ""));
+    unchanged.addParam(RichEnum(kPrefix + "lines", lines, QStringList(), "", ""));
+    const ValidParameters before = readValidParameters(unchanged);
+    const auto fields = fieldsFor(before);
+    for (const auto& [key, list] : changes(style, surface, lines))
+        EXPECT_EQ(fields.at(key).obstacle.isEmpty(),
+                  !drawAlike(before.chosen, readDecorationParameters(list)))
+            << key << " in style " << style << " with surface " << surface << " and lines "
+            << lines;
+}
+
+/// Off is what changes nothing, in each style, with each surface and each choice of lines.
 TEST(PanelLines, SwitchOffWhatHasNoEffect) {
     for (int style : {0, 1, 2})
-        for (int surface : {0, 1, 2}) {
-            RichParameterList unchanged;
-            unchanged.addParam(RichEnum(kPrefix + "drawing_style", style, {"0", "1", "2"}, "", ""));
-            unchanged.addParam(RichEnum(kPrefix + "surface", surface, {"0", "1", "2"}, "", ""));
-            const ValidParameters before = readValidParameters(unchanged);
-            const auto fields = fieldsFor(before);
-            for (const auto& [key, list] : changes(style, surface))
-                EXPECT_EQ(fields.at(key).obstacle.isEmpty(),
-                          !drawAlike(before.chosen, readDecorationParameters(list)))
-                    << key << " in style " << style << " with surface " << surface;
-        }
+        for (int surface : {0, 1, 2})
+            for (int lines = 0; lines <= int(laplacian_lines::line_mixtures.size()); ++lines)
+                expectOffIsWithoutEffect(style, surface, lines);
 }
 
 /// Otherwise nobody could mend it.

@@ -1,24 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # dask.sh PROGRAM: the example of drawings by several machines, with two workers on this one.
-set -euo pipefail
-
-here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 # shellcheck source=/dev/null
-source "$here/../../scripts/require.sh" environment/messages hosts/drawing_tools
-# shellcheck source=/dev/null
-source "$here/made_meshes.sh"
-
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/harness.sh"
+require hosts/drawing_tools
 ensure_drawing_tools || skip "$OBSTACLE"
 
-cd "$folder"
 write_cube
 for name in one two three; do cp cube.ply $name.ply; done
 echo "no mesh" >bad.ply
-draw=("$DRAWING_PYTHON" -B "$here/../../examples/draw_with_dask.py" --program "$program" plates)
+draw=("$DRAWING_PYTHON" -B "$HERE/../../examples/draw_with_dask.py" --program "$PROGRAM" plates)
 
 "${draw[@]}" one.ply two.ply three.ply -- --views front,left >said
 cat said

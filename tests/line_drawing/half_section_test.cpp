@@ -13,6 +13,7 @@
 using namespace line_drawing;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using made_sheets::layerOf;
 
 namespace {
 
@@ -30,12 +31,6 @@ void addHandle(laplacian_lines::TriangleMesh& mesh) {
     for (Vector3d& p : handle.positions)
         p = Vector3d(100, 100, 0) + 25 * p;
     test_meshes::append(mesh, handle);
-}
-
-const SheetLayer& layerOf(const SheetGroup& group, const char* key) {
-    for (const SheetLayer& layer : group.layers)
-        if (layer.key == key) return layer;
-    throw std::out_of_range(key);
 }
 
 SheetOptions vesselOptions() {
@@ -150,6 +145,27 @@ TEST(HalfSection, StandsBesideAFrontView) {
     const Sheet sheet = made_sheets::sheetOf(smallVessel(), options);
     EXPECT_GT(made_sheets::extentOf(sheet.groups[1]).left(),
               made_sheets::extentOf(sheet.groups[0]).right());
+}
+
+/// The rim of a cup from the side: what is behind on the left, hidden by the front on the right.
+TEST(HalfSection, ShowsHiddenEdgesIfWanted) {
+    SheetOptions options = vesselOptions();
+    auto mesh = made_sheets::cubeOf100();
+    auto block = made_sheets::cubeOf100();  // behind the cube, on both sides of its axis
+    for (Vector3d& p : block.positions)
+        p = Vector3d(0.6 * p.x(), 0.2 * p.y(), 0.2 * p.z() - 100);
+    test_meshes::append(mesh, block);
+    for (const bool wanted : {false, true}) {
+        options.hidden = wanted ? HiddenLines::Dashed : HiddenLines::LeftOut;
+        const SheetGroup view = made_sheets::sheetOf(mesh, options).groups.at(0);
+        double right = 0, left = 0;
+        const double middle = made_sheets::extentOf(view).center().x();
+        for (const SheetPath& path : layerOf(view, "hidden").paths)
+            (path.path.boundingRect().center().x() > middle ? right : left) += path.path.length();
+        // the half of the block that is hidden by the cube; on the left it is behind the wall
+        EXPECT_NEAR(right, wanted ? 2 * 30 + 20 : 0, 1);
+        EXPECT_EQ(left, 0);
+    }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QRectF>
+#include <stdexcept>
 
 #include "generators.h"
 #include "laplacian_lines/precompute.h"
@@ -29,6 +30,13 @@ inline line_drawing::SheetOptions plainViews(const char* views, const char* pape
     options.paper = paper;
     options.scale = 1;
     return options;
+}
+
+inline const line_drawing::SheetLayer& layerOf(const line_drawing::SheetGroup& group,
+                                               const char* key) {
+    for (const line_drawing::SheetLayer& layer : group.layers)
+        if (layer.key == key) return layer;
+    throw std::out_of_range(key);
 }
 
 /// What the lines of a view take on the sheet, the widths of pens apart.

@@ -2,27 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # program.sh PROGRAM: what the program of drawings makes of meshes and of mistakes, and how large others' programs find
 # its drawings.
-set -euo pipefail
-
-here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 # shellcheck source=/dev/null
-source "$here/made_meshes.sh"
-
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() {
-    printf 'FAILED: %s\n' "$*" >&2
-    exit 1
-}
+source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/harness.sh"
 
 # refused SENTENCE ARGS...: the program ends with an error that holds SENTENCE and leaves no file
 refused() {
     local sentence=$1
     shift
-    ! "$program" "$@" >out 2>error || fail "not refused: $*"
+    ! "$PROGRAM" "$@" >out 2>error || fail "not refused: $*"
     grep -qF -- "$sentence" error || fail "$* says: $(cat error)"
     ! ls plate.* 2>/dev/null || fail "$* left a file"
 }
@@ -42,7 +29,7 @@ expect_extent() {
 write_cube
 bare=(--views front --strokes plain --furniture none)
 for mesh in cube.off cube.obj cube.ply; do
-    "$program" "$mesh.svg" "${bare[@]}" --scale 1:1 "$mesh" >out
+    "$PROGRAM" "$mesh.svg" "${bare[@]}" --scale 1:1 "$mesh" >out
     grep -q "100 x 100 x 100 mm" out || fail "$mesh has another size"
     (($(grep -c "<path" "$mesh.svg") == 1)) || fail "the outline of $mesh is not one line"
 done
@@ -50,12 +37,13 @@ done
 refused "does not end in" plate.jpg cube.off
 refused "cannot be written" missing/plate.svg cube.off
 refused "there is no such file" plate.svg missing.ply
-refused "PLY, OBJ, STL and OFF" plate.svg "$program"
+refused "PLY, OBJ, STL and OFF" plate.svg "$PROGRAM"
 refused "is no view" plate.svg --views above cube.off
 refused "is no section" plate.svg --section y cube.off
 refused "no scale" plate.svg --scale 2 cube.off
 refused "Take the scale" plate.svg --scale 9:1 cube.off
 refused "has to be one of" plate.svg --up w cube.off
+refused "--kinds is \"ridge\". It has to be some of usual, laplacian_lines, " plate.svg --kinds ridge cube.off
 refused "unknown option" plate.svg --colour red cube.off
 refused "needs a value" plate.svg cube.off --up
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >points.off
@@ -68,19 +56,37 @@ refused "cannot be written" /proc/plate.svg cube.off
 
 # what is not finite is left out, and a size that can hardly be meant gives advice
 sed 's/^100 100 100$/nan nan nan/' cube.off >hole.off
-"$program" hole.svg "${bare[@]}" hole.off >out
+"$PROGRAM" hole.svg "${bare[@]}" hole.off >out
 grep -q "100 x 100 x 100 mm" out || fail "a vertex that is not finite changes the size: $(cat out)"
 awk 'NR > 2 && NR < 11 { print $1 / 1e5, $2 / 1e5, $3 / 1e5; next } { print }' cube.off >metres.off
-"$program" metres.svg --scale 1:1 --unit m "${bare[@]}" metres.off >out
+"$PROGRAM" metres.svg --scale 1:1 --unit m "${bare[@]}" metres.off >out
 grep -q "1 x 1 x 1 mm large" out || fail "1 mm in metres: $(cat out)"
-"$program" metres.svg "${bare[@]}" metres.off >out
+"$PROGRAM" metres.svg "${bare[@]}" metres.off >out
 grep -q "if it is in metres, say --unit m" out || fail "no advice: $(cat out)"
 
-# --- several meshes give a drawing each and a contact sheet
+# --- several meshes in a file are one drawing
+
+mkdir scene more_of_them
+cp cube.off scene/near.off
+awk 'NR > 2 && NR < 11 { print $1 + 50, $2, $3 - 300; next } { print }' cube.off >scene/far.off
+"$PROGRAM" together.svg "${bare[@]}" --title "{name}" --scale 1:1 --paper a3 scene/near.off scene/far.off >out
+grep -q "together the objects are 150 x 100 x 400 mm" out || fail "two cubes have another size: $(cat out)"
+# the far one's outline is an angle beside the near one's
+(($(grep -c "<path" together.svg) == 2)) || fail "two cubes have other outlines than theirs"
+"$PROGRAM" folder.svg "${bare[@]}" --title "{name}" --scale 1:1 --paper a3 scene >/dev/null
+"$PROGRAM" order.svg "${bare[@]}" --title "{name}" --scale 1:1 --paper a3 scene/{far,near}.off >/dev/null
+cmp folder.svg order.svg || fail "a folder is not drawn as its meshes"
+"$PROGRAM" notes.svg --title "{name}" scene >/dev/null
+grep -q ">far, near<" notes.svg && grep -q "far.off, near.off" notes.svg || fail "the sheet does not name its objects"
+refused "points.off: the mesh has no faces" plate.svg cube.off points.off
+refused "nowhere.off: " plate.svg cube.off nowhere.off
+refused "there is no mesh in the folder" plate.svg more_of_them
+
+# --- several meshes in a folder are a drawing each and a contact sheet
 
 # drawn ARGS...: what the program says of a collection
 drawn() {
-    "$program" plates/ "$@" 2>&1 || true
+    "$PROGRAM" plates/ "$@" 2>&1 || true
 }
 
 # expect_says TEXT LINE...: TEXT has these lines
@@ -100,7 +106,7 @@ says=$(drawn --title "{name}" meshes more/three.ply)
 expect_says "$says" "plates/one.pdf: drawn" "plates/two.pdf: drawn" "plates/three.pdf: drawn" \
     "plates/contact_sheet.pdf: 3 objects" "3 drawn, 0 unchanged, 1 not drawn"
 grep -q "^meshes/bad.ply: not drawn: the mesh cannot be read" <<<"$says" || fail "the bad mesh is not reported: $says"
-! "$program" plates/ meshes >/dev/null 2>&1 || fail "a mesh that cannot be drawn is no error"
+! "$PROGRAM" plates/ meshes >/dev/null 2>&1 || fail "a mesh that cannot be drawn is no error"
 rm meshes/bad.ply
 drawn --title "{name}" meshes more/three.ply >/dev/null
 before=$(stat -c '%n %y' plates/{one,two,three}.pdf)
@@ -115,8 +121,6 @@ expect_says "$(drawn --format svg meshes more)" "plates/one.off.svg: drawn" "pla
 for name in one.off one.obj two three; do
     grep -q ">$name<" plates/contact_sheet.svg || fail "$name is not on the contact sheet"
 done
-refused "name a folder for them" plate.svg cube.off cube.obj
-refused "name a folder for them" plate.svg meshes
 refused "--format goes with a folder" plate.svg --format pdf cube.off
 refused "there is no mesh in the folder" plates/ plates
 refused "have the same name" plates/ cube.off meshes/../cube.off
@@ -128,9 +132,9 @@ refused "is too large" plate.png --dpi 2400 --paper a0 cube.off
 dpi=600 missing=
 for scale in 1:1 1:2; do
     [[ $scale == 1:1 ]] && mm=100 || mm=50
-    "$program" cube.svg "${bare[@]}" --scale "$scale" cube.off >/dev/null
-    "$program" cube.pdf "${bare[@]}" --scale "$scale" cube.off >/dev/null
-    "$program" cube.png "${bare[@]}" --dpi $dpi --scale "$scale" cube.off >/dev/null
+    "$PROGRAM" cube.svg "${bare[@]}" --scale "$scale" cube.off >/dev/null
+    "$PROGRAM" cube.pdf "${bare[@]}" --scale "$scale" cube.off >/dev/null
+    "$PROGRAM" cube.png "${bare[@]}" --dpi $dpi --scale "$scale" cube.off >/dev/null
     expect_extent "$(extent_mm cube.png $dpi)" "$mm.5" "PNG at $scale"
     if command -v rsvg-convert >/dev/null; then
         rsvg-convert -d $dpi -p $dpi -b white cube.svg -o svg.png

@@ -8,6 +8,7 @@
 
 #include "drawing_sheet.h"
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/line_mixture.h"
 #include "meshlab_host/drawn_style.h"
 #include "places.h"
 
@@ -42,14 +43,16 @@ TEST(DrawingParameters, ViewsKeepTheirOrder) {
 TEST(DrawingParameters, TheViewOfTheWindowHasItsUpwardDirection) {
     DrawingParameters chosen;
     chosen.views = "window";
-    EXPECT_TRUE(usesWindow(chosen));
     const line_drawing::ViewFrame view = sheetOptions(chosen, window).views.at(0);
     EXPECT_EQ(view.towards_viewer, Eigen::Vector3d(1, 0, 0));
     EXPECT_EQ(view.up, Eigen::Vector3d(0, 0, 1));
     EXPECT_EQ(view.right, Eigen::Vector3d(0, 1, 0));
+    EXPECT_FALSE(view.eye);
+    CurrentView perspective = window;
+    perspective.is_orthographic = false;
+    EXPECT_EQ(sheetOptions(chosen, perspective).views.at(0).eye, window.eye);
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
     chosen.views = "front";
-    EXPECT_FALSE(usesWindow(chosen));
     EXPECT_EQ(sheetOptions(chosen, std::nullopt).views.size(), 1u);
 }
 
@@ -63,6 +66,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     EXPECT_EQ(usual.arrangement, made.arrangement);
     EXPECT_EQ(usual.strokes, made.strokes);
     EXPECT_EQ(usual.wall, made.wall);
+    EXPECT_EQ(usual.hidden, made.hidden);
     EXPECT_TRUE(usual.has_notes && usual.has_scale_bar && usual.has_view_names);
 
     chosen.file = "plate.DXF";
@@ -72,6 +76,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     chosen.up = line_drawing::UpAxis::Z;
     chosen.title = "Find 17";
     chosen.wall = line_drawing::WallStyle::Filled;
+    chosen.hidden = line_drawing::HiddenLines::Dashed;
     chosen.has_furniture = false;
     const SheetOptions options = sheetOptions(chosen, std::nullopt);
     EXPECT_EQ(options.scale, 0.25);
@@ -80,6 +85,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     EXPECT_EQ(options.views.at(0).up, Eigen::Vector3d(0, 0, 1));
     EXPECT_EQ(options.strokes, line_drawing::StrokeStyle::Plain);
     EXPECT_EQ(options.title, "Find 17");
+    EXPECT_EQ(options.hidden, line_drawing::HiddenLines::Dashed);
     EXPECT_EQ(options.wall, line_drawing::WallStyle::Filled);
     EXPECT_FALSE(options.has_notes || options.has_scale_bar || options.has_view_names);
     chosen.scale = "half";
@@ -100,7 +106,9 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     given.strokes = line_drawing::StrokeStyle::Plain;
     given.wall = line_drawing::WallStyle::None;
     given.has_furniture = false;
-    given.is_as_decoration = true;
+    given.settings = settings_of_decoration;
+    given.is_of_all_layers = true;
+    given.hidden = line_drawing::HiddenLines::Dashed;
     RichParameterList list;
     listDrawingParameters(given, list);
     const DrawingParameters read = readDrawingParameters(list);
@@ -113,7 +121,9 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     EXPECT_EQ(read.strokes, given.strokes);
     EXPECT_EQ(read.wall, given.wall);
     EXPECT_FALSE(read.has_furniture);
-    EXPECT_TRUE(read.is_as_decoration);
+    EXPECT_EQ(read.settings, settings_of_decoration);
+    EXPECT_TRUE(read.is_of_all_layers);
+    EXPECT_EQ(read.hidden, given.hidden);
     given.paper = 7;
     RichParameterList wrong;
     listDrawingParameters(given, wrong);
@@ -152,7 +162,7 @@ TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
     int count = 0;
     QCoreApplication application(count, nullptr);
     DrawingParameters chosen;
-    chosen.is_as_decoration = true;
+    chosen.settings = settings_of_decoration;
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
     meshlab_host::DrawnStyle drawn;
     drawn.style.detail = 77;
@@ -165,6 +175,18 @@ TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
     drawn.light.reset();
     meshlab_host::noteDrawnStyle(drawn);
     EXPECT_FALSE(sheetOptions(chosen, std::nullopt).light);
+}
+
+TEST(DrawingParameters, TakeTheKindsOfMixtures) {
+    for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
+        DrawingParameters chosen;
+        chosen.settings = settings_of_decoration + 1 + int(i);
+        const SheetOptions options = sheetOptions(chosen, std::nullopt);
+        for (const auto& kind : laplacian_lines::line_kinds)
+            EXPECT_EQ(options.style.shows[kind.kind],
+                      laplacian_lines::line_mixtures[i].kinds[kind.kind])
+                << laplacian_lines::line_mixtures[i].key << ": " << kind.key;
+    }
 }
 
 }  // namespace

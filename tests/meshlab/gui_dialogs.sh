@@ -24,7 +24,8 @@ expect-fields-above 768
 expect-wrapped-tool-tips
 expect-deco Drawing Style on
 expect-deco Occluding Contours on
-expect-deco Borders on
+expect-deco Lines on
+expect-deco Borders hidden
 expect-deco Line Color on
 expect-deco Ridge Angle hidden
 expect-deco Show Statistics hidden
@@ -55,6 +56,14 @@ expect-deco Detail on
 setdeco Drawing Style = Archaeology (Side Light)
 expect-deco Light Azimuth on
 expect-deco Light Position off
+
+# as does the choice of lines
+setdeco Lines = Apparent Ridges
+expect-deco Ridges off
+expect-deco Apparent Ridges off
+expect-deco Least Apparent Curvature on
+setdeco Lines = Laplacian Lines, as Switched
+expect-deco Ridges on
 
 # a panel that MeshLab makes anew is arranged like the one before
 setdeco Parameters = Basic

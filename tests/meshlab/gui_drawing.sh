@@ -35,11 +35,11 @@ sleep 300
 screen dialog.png
 apply
 expect-log torus.ply has no precomputed attributes; computed with the default options in
-expect-log The window shows perspective; drawn is what parallel rays
-expect-log ${drawn}torus_drawing.svg, scale 50:1 on paper of 210 x 297 mm. The object is 2.\S* x 2.\S* x \S* mm large
+expect-log ${drawn}torus_drawing.svg, in perspective and so without a scale on paper of 210 x 297 mm. The object is 2.\S* x 2.\S* x \S* mm large
 set Views = front
 set File = front.svg
 apply
+expect-log ${drawn}front.svg, scale 50:1 on paper of 210 x 297 mm
 set File = refused.bmp
 apply
 expect-modal Filter Failure.*"refused.bmp" does not end in .svg, .pdf, .dxf or .png
@@ -73,12 +73,115 @@ set Views = right
 set File = right.svg
 apply
 close
-expect-no-log (?s)The window shows perspective.*The window shows perspective.*The window shows perspective
+expect-no-log (?s)in perspective.*in perspective
 END
-expect_same_lines torus_drawing.svg front.svg
 expect_same_lines window.svg right.svg
+grep -q '>perspective, not to scale' "$WORK/torus_drawing.svg" || fail "the perspective view is not called one"
+grep -q '>1:\|>[0-9.]*:1 ' "$WORK/front.svg" || fail "the front view says no scale"
 [[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
 [[ ! -e $WORK/refused.svg && ! -e $WORK/refused.bmp ]] || fail "a refused drawing was written"
+
+# A window in perspective: the far face of a cube is to the near one, which hides it, as their distances; an eye within
+cat >"$WORK/cube.ply" <<END
+ply
+format ascii 1.0
+element vertex 8
+property float x
+property float y
+property float z
+element face 6
+property list uchar int vertex_indices
+end_header
+-1 -1 -1
+1 -1 -1
+1 1 -1
+-1 1 -1
+-1 -1 1
+1 -1 1
+1 1 1
+-1 1 1
+4 0 3 2 1
+4 4 5 6 7
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+END
+drive <<END
+wait
+open cube.ply
+size 800x600
+look 0 0 6  0 0 0
+trigger Export Laplacian Lines Drawing
+set Hidden Lines = Dashed
+set Strokes = Plain
+set File = cube.svg
+apply
+set Views = front, window
+set File = mixed.svg
+apply
+expect-log mixed.svg, scale
+close
+look 0 0 0.5  0 0 -1
+trigger Export Laplacian Lines Drawing
+set File = refused.svg
+apply
+expect-modal Filter Failure.*eye of a view in perspective is inside the surface
+button OK
+close
+END
+# the upper edges of both faces, the far one's before the near one's
+widths=$(paths cube.svg | grep -oE 'l[0-9.]+ 0' | tr -d l | sort -n | cut -d' ' -f1 | xargs)
+awk '{ ratio = $1 / $2; exit !(NF == 2 && ratio > 5 / 7 - .002 && ratio < 5 / 7 + .002) }' <<<"$widths" ||
+    fail "the faces of the cube are $widths mm wide"
+grep -q '>View (perspective, not to scale)<' "$WORK/mixed.svg" || fail "the view beside others is not called perspective"
+
+# All visible layers, each with its own results; a hidden one is none of them
+write_bumpy_torus 120 60 >"$WORK/ring.ply"
+drive <<END
+wait
+open torus.ply
+open ring.ply
+select-layer ring
+$(move_layer 'X Translation = 0.9' 'X Rotation = 80')
+trigger Compute Laplacian Lines
+apply
+close
+size 800x600
+trigger Export Laplacian Lines Drawing
+set Views = front, 30,20
+set Layers = All Visible Layers
+set File = both.svg
+apply
+expect-log torus.ply has no precomputed attributes
+expect-no-log ring.ply has no precomputed attributes
+expect-log Drawing of torus.ply, ring.ply: \S*both.svg, .* Together the objects are 3
+set Layers = Current Layer
+set File = ring.svg
+apply
+expect-log Drawing of ring.ply: \S*ring.svg, .* The object is
+close
+show-layer torus
+sleep 200
+trigger Export Laplacian Lines Drawing
+set Views = front, 30,20
+set Layers = All Visible Layers
+set File = shown.svg
+apply
+close
+show-layer ring
+sleep 200
+trigger Export Laplacian Lines Drawing
+set Layers = All Visible Layers
+set File = refused.svg
+apply
+expect-modal Filter Failure.*No visible layer can be drawn
+button OK
+close
+END
+cmp "$WORK/ring.svg" "$WORK/shown.svg" || fail "a hidden layer is drawn"
+(($(paths both.svg | wc -l) > $(paths ring.svg | wc -l))) || fail "one of two layers is not drawn"
+[[ ! -e $WORK/refused.svg ]] || fail "nothing was drawn into a file"
 
 # Layers as they stand: turned, larger, stretched; and as the decoration draws
 drive <<END
@@ -99,6 +202,7 @@ apply
 close
 $(move_layer 'X Scale = 2' 'Y Scale = 2' 'Z Scale = 2')
 trigger Export Laplacian Lines Drawing
+set Views = front
 set File = $WORK/twice.svg
 apply
 expect-log scale 20:1 on paper of 210 x 297 mm. The object is [45].\S* x [45]

@@ -97,7 +97,7 @@ expect_faces() {
     take "$WORK/faces.png" "$WORK/box.ply" "${options[@]}" "${views[@]}"
     for number in "${!sizes[@]}"; do
         # shellcheck disable=SC2086 # two numbers
-        expect_drawn "$WORK/drawings/drawing_0_$number.png" ${sizes[number]}
+        expect_drawn "$WORK/drawings/drawing_0_${number}_0.png" ${sizes[number]}
     done
 }
 expect_faces -- 360 270 front 360 270 180,0 240 360 left 360 180 top 360 180 bottom 180 360 90,90

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_table.h"
 #include "meshlab_host/drawn_style.h"
 #include "polyline_view.h"
@@ -122,6 +123,27 @@ TEST(DrawnStyle, IsReadAsItWasNoted) {
     drawn.light.reset();
     meshlab_host::noteDrawnStyle(drawn);
     EXPECT_FALSE(readPolylineParameters(list).camera_light);
+}
+
+TEST(PolylineSettings, OfMixturesOverrideTheSwitchesOfKinds) {
+    for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
+        const laplacian_lines::LineMixture& mixture = laplacian_lines::line_mixtures[i];
+        PolylineParameters asked;
+        asked.settings = SettingsChoice(int(SettingsChoice::FirstMixture) + int(i));
+        asked.style.shows[laplacian_lines::LineKind::Laplacian] = false;
+        asked.style.detail = 70;
+        RichParameterList list;
+        listPolylineParameters(asked, list);
+        const PolylineParameters read = readPolylineParameters(list);
+        EXPECT_EQ(read.style.detail, 70);
+        for (const auto& kind : laplacian_lines::line_kinds) {
+            EXPECT_EQ(read.style.shows[kind.kind], mixture.kinds[kind.kind])
+                << mixture.key << ": " << kind.key;
+            EXPECT_EQ(read.colors[std::size_t(kind.kind)] & 0xffffff,
+                      mixture.colored[kind.kind] ? kind.key_color : 0)
+                << mixture.key << ": " << kind.key;
+        }
+    }
 }
 
 }  // namespace

@@ -5,18 +5,20 @@ source "$(dirname "$(readlink -f "$0")")/harness.sh"
 EXAMPLE=$CHECKOUT/examples/laplacian_lines_drawing.mlx
 PROGRAM=$LAPLACIAN_LINES_BUILD/bin/laplacian_lines_drawing
 
-# draw FILE [KEY=VALUE...]
+MESHES=(torus.ply)
+
+# draw FILE [KEY=VALUE...]: of MESHES
 draw() {
     local file=$1
     shift
     write_script script.mlx file="$file" "$@"
     rm -f "$WORK/$file"
-    serve -i torus.ply -s script.mlx
+    serve -i "${MESHES[@]}" -s script.mlx
     ((SERVER_CODE == 0)) || fail "the script with $* ended with $SERVER_CODE"
     [[ -s $WORK/$file ]] || fail "the script with $* wrote no $file"
 }
 
-# expect_same_as_program FILE OPTIONS...: those of ./run --drawing
+# expect_same_as_program FILE OPTIONS...: those of ./run --drawing of MESHES
 expect_same_as_program() {
     local file=$1
     shift
@@ -24,7 +26,7 @@ expect_same_as_program() {
         say "not compared: there is no $PROGRAM"
         return
     fi
-    (cd "$WORK" && "$PROGRAM" "program_$file" "$@" torus.ply >/dev/null)
+    (cd "$WORK" && "$PROGRAM" "program_$file" "$@" "${MESHES[@]}" >/dev/null)
     cmp "$WORK/$file" "$WORK/program_$file" || fail "$file differs from what --drawing $* writes"
 }
 
@@ -54,8 +56,34 @@ draw plate.pdf views=front,left title="A plate"
 [[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
 expect_same_as_program plate.pdf --views front,left --title "A plate"
 
+# kinds of lines by mixtures, whose numbers are those of Settings
+draw ridges.svg settings=5
+expect_same_as_program ridges.svg --kinds apparent_ridges
+! cmp -s "$WORK/ridges.svg" "$WORK/front.svg" || fail "apparent ridges look like the usual lines"
+
 draw plate.png views=six
 expect_same_as_program plate.png --views six
+draw hidden.svg views=30,40 hidden=1
+expect_same_as_program hidden.svg --views 30,40 --hidden dashed
+
+# --- layers together
+awk '$1 == "end_header" { body = 1; print; next } body && NF == 3 { print $1 + .9, $2 + .3, $3 - 2; next } 1' \
+    "$WORK/torus.ply" >"$WORK/behind.ply"
+printf '%s\n' ply 'format ascii 1.0' 'element vertex 1' 'property float x' 'property float y' 'property float z' \
+    end_header '0 0 9' >"$WORK/points.ply"
+MESHES=(torus.ply behind.ply)
+draw both.svg layers=1 views=front,20,10 sections=x=0.5 hidden=1
+expect_same_as_program both.svg --views front,20,10 --section x=0.5 --hidden dashed
+expect_text "$WORK/log" 'Drawing of torus\.ply, behind\.ply: .*both\.svg, .* Together the objects are 3\.[0-9]* x'
+cp "$WORK/both.svg" "$WORK/two.svg"
+MESHES=(points.ply torus.ply behind.ply)
+draw both.svg layers=1 views=front,20,10 sections=x=0.5 hidden=1
+expect_text "$WORK/log" 'points\.ply is left out of the drawing: it has no faces\.'
+cmp "$WORK/both.svg" "$WORK/two.svg" || fail "points change the drawing"
+draw current.svg
+grep -q '>[^<]*behind\.ply<' "$WORK/current.svg" && ! grep -q 'torus\.ply' "$WORK/current.svg" ||
+    fail "the current layer is not drawn alone"
+MESHES=(torus.ply)
 
 # a field of other options is used
 sed '/<\/FilterScript>/d' "$CHECKOUT/examples/laplacian_lines.mlx" >"$WORK/both.mlx"

@@ -49,6 +49,11 @@ accept all.ply visible_only=false
 (($(segments) > visible)) || fail "hidden lines are left out unasked"
 accept contours.ply laplacian_lines=false ridges=false borders=false
 expect_text "$WORK/log" 'Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ segments'
+# kinds by mixtures, whichever are switched on
+accept mixture.ply settings=3 contours=false
+expect_text "$WORK/log" 'Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ suggestive contours, [0-9]+ segments'
+accept mixture.ply settings=5
+expect_text "$WORK/log" 'Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ apparent ridges, [0-9]+ segments'
 accept detailed.ply detail=90
 (($(segments) > visible)) || fail "more detail gives no more lines"
 accept lit.ply light=1
@@ -74,6 +79,7 @@ expect_text "$WORK/log" 'Warning: the viewpoint 0 0 0\.6 is close to the box of 
 refuse_settings 'There is no window with a current view\. Set "View" to 3 \(Front\)' view=0
 refuse_settings '"View" is 9\. It has to be one of 0 ' view=9
 refuse_settings 'The decoration Laplacian Lines has drawn nothing here' settings=1
+refuse_settings '"Settings" is 10\. It has to be one of 0 ' settings=10
 refuse_settings '"Detail" is 101\. It has to be between 0 and 100' detail=101
 refuse_settings 'No lines are seen from there, so no layer was created' laplacian_lines=false ridges=false borders=false contours=false
 place viewpoint 1 0 0

@@ -61,6 +61,20 @@ assert numpy.allclose(result["object"], 2 * numpy.ptp(vertices, axis=0)[[2, 1, 0
 left, _ = draw("left.svg", views="left")
 assert abs(len(paths(turned)) - len(paths(left))) <= 2, (len(paths(turned)), len(paths(left)))
 
+# all visible layers, of which one hides the other
+ms.load_new_mesh(str(MESH))
+ms.compute_matrix_from_translation_rotation_scale(translationz=-9, freeze=False)
+both, result = draw("both.svg", ms, layers="All Visible Layers", views="front")
+assert result["object"][2] > 9, result
+dashed, _ = draw("dashed.svg", ms, layers="All Visible Layers", views="front", hidden="Dashed")
+assert len(paths(dashed)) > len(paths(both)) and b"stroke-dasharray" in dashed and b"stroke-dasharray" not in both
+ms.set_current_mesh_visibility(False)
+assert draw("shown.svg", ms, layers="All Visible Layers")[0] == turned
+ms.set_current_mesh(0)
+ms.set_current_mesh_visibility(False)
+expect_error("No visible layer", ms.export_laplacian_lines_drawing, file=str(WORK / "refused.svg"),
+             layers="All Visible Layers")
+
 refused = meshes()
 make = refused.export_laplacian_lines_drawing
 expect_error("does not end in .svg", make, file=str(WORK / "refused.bmp"))

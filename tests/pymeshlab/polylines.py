@@ -51,6 +51,11 @@ script.apply_filter_script()
 by_script = lines_of(script)
 assert (by_script[0] == front[0]).all() and (by_script[1] == front[1]).all()
 
+# kinds by the names of mixtures
+assert set(create(settings="Suggestive Contours")[2]["ll_kind"]) == {1, 7}
+assert set(create(settings="Photic Extremum Lines")[2]["ll_kind"]) == {1, 10}
+assert set(create(settings="Only Laplacian Lines", laplacian_lines=False)[2]["ll_kind"]) == {0, 1}
+
 refused = meshes()
 make = refused.generate_polyline_from_laplacian_lines
 expect_error("There is no window with a current view", make, view=0)

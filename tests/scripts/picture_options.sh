@@ -35,6 +35,13 @@ accepts --zoom 2 --zoom 0.1 --zoom 10 --orthographic --size 1x20000
 for zoom in '' 0 0.09 11 -1 1e0 2x .; do
     refuses '--zoom needs a factor' --picture picture.png --zoom "$zoom"
 done
+accepts --kinds all --noise 0.2 --kinds ridges+valleys,log
+for kinds in '' --noise; do
+    refuses '--kinds needs names' --picture picture.png --kinds "$kinds"
+done
+for noise in '' 0 -1 2.1 x; do
+    refuses '--noise needs a share' --picture picture.png --noise "$noise"
+done
 for size in '' 0x10 10 10x 1200X900; do
     refuses '--size needs WIDTHxHEIGHT' --picture picture.png --size "$size"
 done

@@ -1,18 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks parameters of the decoration and prints the driver's commands that set them:
 //   decoration_settings NAME=VALUE...
+// or those of the pictures of a comparison, a line each: label, detector of edges or -, commands
+// before and after the picture, with tabs between these four and " ; " between commands:
+//   decoration_settings --kinds NAMES NAME=VALUE...
 #include <cstdio>
 #include <exception>
 
-#include "decoration_settings.h"
+#include "decoration_commands.h"
+
+namespace {
+
+void print(const QString& text) {
+    std::fputs(text.toLocal8Bit().constData(), stdout);
+}
+
+void printPictures(const QString& names, const QStringList& settings) {
+    for (const ComparedPicture& picture : comparedPictures(names, settings))
+        print(QStringList{picture.label, picture.detector.isEmpty() ? "-" : picture.detector,
+                          picture.before.join(" ; "), picture.after.join(" ; ")}
+                  .join('\t') +
+              '\n');
+}
+
+}  // namespace
 
 int main(int argc, char** argv) try {
-    QString commands;
-    for (int i = 1; i < argc; ++i) {
-        const DecorationSetting setting = readDecorationSetting(QString::fromLocal8Bit(argv[i]));
-        commands += QString("setdeco %1 = %2\n").arg(setting.label, setting.value);
+    QStringList words;
+    for (int i = 1; i < argc; ++i)
+        words << QString::fromLocal8Bit(argv[i]);
+    if (words.value(0) == "--kinds") {
+        printPictures(words.value(1), words.mid(2));
+        return 0;
     }
-    std::fputs(commands.toLocal8Bit().constData(), stdout);
+    for (const QString& command : settingCommands(words))
+        print(command + '\n');
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -11,6 +11,7 @@
 #include "line_scale.h"
 #include "log_text.h"
 #include "modules.h"
+#include "noisy_mesh.h"
 #include "report.h"
 #include "situation.h"
 
@@ -67,6 +68,8 @@ void addDrawingCommands(CommandTable& table) {
     table.addSimple("draw-lines", drawLines);
     table.addSimple("scale-lines", scaleLines);
     table.addSimple("frame", frame);
+    table.addSimple("write-kernel", writeKernel);
+    table.addSimple("write-noisy", writeNoisy);
 }
 
 }  // namespace driver

@@ -188,11 +188,17 @@ QList<QWidget*> findEditors(QWidget* container, const QString& label) {
     return {};
 }
 
+/// A panel that is due to be arranged may have it on.
+bool isOff(const QWidget& editor) {
+    if (!editor.isEnabled()) QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
+    return !editor.isEnabled();
+}
+
 }  // namespace
 
 void setField(QWidget* container, const QString& label, const QString& value) {
     const QList<QWidget*> editors = findEditors(container, label);
-    if (!editors.isEmpty() && !editors.first()->isEnabled())
+    if (!editors.isEmpty() && isOff(*editors.first()))
         throw CommandError(
             QString("the field '%1' is off: %2").arg(label, lastLine(editors.first()->toolTip())));
     if (!setEditors(editors, value)) throw noField(container, label);

@@ -3,12 +3,15 @@
 
 #include "frame.h"
 
+#include <QFile>
 #include <QtMath>
 #include <cmath>
 
 #include "camera.h"
+#include "core_lines.h"
 #include "framing.h"
 #include "gui.h"
+#include "laplacian_lines/precompute.h"
 #include "meshlab_host/camera.h"
 #include "situation.h"
 
@@ -98,6 +101,14 @@ CameraPlace orthographicPlace(const Points& points, const Window& window, double
     return place;
 }
 
+double noted_pixels_to_unit = 0;
+
+/// Where the camera's target is.
+double pixelsToUnit(const CameraPlace& place, bool is_orthographic, int height) {
+    const double tangent = is_orthographic ? 1 : std::tan(qDegreesToRadians(place.angle / 2));
+    return height / (2 * place.distance * tangent);
+}
+
 double zoomIn(const Command& command) {
     const double zoom = command.words.size() > 3 ? command.number(3) : 1;
     if (!(zoom > 0)) throw CommandError("the zoom has to be positive");
@@ -123,10 +134,21 @@ void frame(const Command& command) {
                                         : perspectivePlace(points, window, zoom, diagonal);
     place.axes = axes;
     place.farthest_behind = -box.min().z();
+    noted_pixels_to_unit = pixelsToUnit(place, is_orthographic, requireView()->height());
     const QVector3D shift = place.target;
     place.target = QVector3D(float(centre.x()), float(centre.y()), float(centre.z())) +
                    shift.x() * axes.right + shift.y() * axes.up;
     placeCamera(place);
+}
+
+void writeKernel(const Command& command) {
+    const MeshModel* mesh = presentSituation().current;
+    if (!mesh || noted_pixels_to_unit == 0) throw CommandError("nothing has been framed");
+    const double kernel = laplacian_lines::measure_scale(liveTriangles(mesh->cm)).kernel_size;
+    QFile file(command.rest);
+    if (!file.open(QIODevice::WriteOnly) ||
+        file.write(QByteArray::number(kernel * noted_pixels_to_unit) + '\n') < 0)
+        throw CommandError("cannot write " + command.rest);
 }
 
 }  // namespace driver

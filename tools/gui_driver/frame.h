@@ -10,4 +10,8 @@ struct Command;
 // view need not be drawn. ZOOM enlarges the picture about its middle.
 void frame(const Command& command);
 
+// write-kernel FILE: the kernel size of the current layer, as the decoration has it by default, in
+// pixels of the latest frame.
+void writeKernel(const Command& command);
+
 }  // namespace driver

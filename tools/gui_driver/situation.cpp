@@ -4,6 +4,7 @@
 #include <QApplication>
 
 #include "gui.h"
+#include "meshlab_host/layers.h"
 #include "scene.h"
 
 namespace driver {

@@ -45,6 +45,7 @@ struct LineKindDescription {
     bool shown = true;               ///< by default
     bool needs_derivatives = false;  ///< none without Field::curvature_derivatives
     std::uint32_t color = 0;         ///< by default, 0xRRGGBB
+    std::uint32_t key_color = 0;     ///< where many kinds are drawn; 0: as all that have none
     double width = 1;                ///< by default, in widths of a Laplacian line of full weight
 
     // What rows of the table add to the above.
@@ -75,8 +76,13 @@ struct LineKindDescription {
         return row;
     }
     constexpr LineKindDescription in_color(std::uint32_t rgb) const {
-        LineKindDescription row = *this;
+        LineKindDescription row = told_by(rgb);
         row.color = rgb;
+        return row;
+    }
+    constexpr LineKindDescription told_by(std::uint32_t rgb) const {
+        LineKindDescription row = *this;
+        row.key_color = rgb;
         return row;
     }
 };
@@ -94,25 +100,30 @@ inline constexpr std::array line_kinds = {
         .on_horizon(),
     LineKindDescription{LineKind::Ridge, "ridges", "Ridges",
                         "Draw convex edges of the form, sharp or rounded.", "ridge", "ridges",
-                        LineGradient::Angle},
+                        LineGradient::Angle}
+        .told_by(0x7a4b2a),
     LineKindDescription{LineKind::Border, "borders", "Borders",
                         "Draw the borders of holes and open surfaces.", "border", "borders",
                         LineGradient::None}
-        .as_outline(),
+        .as_outline()
+        .told_by(0x6b6b6b),
     LineKindDescription{
         LineKind::Crease, "creases", "Creases",
         "Draw sharp edges of the form, on meshes of few triangles, such as those of "
         "CAD programs, and of many.",
-        "crease", "creases", LineGradient::Angle},
+        "crease", "creases", LineGradient::Angle}
+        .told_by(0x4a5b6b),
     LineKindDescription{LineKind::Valley, "valleys", "Valleys",
                         "Draw concave edges of the form, sharp or rounded: the bottoms of grooves.",
                         "valley", "valleys", LineGradient::Angle}
-        .on_request(),
+        .on_request()
+        .told_by(0x1b8a9c),
     LineKindDescription{LineKind::DemarcatingCurve, "demarcating_curves", "Demarcating Curves",
                         "Draw the curves along which a relief turns most sharply from hollow to "
                         "bulging: its middle height on every flank.",
                         "demarcating curve", "demarcating curves", LineGradient::Angle}
-        .of_derivatives(),
+        .of_derivatives()
+        .told_by(0x8a3c93),
     LineKindDescription{LineKind::SuggestiveContour, "suggestive_contours", "Suggestive Contours",
                         "Draw where outlines would begin if the object turned a little (DeCarlo "
                         "and others 2003).",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_set.h"
@@ -41,6 +42,10 @@ public:
     /// `field` is that of the mesh; its scale and report count.
     /// @throws Error(InvalidMesh) if a triangle names a vertex that does not exist, Cancelled.
     LineVisibility(const TriangleMesh& mesh, const Field& field, const Progress& progress = {});
+    /// Of several surfaces that hide each other: `mesh` has all of them, `fields` that of each; a
+    /// surface's lines are judged by the lengths of its own field.
+    LineVisibility(const TriangleMesh& mesh, const std::vector<const Field*>& fields,
+                   const Progress& progress = {});
     ~LineVisibility();
     LineVisibility(LineVisibility&&) noexcept;
     LineVisibility& operator=(LineVisibility&&) noexcept;
@@ -63,8 +68,16 @@ public:
     /// The same with what is hidden.
     LineParts parts(const View& view, const LineSet& lines, const Progress& progress = {}) const;
 
+    /// The same of the lines of each surface, in the order of their fields; the parts are in one
+    /// set.
+    LineParts parts(const View& view, const std::vector<LineSet>& lines,
+                    const Progress& progress = {}) const;
+
 private:
     struct Data;
+    LineParts parts_of(const View& view, const LineSet& lines,
+                       const std::vector<std::size_t>& surfaces, const Progress& progress) const;
+
     std::unique_ptr<const Data> data_;
 };
 

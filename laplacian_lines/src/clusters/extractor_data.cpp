@@ -73,19 +73,15 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
     std::vector<PlacedCluster> placed;
     placed.reserve(data.clusters.size());
     const ClusterStore store = data.store();
-    const std::uint32_t* vertices = data.vertices_of_clusters.data();
     for (const Cluster& cluster : data.clusters) {
         const unsigned char* memory = memory_of(store, cluster);
         const ClusterLayout layout = cluster_layout(cluster);
         placed.push_back(
-            {&cluster, vertices,
+            {&cluster, data.vertices_of_clusters.data() + cluster.first_vertex,
              reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
              reinterpret_cast<const VertexRecord*>(memory + layout.records),
              reinterpret_cast<const float*>(memory + layout.forms[kLaplacianForm]),
-             data.derivatives.empty()
-                 ? nullptr
-                 : data.derivatives.data() + (vertices - data.vertices_of_clusters.data())});
-        vertices += cluster.vertex_count;
+             data.derivatives.empty() ? nullptr : data.derivatives.data() + cluster.first_vertex});
     }
     return placed;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fixed/cluster_zeros.h"
 #include "laplacian_lines/tangent_frame.h"
 #include "system/parallel.h"
 
@@ -61,7 +62,7 @@ Demarcation demarcation(const VertexRecord& record, const Eigen::Vector4f& deriv
 class ClusterCurves {
 public:
     ClusterCurves(const PlacedCluster& placed, std::uint32_t number)
-        : placed_(placed), number_(number) {
+        : placed_(placed), zeros_(placed, number) {
         for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
             at_[v] = demarcation(placed.records[v], placed.derivatives[v]);
     }
@@ -81,31 +82,15 @@ private:
             is_negative[k] = a.curvature < 0;
         }
         if (is_negative[0] == is_negative[1] && is_negative[0] == is_negative[2]) return;
-        ZeroPiece piece{};
-        int found = 0;
-        for (int k = 0; k < 3; ++k)
-            if (is_negative[k] != is_negative[(k + 1) % 3]) piece.ends[found++] = zero(triangle, k);
-        pieces.push_back(piece);
+        pieces.push_back(zeros_.piece(triangle, is_negative, [&](unsigned a, unsigned b) {
+            return std::make_pair(end(at_[a]), end(at_[b]));
+        }));
     }
 
-    /// On a side of a triangle; the same, but for the side, from the triangles on both sides.
-    Zero zero(unsigned triangle, int side) const {
-        const auto& corners = placed_.triangles[triangle].corners;
-        unsigned a = corners[side], b = corners[(side + 1) % 3];
-        if (placed_.vertices[b] < placed_.vertices[a]) std::swap(a, b);
-        const float ka = std::abs(at_[a].curvature), sum = ka + std::abs(at_[b].curvature);
-        const float t = sum > 0 ? ka / sum : 0.5f;
-        const VertexRecord &p = placed_.records[a], &q = placed_.records[b];
-        return {edge_key(placed_.vertices[a], placed_.vertices[b]),
-                {(1 - t) * position_of(p) + t * position_of(q),
-                 (1 - t) * normal_of(p) + t * normal_of(q),
-                 (1 - t) * at_[a].bend + t * at_[b].bend,
-                 {number_, std::uint8_t(triangle), std::uint8_t(side)},
-                 (1 - t) * at_[a].strength + t * at_[b].strength}};
-    }
+    static ZeroEnd end(const Demarcation& at) { return {at.curvature, at.bend, at.strength}; }
 
     const PlacedCluster& placed_;
-    const std::uint32_t number_;
+    const ClusterZeros zeros_;
     Demarcation at_[kClusterVertices];
 };
 

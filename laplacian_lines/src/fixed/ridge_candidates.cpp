@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fixed/cluster_zeros.h"
 #include "fixed/stretches.h"
 #include "system/parallel.h"
 
@@ -53,7 +54,7 @@ Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float si
 class ClusterRidges {
 public:
     ClusterRidges(const PlacedCluster& placed, std::uint32_t number, float sign)
-        : placed_(placed), number_(number) {
+        : placed_(placed), zeros_(placed, number) {
         for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
             bends_[v] = bend(placed.records[v], read_form(placed.laplacians, v), sign);
     }
@@ -77,13 +78,16 @@ private:
             f[k] = sign[k] * b[k]->derivative;
             e += sign[k] * b[k]->direction;
         }
-        if ((f[0] < 0) == (f[1] < 0) && (f[0] < 0) == (f[2] < 0)) return;
+        const bool is_negative[3] = {f[0] < 0, f[1] < 0, f[2] < 0};
+        if (is_negative[0] == is_negative[1] && is_negative[0] == is_negative[2]) return;
         if (!falls_along(t, f, e)) return;
-        ZeroPiece piece{};
-        int found = 0;
-        for (int k = 0; k < 3; ++k)
-            if ((f[k] < 0) != (f[(k + 1) % 3] < 0)) piece.ends[found++] = zero(triangle, k);
-        pieces.push_back(piece);
+        pieces.push_back(zeros_.piece(triangle, is_negative, [&](unsigned a, unsigned b) {
+            return std::make_pair(end(bends_[a], 1), end(bends_[b], sign_to(bends_[a], bends_[b])));
+        }));
+    }
+
+    static ZeroEnd end(const Bend& bend, float sign) {
+        return {bend.derivative, sign * (bend.curvature * bend.direction), 0};
     }
 
     static float sign_to(const Bend& a, const Bend& b) {
@@ -102,25 +106,8 @@ private:
         return df.dot(e) < 0;
     }
 
-    /// On a side of a triangle; the same, but for the side, from the triangles on both sides.
-    Zero zero(unsigned triangle, int side) const {
-        const auto& corners = placed_.triangles[triangle].corners;
-        unsigned a = corners[side], b = corners[(side + 1) % 3];
-        if (placed_.vertices[b] < placed_.vertices[a]) std::swap(a, b);
-        const float fa = std::abs(bends_[a].derivative), sum = fa + std::abs(bends_[b].derivative);
-        const float t = sum > 0 ? fa / sum : 0.5f;
-        const Eigen::Vector3f bend_a = bends_[a].curvature * bends_[a].direction;
-        const Eigen::Vector3f bend_b = bends_[b].curvature * bends_[b].direction;
-        return {edge_key(placed_.vertices[a], placed_.vertices[b]),
-                {(1 - t) * position(a) + t * position(b),
-                 (1 - t) * normal_of(placed_.records[a]) + t * normal_of(placed_.records[b]),
-                 (1 - t) * bend_a + t * sign_to(bends_[a], bends_[b]) * bend_b,
-                 {number_, std::uint8_t(triangle), std::uint8_t(side)},
-                 0}};
-    }
-
     const PlacedCluster& placed_;
-    const std::uint32_t number_;
+    const ClusterZeros zeros_;
     Bend bends_[kClusterVertices];
 };
 

@@ -76,8 +76,10 @@ std::vector<LinePart> parts_of(const Polyline& line, const std::vector<LinePiece
                                const std::function<LinePlace(std::size_t piece)>& begin_of) {
     const std::size_t n = pieces.size();
     std::vector<LinePart> parts;
-    if (std::count(labels.begin(), labels.end(), label) == std::ptrdiff_t(n)) {
-        if (n > 0) parts.push_back({pieces[0].begin, pieces[n - 1].end, true});
+    const auto count = std::size_t(std::count(labels.begin(), labels.end(), label));
+    if (count == 0) return parts;
+    if (count == n) {
+        parts.push_back({pieces[0].begin, pieces[n - 1].end, true});
         return parts;
     }
     const auto changes = [&](std::size_t i) {

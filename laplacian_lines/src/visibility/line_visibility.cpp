@@ -32,11 +32,25 @@ LineSet joined(const std::vector<LineSet>& parts) {
     return result;
 }
 
+std::vector<SightLengths> lengths_of(const std::vector<const Field*>& fields) {
+    std::vector<SightLengths> lengths;
+    for (const Field* field : fields)
+        lengths.push_back({field->scale.diagonal, field->scale.mean_edge, sight_edge(*field)});
+    return lengths;
+}
+
+double largest_diagonal(const std::vector<SightLengths>& lengths) {
+    double largest = 0;
+    for (const SightLengths& l : lengths)
+        largest = std::max(largest, l.diagonal);
+    return largest;
+}
+
 }  // namespace
 
 struct LineVisibility::Data {
     RayCaster caster;
-    SightLengths lengths;
+    std::vector<SightLengths> lengths;  // of each surface
 };
 
 double sight_edge(const Field& field) {
@@ -48,9 +62,11 @@ double sight_edge(const Field& field) {
 
 LineVisibility::LineVisibility(const TriangleMesh& mesh, const Field& field,
                                const Progress& progress)
-    : data_(std::make_unique<const Data>(
-          Data{RayCaster(mesh, {progress, 0, 1, "Preparing what hides lines"}),
-               {field.scale.diagonal, field.scale.mean_edge, sight_edge(field)}})) {}
+    : LineVisibility(mesh, std::vector<const Field*>{&field}, progress) {}
+LineVisibility::LineVisibility(const TriangleMesh& mesh, const std::vector<const Field*>& fields,
+                               const Progress& progress)
+    : data_(std::make_unique<const Data>(Data{
+          RayCaster(mesh, {progress, 0, 1, "Preparing what hides lines"}), lengths_of(fields)})) {}
 LineVisibility::~LineVisibility() = default;
 LineVisibility::LineVisibility(LineVisibility&&) noexcept = default;
 LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;
@@ -66,19 +82,36 @@ LineSet LineVisibility::visible_parts(const View& view, const LineSet& lines,
 
 LineParts LineVisibility::parts(const View& view, const LineSet& lines,
                                 const Progress& progress) const {
+    return parts_of(view, lines, std::vector<std::size_t>(lines.lines.size()), progress);
+}
+
+LineParts LineVisibility::parts(const View& view, const std::vector<LineSet>& lines,
+                                const Progress& progress) const {
+    std::vector<std::size_t> surfaces;
+    for (std::size_t surface = 0; surface < lines.size(); ++surface)
+        surfaces.insert(surfaces.end(), lines[surface].lines.size(), surface);
+    return parts_of(view, joined(lines), surfaces, progress);
+}
+
+LineParts LineVisibility::parts_of(const View& view, const LineSet& lines,
+                                   const std::vector<std::size_t>& surfaces,
+                                   const Progress& progress) const {
     const StageProgress stage(progress, 0, 1, "Finding what is seen");
     stage.report(0);
-    const SightLengths& lengths = data_->lengths;
+    const auto lengths_at = [&](std::size_t i) -> const SightLengths& {
+        return data_->lengths.at(surfaces[i]);
+    };
     const std::size_t count = lines.lines.size();
     std::vector<int> free_sides(count);
     parallel_for<NoScratch>(count, stage.part(0, kSidesShare), [&](std::size_t i, NoScratch&) {
         Sight sight(data_->caster, view);
-        free_sides[i] = free_side(lines, lines.lines[i], lengths, sight);
+        free_sides[i] = free_side(lines, lines.lines[i], lengths_at(i), sight);
     });
-    const PictureCrossings crossings(lines, view, free_sides, lengths.diagonal);
+    const PictureCrossings crossings(lines, view, free_sides, largest_diagonal(data_->lengths));
     std::vector<LineSet> seen(count), hidden(count);
     parallel_for<NoScratch>(count, stage.part(kSidesShare, 1), [&](std::size_t i, NoScratch&) {
         const Polyline& line = lines.lines[i];
+        const SightLengths& lengths = lengths_at(i);
         Sight sight(data_->caster, view);
         const LineDecision decision = decide(lines, line, free_sides[i], crossings, lengths, sight);
         for (const LinePart& part : decision.seen)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "laplacian_lines/field.h"
 #include "laplacian_lines/progress.h"
-#include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/object.h"
 #include "line_drawing/sheet.h"
 #include "line_drawing/sheet_options.h"
 
@@ -17,10 +16,9 @@ namespace line_drawing {
 Sheet makeSheet(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field,
                 const SheetOptions& options, const laplacian_lines::Progress& progress = {});
 
-/// Several drawings of one mesh, for which it is made ready once.
-std::vector<Sheet> makeSheets(const laplacian_lines::TriangleMesh& mesh,
-                              const laplacian_lines::Field& field,
-                              const std::vector<SheetOptions>& options,
+/// Several drawings of one scene, for which it is made ready once: of objects in one coordinate
+/// system, that hide each other and share bounds and sections. Each has its own lines.
+std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOptions>& options,
                               const laplacian_lines::Progress& progress = {});
 
 }  // namespace line_drawing

@@ -45,7 +45,7 @@ struct Sheet {
     QSizeF size;
     QString title;
     std::vector<SheetGroup> groups;
-    double scale = 1;  ///< drawn length over true length
+    double scale = 1;  ///< drawn length over true length; 0: all views are in perspective
 };
 
 }  // namespace line_drawing

@@ -42,13 +42,15 @@ struct SheetOptions {
     std::vector<line_drawing::Section> sections;  ///< drawn after the views
     UpAxis up = UpAxis::Y;                        ///< of sections; views know theirs
     Arrangement arrangement = Arrangement::FirstAngle;
-    /// Drawn length over true length. 0: the largest usual scale that fits the paper.
+    /// Drawn length over true length. 0: the largest usual scale that fits the paper. Views in
+    /// perspective have none: beside others they are as large as at the middle of the object, and
+    /// alone they fill the paper.
     double scale = 0;
     double mm_per_unit = 1;  ///< true length of a unit of the mesh
     QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
     StrokeStyle strokes = StrokeStyle::Tapered;
     WallStyle wall = WallStyle::Hatched;
-    HiddenLines hidden = HiddenLines::LeftOut;  ///< not in half sections
+    HiddenLines hidden = HiddenLines::LeftOut;
     /// Widths in mm, by LineClass.
     std::array<double, line_class_count> pens = {0.5, 0.25, 0.13, 0.35, 0.18};
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <QString>
+#include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace line_drawing {
@@ -15,7 +17,7 @@ enum class UpAxis { X, Y, Z };
 /// Which side of the object a view shows; Other: any direction.
 enum class Side { Front, Back, Left, Right, Top, Bottom, Other };
 
-/// An orthographic view: how the axes of the picture lie in mesh coordinates. Orthonormal,
+/// A view: how the axes of the picture lie in mesh coordinates. Orthonormal,
 /// right × up = towards_viewer.
 struct ViewFrame {
     Side side = Side::Front;
@@ -23,10 +25,19 @@ struct ViewFrame {
     Eigen::Vector3d right, up, towards_viewer;
     /// Of a vessel: left of its axis the section and what is behind it, right of it the outside.
     bool is_half_section = false;
+    /// Where the eye of a perspective view is, in mesh coordinates; none: far away, and lengths
+    /// across the view are true. What is farther aside than tangent_of_sight is not in the picture.
+    std::optional<Eigen::Vector3d> eye = std::nullopt;
 };
+
+/// How far to each side a perspective view reaches, for 1 away from the eye: 60 degrees.
+constexpr double tangent_of_sight = 1.7320508075688772;
 
 /// A direction of the picture, x right, y up, z to the viewer, in mesh coordinates.
 Eigen::Vector3d inMesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
+
+/// "Front" to "Bottom", in the order of Side.
+std::array<const char*, 6> sideNames();
 
 /// One of the six sides. A view of a side shows what an observer sees who walks around the object
 /// that stands upright; the top view has the object's front at its lower edge, the bottom view at

@@ -40,4 +40,10 @@ laplacian_lines::Field demandField(const CMeshO& mesh,
                                    const std::function<void(const QString&)>& say,
                                    const laplacian_lines::Progress& progress = {});
 
+/// Computes a field's curvature derivatives, if it has none yet.
+/// @throws laplacian_lines::Error, std::bad_alloc
+void demandDerivatives(const laplacian_lines::TriangleMesh& triangles,
+                       laplacian_lines::Field& field,
+                       const laplacian_lines::Progress& progress = {});
+
 }  // namespace meshlab_host

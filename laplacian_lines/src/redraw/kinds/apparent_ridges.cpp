@@ -14,22 +14,12 @@ constexpr float kLeastStrong = 0.02f;
 /// The gradient is q1·D, the slope −d²q1/dr² h_e^1.5.
 LineRules rules_of(const LineStyle& s, bool) {
     const auto factor = float(threshold_factor(s.detail));
-    LineRules rules;
-    rules.kind = LineKind::ApparentRidge;
+    LineRules rules = rules_by_slope(LineKind::ApparentRidge, s);
     rules.least_gradient = std::sqrt(factor) * float(s.apparent_curvature);
     rules.least_facing = 0;
     rules.leave_out_away = true;
-    rules.leave_out_plain = s.shows[LineKind::Crease];
-    rules.use_slope = true;
-    rules.segment_slope = factor * float(s.apparent_slope);
-    rules.line_slope = 2 * rules.segment_slope;
-    rules.full_slope = 6 * float(s.apparent_slope);
+    set_slopes(s, s.apparent_slope, 6, rules);
     rules.least_strength = rules.least_gradient * kLeastStrong * float(std::sqrt(factor));
-    rules.least_length = float(std::sqrt(factor) * s.shortest_line);
-    rules.fading = float(s.fading);
-    rules.smoothing_passes = smoothing_passes(s.line_smoothing);
-    rules.end_length = float(s.end_length);
-    if (s.shows[LineKind::Contour]) rules.contour_clearance = float(s.contour_clearance);
     return rules;
 }
 

@@ -5,109 +5,113 @@
 // Included once by each of the files simd_*.cpp.
 #pragma once
 
+#include "redraw/kinds/facing_kind_simd.h"
 #include "redraw/simd/simd_batch.h"
-#include "redraw/simd/simd_quads.h"
+#include "redraw/simd/simd_columns.h"
 #include "redraw/simd/simd_strips.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
 
-/// q1, D and r at four vertices; q1 = 0 where they face away or have no direction.
+/// q1, D and r at vertices; q1 = 0 where they face away or have no direction.
 struct ApparentCurvature {
-    Float4 q, derivative;
-    Vector4s direction;
+    Floats q, derivative;
+    Vectors direction;
 };
 
 /// The vector to the eye of unit length, its cosine with the normal, and its tangential part; and
 /// how vectors on the screen lie in the tangent plane, A = P⁻¹ = 1 + k w wᵀ: longer by 1/cosine
 /// along w.
 struct Sight {
-    Float4 per_distance, cosine, k;
-    Vector4s w;
+    Floats per_distance, cosine, k;
+    Vectors w;
 
-    Sight(const VertexQuad& p, const float eye[4]) {
-        const Vector4s v =
-            Vector4s{splat(eye[0]), splat(eye[1]), splat(eye[2])} - p.position * splat(eye[3]);
-        const Float4 distance = square_root4(dot(v, v));
+    Sight(const VertexColumns& p, const float eye[4]) {
+        const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
+        const Vectors v = e - p.position * (Floats{} + eye[3]);
+        const Floats distance = square_root(dot(v, v));
         per_distance = eye[3] / distance;
-        const Vector4s unit = v * (1 / distance);
+        const Vectors unit = v * (1 / distance);
         cosine = dot(p.normal, unit);
         w = unit - p.normal * cosine;
         k = 1 / (cosine * (1 + cosine));
     }
 
-    Vector4s to_surface(const Vector4s& screen) const { return screen + w * (k * dot(w, screen)); }
+    Vectors to_surface(const Vectors& screen) const { return screen + w * (k * dot(w, screen)); }
 
     /// x·(dA t) for tangents x and t, dA the change of A along r.
-    Float4 change(const VertexQuad& p, const Vector4s& r, const Vector4s& x,
-                  const Vector4s& t) const {
-        const Vector4s sr = p.S(r);
-        const Float4 wr = dot(w, r);
-        const Float4 d_cosine = dot(sr, w) + per_distance * cosine * wr;
-        const Vector4s dw = (r - w * wr) * (-per_distance) - sr * cosine;
-        const Float4 wx = dot(w, x), wt = dot(w, t);
+    Floats change(const VertexColumns& p, const Vectors& r, const Vectors& x,
+                  const Vectors& t) const {
+        const Vectors sr = p.S(r);
+        const Floats wr = dot(w, r);
+        const Floats d_cosine = dot(sr, w) + per_distance * cosine * wr;
+        const Vectors dw = (r - w * wr) * (-per_distance) - sr * cosine;
+        const Floats wx = dot(w, x), wt = dot(w, t);
         return k * (dot(dw, x) * wt + wx * dot(dw, t)) -
                k * k * (1 + 2 * cosine) * d_cosine * wx * wt;
     }
 };
 
-static inline Float4 choose(Float4 condition_positive, Float4 a, Float4 b) {
-    return condition_positive > 0 ? a : b;
+static inline Floats choose(Ints condition, Floats a, Floats b) {
+    return condition ? a : b;
 }
 
 /// q1² is the larger eigenvalue of (S A)ᵀ S A, t its direction, r that of A t; the derivative of an
 /// eigenvalue is that of the matrix between its directions: 2 q1 D = 2 (S b·dA t + C(r, a, b)) with
 /// a = A t, b = S a.
-static inline ApparentCurvature apparent_curvature(const VertexQuad& p, const float eye[4]) {
-    const Sight sight(p, eye);
-    const Vector4s su = p.S(sight.to_surface(p.u)), sv = p.S(sight.to_surface(p.v));
-    const Float4 uu = dot(su, su), uv = dot(su, sv), vv = dot(sv, sv);
-    const Float4 half = (uu - vv) / 2, root = square_root4(half * half + uv * uv);
-    const Float4 squared = (uu + vv) / 2 + root, q = square_root4(squared);
-    const Float4 absolute_half = choose(half, half, -half);
-    const Float4 tu = choose(half, absolute_half + root, uv),
-                 tv = choose(half, uv, absolute_half + root);
-    const Float4 length = square_root4(tu * tu + tv * tv);
-    const Vector4s t = p.u * (tu / length) + p.v * (tv / length);
-    const Vector4s a = sight.to_surface(t), b = p.S(a);
-    const Vector4s r = a * (1 / square_root4(dot(a, a)));
-    const Float4 derivative = (sight.change(p, r, p.S(b), t) + p.C(r, a, b)) / q;
-    const Float4 usable = choose(sight.cosine, choose(length, q, Float4{}), Float4{});
-    return {usable, derivative, r};
+static inline ApparentCurvature apparent_curvature(const DerivativeColumns& p, const Sight& sight) {
+    const Vectors su = p.S(sight.to_surface(p.u)), sv = p.S(sight.to_surface(p.v));
+    const Floats uu = dot(su, su), uv = dot(su, sv), vv = dot(sv, sv);
+    const Floats half = (uu - vv) / 2, root = square_root(half * half + uv * uv);
+    const Floats squared = (uu + vv) / 2 + root, q = square_root(squared);
+    const Ints along_u = half > 0;
+    const Floats absolute_half = choose(along_u, half, -half);
+    const Floats tu = choose(along_u, absolute_half + root, uv),
+                 tv = choose(along_u, uv, absolute_half + root);
+    const Floats length = square_root(tu * tu + tv * tv);
+    const Vectors t = p.u * (tu / length) + p.v * (tv / length);
+    const Vectors a = sight.to_surface(t), b = p.S(a);
+    const Vectors r = a * (1 / square_root(dot(a, a)));
+    const Floats derivative = (sight.change(p, r, p.S(b), t) + p.C(r, a, b)) / q;
+    const Ints usable = (sight.cosine > 0) & (length > 0);
+    return {choose(usable, q, Floats{}), derivative, r};
 }
 
 static inline void evaluate_apparent(const ClusterInSlot& place, const float eye[4],
                                      ApparentMemory& m) {
-    const unsigned first = place.slot * kClusterVertices;
-    for (unsigned i = 0; i < place.cluster.vertex_count; i += 4) {
-        const VertexQuad p(records_of(place), derivatives_of(place), i, place.cluster.vertex_count);
-        const ApparentCurvature c = apparent_curvature(p, eye);
-        store4(m.q + first + i, c.q);
-        Float4 rows[4] = {c.direction.x, c.direction.y, c.direction.z, c.derivative};
-        transpose(rows);
-        for (unsigned k = 0; k < 4; ++k)
-            store4(m.vectors[first + i + k], rows[k]);
+    const unsigned first = place.slot * kClusterVertices, count = place.cluster.vertex_count;
+    for (unsigned i = 0; i < count; i += kLanes) {
+        const DerivativeColumns p(records_of(place), derivatives_of(place), i, count);
+        const Sight sight(p, eye);
+        if (bits_of(sight.cosine > 0) == 0) {
+            store(m.q + first + i, Floats{});
+            continue;
+        }
+        const ApparentCurvature c = apparent_curvature(p, sight);
+        store(m.q + first + i, c.q);
+        Floats columns[4] = {c.direction.x, c.direction.y, c.direction.z, c.derivative};
+        store_as_rows(columns, [&](unsigned lane) { return m.vectors[first + i + lane]; });
     }
-}
-
-static inline float dot3(const float* a, const float* b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// Directions at the ends of an edge with a greater angle than this belong to no common line.
 constexpr float kLeastAgreement = 0.7f;
 
-/// A bit for each side of a triangle on which D r changes its direction; none where directions
-/// turn.
-static inline unsigned crossed_sides(const float (*vectors)[4], const std::uint8_t corners[3]) {
-    unsigned sides = 0;
+/// For kLanes triangles, from r and D at their corners: a bit for each side on which D r changes
+/// its direction, lowest first; none where directions turn.
+static inline Ints crossed_sides(const Floats (*corners)[4]) {
+    Ints sides = {}, agree = Ints{} - 1;
     for (unsigned k = 0; k < 3; ++k) {
-        const float *a = vectors[corners[k]], *b = vectors[corners[(k + 1) % 3]];
-        const float cosine = dot3(a, b);
-        if (!(cosine * cosine >= kLeastAgreement * kLeastAgreement)) return 0;
-        sides |= unsigned((a[3] < 0) ^ (b[3] < 0) ^ (cosine < 0)) << k;
+        const Floats *a = corners[k], *b = corners[(k + 1) % 3];
+        const Floats cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        agree &= cosine * cosine >= kLeastAgreement * kLeastAgreement;
+        sides |= ((a[3] < 0) ^ (b[3] < 0) ^ (cosine < 0)) & (1 << k);
     }
-    return sides;
+    return sides & agree;
+}
+
+static inline float dot3(const float* a, const float* b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// Places in crossed_sides() of two bits: the first one, the second one, in cyclic order.
@@ -128,6 +132,15 @@ static inline CrossedPair pair_of(unsigned sides) {
     }
 }
 
+/// The vertices of a cluster for which holds(i) is in lanes from i on.
+template <class Holds>
+static inline VertexBits vertices_where(const Cluster& cluster, const Holds& holds) {
+    VertexBits bits{{0, 0}};
+    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; i += kLanes)
+        bits.words[i / 64] |= std::uint64_t(bits_of(holds(i))) << i % 64;
+    return bits;
+}
+
 /// Lists the triangles of a cluster that lines pass. Which of its two crossings a line leaves by is
 /// chosen so that neighbours agree.
 class ApparentTriangles {
@@ -135,23 +148,14 @@ public:
     ApparentTriangles(const LineRules& rules, const ClusterInSlot& place,
                       const ApparentMemory& memory, const ClusterTriangle* triangles)
         : cluster_(place.cluster), slot_(place.slot), triangles_(triangles) {
-        const float* q = memory.q + slot_ * kClusterVertices;
-        const float(*vectors)[4] = memory.vectors + slot_ * kClusterVertices;
-        for (unsigned i = 0; i < cluster_.triangle_count; ++i) {
-            const std::uint8_t* c = triangles[i].corners;
-            const bool strong = (q[c[0]] >= rules.least_gradient) |
-                                (q[c[1]] >= rules.least_gradient) |
-                                (q[c[2]] >= rules.least_gradient);
-            const bool seen = (q[c[0]] > 0) & (q[c[1]] > 0) & (q[c[2]] > 0);
-            const bool plain = rules.leave_out_plain &&
-                               (cluster_.plain[i / kMaskGroup] >> i % kMaskGroup & 1) != 0;
-            const bool wanted = strong && seen && !plain;
-            sides_[i] = wanted ? std::uint8_t(crossed_sides(vectors, c)) : std::uint8_t(0);
-        }
+        __builtin_memset(sides_, 0, sizeof sides_);
+        find_wanted(rules, place, memory);
+        find_crossed(memory);
     }
 
     void append(ActiveTriangles& active) {
-        for (unsigned i = 0; i < cluster_.triangle_count; ++i) {
+        for (unsigned place = 0; place < count_; ++place) {
+            const unsigned i = listed_[place];
             const CrossedPair pair = pair_of(sides_[i]);
             if (!pair.any) continue;
             unsigned first = i, entry = pair.first;
@@ -166,6 +170,60 @@ public:
     }
 
 private:
+    /// Lists the triangles that face the eye, with a strong curvature at a corner.
+    void find_wanted(const LineRules& rules, const ClusterInSlot& place,
+                     const ApparentMemory& memory) {
+        const float* q = memory.q + slot_ * kClusterVertices;
+        const VertexBits strong = vertices_where(
+            cluster_, [&](unsigned i) { return load(q + i) >= rules.least_gradient; });
+        if ((strong.words[0] | strong.words[1]) == 0) return;
+        VertexSigns signs;
+        signs.set(kStrong, strong);
+        signs.set(kSeen, vertices_where(cluster_, [&](unsigned i) { return load(q + i) > 0; }));
+        const unsigned char* corners = place.memory + place.layout.corners;
+        for (unsigned g = 0; g < mask_groups(cluster_); ++g, corners += 3 * kMaskGroup) {
+            const CornerLookup a(corners, signs), b(corners + kMaskGroup, signs),
+                c(corners + 2 * kMaskGroup, signs);
+            std::uint64_t wanted = (a(kStrong) | b(kStrong) | c(kStrong)) &  //
+                                   (a(kSeen) & b(kSeen) & c(kSeen)) & existing(g);
+            if (rules.leave_out_plain) wanted &= ~cluster_.plain[g];
+            for (; wanted; wanted &= wanted - 1)
+                listed_[count_++] =
+                    std::uint8_t(g * kMaskGroup + unsigned(__builtin_ctzll(wanted)));
+        }
+    }
+    /// A bit for each triangle of a group that there is.
+    std::uint64_t existing(unsigned group) const {
+        const unsigned rest = cluster_.triangle_count - group * kMaskGroup;
+        return rest < kMaskGroup ? (std::uint64_t(1) << rest) - 1 : ~std::uint64_t(0);
+    }
+
+    /// Keeps the listed triangles that lines pass, and notes by which sides.
+    void find_crossed(const ApparentMemory& memory) {
+        const float(*vectors)[4] = memory.vectors + slot_ * kClusterVertices;
+        for (unsigned i = count_; i < count_ + kLanes; ++i)  // something valid
+            listed_[i] = 0;
+        unsigned kept = 0;
+        for (unsigned first = 0; first < count_; first += kLanes) {
+            Floats corners[3][4];
+            for (unsigned k = 0; k < 3; ++k)
+                load_columns(
+                    [&](unsigned lane) {
+                        return vectors[triangles_[listed_[first + lane]].corners[k]];
+                    },
+                    corners[k]);
+            const Ints sides = crossed_sides(corners);
+            const unsigned lanes = count_ - first < kLanes ? count_ - first : kLanes;
+            for (unsigned lane = 0; lane < lanes; ++lane) {
+                const unsigned triangle = listed_[first + lane];
+                sides_[triangle] = std::uint8_t(sides[lane]);
+                listed_[kept] = std::uint8_t(triangle);
+                kept += sides[lane] != 0;
+            }
+        }
+        count_ = kept;
+    }
+
     /// Lists what a line passes that enters a triangle by a side, and takes it from the list.
     void follow(unsigned triangle, unsigned entry, ActiveTriangles& active) {
         for (;;) {
@@ -212,7 +270,10 @@ private:
     const Cluster& cluster_;
     const unsigned slot_;
     const ClusterTriangle* triangles_;
+    unsigned count_ = 0;
+    std::uint8_t listed_[kClusterTriangles + kLanes];
     std::uint8_t sides_[kClusterTriangles];
+    static constexpr unsigned kStrong = 0, kSeen = 1;  // sets of signs
 };
 
 /// Where crossings are, which are accepted, their opacities, and q1 there as the gradient.
@@ -281,13 +342,9 @@ static inline void collect_apparent_corners(const ClusterStore& store, const Bat
 }
 
 /// Of simd_kinds.h what cull() asks for.
-struct ApparentRidges {
+struct ApparentRidges : FacingKind {
     static constexpr LineKind kKind = LineKind::ApparentRidge;
-    static constexpr unsigned kForms = kRecords;
-
-    static inline bool may_hold(float least_facing, float, float high) {
-        return !(high < least_facing);
-    }
+    static constexpr unsigned kForms = kRecords | kDerivatives;
 };
 
 using ApparentKinds = KindList<3, ApparentRidges>;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which Laplacian lines a style shows: L. Zhang, Y. He, H. S. Seah, "Laplacian Lines for Real-Time
 // Shape Illustration"; what differs from the paper is told at the members of LineStyle.
-#include <cmath>
-
 #include "redraw/kinds/strip_kinds.h"
 #include "rules/convexity.h"
 
@@ -15,25 +13,17 @@ bool is_wanted(const LineStyle& style) {
 
 LineRules rules_of(const LineStyle& s, bool light_at_eye) {
     const double factor = threshold_factor(s.detail);
-    LineRules rules;
-    rules.kind = LineKind::Laplacian;
+    LineRules rules = rules_by_slope(LineKind::Laplacian, s);
     rules.least_gradient = float(factor * s.gradient_threshold);
     rules.least_facing = float(s.least_facing);
     rules.reject_phantoms = s.reject_phantoms;
     rules.concave_only = s.single_strokes;
     rules.leave_out_convex = s.single_strokes && s.fading <= kMostFadingOfConvex;
-    rules.leave_out_plain = s.shows[LineKind::Crease];
-    rules.use_slope = true;
     rules.segment_slope = float(factor * s.segment_slope);
     rules.line_slope = float(factor * s.line_slope);
     rules.full_slope = float(s.full_slope);
     rules.least_strength = float(factor * s.strength_threshold);
-    rules.least_length = float(std::sqrt(factor) * s.shortest_line);
-    rules.fading = float(s.fading);
-    rules.smoothing_passes = smoothing_passes(s.line_smoothing);
-    rules.end_length = float(s.end_length);
-    if (light_at_eye && s.shows[LineKind::Contour])
-        rules.contour_clearance = float(s.contour_clearance);
+    if (!light_at_eye) rules.contour_clearance = 0;
     rules.leave_out_away = rules.contour_clearance > 0;
     return rules;
 }

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "laplacian_lines/line_kind.h"
+#include "redraw/kinds/facing_kind_simd.h"
 #include "redraw/simd/simd_crossings.h"
 #include "redraw/simd/simd_segments.h"
-#include "redraw/simd/simd_signs.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -58,15 +58,10 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
 }
 
 /// See simd_kinds.h.
-struct LaplacianLines {
+struct LaplacianLines : FacingKind {
     static constexpr LineKind kKind = LineKind::Laplacian;
     static constexpr unsigned kForms = 1u << kLaplacianForm;
     static constexpr SegmentSlope kSlope = SegmentSlope::Scaled;
-    static constexpr bool kHasLeastFacing = true;
-
-    static inline bool may_hold(float least_facing, float, float high) {
-        return !(high < least_facing);
-    }
 
     static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,
                                         const BelowBound&, float* values) {
@@ -76,16 +71,6 @@ struct LaplacianLines {
         if (task.exact_point_light)
             subtract_traces(records_of(place), place.cluster, task.light[3], own);
         return below(own, groups, 0);
-    }
-
-    static inline const float* values(const Batch& batch, unsigned number) {
-        return batch.values[number];
-    }
-
-    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
-                                         unsigned group) {
-        return (rules.leave_out_convex ? cluster.convex[group] : 0) |
-               (rules.leave_out_plain ? cluster.plain[group] : 0);
     }
 
     static inline const float* source(const ExtractionTask& task) { return task.light; }

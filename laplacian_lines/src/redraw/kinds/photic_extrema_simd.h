@@ -4,7 +4,7 @@
 #pragma once
 
 #include "redraw/kinds/laplacian_lines_simd.h"
-#include "redraw/simd/simd_quads.h"
+#include "redraw/simd/simd_columns.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -13,13 +13,13 @@ namespace SIMD_NAMESPACE {
 /// of the forms.
 static inline void evaluate_photic(const ClusterInSlot& place, const float light[4],
                                    float* values) {
-    const Cluster& cluster = place.cluster;
-    const Vector4s e = {splat(light[0]), splat(light[1]), splat(light[2])};
-    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; i += 4) {
-        const VertexQuad q(records_of(place), derivatives_of(place), i, cluster.vertex_count);
-        const Vector4s l = e - q.position * splat(light[3]);
-        const Vector4s g = q.S(l), sg = q.S(g);
-        store4(values + i, q.C(g, g, l) - dot(q.normal, l) * dot(sg, sg) - light[3] * dot(g, sg));
+    const unsigned count = place.cluster.vertex_count;
+    const Vectors e = {Floats{} + light[0], Floats{} + light[1], Floats{} + light[2]};
+    for (unsigned i = 0; i < form_groups(place.cluster) * kFormGroup; i += kLanes) {
+        const DerivativeColumns p(records_of(place), derivatives_of(place), i, count);
+        const Vectors l = e - p.position * (Floats{} + light[3]);
+        const Vectors g = p.S(l), sg = p.S(g);
+        store(values + i, p.C(g, g, l) - dot(p.normal, l) * dot(sg, sg) - light[3] * dot(g, sg));
     }
 }
 
@@ -35,30 +35,16 @@ static inline void scale_photic_gradients(CrossingMemory& m, std::size_t count) 
 }
 
 /// See simd_kinds.h.
-struct PhoticExtrema {
+struct PhoticExtrema : FacingKind {
     static constexpr LineKind kKind = LineKind::PhoticExtremum;
-    static constexpr unsigned kForms = kRecords;
+    static constexpr unsigned kForms = kRecords | kDerivatives;
     static constexpr SegmentSlope kSlope = SegmentSlope::AlongOnce;
-    static constexpr bool kHasLeastFacing = true;
-
-    static inline bool may_hold(float least_facing, float, float high) {
-        return !(high < least_facing);
-    }
 
     static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,
                                         const BelowBound&, float* values) {
         float* own = in_slot(values, place);
         evaluate_photic(place, task.light, own);
         return below(own, form_groups(place.cluster), 0);
-    }
-
-    static inline const float* values(const Batch& batch, unsigned number) {
-        return batch.values[number];
-    }
-
-    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
-                                         unsigned group) {
-        return LaplacianLines::unwanted(rules, cluster, group);
     }
 
     static inline const float* source(const ExtractionTask& task) { return task.light; }

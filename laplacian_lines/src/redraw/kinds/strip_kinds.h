@@ -18,6 +18,12 @@ struct StripKind {
     LineRules (*rules)(const LineStyle&, bool light_at_eye);
 };
 
+/// What rules of kinds that are told by slopes have in common: all but the kinds' own thresholds.
+LineRules rules_by_slope(LineKind kind, const LineStyle& style);
+/// Slopes of a kind with a least slope of a segment as its one option, of which a segment has its
+/// full width `widest` times that above it, whatever the detail.
+void set_slopes(const LineStyle& style, double least, float widest, LineRules& rules);
+
 extern const StripKind laplacian_line_strips;  ///< laplacian_lines.cpp
 extern const StripKind contour_strips;         ///< contours.cpp
 extern const StripKind suggestive_contour_strips, suggestive_highlight_strips;

@@ -5,9 +5,10 @@
 #pragma once
 
 #include "laplacian_lines/line_kind.h"
+#include "redraw/kinds/facing_kind_simd.h"
+#include "redraw/simd/simd_columns.h"
 #include "redraw/simd/simd_crossings.h"
 #include "redraw/simd/simd_segments.h"
-#include "redraw/simd/simd_signs.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -16,20 +17,11 @@ namespace SIMD_NAMESPACE {
 /// the last vertex, as in the forms.
 static inline void evaluate_radial(const VertexRecord* records, const Cluster& cluster,
                                    const float eye[4], float* values) {
-    const Float4 e = {eye[0], eye[1], eye[2], 0}, w = splat(eye[3]);
-    const unsigned places = form_groups(cluster) * kFormGroup, last = cluster.vertex_count - 1u;
-    for (unsigned i = 0; i < places; i += 4) {
-        Float4 v[4], s[4];
-        for (unsigned k = 0; k < 4; ++k) {
-            const VertexRecord& record = records[i + k < last ? i + k : last];
-            v[k] = e - w * load4(record.position);
-            s[k] = load4(record.shape_operator[0]) * splat<0>(v[k]) +
-                   load4(record.shape_operator[1]) * splat<1>(v[k]) +
-                   load4(record.shape_operator[2]) * splat<2>(v[k]);
-        }
-        transpose(v);
-        transpose(s);
-        store4(values + i, v[0] * s[0] + v[1] * s[1] + v[2] * s[2]);
+    const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
+    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; i += kLanes) {
+        const VertexColumns p(records, i, cluster.vertex_count);
+        const Vectors v = e - p.position * (Floats{} + eye[3]);
+        store(values + i, dot(v, p.S(v)));
     }
 }
 
@@ -67,30 +59,16 @@ static inline void test_radial_zeros(const LineRules& rules, const ExtractionTas
 /// See simd_kinds.h. With sign 1 where the radial curvature grows towards the eye, −1 where it
 /// falls.
 template <LineKind kind, int sign>
-struct RadialZeros {
+struct RadialZeros : FacingKind {
     static constexpr LineKind kKind = kind;
     static constexpr unsigned kForms = kRecords;
     static constexpr SegmentSlope kSlope = SegmentSlope::Along;
-    static constexpr bool kHasLeastFacing = true;
-
-    static inline bool may_hold(float least_facing, float, float high) {
-        return !(high < least_facing);
-    }
 
     static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,
                                         const BelowBound&, float* values) {
         float* own = in_slot(values, place);
         evaluate_radial(records_of(place), place.cluster, task.eye, own);
         return below(own, form_groups(place.cluster), 0);
-    }
-
-    static inline const float* values(const Batch& batch, unsigned number) {
-        return batch.values[number];
-    }
-
-    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
-                                         unsigned group) {
-        return rules.leave_out_plain ? cluster.plain[group] : 0;
     }
 
     static inline const float* source(const ExtractionTask& task) { return task.eye; }

@@ -32,6 +32,11 @@ static inline void touch(const ClusterStore& store, const KeptCluster& kept) {
             touch(memory + layout.forms[form],
                   memory + layout.forms[form] + layout.corners / kVertexFormCount);
     if (Kinds::kReadsRecords) touch(memory + layout.records, memory + layout.end);
+    if (Kinds::kReadsDerivatives) {
+        const float* derivatives = store.derivatives + std::size_t(4) * cluster.first_vertex;
+        touch(reinterpret_cast<const unsigned char*>(derivatives),
+              reinterpret_cast<const unsigned char*>(derivatives + 4 * cluster.vertex_count));
+    }
     touch(memory + layout.corners, memory + layout.triangles);
 }
 

@@ -140,6 +140,53 @@ static inline void transpose(Float4 rows[4]) {
     rows[3] = shuffle<2, 3, 6, 7>(c, d);
 }
 
+/// A whole vector is kParts parts of four places.
+constexpr unsigned kParts = kLanes / 4;
+static inline Floats join(const Float4 parts[kParts]) {
+#if defined(__AVX512F__)
+    const __m512 low = _mm512_insertf32x4(_mm512_castps128_ps512(parts[0]), parts[1], 1);
+    return _mm512_insertf32x4(_mm512_insertf32x4(low, parts[2], 2), parts[3], 3);
+#elif defined(__AVX__)
+    return _mm256_set_m128(parts[1], parts[0]);
+#else
+    return parts[0];
+#endif
+}
+static inline void split(Floats v, Float4 parts[kParts]) {
+#if defined(__AVX512F__)
+    parts[0] = _mm512_castps512_ps128(v);
+    parts[1] = _mm512_extractf32x4_ps(v, 1);
+    parts[2] = _mm512_extractf32x4_ps(v, 2);
+    parts[3] = _mm512_extractf32x4_ps(v, 3);
+#elif defined(__AVX__)
+    parts[0] = _mm256_castps256_ps128(v);
+    parts[1] = _mm256_extractf128_ps(v, 1);
+#else
+    parts[0] = v;
+#endif
+}
+
+/// Four rows to columns, each part for itself.
+static inline void transpose_parts(Floats rows[4]) {
+#if defined(__AVX512F__)
+    const __m512 a = _mm512_unpacklo_ps(rows[0], rows[1]), b = _mm512_unpacklo_ps(rows[2], rows[3]);
+    const __m512 c = _mm512_unpackhi_ps(rows[0], rows[1]), d = _mm512_unpackhi_ps(rows[2], rows[3]);
+    rows[0] = _mm512_shuffle_ps(a, b, 0x44);
+    rows[1] = _mm512_shuffle_ps(a, b, 0xee);
+    rows[2] = _mm512_shuffle_ps(c, d, 0x44);
+    rows[3] = _mm512_shuffle_ps(c, d, 0xee);
+#elif defined(__AVX__)
+    const __m256 a = _mm256_unpacklo_ps(rows[0], rows[1]), b = _mm256_unpacklo_ps(rows[2], rows[3]);
+    const __m256 c = _mm256_unpackhi_ps(rows[0], rows[1]), d = _mm256_unpackhi_ps(rows[2], rows[3]);
+    rows[0] = _mm256_shuffle_ps(a, b, 0x44);
+    rows[1] = _mm256_shuffle_ps(a, b, 0xee);
+    rows[2] = _mm256_shuffle_ps(c, d, 0x44);
+    rows[3] = _mm256_shuffle_ps(c, d, 0xee);
+#else
+    transpose(rows);
+#endif
+}
+
 static inline void store_row(Float4 row, float* p) {
     __builtin_memcpy(p, &row, sizeof(Float4));
 }

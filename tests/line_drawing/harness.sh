@@ -1,5 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What tests of the program of drawings share.
+# What tests of the program of drawings share. A test sources this file; it is called with the program, and has
+#   $PROGRAM   the program             $HERE    the folder of the tests
+# The test begins in an empty folder, which goes with it.
+set -euo pipefail
+
+HERE=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+# shellcheck source=/dev/null
+source "$HERE/../../scripts/require.sh" environment/messages
+
+PROGRAM=$(readlink -f "$1")
+WORK=$(mktemp -d)
+trap 'rm -rf "$WORK"' EXIT
+cd "$WORK"
 
 # skip REASON: ends the test, as a failure where LAPLACIAN_LINES_REQUIRED is true
 skip() {

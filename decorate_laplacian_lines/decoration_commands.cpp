@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "decoration_commands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "decoration_settings.h"
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/line_mixture.h"
+#include "overrulers.h"
+
+namespace {
+
+using laplacian_lines::LineKind;
+using laplacian_lines::LineKindSet;
+
+const char* const compared = "all";
+/// Of edges in pictures, with their labels.
+const std::vector<std::pair<QString, QString>> detectors = {{"log", "LoG of the Picture"},
+                                                            {"canny", "Canny of the Picture"}};
+
+/// Null if this is none.
+const std::pair<QString, QString>* detectorNamed(const QString& name) {
+    const auto found = std::find_if(detectors.begin(), detectors.end(),
+                                    [&](const auto& detector) { return detector.first == name; });
+    return found == detectors.end() ? nullptr : &*found;
+}
+
+QString command(const QString& label, const QString& value) {
+    return QString("setdeco %1 = %2").arg(label, value);
+}
+
+QString command(const DecorationSetting& setting) {
+    return command(setting.label, setting.value);
+}
+
+bool isAmong(const QString& label, const std::vector<DecorationSetting>& settings) {
+    return std::any_of(settings.begin(), settings.end(),
+                       [&](const DecorationSetting& s) { return s.label == label; });
+}
+
+std::vector<DecorationSetting> readAll(const QStringList& texts) {
+    std::vector<DecorationSetting> settings;
+    for (const QString& text : texts)
+        settings.push_back(readDecorationSetting(text));
+    return settings;
+}
+
+QStringList switches(const LineKindSet& kinds) {
+    QStringList settings;
+    for (const auto& kind : laplacian_lines::line_kinds)
+        settings << QString("%1=%2").arg(kind.key, kinds[kind.kind] ? "on" : "off");
+    return settings;
+}
+
+QString labelOf(const QString& name) {
+    for (const auto& kind : laplacian_lines::line_kinds)
+        if (name == kind.key) return kind.label;
+    const auto* mixture = laplacian_lines::mixture_named(name.toStdString());
+    return mixture ? QString(mixture->label) : name;
+}
+
+/// White lights and dark contours on gray, as in the paper that has them, need a darker paper.
+void showHighlights(ComparedPicture& picture, const std::vector<DecorationSetting>& settings) {
+    const QString paper = "Paper Color", lights = "Highlight Color";
+    if (isAmong(paper, settings) || isAmong(lights, settings)) return;
+    picture.before << command(paper, "#a8a8a8") << command(lights, "#ffffff");
+    picture.after << command(paper, "#ffffff")
+                  << command(lights,
+                             QColor(describe(LineKind::SuggestiveHighlight).key_color).name());
+}
+
+ComparedPicture pictureOfEdges(const std::pair<QString, QString>& detector) {
+    ComparedPicture picture{detector.second, detector.first, settingCommands(switches({})), {}};
+    picture.before << command("Surface", "As MeshLab Draws It");
+    picture.after << command("Surface", "Paper");
+    return picture;
+}
+
+ComparedPicture pictureOfKinds(const QString& name,
+                               const std::vector<DecorationSetting>& settings) {
+    const auto kinds = laplacian_lines::kinds_named(name.toStdString());
+    if (!kinds)
+        throw laplacian_lines::Error(
+            laplacian_lines::ErrorCode::InvalidOption,
+            QString("there are no lines \"%1\". Name some of %2, log, canny, or all; one picture "
+                    "each, with + between what is to be in one.")
+                .arg(name, QString::fromStdString(laplacian_lines::names_of_kinds()))
+                .toStdString());
+    ComparedPicture picture{labelOf(name), "", {}, {}};
+    if (const auto* mixture = laplacian_lines::mixture_named(name.toStdString()))
+        picture.before << command("Lines", mixture->label);
+    else
+        picture.before << settingCommands(switches(*kinds));
+    if ((*kinds)[LineKind::SuggestiveHighlight] && !(*kinds)[LineKind::Laplacian])
+        showHighlights(picture, settings);
+    return picture;
+}
+
+/// Each mixture but that of all kinds, and the edges of pictures.
+QStringList allCompared() {
+    QStringList names;
+    for (const auto& mixture : laplacian_lines::line_mixtures)
+        if (!mixture.colored[LineKind::Ridge]) names << mixture.key;
+    for (const auto& detector : detectors)
+        names << detector.first;
+    return names;
+}
+
+}  // namespace
+
+QStringList settingCommands(const QStringList& texts) {
+    const std::vector<DecorationSetting> settings = readAll(texts);
+    QStringList commands;
+    for (const DecorationSetting& setting : settings) {
+        const Overruler* overruler = overrulerOf(setting.key.toStdString());
+        if (!overruler || isAmong(overruler->label, settings)) continue;
+        const QString release = command(overruler->label, overruler->value);
+        if (!commands.contains(release)) commands << release;
+    }
+    for (const DecorationSetting& setting : settings)
+        commands << command(setting);
+    return commands;
+}
+
+std::vector<ComparedPicture> comparedPictures(const QString& names, const QStringList& texts) {
+    const std::vector<DecorationSetting> settings = readAll(texts);
+    QStringList all;
+    for (const QString& name : names.split(','))
+        if (name.trimmed() == compared)
+            all << allCompared();
+        else
+            all << name.trimmed();
+    std::vector<ComparedPicture> pictures;
+    for (const QString& name : all) {
+        const auto* detector = detectorNamed(name);
+        pictures.push_back(detector ? pictureOfEdges(*detector) : pictureOfKinds(name, settings));
+    }
+    return pictures;
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "placed_layers.h"
+
+#include <QStringList>
+#include <cmath>
+#include <optional>
+
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/precompute.h"
+#include "meshlab_host/camera.h"
+#include "meshlab_host/field_source.h"
+#include "meshlab_host/layers.h"
+#include "meshlab_host/mesh_conversion.h"
+#include "meshlab_host/progress.h"
+#include "placed_mesh.h"
+
+using laplacian_lines::Error;
+using laplacian_lines::ErrorCode;
+using laplacian_lines::Progress;
+using meshlab_host::FilterRun;
+
+namespace {
+
+/// A field cannot follow a layer that is stretched: that of its result is computed.
+laplacian_lines::Field fieldOfStretched(const laplacian_lines::TriangleMesh& mesh, double factor,
+                                        laplacian_lines::PrecomputeOptions options,
+                                        const FilterRun& run, const Progress& progress) {
+    run.say("The layer's transformation stretches it: its lines are computed anew, as it stands.");
+    options.kernel_size *= factor;
+    return laplacian_lines::precompute(mesh, options, progress);
+}
+
+PlacedLayer placeInWorld(const MeshModel& layer, const FilterRun& run, const Progress& progress) {
+    const Eigen::Matrix4d transform = meshlab_host::layerTransform(layer.cm);
+    const std::optional<Similarity> similarity = similarityOf(transform);
+    const meshlab_host::FieldSource source = meshlab_host::fieldSource(layer.cm);
+    PlacedLayer result{layer.label(), meshlab_host::toTriangleMesh(layer.cm), {}};
+    if (!similarity) {
+        place(transform, result.mesh);
+        const double factor = std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
+        result.field = fieldOfStretched(result.mesh, factor, source.options, run, progress);
+        return result;
+    }
+    result.field =
+        meshlab_host::demandField(layer.cm, result.mesh, result.name, source, run.say, progress);
+    if (transform.isIdentity(0)) return result;
+    place(transform, result.mesh);
+    place(*similarity, result.field);
+    return result;
+}
+
+/// By number: a layer may go while others are worked on.
+std::vector<int> visibleLayers(const MeshDocument& document) {
+    std::vector<int> numbers;
+    for (const MeshModel* layer : meshlab_host::layersOf(document))
+        if (layer->isVisible()) numbers.push_back(int(layer->id()));
+    return numbers;
+}
+
+const MeshModel* layerOf(const MeshDocument& document, int number) {
+    for (const MeshModel* layer : meshlab_host::layersOf(document))
+        if (int(layer->id()) == number) return layer;
+    return nullptr;
+}
+
+void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
+    const std::vector<int> numbers = visibleLayers(run.document);
+    const double step = share / std::max<double>(1, double(numbers.size()));
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const MeshModel* layer = layerOf(run.document, numbers[i]);
+        if (!layer) continue;
+        const QString name = layer->label();
+        if (layer->cm.fn == 0) {
+            run.say(QString("%1 is left out of the drawing: it has no faces.").arg(name));
+            continue;
+        }
+        const double begin = step * double(i);
+        try {
+            placed.push_back(placeInWorld(
+                *layer, run, meshlab_host::progressTo(run.progress, begin, begin + step)));
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::Cancelled) throw;
+            run.say(QString("%1 is left out of the drawing: %2").arg(name, error.what()));
+        }
+    }
+    if (placed.empty())
+        throw Error(ErrorCode::InvalidOption,
+                    "No visible layer can be drawn. Show one that has faces, or set \"Layers\" to "
+                    "0 (Current Layer).");
+}
+
+}  // namespace
+
+PlacedLayers placeLayers(const LayerChoice& choice, const FilterRun& run, double share) {
+    constexpr double field_part = 0.9;
+    PlacedLayers placed;
+    if (choice.all_visible)
+        placeAllVisible(run, field_part * share, placed);
+    else
+        placed.push_back(
+            placeInWorld(*run.document.mm(), run,
+                         meshlab_host::progressTo(run.progress, 0, field_part * share)));
+    if (!choice.derivatives) return placed;
+    double begin = field_part * share;
+    const double step = (share - begin) / double(placed.size());
+    for (PlacedLayer& layer : placed) {
+        meshlab_host::demandDerivatives(
+            layer.mesh, layer.field, meshlab_host::progressTo(run.progress, begin, begin + step));
+        begin += step;
+    }
+    return placed;
+}
+
+line_drawing::Objects objectsOf(const PlacedLayers& layers) {
+    line_drawing::Objects objects;
+    for (const PlacedLayer& layer : layers)
+        objects.push_back({layer.mesh, layer.field});
+    return objects;
+}
+
+QString namesOf(const PlacedLayers& layers) {
+    QStringList names;
+    for (const PlacedLayer& layer : layers)
+        names << layer.name;
+    return names.join(", ");
+}

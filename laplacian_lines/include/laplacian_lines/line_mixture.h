@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+#include "laplacian_lines/line_kind.h"
+
+namespace laplacian_lines {
+
+/// Kinds of lines that make a drawing together, with the outlines in any case.
+struct LineMixture {
+    const char* key;      ///< identifier in scripts, stable between versions
+    const char* label;    ///< in dialogs
+    LineKindSet kinds;    ///< that are drawn
+    LineKindSet colored;  ///< of them, those that have their key_color, not that of the others
+};
+
+/// The outlines and these.
+constexpr LineKindSet outlines_and(std::initializer_list<LineKind> kinds) {
+    LineKindSet set;
+    for (const LineKindDescription& row : line_kinds)
+        set[row.kind] = row.is_outline;
+    for (const LineKind kind : kinds)
+        set[kind] = true;
+    return set;
+}
+
+constexpr LineKindSet only_kinds(std::initializer_list<LineKind> kinds) {
+    LineKindSet set;
+    for (const LineKind kind : kinds)
+        set[kind] = true;
+    return set;
+}
+
+/// Those that have a color of their own to be told by.
+constexpr LineKindSet kinds_with_key_color() {
+    LineKindSet set;
+    for (const LineKindDescription& row : line_kinds)
+        set[row.kind] = row.key_color != 0;
+    return set;
+}
+
+constexpr LineKindSet all_kinds() {
+    LineKindSet set;
+    for (const LineKindDescription& row : line_kinds)
+        set[row.kind] = true;
+    return set;
+}
+
+/// One row a mixture. Their places are what scripts and settings hold: new ones come last.
+inline constexpr std::array line_mixtures = {
+    LineMixture{
+        "laplacian_lines", "Only Laplacian Lines", outlines_and({LineKind::Laplacian}), {}},
+    LineMixture{"suggestive_contours",
+                "Suggestive Contours",
+                outlines_and({LineKind::SuggestiveContour}),
+                {}},
+    LineMixture{"suggestive_contours_and_highlights", "Suggestive Contours and Highlights",
+                outlines_and({LineKind::SuggestiveContour, LineKind::SuggestiveHighlight}),
+                only_kinds({LineKind::SuggestiveHighlight})},
+    LineMixture{"apparent_ridges", "Apparent Ridges", outlines_and({LineKind::ApparentRidge}), {}},
+    LineMixture{"photic_extremum_lines",
+                "Photic Extremum Lines",
+                outlines_and({LineKind::PhoticExtremum}),
+                {}},
+    LineMixture{"ridges_and_valleys",
+                "Ridges and Valleys",
+                outlines_and({LineKind::Ridge, LineKind::Valley}),
+                {}},
+    LineMixture{
+        "demarcating_curves", "Demarcating Curves", outlines_and({LineKind::DemarcatingCurve}), {}},
+    LineMixture{"all_kinds", "All Kinds, in Colors", all_kinds(), kinds_with_key_color()},
+};
+
+/// The mixture of this key or label, in any case of letters and with blanks for underscores; null
+/// if there is none.
+const LineMixture* mixture_named(const std::string& name);
+
+/// The kinds that a text names: mixtures and kinds by key or label, as above, with + or commas
+/// between them, and the outlines in any case. "usual" are the kinds that are drawn by default.
+/// Nothing if a name is not known. Thread-safe.
+std::optional<LineKindSet> kinds_named(const std::string& names);
+
+/// All that kinds_named() knows, with commas between.
+std::string names_of_kinds();
+
+}  // namespace laplacian_lines

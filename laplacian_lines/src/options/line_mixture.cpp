@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laplacian_lines/line_mixture.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <sstream>
+
+namespace laplacian_lines {
+namespace {
+
+const char* const usual = "usual";
+
+/// What is left of a name when case, blanks and underscores do not matter.
+std::string essence(const std::string& name) {
+    std::string result;
+    for (const char c : name)
+        if (c != ' ' && c != '_') result += char(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+template <class Table>
+auto* row_named(const Table& table, const std::string& name) {
+    const std::string wanted = essence(name);
+    const auto found = std::find_if(table.begin(), table.end(), [&](const auto& row) {
+        return essence(row.key) == wanted || essence(row.label) == wanted;
+    });
+    return found == table.end() ? nullptr : &*found;
+}
+
+std::optional<LineKindSet> kinds_of(const std::string& name) {
+    if (essence(name) == usual) return LineKindSet::defaults();
+    if (const LineMixture* mixture = mixture_named(name)) return mixture->kinds;
+    if (const LineKindDescription* kind = row_named(line_kinds, name))
+        return outlines_and({kind->kind});
+    return std::nullopt;
+}
+
+}  // namespace
+
+const LineMixture* mixture_named(const std::string& name) {
+    return row_named(line_mixtures, name);
+}
+
+std::optional<LineKindSet> kinds_named(const std::string& names) {
+    std::string text = names;
+    std::replace(text.begin(), text.end(), '+', ',');
+    if (text.empty() || text.back() == ',') return std::nullopt;
+    std::istringstream parts(text);
+    LineKindSet result;
+    for (std::string name; std::getline(parts, name, ',');) {
+        const std::optional<LineKindSet> kinds = kinds_of(name);
+        if (!kinds) return std::nullopt;
+        for (const LineKindDescription& row : line_kinds)
+            result[row.kind] = result[row.kind] || (*kinds)[row.kind];
+    }
+    return result;
+}
+
+std::string names_of_kinds() {
+    std::set<std::string> listed;
+    std::string result = usual;
+    const auto list = [&](const std::string& key) {
+        if (listed.insert(key).second) result += ", " + key;
+    };
+    for (const LineMixture& mixture : line_mixtures)
+        list(mixture.key);
+    for (const LineKindDescription& kind : line_kinds)
+        list(kind.key);
+    return result;
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "meshlab_host/meshlab_api.h"
+
+namespace meshlab_host {
+
+/// The layers of a document, in its order.
+std::vector<const MeshModel*> layersOf(const MeshDocument& document);
+
+}  // namespace meshlab_host

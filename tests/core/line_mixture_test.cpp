@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kinds of lines by names, alone and in mixtures.
+#include "laplacian_lines/line_mixture.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+using namespace laplacian_lines;
+
+/// "contours+borders" and so on, in the order of their numbers; "?" for names that are not known.
+std::string kinds(const std::string& names) {
+    const std::optional<LineKindSet> set = kinds_named(names);
+    if (!set) return "?";
+    std::string result;
+    for (const LineKindDescription& row : line_kinds)
+        if ((*set)[row.kind]) result += (result.empty() ? "" : "+") + std::string(row.key);
+    return result;
+}
+
+TEST(LineMixtures, HaveTheOutlinesAndNamesOfTheirOwn) {
+    std::set<std::string> names;
+    for (const LineMixture& mixture : line_mixtures) {
+        EXPECT_TRUE(names.insert(mixture.key).second) << mixture.key;
+        EXPECT_TRUE(names.insert(mixture.label).second) << mixture.label;
+        EXPECT_TRUE(mixture.kinds[LineKind::Contour] && mixture.kinds[LineKind::Border])
+            << mixture.key;
+        for (const LineKindDescription& kind : line_kinds) {
+            EXPECT_TRUE(!mixture.colored[kind.kind] || mixture.kinds[kind.kind])
+                << mixture.key << " colors " << kind.key;
+            EXPECT_TRUE(!mixture.colored[kind.kind] || kind.key_color) << kind.key;
+        }
+    }
+}
+
+/// A name that is a mixture's and a kind's means the same.
+TEST(LineMixtures, OfOneKindAreThatKind) {
+    for (const LineKindDescription& kind : line_kinds) {
+        const LineMixture* mixture = mixture_named(kind.key);
+        if (!mixture) continue;
+        for (const LineKindDescription& other : line_kinds)
+            EXPECT_EQ(mixture->kinds[other.kind], outlines_and({kind.kind})[other.kind])
+                << kind.key << ", " << other.key;
+    }
+}
+
+TEST(LineMixtures, AreNamedByKeyOrLabel) {
+    for (const LineMixture& mixture : line_mixtures) {
+        EXPECT_EQ(mixture_named(mixture.key), &mixture);
+        EXPECT_EQ(mixture_named(mixture.label), &mixture);
+    }
+    EXPECT_EQ(mixture_named("apparent ridges"), mixture_named("APPARENT_RIDGES"));
+    EXPECT_EQ(mixture_named("valleys"), nullptr);
+    EXPECT_EQ(mixture_named(""), nullptr);
+}
+
+TEST(KindsNamed, AreThoseWithTheOutlines) {
+    EXPECT_EQ(kinds("valleys"), "contours+borders+valleys");
+    EXPECT_EQ(kinds("contours"), "contours+borders");
+    EXPECT_EQ(kinds("Suggestive Contours"), "contours+borders+suggestive_contours");
+    EXPECT_EQ(kinds("laplacian_lines + ridges,valleys"),
+              "laplacian_lines+contours+ridges+borders+valleys");
+    EXPECT_EQ(kinds("ridges_and_valleys"), kinds("ridges+valleys"));
+    EXPECT_EQ(kinds("usual"), "laplacian_lines+contours+ridges+borders+creases");
+    for (const LineKindDescription& row : line_kinds)
+        EXPECT_NE(kinds("all_kinds").find(row.key), std::string::npos) << row.key;
+}
+
+TEST(KindsNamed, AreNothingWhereOneIsNotKnown) {
+    for (const char* names : {"", ",", "ridge", "ridges,", "ridges,,valleys", "ridges+lines"})
+        EXPECT_EQ(kinds(names), "?") << names;
+}
+
+TEST(KindsNamed, AreAllListed) {
+    std::string names = names_of_kinds() + ", ";
+    std::size_t count = 0;
+    for (std::size_t end; (end = names.find(", ")) != std::string::npos; ++count) {
+        EXPECT_NE(kinds(names.substr(0, end)), "?") << names.substr(0, end);
+        names = names.substr(end + 2);
+    }
+    EXPECT_GT(count, line_kind_count);
+}
+
+}  // namespace

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Views in perspective.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+
+#include "laplacian_lines/error.h"
+#include "made_sheets.h"
+#include "sheet_writers.h"
+
+using namespace line_drawing;
+using Eigen::Vector3d;
+using laplacian_lines::TriangleMesh;
+using made_sheets::cubeOf100;
+using made_sheets::layerOf;
+using made_sheets::plainViews;
+using made_sheets::sheetOf;
+
+namespace {
+
+/// From above, along -z, with the eye at a height.
+SheetOptions fromHeight(double z, const char* paper = "a4") {
+    SheetOptions options = plainViews("top", paper);
+    options.views[0].side = Side::Other;
+    options.views[0].name = "View";
+    options.views[0].eye = Vector3d(0, 0, z);
+    return options;
+}
+
+double lengthOf(const SheetLayer& layer) {
+    double length = 0;
+    for (const SheetPath& path : layer.paths)
+        length += path.path.length();
+    return length;
+}
+
+QStringList textsOf(const Sheet& sheet) {
+    QStringList texts;
+    for (const SheetGroup& group : sheet.groups)
+        for (const SheetLayer& layer : group.layers)
+            for (const SheetText& text : layer.texts)
+                texts << text.text;
+    return texts;
+}
+
+/// From a height of 150 the near face is twice as large as the far one, which is hidden by it like
+/// the four edges between them.
+TEST(Perspective, MakesTheNearFaceOfACubeLarger) {
+    SheetOptions options = fromHeight(150);
+    options.hidden = HiddenLines::Dashed;
+    const SheetGroup view = sheetOf(cubeOf100(), options).groups[0];
+    const double near = made_sheets::extentOf(view).width();
+    EXPECT_NEAR(near, 190, 0.02);  // the width of A4 without margins
+    EXPECT_NEAR(lengthOf(layerOf(view, "outline")), 4 * near, 0.5);
+    const double far_face = 4 * near / 2, between = 4 * near / 4 * std::sqrt(2);
+    EXPECT_NEAR(lengthOf(layerOf(view, "hidden")), far_face + between, 0.02 * near);
+}
+
+TEST(Perspective, HasNoScale) {
+    const Sheet sheet = sheetOf(cubeOf100(), fromHeight(150));
+    EXPECT_EQ(sheet.scale, 0);
+    EXPECT_EQ(sheet.size, QSizeF(210, 297));
+    EXPECT_TRUE(textsOf(sheet).join('/').contains("perspective, not to scale"));
+    for (const SheetLayer& layer : sheet.groups.back().layers)
+        EXPECT_NE(layer.key, "scale");
+    const Sheet fit = sheetOf(cubeOf100(), fromHeight(150, "fit"));
+    EXPECT_NEAR(fit.size.width(), 210, 1e-9);
+    EXPECT_LT(fit.size.height(), 297);
+}
+
+/// A ball of 40 mm, whose outline is nearer to the eye than its middle.
+TEST(Perspective, StandsBesideViewsAtScale) {
+    TriangleMesh ball = test_meshes::sphere(5).mesh;
+    for (Vector3d& p : ball.positions)
+        p *= 40;
+    SheetOptions options = fromHeight(100, "a3");
+    options.views.insert(options.views.begin(), frameOfSide(Side::Front, UpAxis::Z));
+    const Sheet sheet = sheetOf(ball, options);
+    EXPECT_EQ(sheet.scale, 1);
+    const QRectF front = made_sheets::extentOf(sheet.groups[0]),
+                 view = made_sheets::extentOf(sheet.groups[1]);
+    EXPECT_NEAR(front.width(), 80, 0.1);
+    EXPECT_NEAR(view.width(), 2 * 40 * 100 / std::sqrt(100. * 100 - 40 * 40), 0.1);
+    EXPECT_GT(view.top(), front.bottom());
+    EXPECT_TRUE(textsOf(sheet).contains("View (perspective, not to scale)"));
+    EXPECT_TRUE(textsOf(sheet).contains("Front"));
+}
+
+/// A plate of 160 x 40 mm from a height of 30 is seen as far as 60 degrees to both sides.
+TEST(Perspective, EndsFarAside) {
+    TriangleMesh plate = test_meshes::plane(32);
+    for (Vector3d& p : plate.positions)
+        p = Vector3d(80 * p.x(), 20 * p.y(), 0);
+    const QRectF extent = made_sheets::extentOf(sheetOf(plate, fromHeight(30)).groups[0]);
+    EXPECT_NEAR(extent.width() / extent.height(), 2 * 30 * tangent_of_sight / 40, 0.01);
+}
+
+TEST(Perspective, RefusesAnEyeThatSeesNothing) {
+    EXPECT_THROW(sheetOf(cubeOf100(), fromHeight(0)), laplacian_lines::Error);
+    EXPECT_THROW(sheetOf(cubeOf100(), fromHeight(-200)), laplacian_lines::Error);
+}
+
+TEST(Perspective, IsTheSameOnAnyNumberOfThreads) {
+    const auto mesh = test_meshes::bumpy_sphere(4).mesh;
+    const auto draw = [&](int threads) {
+        omp_set_num_threads(threads);
+        return writeSvg(sheetOf(mesh, fromHeight(3)));
+    };
+    const int threads = omp_get_max_threads();
+    const QByteArray one = draw(1), three = draw(3);
+    omp_set_num_threads(threads);
+    EXPECT_EQ(one, three);
+}
+
+}  // namespace

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several objects on one drawing.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+
+#include "laplacian_lines/error.h"
+#include "made_sheets.h"
+#include "sheet_writers.h"
+#include "thrown_vessel.h"
+
+using namespace line_drawing;
+using Eigen::Vector3d;
+using laplacian_lines::TriangleMesh;
+using made_sheets::cubeOf100;
+using made_sheets::layerOf;
+using made_sheets::plainViews;
+
+namespace {
+
+TriangleMesh moved(TriangleMesh mesh, const Vector3d& by, double factor = 1) {
+    for (Vector3d& p : mesh.positions)
+        p = factor * p + by;
+    return mesh;
+}
+
+/// Flat, 160 mm along x and 40 along y, 80 below the middle of the cube.
+TriangleMesh plate() {
+    TriangleMesh mesh = test_meshes::plane(16);
+    for (Vector3d& p : mesh.positions)
+        p = Vector3d(80 * p.x(), 20 * p.y(), -80);
+    return mesh;
+}
+
+/// The meshes in one drawing, each with a field of its own.
+Sheet sheetOfAll(const std::vector<TriangleMesh>& meshes, const SheetOptions& options) {
+    std::vector<laplacian_lines::Field> fields;
+    for (const TriangleMesh& mesh : meshes)
+        fields.push_back(laplacian_lines::precompute(mesh));
+    Objects objects;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        objects.push_back({meshes[i], fields[i]});
+    return makeSheets(objects, {options}).front();
+}
+
+double lengthOf(const SheetLayer& layer) {
+    double length = 0;
+    for (const SheetPath& path : layer.paths)
+        length += path.path.length();
+    return length;
+}
+
+/// Of the plate's border the cube hides 100 mm on both long sides.
+TEST(SeveralObjects, ACubeHidesWhatIsBehindItOfAPlate) {
+    SheetOptions options = plainViews("top");
+    options.hidden = HiddenLines::Dashed;
+    const SheetGroup view = sheetOfAll({cubeOf100(), plate()}, options).groups[0];
+    EXPECT_NEAR(lengthOf(layerOf(view, "outline")), 4 * 100 + 2 * (160 - 100) + 2 * 40, 1);
+    EXPECT_NEAR(lengthOf(layerOf(view, "hidden")), 2 * 100, 1);
+    for (const SheetPath& path : layerOf(view, "hidden").paths)
+        EXPECT_NEAR(path.path.boundingRect().width(), 100, 0.5);
+    options.views = parseViews("bottom", UpAxis::Z);  // now the plate is in front
+    const SheetGroup below = sheetOfAll({cubeOf100(), plate()}, options).groups[0];
+    EXPECT_NEAR(lengthOf(layerOf(below, "outline")), 2 * (160 + 40) + 4 * 100 - 2 * 40, 1);
+}
+
+TEST(SeveralObjects, HaveCommonBoundsAndOneScale) {
+    const TriangleMesh cube = cubeOf100();
+    SheetOptions options = plainViews("front,left", "a4");
+    options.scale = 0;
+    const Sheet sheet = sheetOfAll({cube, moved(cube, {260, 0, 0})}, options);
+    EXPECT_EQ(sheet.scale, 0.5);
+    const QRectF front = made_sheets::extentOf(sheet.groups[0]),
+                 left = made_sheets::extentOf(sheet.groups[1]);
+    EXPECT_NEAR(front.width(), 360 * sheet.scale, 0.02);
+    EXPECT_NEAR(left.width(), 100 * sheet.scale, 0.02);
+    EXPECT_NEAR(front.top(), left.top(), 0.02);
+}
+
+TEST(SeveralObjects, LookAsTheyDoAlone) {
+    test_meshes::VesselShape shape;
+    shape.rings = 200;
+    shape.columns = 120;
+    const auto vessel = test_meshes::thrown_vessel(shape);
+    const auto ball = moved(test_meshes::sphere(3).mesh, {500, 0, 0}, 60);
+    const auto paths = [](const Sheet& sheet, const char* key) {
+        return layerOf(sheet.groups[0], key).paths.size();
+    };
+    SheetOptions options = plainViews("front");
+    options.views = parseViews("20,30", UpAxis::Y);
+    const Sheet both = sheetOfAll({vessel, ball}, options);
+    const Sheet one = sheetOfAll({vessel}, options), other = sheetOfAll({ball}, options);
+    for (const char* key : {"outline", "inner", "fine"})
+        EXPECT_EQ(paths(both, key), paths(one, key) + paths(other, key)) << key;
+    EXPECT_GT(paths(one, "fine") + paths(one, "inner"), 5u);
+}
+
+/// Cubes that touch: their walls are two, hatched in two ways.
+TEST(SeveralObjects, EachHasItsOwnWallInSections) {
+    SheetOptions options = plainViews("top");
+    options.sections = parseSections("z=0.3");
+    const TriangleMesh cube = cubeOf100();
+    const Sheet sheet = sheetOfAll({cube, moved(cube, {100, 0, 0})}, options);
+    EXPECT_EQ(layerOf(sheet.groups[1], "section").paths.size(), 2u);
+    int rising = 0, falling = 0;
+    for (const SheetPath& path : layerOf(sheet.groups[1], "fine").paths) {
+        const QPointF way = path.path.pointAtPercent(1) - path.path.pointAtPercent(0);
+        (way.x() * way.y() < 0 ? rising : falling)++;
+    }
+    EXPECT_GT(rising, 80);
+    EXPECT_NEAR(rising, falling, 3);
+    options.wall = WallStyle::Filled;
+    const Sheet filled = sheetOfAll({cube, moved(cube, {100, 0, 0})}, options);
+    int areas = 0;
+    for (const SheetPath& path : layerOf(filled.groups[1], "section").paths)
+        areas += path.pen_width == 0;
+    EXPECT_EQ(areas, 2);
+}
+
+TEST(SeveralObjects, AreTheSameOnAnyNumberOfThreads) {
+    const auto bumpy = moved(test_meshes::bumpy_sphere(4).mesh, {30, 0, -200}, 60);
+    const auto draw = [&](int threads) {
+        omp_set_num_threads(threads);
+        return writeSvg(sheetOfAll({cubeOf100(), bumpy}, plainViews("six,30,20")));
+    };
+    const int threads = omp_get_max_threads();
+    const QByteArray one = draw(1), three = draw(3);
+    omp_set_num_threads(threads);
+    EXPECT_EQ(one, three);
+}
+
+TEST(SeveralObjects, OneIsDrawnAsByItself) {
+    const TriangleMesh cube = cubeOf100();
+    EXPECT_EQ(writeSvg(sheetOfAll({cube}, plainViews("six"))),
+              writeSvg(made_sheets::sheetOf(cube, plainViews("six"))));
+    EXPECT_THROW(sheetOfAll({}, plainViews("six")), laplacian_lines::Error);
+}
+
+}  // namespace
