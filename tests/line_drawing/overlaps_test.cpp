@@ -85,8 +85,8 @@ TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
     const double near = 1.3 * reach, far = 2 * reach;
     EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, near}, {5.5, near}, {5.6, 0.1}})), 0u);
     EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, far}, {5.5, far}, {5.6, 0.1}})), 1u);
-    EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, near}, {8, near}})), 1u);        // long
-    EXPECT_EQ(rest_of(line(LineClass::Outline, {{20.2, 0.05}, {20.8, 0.05}})), 1u);  // goes on
+    EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, near}, {8, near}})), 1u);          // long
+    EXPECT_EQ(rest_of(line(LineClass::Outline, {{20.12, 0.05}, {20.25, 0.05}})), 1u);  // goes on
 }
 
 TEST(Overlaps, LinesHaveNoJogs) {
