@@ -2,6 +2,7 @@
 // Drawings of noisy meshes against those of clean ones.
 #include <Eigen/Geometry>
 #include <cstdio>
+#include <deque>
 #include <string>
 
 #include "laplacian_lines/error.h"
@@ -58,7 +59,79 @@ void print_mesh(const std::string& name, const TriangleMesh& mesh, const TruthOp
     std::printf("\n");
 }
 
+/// A mesh with C, for drawings of any kind.
+class Drawings {
+public:
+    Drawings(const TriangleMesh& mesh, const View& view, double diagonal,
+             const TruthOptions& options)
+        : view_(view), diagonal_(diagonal), options_(options), extractor_(mesh, field_of(mesh)) {}
+
+    CurvePoints of(LineKind kind) {
+        LineStyle style = options_.style;
+        style.shows = LineKindSet();
+        style.shows[kind] = true;
+        extractor_.extract(view_, style, scratch_, lines_);
+        return drawn_points(lines_, style.shows, options_.least_opacity,
+                            options_.drawing_reach / 800 * diagonal_);
+    }
+
+private:
+    Field field_of(const TriangleMesh& mesh) const {
+        PrecomputeOptions field = options_.field_options(diagonal_);
+        field.curvature_derivatives = true;
+        return precompute(mesh, field);
+    }
+
+    const View view_;
+    const double diagonal_;
+    const TruthOptions& options_;
+    const LineExtractor extractor_;
+    ExtractionScratch scratch_;
+    LineSet lines_;
+};
+
+void print_kinds_of(const std::string& name, const TriangleMesh& mesh,
+                    const TruthOptions& options) {
+    const double diagonal = measure_scale(mesh).diagonal;
+    const View view = front_view(mesh, diagonal);
+    Drawings clean(mesh, view, diagonal, options);
+    std::deque<Drawings> noisy;
+    for (const double noise : options.drawing_noise)
+        noisy.emplace_back(test_meshes::with_noise(mesh, noise / 100), view, diagonal, options);
+    for (const LineKindDescription& row : line_kinds) {
+        const CurvePoints right = clean.of(row.kind);
+        double length = 0;
+        for (const double part : right.lengths)
+            length += part / diagonal;
+        std::printf("| %s | %s | %.2f |", name.c_str(), row.many, length);
+        for (Drawings& drawing : noisy) {
+            const Score score =
+                compare(drawing.of(row.kind), right, options.drawing_reach / 100 * diagonal);
+            if (score.is_empty())
+                std::printf(" – |");
+            else
+                std::printf(" %.2f / %.2f / %.2f |", score.f1(), score.recall.value(),
+                            score.precision.value());
+        }
+        std::printf("\n");
+        std::fflush(stdout);
+    }
+}
+
 }  // namespace
+
+void print_kinds_alone(const TruthOptions& options) {
+    if (options.files.empty()) return;
+    std::printf("\nEach kind of lines of noisy meshes\n\n| mesh | kind | length of lines, D |");
+    for (const double noise : options.drawing_noise)
+        std::printf(" F1 / recall / precision at %g %% |", noise);
+    std::printf("\n|---|---|---|");
+    for (std::size_t i = 0; i < options.drawing_noise.size(); ++i)
+        std::printf("---|");
+    std::printf("\n");
+    for (const std::string& file : options.files)
+        print_kinds_of(file.substr(file.rfind('/') + 1), test_meshes::read_mesh(file), options);
+}
 
 void print_drawings(const TruthOptions& options) {
     std::printf("\nDrawings of noisy meshes\n\n| mesh | triangles | length of lines, D |");

@@ -12,7 +12,7 @@ using namespace laplacian_lines;
 
 const char* const truth_usage =
     "line_truth [OPTION VALUE]... [MESH...]\n"
-    "  --only stones|parts|drawings|terraces   one of the tables\n"
+    "  --only stones|parts|drawings|kinds|terraces   one of the tables\n"
     "  --seeds 1,2,3                  of stones\n"
     "  --ripples 5                    of stones: how far they turn the surface, degrees\n"
     "  --radii 0.5,1,2                of edges, % of D\n"
@@ -88,7 +88,9 @@ void choose_table(TruthOptions& options, const std::string& name) {
     options.parts = name == "parts";
     options.drawings = name == "drawings";
     options.terraces = name == "terraces";
-    if (!options.stones && !options.parts && !options.drawings && !options.terraces)
+    options.kinds_alone = name == "kinds";
+    if (!options.stones && !options.parts && !options.drawings && !options.terraces &&
+        !options.kinds_alone)
         throw std::invalid_argument("there is no table '" + name + "'");
 }
 

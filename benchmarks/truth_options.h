@@ -11,7 +11,8 @@ namespace benchmarks {
 
 /// What line_truth's command line asks for.
 struct TruthOptions {
-    bool stones = true, parts = true, drawings = true, terraces = true;  ///< which tables
+    bool stones = true, parts = true, drawings = true, terraces = true,
+         kinds_alone = true;  ///< which tables
     std::vector<double> seeds = {1, 2, 3};
     std::vector<double> radii = {0.5, 1, 2};       ///< of edges, % of D
     std::vector<double> resolutions = {1, 4, 16};  ///< powers of 4

@@ -8,6 +8,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
+#include "line_drawing/bounds.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/edge_look.h"
@@ -115,7 +116,7 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     const PolylineParameters chosen = readPolylineParameters(run.parameters);
     const MeshModel& mesh = *run.document.mm();
     const Source source(mesh);
-    Eigen::AlignedBox3d box = boxOf(source.triangles);
+    Eigen::AlignedBox3d box = line_drawing::boundsOf(source.triangles);
     if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.layer));
     const Eye eye = eyeOf(chosen, box.center(), meshlab_host::currentView());
     const View view = viewOf(eye, chosen, source.layer);

@@ -26,19 +26,12 @@ struct PlaceRow {
     int counts_at;           ///< and its value for that
 };
 
-const std::vector<SideView>& sideViews() {
-    static const std::vector<SideView> views = {{"Front", {0, 0, 1}}, {"Back", {0, 0, -1}},
-                                                {"Left", {-1, 0, 0}}, {"Right", {1, 0, 0}},
-                                                {"Top", {0, 1, 0}},   {"Bottom", {0, -1, 0}}};
-    return views;
-}
-
 std::vector<const char*> viewNames() {
     std::vector<const char*> names = {"Current View of the Window",
                                       "Perspective, from the Viewpoint",
                                       "Orthographic, along the View Direction"};
-    for (const SideView& side : sideViews())
-        names.push_back(side.name);
+    for (const char* side : line_drawing::sideNames())
+        names.push_back(side);
     return names;
 }
 
@@ -210,8 +203,9 @@ void takeFromDecoration(Parameters& parameters) {
 
 }  // namespace
 
-const SideView& sideView(ViewChoice choice) {
-    return sideViews().at(std::size_t(choice) - std::size_t(ViewChoice::Front));
+line_drawing::ViewFrame sideView(ViewChoice choice) {
+    return frameOfSide(line_drawing::Side(int(choice) - int(ViewChoice::Front)),
+                       line_drawing::UpAxis::Y);
 }
 
 PolylineParameters polylineDefaults(const MeshModel* mesh,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "laplacian_lines/line_style.h"
+#include "line_drawing/view_frame.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/drawn_style.h"
@@ -28,13 +29,9 @@ enum class ViewChoice {
 enum class SettingsChoice { AsSetBelow, AsTheDecoration, FirstMixture };
 enum class LightChoice { AtTheEye, FromADirection };
 
-/// An orthographic view along an axis of the world, as in MeshLab's menu.
-struct SideView {
-    const char* name;
-    Eigen::Vector3d towards_viewer;
-};
-/// Of the choices from Front on.
-const SideView& sideView(ViewChoice choice);
+/// An orthographic view along an axis of the world, as in MeshLab's menu; of the choices from Front
+/// on.
+line_drawing::ViewFrame sideView(ViewChoice choice);
 
 /// What the user chose for lines as polylines. Points and directions are in world coordinates.
 struct PolylineParameters {

@@ -77,8 +77,9 @@ Eye eyeOf(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
         default:
             break;
     }
-    const SideView& side = sideView(chosen.view);
-    Eye eye = orthographic(side.towards_viewer, upwards(side.towards_viewer));
+    const line_drawing::ViewFrame side = sideView(chosen.view);
+    const Eigen::Vector3d towards_viewer = side.towards_viewer + Eigen::Vector3d::Zero();  // no -0
+    Eye eye = orthographic(towards_viewer, side.up);
     eye.words += QString(" (%1)").arg(side.name);
     return eye;
 }
@@ -97,14 +98,6 @@ laplacian_lines::View viewOf(const Eye& eye, const PolylineParameters& chosen,
     else if (chosen.light == LightChoice::FromADirection)
         view->light = in_mesh(chosen.light_direction);
     return *view;
-}
-
-Eigen::AlignedBox3d boxOf(const laplacian_lines::TriangleMesh& mesh) {
-    Eigen::AlignedBox3d box;
-    for (const laplacian_lines::Triangle& triangle : mesh.triangles)
-        for (const std::uint32_t corner : triangle)
-            if (mesh.positions[corner].allFinite()) box.extend(mesh.positions[corner]);
-    return box;
 }
 
 QString nearnessWarning(const Eye& eye, const Eigen::AlignedBox3d& box) {

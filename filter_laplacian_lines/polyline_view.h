@@ -5,7 +5,6 @@
 #include <QString>
 #include <optional>
 
-#include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/filter.h"
@@ -28,9 +27,6 @@ Eye eyeOf(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
 /// @throws laplacian_lines::Error(InvalidOption) for layers whose transformation is singular.
 laplacian_lines::View viewOf(const Eye& eye, const PolylineParameters& chosen,
                              const Eigen::Matrix4d& layer);
-
-/// The bounding box of a mesh's triangles, in mesh coordinates; empty without any.
-Eigen::AlignedBox3d boxOf(const laplacian_lines::TriangleMesh& mesh);
 
 /// What to tell the user of an eye that does not see all of a box in world coordinates, because it
 /// is within it or close to it. Empty if it does.

@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <iterator>
 
 #include "words.h"
 
@@ -12,8 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// By Side.
-const char* const side_names[] = {"Front", "Back", "Left", "Right", "Top", "Bottom"};
+constexpr std::array<const char*, 6> side_names = {"Front", "Back", "Left",
+                                                   "Right", "Top",  "Bottom"};
 
 Vector3d upOf(UpAxis axis) {
     return Vector3d::Unit(int(axis));
@@ -38,7 +37,7 @@ public:
         while (next_ < words_.size()) {
             const QString word = words_[next_++];
             if (word.compare("six", Qt::CaseInsensitive) == 0)
-                for (std::size_t side = 0; side < std::size(side_names); ++side)
+                for (std::size_t side = 0; side < side_names.size(); ++side)
                     views.push_back(frameOfSide(Side(side), up_));
             else
                 views.push_back(readOne(word));
@@ -49,7 +48,7 @@ public:
 
 private:
     ViewFrame readOne(const QString& word) {
-        for (std::size_t side = 0; side < std::size(side_names); ++side)
+        for (std::size_t side = 0; side < side_names.size(); ++side)
             if (word.compare(side_names[side], Qt::CaseInsensitive) == 0)
                 return frameOfSide(Side(side), up_);
         if (word.compare("vessel", Qt::CaseInsensitive) == 0) return frameOfVessel(up_);
@@ -77,6 +76,10 @@ private:
 };
 
 }  // namespace
+
+std::array<const char*, 6> sideNames() {
+    return side_names;
+}
 
 Vector3d inMesh(const Vector3d& direction, const ViewFrame& frame) {
     return direction.x() * frame.right + direction.y() * frame.up +

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints the tables of docs/accuracy.md: how far the field is from the truth.
+// Prints the tables of docs/accuracy.md: how far the field and lines are from the truth. With an
+// argument, those of lines alone.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <deque>
 #include <functional>
+#include <string>
 
 #include "helpers.h"
+#include "kind_truth.h"
 #include "laplacian_lines/precompute.h"
 #include "reference_field.h"
 
@@ -92,9 +98,55 @@ void print_sums() {
     }
 }
 
+/// Of a kind on a surface, over all views: mean and largest distance, and how much was looked at.
+reference::LineDistance over_views(const reference::KindTruth& truth, LineKind kind) {
+    reference::LineDistance sum;
+    for (const reference::NamedView& view : reference::views_of(truth.scale())) {
+        const reference::LineDistance one = truth.distance(kind, view.view);
+        sum.largest = std::max(sum.largest, one.largest);
+        sum.mean += one.mean * one.length;
+        sum.length += one.length;
+    }
+    if (sum.length > 0) sum.mean /= sum.length;
+    return sum;
+}
+
+void print_kinds() {
+    constexpr int levels = 3;
+    std::printf(
+        "\nLines of each kind: mean (largest) distance to the true ones, %% of D\n\n| kind | "
+        "surface "
+        "| coarse | 4 x | 16 x triangles | order of the mean |\n|---|---|---|---|---|---|\n");
+    for (const reference::Refinement& surface : reference::refinements()) {
+        const AnalyticMesh fine = surface.generate(levels);
+        std::deque<reference::KindTruth> truths;
+        for (int level = 0; level < levels; ++level)
+            truths.emplace_back(surface.generate(level).mesh, fine, surface.border);
+        for (const LineKind kind : reference::true_kinds) {
+            double first = 0, last = 0;
+            std::string cells;
+            for (const reference::KindTruth& truth : truths) {
+                const reference::LineDistance found = over_views(truth, kind);
+                char cell[60];
+                std::snprintf(cell, sizeof cell, " %.2g (%.2g) |", 100 * found.mean,
+                              100 * found.largest);
+                cells += cell;
+                (&truth == &truths.front() ? first : last) = found.mean;
+            }
+            if (first == 0 || last == 0) continue;  // the surface has no such lines
+            std::printf("| %s | %s |%s %.1f |\n", describe(kind).many, surface.name, cells.c_str(),
+                        std::log2(first / last) / (levels - 1));
+        }
+    }
+}
+
 }  // namespace
 
-int main() {
+int main(int argc, char**) {
+    if (argc > 1) {  // lines alone
+        print_kinds();
+        return 0;
+    }
     print_convergence(
         "Relative error of Δn, default options",
         [](const AnalyticMesh& s, double size) { return laplacian_error(s, size, {}); });
@@ -115,4 +167,5 @@ int main() {
     });
     print_kernel_sizes();
     print_sums();
+    print_kinds();
 }

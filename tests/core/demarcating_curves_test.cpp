@@ -25,14 +25,8 @@ LineStyle only_demarcating_curves() {
     return style;
 }
 
-Field field_of(const TriangleMesh& mesh) {
-    PrecomputeOptions options;
-    options.curvature_derivatives = true;
-    return precompute(mesh, options);
-}
-
 LineSet curves(const TriangleMesh& mesh, const LineStyle& style = only_demarcating_curves()) {
-    return helpers::extract(LineExtractor(mesh, field_of(mesh)), kView, style);
+    return helpers::extract(LineExtractor(mesh, helpers::complete_field(mesh)), kView, style);
 }
 
 /// A plate with a round step of the given height, its middle at the radius 0.5.
@@ -104,7 +98,7 @@ TEST(DemarcatingCurves, AreThoseOfAPlainLoop) {
     style.demarcation = style.shortest_line = 0;
     for (const TriangleMesh& mesh : {relief(0.05, 0.2, 60), test_meshes::bumpy_sphere(4, 0.15).mesh,
                                      test_meshes::hills(40).mesh}) {
-        const Field field = field_of(mesh);
+        const Field field = helpers::complete_field(mesh);
         const LineSet lines = helpers::extract(LineExtractor(mesh, field), kView, style);
         const auto pieces = reference::demarcating_pieces(mesh, field);
         ASSERT_GT(lines.points.size(), 100u);
@@ -133,7 +127,7 @@ TEST(DemarcatingCurves, AreThoseOfAPlainLoop) {
 
 TEST(DemarcatingCurves, AreTheSameFromEverywhere) {
     const TriangleMesh mesh = relief(0.05);
-    const LineExtractor extractor(mesh, field_of(mesh));
+    const LineExtractor extractor(mesh, helpers::complete_field(mesh));
     const LineStyle style = only_demarcating_curves();
     const LineSet lines = helpers::extract(extractor, kView, style);
     ASSERT_FALSE(lines.lines.empty());

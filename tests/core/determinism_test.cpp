@@ -27,6 +27,7 @@ TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
     other.kernel_mode = KernelMode::Adaptive;
     other.gradient_estimator = GradientEstimator::LeastSquares;
     other.normal_smoothing = NormalSmoothing::Bilateral;
+    other.curvature_derivatives = true;
     for (const char* name : {"bumpy_sphere", "hills", "three_sheets", "dirty_torus"}) {
         const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
         for (const PrecomputeOptions& options : {plain, other}) {
@@ -57,18 +58,19 @@ TEST(Determinism, SameFieldsAndLinesOfEveryMesh) {
         for (const test_meshes::MeshEntry& entry : *entries) {
             const test_meshes::TestMesh& mesh = entry.get();
             if (mesh.has(test_meshes::kUnusable)) continue;
-            const Field field = with_threads(1, mesh.mesh, {});
+            PrecomputeOptions options;
+            options.curvature_derivatives = true;
+            const Field field = with_threads(1, mesh.mesh, options);
             const View view = View::perspective(field.scale.diagonal * Eigen::Vector3d(1, 2, 1.5));
-            const LineSet lines =
-                helpers::extract(LineExtractor(mesh.mesh, field), view, helpers::all_crossings());
+            const LineStyle style = helpers::all_crossings_of_all_kinds();
+            const LineSet lines = helpers::extract(LineExtractor(mesh.mesh, field), view, style);
             for (int threads : {1, 2, 3, 8}) {
-                EXPECT_TRUE(helpers::same_fields(field, with_threads(threads, mesh.mesh, {})))
+                EXPECT_TRUE(helpers::same_fields(field, with_threads(threads, mesh.mesh, options)))
                     << mesh << ", " << threads << " threads";
                 const int before = omp_get_max_threads();
                 omp_set_num_threads(threads);
                 const LineExtractor extractor(mesh.mesh, field);
-                EXPECT_TRUE(helpers::same_lines(
-                    lines, helpers::extract(extractor, view, helpers::all_crossings())))
+                EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor, view, style)))
                     << mesh << ", " << threads << " threads";
                 omp_set_num_threads(before);
             }
@@ -81,7 +83,7 @@ protected:
 
     LineStyle silhouettes_;
     const test_meshes::AnalyticMesh surface_ = test_meshes::bumpy_sphere(5, 0.15);
-    const LineExtractor extractor_{surface_.mesh, precompute(surface_.mesh)};
+    const LineExtractor extractor_{surface_.mesh, helpers::complete_field(surface_.mesh)};
     const std::vector<View> views_ = helpers::random_views(surface_.mesh, 24);
 };
 
@@ -133,7 +135,8 @@ TEST_F(Extraction, RunsInSeveralThreadsAtOnce) {
 
 TEST_F(Extraction, AllocatesNothingInTheSteadyState) {
     const int threads_before = omp_get_max_threads();
-    for (const LineStyle& style : {LineStyle(), silhouettes_, helpers::all_crossings()})
+    for (const LineStyle& style :
+         {LineStyle(), silhouettes_, helpers::all_crossings(), helpers::all_kinds()})
         for (int threads : {1, 2, 5}) {
             omp_set_num_threads(threads);
             ExtractionScratch scratch;

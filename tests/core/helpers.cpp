@@ -9,6 +9,7 @@
 #include <random>
 
 #include "laplacian_lines/field_columns.h"
+#include "laplacian_lines/precompute.h"
 #include "laplacian_lines/tangent_frame.h"
 
 namespace helpers {
@@ -116,6 +117,34 @@ LineStyle all_contours() {
     LineStyle style = all_crossings();
     style.shows[LineKind::Laplacian] = false;
     return style;
+}
+
+LineStyle all_crossings_of_all_kinds() {
+    LineStyle style = all_crossings();
+    for (const LineKindDescription& row : line_kinds)
+        style.shows[row.kind] = true;
+    style.suggestive_slope = style.apparent_curvature = style.apparent_slope = 0;
+    style.photic_slope = style.demarcation = 0;
+    return style;
+}
+
+LineStyle all_kinds() {
+    LineStyle style;
+    for (const LineKindDescription& row : line_kinds)
+        style.shows[row.kind] = true;
+    return style;
+}
+
+LineStyle only(LineKind kind) {
+    LineStyle style;
+    style.shows = LineKindSet();
+    style.shows[kind] = true;
+    return style;
+}
+
+Field complete_field(const TriangleMesh& mesh, PrecomputeOptions options) {
+    options.curvature_derivatives = true;
+    return precompute(mesh, options);
 }
 
 LineSet extract(const LineExtractor& extractor, const View& view, const LineStyle& style) {

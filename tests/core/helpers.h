@@ -47,6 +47,17 @@ laplacian_lines::LineStyle all_crossings();
 laplacian_lines::LineStyle all_laplacian_lines();  ///< without contours
 laplacian_lines::LineStyle all_contours();         ///< without Laplacian lines
 
+/// The same of every kind, with thresholds of theirs that nothing fails.
+laplacian_lines::LineStyle all_crossings_of_all_kinds();
+/// The default style with every kind.
+laplacian_lines::LineStyle all_kinds();
+/// A kind alone, all else at its default.
+laplacian_lines::LineStyle only(laplacian_lines::LineKind kind);
+
+/// With all that any kind of lines needs.
+laplacian_lines::Field complete_field(const laplacian_lines::TriangleMesh& mesh,
+                                      laplacian_lines::PrecomputeOptions options = {});
+
 laplacian_lines::LineSet extract(const laplacian_lines::LineExtractor& extractor,
                                  const laplacian_lines::View& view,
                                  const laplacian_lines::LineStyle& style);

@@ -145,6 +145,52 @@ void expect_same_lines(double scale, const Eigen::Vector3d& offset) {
     }
 }
 
+/// The share of the length of lines that others have within a distance.
+double share_near(const LineSet& lines, const LineSet& others, double distance) {
+    double near = 0, all = 0;
+    for (const Polyline& line : lines.lines)
+        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i) {
+            const Eigen::Vector3d a = lines.points[i - 1].position.cast<double>(),
+                                  b = lines.points[i].position.cast<double>();
+            all += (b - a).norm();
+            if (helpers::distance_to_lines(b, others) < distance) near += (b - a).norm();
+        }
+    return all > 0 ? near / all : 1;
+}
+
+LineSet brought_back(LineSet lines, const Eigen::Affine3d& transform) {
+    for (LinePoint& p : lines.points)
+        p.position = (transform.inverse() * p.position.cast<double>()).cast<float>();
+    return lines;
+}
+
+/// The box of a turned mesh has another diagonal, which thresholds depend on; a quarter turn keeps
+/// it. C is given in other frames, clusters and sums are others.
+TEST(Invariance, LinesOfAllKindsMoveWithTheMesh) {
+    Eigen::Matrix3d turn;
+    turn << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+    const Eigen::Affine3d transform =
+        Eigen::Translation3d(200, -100, 300) * Eigen::Affine3d(50 * turn);
+    const TriangleMesh mesh = transformed(transform);
+    const LineExtractor here(base(), helpers::complete_field(base())),
+        there(mesh, helpers::complete_field(mesh));
+    const Eigen::Vector3d eye(3, 1, 2);
+    int with_lines = 0;
+    for (const LineKindDescription& row : line_kinds)
+        for (const double w : {0., 1.}) {
+            LineStyle style = helpers::only(row.kind);
+            style.detail = 80;
+            const LineSet a = helpers::extract(here, {eye, w}, style);
+            const Eigen::Vector3d moved = w > 0 ? transform * eye : turn * eye;
+            const LineSet b = brought_back(helpers::extract(there, {moved, w}, style), transform);
+            EXPECT_GT(share_near(a, b, 1e-3), 0.99) << row.key << ", w " << w;
+            EXPECT_GT(share_near(b, a, 1e-3), 0.99) << row.key << ", w " << w;
+            EXPECT_EQ(a.lines.empty(), b.lines.empty()) << row.key;
+            with_lines += !a.lines.empty();
+        }
+    EXPECT_GE(with_lines, 12);  // not ridges, valleys and borders
+}
+
 TEST(Invariance, LinesScaleWithTheMesh) {
     // Powers of two keep every bit of the coordinates.
     expect_same_lines(std::ldexp(1.0, 20), Eigen::Vector3d::Zero());

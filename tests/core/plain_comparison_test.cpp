@@ -20,17 +20,10 @@ using namespace laplacian_lines;
 using reference::PlainLine;
 using test_meshes::MeshEntry;
 
-/// With all that any kind of lines needs.
-Field field_of(const TriangleMesh& mesh) {
-    PrecomputeOptions options;
-    options.curvature_derivatives = true;
-    return precompute(mesh, options);
-}
-
 class PlainComparison : public testing::TestWithParam<const MeshEntry*> {
 protected:
     const TriangleMesh& mesh() const { return GetParam()->get().mesh; }
-    const Field field_ = field_of(mesh());
+    const Field field_ = helpers::complete_field(mesh());
 };
 
 INSTANTIATE_TEST_SUITE_P(Meshes, PlainComparison, testing::ValuesIn(test_meshes::meshes_with(0)),
@@ -214,7 +207,7 @@ TEST_P(PlainComparison, GivesTheSameBitsWithAllInstructionSets) {
 
 TEST(ParallelExtraction, GivesTheSameBitsWithAnyNumberOfThreads) {
     const auto surface = test_meshes::bumpy_sphere(6, 0.15);  // many chunks of clusters
-    const LineExtractor extractor(surface.mesh, field_of(surface.mesh));
+    const LineExtractor extractor(surface.mesh, helpers::complete_field(surface.mesh));
     const int before = omp_get_max_threads();
     for (const View& view : helpers::random_views(surface.mesh, 10))
         for (const auto& [name, style] : styles()) {

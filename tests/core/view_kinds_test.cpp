@@ -120,35 +120,31 @@ TEST(ViewKinds, RadialCurvatureIsThatOfTheSectionTowardsTheEye) {
     });
 }
 
-Field compute(const TriangleMesh& mesh) {
-    PrecomputeOptions options;
-    options.curvature_derivatives = true;
-    return precompute(mesh, options);
-}
-
-LineStyle only(LineKind kind) {
-    LineStyle style;
-    style.shows = LineKindSet();
-    style.shows[kind] = true;
-    return style;
-}
-
 TEST(ViewKinds, DrawNothingOnASphere) {
     const auto sphere = test_meshes::sphere(5);
-    const LineExtractor extractor(sphere.mesh, compute(sphere.mesh));
+    const LineExtractor extractor(sphere.mesh, helpers::complete_field(sphere.mesh));
     for (const View& view : helpers::random_views(sphere.mesh, 10))
         for (const LineKind kind : kKinds)
-            EXPECT_EQ(helpers::extract(extractor, view, only(kind)).lines.size(), 0u)
+            EXPECT_EQ(helpers::extract(extractor, view, helpers::only(kind)).lines.size(), 0u)
+                << describe(kind).key;
+}
+
+TEST(ViewKinds, DrawNothingOnAPlane) {
+    const TriangleMesh& plane = test_meshes::mesh_named("plane").mesh;
+    const LineExtractor extractor(plane, helpers::complete_field(plane));
+    for (const View& view : helpers::random_views(plane, 10))
+        for (const LineKind kind : kKinds)
+            EXPECT_EQ(helpers::extract(extractor, view, helpers::only(kind)).lines.size(), 0u)
                 << describe(kind).key;
 }
 
 TEST(ViewKinds, AreSeenOnABumpySphere) {
     const auto surface = test_meshes::bumpy_sphere(5);
-    const LineExtractor extractor(surface.mesh, compute(surface.mesh));
+    const LineExtractor extractor(surface.mesh, helpers::complete_field(surface.mesh));
     for (const LineKind kind : kKinds) {
         std::size_t lines = 0;
         for (const View& view : helpers::random_views(surface.mesh, 10))
-            lines += helpers::extract(extractor, view, only(kind)).lines.size();
+            lines += helpers::extract(extractor, view, helpers::only(kind)).lines.size();
         EXPECT_GT(lines, 4u) << describe(kind).key;
     }
 }

@@ -101,12 +101,14 @@ Field made_up_field(const TriangleMesh& mesh, Choices& choices) {
         const Eigen::Vector3f a = 10 * vector(), b = 10 * vector();
         field.shape_operators.push_back({a.x(), a.y(), a.z(), b.x(), b.y(), b.z()});
         field.kernel_sizes.push_back(wild_float(choices));
+        field.curvature_derivatives.push_back({10 * a.y(), 10 * b.x(), 10 * a.x(), 10 * b.z()});
     }
     const std::size_t count = mesh.positions.size() + choices.one_in(32);
     field.normals.resize(count, Eigen::Vector3f::UnitX());
     field.laplacian_normals.resize(count, Eigen::Vector3f::UnitY());
     field.shape_operators.resize(count);
     field.kernel_sizes.resize(count, 0.1f);
+    field.curvature_derivatives.resize(count, Eigen::Vector4f(1, 2, 3, 4));
     field.scale = measure_scale(mesh);
     return field;
 }
@@ -126,7 +128,7 @@ std::string extract_views(const TriangleMesh& mesh, const Field& field, Choices&
     LineSet lines;
     for (unsigned views = 1 + choices.below(4); views > 0; --views) {
         const View view = wild_view(mesh, choices);
-        const LineStyle style = choices.one_in(2) ? helpers::all_crossings()
+        const LineStyle style = choices.one_in(2) ? helpers::all_crossings_of_all_kinds()
                                                   : wild_options(line_style_table(), choices);
         try {
             extractor.extract(view, style, scratch, lines);
@@ -157,6 +159,8 @@ std::string complaint(const TriangleMesh& mesh, const Field& field) {
         if (!helpers::matrix(field.shape_operators[v]).allFinite()) return "no finite tensor" + at;
         if (!std::isfinite(field.kernel_sizes[v]) || field.kernel_sizes[v] < 0)
             return "no finite kernel size" + at;
+        if (!field.curvature_derivatives.empty() && !field.curvature_derivatives[v].allFinite())
+            return "no finite derivative" + at;
     }
     return {};
 }
@@ -199,8 +203,8 @@ std::string extract_case(Choices& choices) {
     const bool make_up = choices.one_in(3);
     const TriangleMesh mesh = test_meshes::wild_mesh(choices, true);
     try {
-        return extract_views(mesh, make_up ? made_up_field(mesh, choices) : precompute(mesh),
-                             choices);
+        return extract_views(
+            mesh, make_up ? made_up_field(mesh, choices) : helpers::complete_field(mesh), choices);
     } catch (const Error&) {
         return {};
     }

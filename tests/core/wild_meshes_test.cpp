@@ -41,7 +41,7 @@ protected:
 
 TEST_P(WildMesh, IsRefusedWithAReasonOrHasAFiniteField) {
     if (!unusable()) {
-        EXPECT_EQ(wild::complaint(mesh(), precompute(mesh())), "");
+        EXPECT_EQ(wild::complaint(mesh(), helpers::complete_field(mesh())), "");
         return;
     }
     try {
@@ -91,15 +91,15 @@ std::vector<View> usual_and_odd_views(const TriangleMesh& mesh, const FieldScale
 
 TEST_P(WildMesh, LinesAreFiniteFromAnyEye) {
     if (unusable()) return;
-    const Field field = precompute(mesh());
+    const Field field = helpers::complete_field(mesh());
     const LineExtractor extractor(mesh(), field);
-    LineStyle everything;
-    everything.shows[LineKind::Crease] = true;
+    LineStyle everything = helpers::all_kinds();
     everything.detail = 100;
     LineStyle silhouettes = everything;
     silhouettes.mesh_silhouettes = silhouettes.exact_point_light = true;
     for (const View& view : usual_and_odd_views(mesh(), field.scale))
-        for (const LineStyle& style : {everything, silhouettes, helpers::all_crossings()})
+        for (const LineStyle& style :
+             {everything, silhouettes, helpers::all_crossings_of_all_kinds()})
             EXPECT_EQ(wild::complaint(helpers::extract(extractor, view, style)), "")
                 << view.eye.transpose() << ", " << view.w;
     const View view = View::perspective({3 * field.scale.diagonal, 0, 0});

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <QString>
+#include <array>
 #include <map>
 #include <optional>
 #include <vector>
@@ -34,6 +35,9 @@ constexpr double tangent_of_sight = 1.7320508075688772;
 
 /// A direction of the picture, x right, y up, z to the viewer, in mesh coordinates.
 Eigen::Vector3d inMesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
+
+/// "Front" to "Bottom", in the order of Side.
+std::array<const char*, 6> sideNames();
 
 /// One of the six sides. A view of a side shows what an observer sees who walks around the object
 /// that stands upright; the top view has the object's front at its lower edge, the bottom view at

@@ -18,9 +18,7 @@ LineRules rules_of(const LineStyle& s, bool) {
     rules.least_gradient = std::sqrt(factor) * float(s.apparent_curvature);
     rules.least_facing = 0;
     rules.leave_out_away = true;
-    rules.segment_slope = factor * float(s.apparent_slope);
-    rules.line_slope = 2 * rules.segment_slope;
-    rules.full_slope = 6 * float(s.apparent_slope);
+    set_slopes(s, s.apparent_slope, 6, rules);
     rules.least_strength = rules.least_gradient * kLeastStrong * float(std::sqrt(factor));
     return rules;
 }

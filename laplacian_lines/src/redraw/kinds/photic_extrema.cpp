@@ -9,12 +9,9 @@ namespace {
 /// Those of Laplacian lines, but for the slope: the second derivative of ‖∇I‖ along ∇I, times
 /// D·h_e^1.5.
 LineRules rules_of(const LineStyle& s, bool light_at_eye) {
-    const auto factor = float(threshold_factor(s.detail));
     LineRules rules = laplacian_line_strips.rules(s, light_at_eye);
     rules.kind = LineKind::PhoticExtremum;
-    rules.segment_slope = factor * float(s.photic_slope);
-    rules.line_slope = 2 * rules.segment_slope;
-    rules.full_slope = 12 * float(s.photic_slope);
+    set_slopes(s, s.photic_slope, 12, rules);
     return rules;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "redraw/kinds/strip_kinds.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace laplacian_lines {
@@ -16,6 +17,13 @@ LineRules rules_by_slope(LineKind kind, const LineStyle& s) {
     rules.end_length = float(s.end_length);
     if (s.shows[LineKind::Contour]) rules.contour_clearance = float(s.contour_clearance);
     return rules;
+}
+
+void set_slopes(const LineStyle& s, double least, float widest, LineRules& rules) {
+    constexpr float positive = 1e-6f;  // weights are divided by it
+    rules.segment_slope = float(threshold_factor(s.detail)) * float(least);
+    rules.line_slope = 2 * rules.segment_slope;
+    rules.full_slope = std::max(widest * float(least), positive);
 }
 
 }  // namespace laplacian_lines

@@ -9,14 +9,11 @@ namespace {
 
 /// The slope is the derivative of the radial curvature towards the eye, over the cosine of normal
 /// and view, times h_e, all to the power 1.5.
-LineRules rules_of(const LineStyle& s, LineKind kind, float slope) {
-    const auto factor = float(threshold_factor(s.detail));
+LineRules rules_of(const LineStyle& s, LineKind kind, double slope) {
     LineRules rules = rules_by_slope(kind, s);
     rules.least_facing = 0;
     rules.leave_out_away = true;
-    rules.segment_slope = factor * slope;
-    rules.line_slope = 2 * factor * slope;
-    rules.full_slope = 8 * slope;
+    set_slopes(s, slope, 8, rules);
     return rules;
 }
 
@@ -26,14 +23,14 @@ const StripKind suggestive_contour_strips = {
     LineKind::SuggestiveContour,
     [](const LineStyle& style) { return style.shows[LineKind::SuggestiveContour]; },
     [](const LineStyle& style, bool) {
-        return rules_of(style, LineKind::SuggestiveContour, float(style.suggestive_slope));
+        return rules_of(style, LineKind::SuggestiveContour, style.suggestive_slope);
     }};
 
 const StripKind suggestive_highlight_strips = {
     LineKind::SuggestiveHighlight,
     [](const LineStyle& style) { return style.shows[LineKind::SuggestiveHighlight]; },
     [](const LineStyle& style, bool) {
-        return rules_of(style, LineKind::SuggestiveHighlight, float(2 * style.suggestive_slope));
+        return rules_of(style, LineKind::SuggestiveHighlight, 2 * style.suggestive_slope);
     }};
 
 }  // namespace laplacian_lines
