@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// line_sight [--forms yes|no] [MESH...]
+// line_sight [--forms yes|no] [--where yes|no] [MESH...]
 // How well it is decided which parts of contours are seen. Of forms that are known exactly, by
 // meshes of growing fineness and a dozen views: the share of the length of all contours that is
 // hidden but judged seen, and seen but judged hidden. Of these and of the meshes that are named, by
 // their six sides: how many ends the seen contours have, how many are T-junctions, cusps, or ends
 // where another outline goes on, and the share that is none of these, loose. An end and what
-// explains it are within 0.3 % of D in the picture.
+// explains it are within 0.3 % of D in the picture. --where yes lists what is misjudged.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -50,10 +51,40 @@ std::vector<Vector3d> six_sides() {
     return result;
 }
 
+/// Successive segments that are misjudged in the same way.
+struct Stretch {
+    int view;
+    std::uint32_t first, last;  // points of the view's lines
+    bool is_drawn;
+    double length;                    // in D
+    double radial_begin, radial_end;  // curvatures towards the eye, 0 at cusps
+};
+
 /// Lengths of contours.
 struct Judged {
     double all = 0, wrongly_seen = 0, wrongly_hidden = 0;
+    std::vector<Stretch> stretches = {};
+
+    void add_wrong(const Stretch& segment) {
+        (segment.is_drawn ? wrongly_seen : wrongly_hidden) += segment.length;
+        Stretch* last = stretches.empty() ? nullptr : &stretches.back();
+        if (!last || last->view != segment.view || last->last != segment.first ||
+            last->is_drawn != segment.is_drawn)
+            return stretches.push_back(segment);
+        last->last = segment.last;
+        last->length += segment.length;
+        last->radial_end = segment.radial_end;
+    }
 };
+
+void print_stretches(const std::vector<Stretch>& stretches) {
+    for (const Stretch& s : stretches)
+        std::printf(
+            "    view %d, points %u to %u: %.2f %% of D wrongly %s, radial curvature %.2f to "
+            "%.2f\n",
+            s.view, s.first, s.last, 100 * s.length, s.is_drawn ? "seen" : "hidden", s.radial_begin,
+            s.radial_end);
+}
 
 bool is_on(const LineSet& lines, const Vector3d& p, double within) {
     for (const Polyline& line : lines.lines)
@@ -74,6 +105,7 @@ public:
 
     void look(const Vector3d& towards_eye) {
         towards_eye_ = towards_eye;
+        ++view_number_;
         view_ = View::orthographic(towards_eye);
         extractor_.extract(view_, {}, scratch_, whole_);
         seconds += benchmarks::seconds([&] { seen_ = visibility_.visible_parts(view_, whole_); });
@@ -85,14 +117,14 @@ public:
                  line.kind == LineKind::Contour && i + 1 < line.first + line.count; ++i) {
                 const Vector3d a = whole_.points[i].position.cast<double>();
                 const Vector3d b = whole_.points[i + 1].position.cast<double>();
-                const auto is_seen =
-                    truth.sees_contour((a + b) / 2, towards_eye_, kContourReach * d);
-                if (!is_seen) continue;
-                const double length = (b - a).norm();
+                const auto contour = truth.contour_at((a + b) / 2, towards_eye_, kContourReach * d);
+                if (!contour) continue;
+                const double length = (b - a).norm() / d;
                 const bool is_drawn = is_on(seen_, (a + b) / 2, kOnLine * d);
                 judged.all += length;
-                if (is_drawn && !*is_seen) judged.wrongly_seen += length;
-                if (!is_drawn && *is_seen) judged.wrongly_hidden += length;
+                if (is_drawn != contour->is_seen)
+                    judged.add_wrong({view_number_, i, i + 1, is_drawn, length, contour->radial,
+                                      contour->radial});
             }
     }
     LineEnds ends() const {
@@ -107,6 +139,7 @@ private:
     const LineVisibility visibility_;
     ExtractionScratch scratch_;
     Vector3d towards_eye_;
+    int view_number_ = 0;
     View view_;
     LineSet whole_, seen_;
 };
@@ -124,7 +157,7 @@ void print_row(const std::string& name, std::size_t triangles, const Judged& jud
     std::fflush(stdout);
 }
 
-void measure_form(const KnownForm& form) {
+void measure_form(const KnownForm& form, bool says_where) {
     const SightTruth truth = form.truth();
     for (const auto& make : form.meshes) {
         const TriangleMesh mesh = make();
@@ -137,6 +170,7 @@ void measure_form(const KnownForm& form) {
             ends += drawing.ends();
         }
         print_row(form.name, mesh.triangles.size(), judged, ends, drawing.seconds);
+        if (says_where) print_stretches(judged.stretches);
     }
 }
 
@@ -157,14 +191,19 @@ void measure_file(const std::string& file) {
 int main(int argc, char** argv) {
     try {
         std::vector<std::string> files(argv + 1, argv + argc);
-        const bool has_forms = files.size() < 2 || files[0] != "--forms" || files[1] != "no";
-        if (files.size() > 1 && files[0] == "--forms")
-            files.erase(files.begin(), files.begin() + 2);
+        const auto option = [&](const char* name, bool otherwise) {
+            const auto found = std::find(files.begin(), files.end(), name);
+            if (found == files.end() || found + 1 == files.end()) return otherwise;
+            const bool is_yes = found[1] == "yes";
+            files.erase(found, found + 2);
+            return is_yes;
+        };
+        const bool has_forms = option("--forms", true), says_where = option("--where", false);
         std::printf("%-14s %9s %9s %9s %6s %6s %6s %6s %6s %7s %7s\n", "", "triangles", "seen %",
                     "hidden %", "ends", "cross", "cusps", "meet", "loose", "loose %", "s");
         if (has_forms)
             for (const KnownForm& form : known_forms())
-                measure_form(form);
+                measure_form(form, says_where);
         for (const std::string& file : files)
             measure_file(file);
     } catch (const std::exception& error) {

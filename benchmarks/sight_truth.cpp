@@ -51,8 +51,9 @@ KnownForm ring() {
 SightTruth::SightTruth(const laplacian_lines::TriangleMesh& fine, Foot foot)
     : caster_(fine, {{}, 0, 1, ""}), foot_(std::move(foot)) {}
 
-std::optional<bool> SightTruth::sees_contour(const Vector3d& place, const Vector3d& towards_eye,
-                                             double reach) const {
+std::optional<SightTruth::Contour> SightTruth::contour_at(const Vector3d& place,
+                                                          const Vector3d& towards_eye,
+                                                          double reach) const {
     const Vector3d v = towards_eye.normalized();
     SurfacePoint at = foot_(place);
     for (int i = 0; i < kNewtonSteps; ++i) {
@@ -60,11 +61,13 @@ std::optional<bool> SightTruth::sees_contour(const Vector3d& place, const Vector
         at = foot_(at.position - at.normal.dot(v) / slope.squaredNorm() * slope);
         if (!((at.position - place).norm() < reach)) return {};
     }
-    if (v.dot(at.shape_operator * v) < 0)
-        return false;  // a cusp's far side: hidden by its own form
+    const Vector3d turn = at.shape_operator * v;
+    const double radial = v.dot(turn) / turn.norm();
+    if (radial < 0) return Contour{false, radial};  // a cusp's far side: hidden by its own form
     laplacian_lines::RayCaster::Hint hint;
-    return !caster_.is_hit(
-        {at.position + kOffSurface * at.normal, v, std::numeric_limits<double>::infinity()}, hint);
+    const Vector3d start = at.position + kOffSurface * at.normal;
+    return Contour{!caster_.is_hit({start, v, std::numeric_limits<double>::infinity()}, hint),
+                   radial};
 }
 
 std::vector<KnownForm> known_forms() {

@@ -22,9 +22,15 @@ public:
     /// `foot` is the point of the surface at a place near it.
     SightTruth(const laplacian_lines::TriangleMesh& fine, Foot foot);
 
-    /// Whether the contour near a place is seen; none if there is no contour within `reach`.
-    std::optional<bool> sees_contour(const Eigen::Vector3d& place,
-                                     const Eigen::Vector3d& towards_eye, double reach) const;
+    struct Contour {
+        bool is_seen;
+        double
+            radial;  ///< curvature towards the eye, a share of how much normals turn there; 0: cusp
+    };
+
+    /// The contour near a place; none if there is none within `reach`.
+    std::optional<Contour> contour_at(const Eigen::Vector3d& place,
+                                      const Eigen::Vector3d& towards_eye, double reach) const;
 
 private:
     laplacian_lines::RayCaster caster_;

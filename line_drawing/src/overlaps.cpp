@@ -16,6 +16,12 @@ constexpr double shortest_double = 4;  // reaches; where lines meet they are nea
 constexpr double same_share = 0.1;     // of the reach: so near, a line adds nothing however short
 constexpr double step_share = 0.25;    // of the reach: between the places of a line looked at
 constexpr int overlap = 5;             // of these places, a little more than a reach
+constexpr double reversal = -0.5;      // cosine of a turn by 120°
+// Of the length of a line of at most two shortest doubles: the share beside others from which it
+// adds nothing.
+constexpr double most_beside = 0.8;
+constexpr double beside_reach = 1.4;  // reaches: nearer ones have no white between them
+constexpr double end_share = 0.5;     // of a piece of a line: beyond its end is not beside it
 
 double distanceTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
     const Vector2d way = end - begin;
@@ -34,6 +40,53 @@ double lengthOf(const DrawnLine& line) {
 int rankOf(LineClass line_class) {
     return line_class == LineClass::Section ? -1 : int(line_class);
 }
+
+/// Takes the jogs out of a line, where it runs back along itself and then on: on paper they would
+/// be knots of its stroke.
+class JogRemoval {
+public:
+    JogRemoval(const DrawnLine& line, double reach)
+        : line_(line), points_(refine(line.points, step_share * reach)), reach_(reach) {}
+
+    DrawnLine result() const {
+        DrawnLine straight{line_.line_class, line_.closed, {}};
+        for (std::size_t i = 0; i < points_.size(); i = nextAfter(i))
+            straight.points.push_back(points_[i]);
+        return straight.points.size() == points_.size() ? line_ : straight;
+    }
+
+private:
+    const Vector2d& at(std::size_t i) const { return points_[i].position; }
+
+    /// The direction in which the line runs for a short way before a point, or after it.
+    Vector2d way(std::size_t i, bool after) const {
+        std::size_t k = i;
+        const std::size_t end = after ? points_.size() - 1 : 0;
+        while (k != end && (at(k) - at(i)).norm() < step_share * reach_)
+            after ? ++k : --k;
+        return ((after ? 1 : -1) * (at(k) - at(i))).stableNormalized();
+    }
+
+    /// The point with which the line goes on, past the jog that begins here, if one does.
+    std::size_t nextAfter(std::size_t i) const {
+        if (i == 0 || i + 1 == points_.size()) return i + 1;
+        const Vector2d before = way(i, false);
+        if ((at(i + 1) - at(i)).normalized().dot(before) > reversal) return i + 1;
+        double length = 0;
+        for (std::size_t k = i + 1; k + 1 < points_.size(); ++k) {
+            length += (at(k) - at(k - 1)).norm();
+            const Vector2d aside = at(k) - at(i);
+            if (length > shortest_double * reach_) break;
+            if (aside.norm() < reach_ && aside.dot(before) > 0 && way(k, true).dot(before) > 0)
+                return k;
+        }
+        return i + 1;
+    }
+
+    const DrawnLine& line_;
+    const std::vector<DrawnPoint> points_;
+    const double reach_;
+};
 
 /// Cuts one line where it doubles others.
 class LineCutter {
@@ -129,23 +182,51 @@ void DrawnLines::add(const std::vector<Vector2d>& line) {
     }
 }
 
-double DrawnLines::distanceAlong(const Vector2d& point, const Vector2d& way) const {
-    double least = reach_;
+template <class Visit>
+void DrawnLines::forEachPieceNear(const Vector2d& point, Visit visit) const {
     for (const double dx : {-2., 0., 2.})
         for (const double dy : {-2., 0., 2.}) {
             const auto found =
                 pieces_.find(cellOf(point.x() + dx * reach_, point.y() + dy * reach_));
             if (found == pieces_.end()) continue;
-            for (const Piece& piece : found->second) {
-                const Vector2d along = (piece.end - piece.begin).normalized();
-                if (std::abs(along.dot(way)) >= least_cosine)
-                    least = std::min(least, distanceTo(piece.begin, piece.end, point));
-            }
+            for (const Piece& piece : found->second)
+                visit(piece);
         }
+}
+
+double DrawnLines::distanceAlong(const Vector2d& point, const Vector2d& way) const {
+    double least = reach_;
+    forEachPieceNear(point, [&](const Piece& piece) {
+        const Vector2d along = (piece.end - piece.begin).normalized();
+        if (std::abs(along.dot(way)) >= least_cosine)
+            least = std::min(least, distanceTo(piece.begin, piece.end, point));
+    });
     return least;
 }
 
+bool DrawnLines::isBeside(const Vector2d& point) const {
+    bool is_beside = false;
+    forEachPieceNear(point, [&](const Piece& piece) {
+        const Vector2d way = piece.end - piece.begin;
+        const double t = way.dot(point - piece.begin) / way.squaredNorm();
+        const bool is_past = t < -end_share || t > 1 + end_share;
+        is_beside |= !is_past && distanceTo(piece.begin, piece.end, point) < beside_reach * reach_;
+    });
+    return is_beside;
+}
+
+bool DrawnLines::addsNothing(const DrawnLine& line) const {
+    if (lengthOf(line) > 2 * shortest_double * reach_) return false;
+    const std::vector<DrawnPoint> points = refine(line.points, step_share * reach_);
+    const auto beside = std::count_if(points.begin(), points.end(), [&](const DrawnPoint& point) {
+        return isBeside(point.position);
+    });
+    return double(beside) >= most_beside * double(points.size());
+}
+
 std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach) {
+    for (DrawnLine& line : lines)
+        if (line.points.size() > 2) line = JogRemoval(line, reach).result();
     std::vector<std::pair<double, std::size_t>> order;  // -length, so that the longest come first
     for (std::size_t i = 0; i < lines.size(); ++i)
         order.emplace_back(-lengthOf(lines[i]), i);
@@ -159,6 +240,9 @@ std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach
     for (const auto& [length, i] : order) {
         std::size_t next = rest.size();
         if (lines[i].points.size() > 1) LineCutter(lines[i], there, reach).appendRest(rest);
+        rest.erase(std::remove_if(rest.begin() + std::ptrdiff_t(next), rest.end(),
+                                  [&](const DrawnLine& part) { return there.addsNothing(part); }),
+                   rest.end());
         for (; next < rest.size(); ++next)
             there.add(positionsOf(rest[next]));
     }

@@ -22,6 +22,13 @@ public:
     /// reach if none is nearer.
     double distanceAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way) const;
 
+    /// Whether `point` is within 1.4 reaches beside a line, whichever way that runs, not beyond its
+    /// end.
+    bool isBeside(const Eigen::Vector2d& point) const;
+
+    /// Whether a line is short and beside others nearly all along.
+    bool addsNothing(const DrawnLine& line) const;
+
 private:
     struct Piece {
         Eigen::Vector2d begin, end;
@@ -29,14 +36,16 @@ private:
     using Cell = std::uint64_t;
 
     Cell cellOf(double x, double y) const;
+    template <class Visit>
+    void forEachPieceNear(const Eigen::Vector2d& point, Visit visit) const;
 
     const double reach_;
     std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares of twice the reach
 };
 
 /// Lines, in the sheet's coordinates, without the parts that only double others: of lower classes
-/// those along higher ones (sections first), among one class along longer ones. Sorted by class and
-/// length.
+/// those along higher ones (sections first), among one class along longer ones; without short lines
+/// that are beside others nearly all along, and jogs. Sorted by class and length.
 std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach);
 
 }  // namespace line_drawing

@@ -11,6 +11,7 @@
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
 #include "visibility/chain_labels.h"
+#include "visibility/layers.h"
 #include "visibility/line_parts.h"
 #include "visibility/picture_crossings.h"
 
@@ -19,37 +20,50 @@ namespace {
 using namespace laplacian_lines;
 using helpers::extract;
 
-double cost_of(const std::vector<LabelCosts>& pieces, bool closed, unsigned labels) {
-    const auto label = [&](std::size_t i) { return labels >> i & 1; };
+template <std::size_t Count>
+double cost_of(const std::vector<LabelCosts<Count>>& pieces, bool closed,
+               const std::vector<std::uint8_t>& labels) {
     double cost = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        cost += pieces[i].label[label(i)];
-        if (i == 0 && !closed) continue;
-        const auto before = label(i > 0 ? i - 1 : pieces.size() - 1);
-        if (before != label(i)) cost += pieces[i].change[before];
+        cost += pieces[i].label[labels[i]];
+        if (i > 0 || closed)
+            cost += pieces[i].change[labels[i > 0 ? i - 1 : labels.size() - 1]][labels[i]];
     }
     return cost;
 }
 
-/// Against all labellings there are.
-TEST(ChainLabels, AreTheCheapestOnes) {
+template <std::size_t Count>
+void expect_cheapest_labels(std::size_t most_pieces) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(0, 1);
-    for (int trial = 0; trial < 200; ++trial) {
-        std::vector<LabelCosts> pieces(1 + std::size_t(trial) % 9);
-        for (LabelCosts& piece : pieces)
-            piece = {{number(random), number(random)}, {number(random), number(random)}};
+    for (std::size_t trial = 0; trial < 100; ++trial) {
+        std::vector<LabelCosts<Count>> pieces(1 + trial % most_pieces);
+        for (LabelCosts<Count>& piece : pieces)
+            for (std::size_t from = 0; from < Count; ++from) {
+                piece.label[from] = number(random);
+                for (std::size_t to = 0; to < Count; ++to)
+                    piece.change[from][to] = from == to ? 0 : number(random);
+            }
         for (const bool closed : {false, true}) {
             double least = 1e9;
-            for (unsigned labels = 0; labels < 1u << pieces.size(); ++labels)
+            std::vector<std::uint8_t> labels(pieces.size());
+            for (bool is_last = false; !is_last;) {
                 least = std::min(least, cost_of(pieces, closed, labels));
-            unsigned found = 0;
-            const std::vector<std::uint8_t> labels = cheapest_labels(pieces, closed);
-            for (std::size_t i = 0; i < labels.size(); ++i)
-                found |= unsigned(labels[i]) << i;
-            EXPECT_NEAR(cost_of(pieces, closed, found), least, 1e-12) << trial;
+                std::size_t i = 0;  // counts on
+                while (i < labels.size() && ++labels[i] == Count)
+                    labels[i++] = 0;
+                is_last = i == labels.size();
+            }
+            EXPECT_NEAR(cost_of(pieces, closed, cheapest_labels(pieces, closed)), least, 1e-12)
+                << trial;
         }
     }
+}
+
+/// Against all labellings there are.
+TEST(ChainLabels, AreTheCheapestOnes) {
+    expect_cheapest_labels<2>(9);
+    expect_cheapest_labels<kLayerLabels>(5);
 }
 
 LineSet polyline(LineKind kind, const std::vector<Eigen::Vector3f>& points) {
@@ -104,6 +118,51 @@ TEST(PictureCrossings, SayWhereAndWhichWayALineMayHide) {
     }
     const LineSet around = polyline(LineKind::Crease, {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     EXPECT_FALSE(PictureCrossings(around, View::perspective({0, 0.5, 0}), {0}, 1).are_known());
+}
+
+Passage passage(double t, bool may_hide, bool may_show, double distance) {
+    return {{0, t}, may_hide, may_show, distance};
+}
+
+TEST(Layers, ChangeBehindOutlinesThatAreNotTooNear) {
+    const LineSet line = polyline(LineKind::Contour, {{0, 0, 0}, {1, 0, 0}});
+    const auto steps = [&](const std::vector<Passage>& passages) {
+        std::vector<std::array<int, 2>> result;
+        for (const LayerStep& step : steps_of(line, line.lines[0], passages, 0.1))
+            result.push_back({step.least, step.most});
+        return result;
+    };
+    using Steps = std::vector<std::array<int, 2>>;
+    EXPECT_EQ(steps({passage(0.1, true, false, 1), passage(0.3, false, true, 1)}),
+              (Steps{{1, 1}, {-1, -1}}));
+    EXPECT_EQ(steps({passage(0.1, true, true, 1)}), (Steps{{-1, 1}}));
+    EXPECT_EQ(steps({passage(0.1, true, false, 0.05)}), (Steps{{0, 1}}));  // too near
+    EXPECT_EQ(steps({passage(0.1, true, false, 1), passage(0.15, false, true, 1),
+                     passage(0.2, false, true, 1)}),
+              (Steps{{0, 1}, {-1, 0}, {-1, -1}}));  // to and fro
+}
+
+/// A contour goes behind an outline, its rays pass that just so, and comes back at a cusp.
+TEST(Layers, HideWhatRaysPassBy) {
+    const LayerPrices prices = {0.04, 0.001};
+    std::vector<LayerCosts> costs;
+    for (int i = 0; i < 12; ++i) {
+        const LayerStep step = i == 3 ? LayerStep{1, 1} : i == 8 ? LayerStep{-1, 0} : LayerStep{};
+        costs.push_back(layer_costs(0.003, 1, step, prices));
+    }
+    const std::vector<std::uint8_t> labels = cheapest_labels(costs, false);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        EXPECT_EQ(labels[i], i >= 3 && i < 8 ? 1 : 0) << i;
+    // before an outline from behind which it comes a line is hidden, too
+    costs[3] = layer_costs(0.003, 1, {-1, -1}, prices);
+    costs[8] = layer_costs(0.003, 1, {}, prices);
+    EXPECT_EQ(cheapest_labels(costs, false),
+              (std::vector<std::uint8_t>{1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+    // of more layers than there are labels for, any may be left
+    const LayerCosts fewer = layer_costs(1, 0, {-1, -1}, prices);
+    EXPECT_EQ(fewer.change[kLayerLabels - 1][kLayerLabels - 1], 0);
+    EXPECT_EQ(fewer.change[kLayerLabels - 1][kLayerLabels - 2], 0);
+    EXPECT_GT(fewer.change[1][1], 0);
 }
 
 struct Scene {

@@ -76,4 +76,31 @@ TEST(Overlaps, ShortPartsThatLieOnAnotherLineAreLeftOut) {
     EXPECT_NEAR(rest[2].points.front().position.x(), 6, 0.05);
 }
 
+/// Short bumps beside a line have no white between; what is a line of its own has.
+TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
+    const DrawnLine outline = line(LineClass::Outline, {{0, 0}, {20, 0}});
+    const auto rest_of = [&](const DrawnLine& bump) {
+        return withoutDoubles({outline, bump}, reach).size() - 1;
+    };
+    const double near = 1.3 * reach, far = 2 * reach;
+    EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, near}, {5.5, near}, {5.6, 0.1}})), 0u);
+    EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, far}, {5.5, far}, {5.6, 0.1}})), 1u);
+    EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, near}, {8, near}})), 1u);        // long
+    EXPECT_EQ(rest_of(line(LineClass::Outline, {{20.2, 0.05}, {20.8, 0.05}})), 1u);  // goes on
+}
+
+TEST(Overlaps, LinesHaveNoJogs) {
+    const auto rest = withoutDoubles(
+        {line(LineClass::Outline, {{0, 0}, {10, 0}, {9.8, 0.01}, {10.5, 0.02}, {20, 0}})}, reach);
+    ASSERT_EQ(rest.size(), 1u);
+    const auto& points = rest[0].points;
+    EXPECT_EQ(points.front().position, Eigen::Vector2d(0, 0));
+    EXPECT_EQ(points.back().position, Eigen::Vector2d(20, 0));
+    for (std::size_t i = 1; i < points.size(); ++i)
+        EXPECT_GT(points[i].position.x(), points[i - 1].position.x()) << i;
+    // a spike is not one
+    const DrawnLine spike = line(LineClass::Outline, {{0, 0}, {10, 0}, {2, 3}});
+    EXPECT_EQ(withoutDoubles({spike}, reach)[0].points.size(), 3u);
+}
+
 }  // namespace

@@ -14,32 +14,37 @@ struct Labelling {
     double cost = kNever;
 };
 
-double change_cost(const LabelCosts& piece, int from, int to) {
-    return from == to ? 0 : piece.change[std::size_t(from)];
+template <std::size_t Count>
+std::size_t least_of(const std::array<double, Count>& costs) {
+    return std::size_t(std::min_element(costs.begin(), costs.end()) - costs.begin());
 }
 
 /// A. Viterbi, "Error Bounds for Convolutional Codes and an Asymptotically Optimum Decoding
-/// Algorithm", 1967. `first` is the first piece's label of a closed chain, -1 if it is free.
-Labelling cheapest(const std::vector<LabelCosts>& pieces, int first) {
+/// Algorithm", 1967. `first` is the first piece's label of a closed chain, `Count` if it is free.
+template <std::size_t Count>
+Labelling cheapest(const std::vector<LabelCosts<Count>>& pieces, std::size_t first) {
     const std::size_t n = pieces.size();
-    std::vector<std::array<std::uint8_t, 2>> from(n);
-    std::array<double, 2> cost = pieces[0].label;
-    if (first >= 0) cost[std::size_t(1 - first)] = kNever;
+    std::vector<std::array<std::uint8_t, Count>> from(n);
+    std::array<double, Count> cost = pieces[0].label;
+    for (std::size_t label = 0; first < Count && label < Count; ++label)
+        if (label != first) cost[label] = kNever;
     for (std::size_t i = 1; i < n; ++i) {
-        std::array<double, 2> next;
-        for (int to = 0; to < 2; ++to) {
-            const double of_0 = cost[0] + change_cost(pieces[i], 0, to);
-            const double of_1 = cost[1] + change_cost(pieces[i], 1, to);
-            from[i][std::size_t(to)] = of_1 < of_0;
-            next[std::size_t(to)] = std::min(of_0, of_1) + pieces[i].label[std::size_t(to)];
+        std::array<double, Count> next;
+        for (std::size_t to = 0; to < Count; ++to) {
+            std::array<double, Count> costs;
+            for (std::size_t label = 0; label < Count; ++label)
+                costs[label] = cost[label] + pieces[i].change[label][to];
+            const std::size_t best = least_of(costs);
+            from[i][to] = std::uint8_t(best);
+            next[to] = costs[best] + pieces[i].label[to];
         }
         cost = next;
     }
-    if (first >= 0)
-        for (int last = 0; last < 2; ++last)
-            cost[std::size_t(last)] += change_cost(pieces[0], last, first);
-    Labelling result{std::vector<std::uint8_t>(n), std::min(cost[0], cost[1])};
-    result.labels[n - 1] = cost[1] < cost[0];
+    for (std::size_t last = 0; first < Count && last < Count; ++last)
+        cost[last] += pieces[0].change[last][first];
+    const std::size_t best = least_of(cost);
+    Labelling result{std::vector<std::uint8_t>(n), cost[best]};
+    result.labels[n - 1] = std::uint8_t(best);
     for (std::size_t i = n; i-- > 1;)
         result.labels[i - 1] = from[i][result.labels[i]];
     return result;
@@ -47,11 +52,21 @@ Labelling cheapest(const std::vector<LabelCosts>& pieces, int first) {
 
 }  // namespace
 
-std::vector<std::uint8_t> cheapest_labels(const std::vector<LabelCosts>& pieces, bool closed) {
+template <std::size_t Count>
+std::vector<std::uint8_t> cheapest_labels(const std::vector<LabelCosts<Count>>& pieces,
+                                          bool closed) {
     if (pieces.empty()) return {};
-    if (!closed) return cheapest(pieces, -1).labels;
-    Labelling without = cheapest(pieces, 0), with = cheapest(pieces, 1);
-    return with.cost < without.cost ? with.labels : without.labels;
+    if (!closed) return cheapest(pieces, Count).labels;
+    Labelling best;
+    for (std::size_t first = 0; first < Count; ++first) {
+        Labelling other = cheapest(pieces, first);
+        if (other.cost < best.cost) best = std::move(other);
+    }
+    return best.labels;
 }
+
+template std::vector<std::uint8_t> cheapest_labels(const std::vector<LabelCosts<2>>&, bool);
+template std::vector<std::uint8_t> cheapest_labels(const std::vector<LabelCosts<kLayerLabels>>&,
+                                                   bool);
 
 }  // namespace laplacian_lines

@@ -2,21 +2,12 @@
 #pragma once
 
 #include "laplacian_lines/line_set.h"
-#include "laplacian_lines/line_visibility.h"
 #include "visibility/line_parts.h"
+#include "visibility/line_votes.h"
 #include "visibility/picture_crossings.h"
 #include "visibility/sight.h"
 
 namespace laplacian_lines {
-
-/// Lengths that decisions go by, in mesh units.
-struct SightLengths {
-    double diagonal;  ///< D
-    double mean_edge;
-    double sight_edge;  ///< as sight_clearance() has it
-
-    double clearance(LineKind kind) const { return sight_clearance(kind, diagonal, sight_edge); }
-};
 
 /// On which side of a contour, in the picture, its own surface is not: +1 right of it, -1 left,
 /// whether it is seen or not. By a vote of places along it, since meshes may be inside out and

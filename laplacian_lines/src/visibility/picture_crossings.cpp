@@ -52,12 +52,15 @@ public:
         if (sine == 0) return false;
         const double t = cross(a - begin_, way) / sine, u = cross(a - begin_, way_) / sine;
         if (!(t >= 0 && t < 1 && u >= 0 && u < 1)) return false;
-        if (!(all_.depth(outline.point, u) < all_.depth(point_, t) - all_.nearer_)) return false;
+        const double distance = all_.depth(point_, t) - all_.depth(outline.point, u);
+        if (!(distance > all_.nearer_)) return false;
         // the free side is to the right of an outline, where ways of a positive sine lead
         const bool goes_free = outline.free_side * sine > 0;
         const bool knows = outline.free_side != 0;
-        found_.push_back(
-            {{segment_, all_.share(point_, t)}, !knows || !goes_free, !knows || goes_free});
+        found_.push_back({{segment_, all_.share(point_, t)},
+                          !knows || !goes_free,
+                          !knows || goes_free,
+                          distance});
         return false;
     }
 

@@ -15,6 +15,7 @@ namespace laplacian_lines {
 struct Passage {
     LinePlace place;
     bool may_hide = true, may_show = true;  ///< on the way along the line
+    double distance = 0;                    ///< of the outline before it
 };
 
 /// Outlines of one view as they lie in the picture.
