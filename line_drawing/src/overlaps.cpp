@@ -204,22 +204,24 @@ double DrawnLines::distanceAlong(const Vector2d& point, const Vector2d& way) con
     return least;
 }
 
-bool DrawnLines::isBeside(const Vector2d& point) const {
+bool DrawnLines::isBeside(const Vector2d& point, double within) const {
     bool is_beside = false;
     forEachPieceNear(point, [&](const Piece& piece) {
         const Vector2d way = piece.end - piece.begin;
         const double t = way.dot(point - piece.begin) / way.squaredNorm();
         const bool is_past = t < -end_share || t > 1 + end_share;
-        is_beside |= !is_past && distanceTo(piece.begin, piece.end, point) < beside_reach * reach_;
+        is_beside |= !is_past && distanceTo(piece.begin, piece.end, point) < within;
     });
     return is_beside;
 }
 
 bool DrawnLines::addsNothing(const DrawnLine& line) const {
     if (lengthOf(line) > 2 * shortest_double * reach_) return false;
+    for (const DrawnPoint& end : {line.points.front(), line.points.back()})
+        if (!isBeside(end.position, reach_)) return false;  // another line may end there
     const std::vector<DrawnPoint> points = refine(line.points, step_share * reach_);
     const auto beside = std::count_if(points.begin(), points.end(), [&](const DrawnPoint& point) {
-        return isBeside(point.position);
+        return isBeside(point.position, beside_reach * reach_);
     });
     return double(beside) >= most_beside * double(points.size());
 }

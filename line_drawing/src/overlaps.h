@@ -22,11 +22,12 @@ public:
     /// reach if none is nearer.
     double distanceAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way) const;
 
-    /// Whether `point` is within 1.4 reaches beside a line, whichever way that runs, not beyond its
-    /// end.
-    bool isBeside(const Eigen::Vector2d& point) const;
+    /// Whether `point` is within this distance, 1.4 reaches at most, beside a line, whichever way
+    /// that runs, not beyond its end.
+    bool isBeside(const Eigen::Vector2d& point, double within) const;
 
-    /// Whether a line is short and beside others nearly all along.
+    /// Whether a line is short, ends within the reach of others and is beside them nearly all
+    /// along.
     bool addsNothing(const DrawnLine& line) const;
 
 private:

@@ -83,10 +83,15 @@ TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
         return withoutDoubles({outline, bump}, reach).size() - 1;
     };
     const double near = 1.3 * reach, far = 2 * reach;
-    EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, near}, {5.5, near}, {5.6, 0.1}})), 0u);
-    EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, far}, {5.5, far}, {5.6, 0.1}})), 1u);
-    EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, near}, {8, near}})), 1u);        // long
-    EXPECT_EQ(rest_of(line(LineClass::Outline, {{20.2, 0.05}, {20.8, 0.05}})), 1u);  // goes on
+    const auto bump = [](double x, double height) {
+        return line(LineClass::Outline, {{5, 0.1}, {5.1, height}, {x, height}, {x + 0.1, 0.1}});
+    };
+    EXPECT_EQ(rest_of(bump(5.6, near)), 0u);
+    EXPECT_EQ(rest_of(bump(5.6, far)), 1u);
+    EXPECT_EQ(rest_of(bump(8, near)), 1u);                                             // long
+    EXPECT_EQ(rest_of(line(LineClass::Outline, {{20.12, 0.05}, {20.25, 0.05}})), 1u);  // goes on
+    // from where another line ends
+    EXPECT_EQ(rest_of(line(LineClass::Outline, {{5, near}, {5.5, 0.1}})), 1u);
 }
 
 TEST(Overlaps, LinesHaveNoJogs) {
