@@ -10,6 +10,7 @@
 #include "helpers.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
+#include "thrown_vessel.h"
 #include "visibility/chain_labels.h"
 #include "visibility/layers.h"
 #include "visibility/line_parts.h"
@@ -196,6 +197,16 @@ TEST(LineSight, ContoursEndAtCusps) {
     }
     EXPECT_GT(folded, 20);
     EXPECT_EQ(wrong, 0);
+}
+
+/// The flat base of a jar, seen from its edge, passes other contours by very little.
+TEST(LineSight, ContoursHaveNoShortGapsWhereRaysSeeThem) {
+    const Scene scene{test_meshes::thrown_vessel()};
+    const View front = View::orthographic({0, 0, 1});
+    const LineParts parts = scene.visibility.parts(front, scene.contours(front));
+    EXPECT_FALSE(parts.seen.lines.empty());
+    for (const Polyline& line : parts.hidden.lines)
+        EXPECT_GT(line.length, 0.004f) << parts.hidden.points[line.first].position.transpose();
 }
 
 TEST(LineSight, DoesNotDependOnWhichSideTrianglesFace) {

@@ -16,6 +16,8 @@ struct LayerStep {
         most += other.most;
         return *this;
     }
+
+    bool may_be_none() const { return least <= 0 && most >= 0; }
 };
 
 /// At each passage of a line: a layer more on the side that the outline covers. An outline that is

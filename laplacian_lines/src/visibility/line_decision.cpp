@@ -43,6 +43,7 @@ public:
         if (is_contour_ && side != 0) folds_ = find_folds(pieces_, line.closed, lengths, votes_);
         vote();
         hide_folds();
+        show_knots();
     }
 
     LineDecision result() {
@@ -95,30 +96,52 @@ private:
         return steps;
     }
 
-    /// A line that goes out of sight in a fold does so at its nearer cusp, if it is not back at
-    /// once.
+    /// A line that goes out of sight in a possible fold does so at its nearer cusp.
     void hide_folds() {
-        std::vector<std::uint8_t> is_fold(pieces_.size());
+        is_in_possible_fold_.resize(pieces_.size());
         for (const auto& fold : folds_.possible)
             if (!is_seen_[fold.front()] || !is_seen_[fold.back()])
                 for (const std::size_t i : fold) {
                     is_seen_[i] = 0;
-                    is_fold[i] = 1;
+                    is_in_possible_fold_[i] = 1;
                 }
+    }
+
+    /// A contour that is back at once is not cut, unless outlines or cusps at both ends say so.
+    void show_knots() {
+        if (!is_contour_) return;
         const double smallest =
             std::min(kSmallestKnot * lengths_.diagonal, kSmallestKnotEdges * lengths_.mean_edge);
+        const std::vector<LayerStep> steps = steps_before_pieces();
         const std::vector<std::uint8_t> before = is_seen_;
         for_each_run(before, line_.closed, [&](bool is_seen, const auto& run) {
+            if (is_seen) return;
             double length = 0;
             bool has_fold = false;
             for (const std::size_t i : run) {
                 length += pieces_[i].length();
-                has_fold |= is_fold[i] != 0;
+                has_fold |= is_in_possible_fold_[i] != 0;
             }
-            if (is_seen || !has_fold || length > smallest) return;
+            if (length > smallest || !(has_fold || is_slip(run, steps, length))) return;
             for (const std::size_t i : run)
                 is_seen_[i] = 1;
         });
+    }
+
+    /// Whether pieces that rays see are hidden because an outline seems to be passed that is not
+    /// passed back.
+    bool is_slip(const std::vector<std::size_t>& run, const std::vector<LayerStep>& steps,
+                 double length) {
+        const std::size_t n = pieces_.size(), after = (run.back() + 1) % n;
+        const bool is_at_end = !line_.closed && (run.front() == 0 || after == 0);
+        if (is_at_end || run.size() == n) return false;
+        if (!steps[run.front()].may_be_none() && !steps[after].may_be_none()) return false;
+        double seen = 0;
+        for (const std::size_t i : run) {
+            if (bends_in(i)) return false;
+            seen += votes_.share_seen(pieces_[i].middle, pieces_[i].aside) * pieces_[i].length();
+        }
+        return 2 * seen > length;
     }
 
     /// Where exactly sight changes between two pieces: where they meet if an outline or a cusp is
@@ -154,7 +177,7 @@ private:
     std::vector<LayerStep> steps_;   // there
     std::vector<PlacedPiece> pieces_;
     ContourFolds folds_;
-    std::vector<std::uint8_t> is_seen_;  // by piece
+    std::vector<std::uint8_t> is_in_possible_fold_, is_seen_;  // by piece
 };
 
 }  // namespace
