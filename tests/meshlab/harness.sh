@@ -158,9 +158,14 @@ expect_picture() {
 # expect_same_picture A B PIXELS: at most PIXELS differ
 expect_same_picture() {
     local differing
-    differing=$(convert "$1" "$2" -alpha off -compose Difference -composite -fill white +opaque black \
-        -colorspace gray -format '%[fx:round(mean*w*h)]' info:) || fail "$1 and $2 cannot be compared"
+    differing=$(differing_pixels "$1" "$2") || fail "$1 and $2 cannot be compared"
     ((differing <= $3)) || fail "$differing pixels differ between $1 and $2, more than $3"
+}
+
+# differing_pixels A B: how many there are
+differing_pixels() {
+    convert "$1" "$2" -alpha off -compose Difference -composite -fill white +opaque black -colorspace gray \
+        -format '%[fx:round(mean*w*h)]' info:
 }
 
 # red_pixels FILE: how many there are

@@ -26,11 +26,6 @@ drawn() {
     printf '%s/drawings/drawing_%d_0_%d.png' "$WORK" "$1" "$2"
 }
 
-# differing_pixels A B
-differing_pixels() {
-    compare -metric AE "$1" "$2" null: 2>&1 || true
-}
-
 torus "$WORK/torus.ply"
 printf 'not a mesh\n' >"$WORK/broken.ply"
 
