@@ -5,94 +5,12 @@
 // Included once by each of the files simd_*.cpp.
 #pragma once
 
+#include "redraw/kinds/apparent_curvature_simd.h"
 #include "redraw/kinds/facing_kind_simd.h"
-#include "redraw/simd/simd_batch.h"
-#include "redraw/simd/simd_columns.h"
 #include "redraw/simd/simd_strips.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
-
-/// q1, D and r at vertices; q1 = 0 where they face away or have no direction.
-struct ApparentCurvature {
-    Floats q, derivative;
-    Vectors direction;
-};
-
-/// The vector to the eye of unit length, its cosine with the normal, and its tangential part; and
-/// how vectors on the screen lie in the tangent plane, A = P⁻¹ = 1 + k w wᵀ: longer by 1/cosine
-/// along w.
-struct Sight {
-    Floats per_distance, cosine, k;
-    Vectors w;
-
-    Sight(const VertexColumns& p, const float eye[4]) {
-        const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
-        const Vectors v = e - p.position * (Floats{} + eye[3]);
-        const Floats distance = square_root(dot(v, v));
-        per_distance = eye[3] / distance;
-        const Vectors unit = v * (1 / distance);
-        cosine = dot(p.normal, unit);
-        w = unit - p.normal * cosine;
-        k = 1 / (cosine * (1 + cosine));
-    }
-
-    Vectors to_surface(const Vectors& screen) const { return screen + w * (k * dot(w, screen)); }
-
-    /// x·(dA t) for tangents x and t, dA the change of A along r.
-    Floats change(const VertexColumns& p, const Vectors& r, const Vectors& x,
-                  const Vectors& t) const {
-        const Vectors sr = p.S(r);
-        const Floats wr = dot(w, r);
-        const Floats d_cosine = dot(sr, w) + per_distance * cosine * wr;
-        const Vectors dw = (r - w * wr) * (-per_distance) - sr * cosine;
-        const Floats wx = dot(w, x), wt = dot(w, t);
-        return k * (dot(dw, x) * wt + wx * dot(dw, t)) -
-               k * k * (1 + 2 * cosine) * d_cosine * wx * wt;
-    }
-};
-
-static inline Floats choose(Ints condition, Floats a, Floats b) {
-    return condition ? a : b;
-}
-
-/// q1² is the larger eigenvalue of (S A)ᵀ S A, t its direction, r that of A t; the derivative of an
-/// eigenvalue is that of the matrix between its directions: 2 q1 D = 2 (S b·dA t + C(r, a, b)) with
-/// a = A t, b = S a.
-static inline ApparentCurvature apparent_curvature(const DerivativeColumns& p, const Sight& sight) {
-    const Vectors su = p.S(sight.to_surface(p.u)), sv = p.S(sight.to_surface(p.v));
-    const Floats uu = dot(su, su), uv = dot(su, sv), vv = dot(sv, sv);
-    const Floats half = (uu - vv) / 2, root = square_root(half * half + uv * uv);
-    const Floats squared = (uu + vv) / 2 + root, q = square_root(squared);
-    const Ints along_u = half > 0;
-    const Floats absolute_half = choose(along_u, half, -half);
-    const Floats tu = choose(along_u, absolute_half + root, uv),
-                 tv = choose(along_u, uv, absolute_half + root);
-    const Floats length = square_root(tu * tu + tv * tv);
-    const Vectors t = p.u * (tu / length) + p.v * (tv / length);
-    const Vectors a = sight.to_surface(t), b = p.S(a);
-    const Vectors r = a * (1 / square_root(dot(a, a)));
-    const Floats derivative = (sight.change(p, r, p.S(b), t) + p.C(r, a, b)) / q;
-    const Ints usable = (sight.cosine > 0) & (length > 0);
-    return {choose(usable, q, Floats{}), derivative, r};
-}
-
-static inline void evaluate_apparent(const ClusterInSlot& place, const float eye[4],
-                                     ApparentMemory& m) {
-    const unsigned first = place.slot * kClusterVertices, count = place.cluster.vertex_count;
-    for (unsigned i = 0; i < count; i += kLanes) {
-        const DerivativeColumns p(records_of(place), derivatives_of(place), i, count);
-        const Sight sight(p, eye);
-        if (bits_of(sight.cosine > 0) == 0) {
-            store(m.q + first + i, Floats{});
-            continue;
-        }
-        const ApparentCurvature c = apparent_curvature(p, sight);
-        store(m.q + first + i, c.q);
-        Floats columns[4] = {c.direction.x, c.direction.y, c.direction.z, c.derivative};
-        store_as_rows(columns, [&](unsigned lane) { return m.vectors[first + i + lane]; });
-    }
-}
 
 /// Directions at the ends of an edge with a greater angle than this belong to no common line.
 constexpr float kLeastAgreement = 0.7f;
