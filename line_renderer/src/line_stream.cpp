@@ -131,11 +131,12 @@ std::size_t streamLength(const LineSet& lines) {
 
 std::size_t writeStream(const LineSet& lines, const StreamManner& manner, StreamPoint* stream) {
     StreamWriter writer(manner, stream);
-    for (const Polyline& line : lines.lines) {
-        if (!isDrawn(line)) continue;
-        const LinePoint* first = lines.points.data() + line.first;
-        writer.write(first, first + line.count - 1, line);
-    }
+    for (const bool outlines : {false, true})  // on top of lines of other colors
+        for (const Polyline& line : lines.lines) {
+            if (!isDrawn(line) || describe(line.kind).is_outline != outlines) continue;
+            const LinePoint* first = lines.points.data() + line.first;
+            writer.write(first, first + line.count - 1, line);
+        }
     return writer.length();
 }
 

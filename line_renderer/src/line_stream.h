@@ -59,8 +59,8 @@ struct StreamManner {
 };
 
 /// Writes up to streamLength() points, reading none, so that `stream` may be memory of the graphics
-/// card. Points that are not needed within the tolerance are left out, but no end of a line. One
-/// pass; allocates nothing. Returns the number of points.
+/// card. Points that are not needed within the tolerance are left out, but no end of a line.
+/// Outlines come last, above the others. Allocates nothing. Returns the number of points.
 std::size_t writeStream(const laplacian_lines::LineSet& lines, const StreamManner& manner,
                         StreamPoint* stream);
 

@@ -76,19 +76,32 @@ TEST(LineStream, LeavesOutLinesWithoutASegment) {
     EXPECT_EQ(streamOf(lines, equalRadii(2)).size(), 4u);
 }
 
-TEST(LineStream, HasTheNumberOfTheKindAsLook) {
+TEST(LineStream, HasOutlinesLast) {
     LineSet lines;
-    LineRadii radii;
+    addLine(lines, {{0, 0, 0}, {1, 0, 0}}, LineKind::Contour);
+    addLine(lines, {{0, 1, 0}, {1, 1, 0}}, LineKind::SuggestiveHighlight);
+    addLine(lines, {{0, 2, 0}, {1, 2, 0}}, LineKind::Border);
+    addLine(lines, {{0, 3, 0}, {1, 3, 0}}, LineKind::Ridge);
+    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(2));
+    ASSERT_EQ(stream.size(), 4u * 4);
+    expectPlace(stream[1], {0, 1, 0});
+    expectPlace(stream[5], {0, 3, 0});
+    expectPlace(stream[9], {0, 0, 0});
+    expectPlace(stream[13], {0, 2, 0});
+}
+
+TEST(LineStream, HasTheNumberOfTheKindAsLook) {
     for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind) {
+        LineSet lines;
         addLine(lines, {{0, 0, 0}, {1, 0, 0}}, LineKind(kind));
-        radii.full[kind] = 1 + float(kind);
+        LineRadii radii = equalRadii(1);
+        radii.full[kind] = 2;
+        const std::vector<StreamPoint> stream = streamOf(lines, radii);
+        ASSERT_EQ(stream.size(), 4u);
+        for (const StreamPoint& point : stream)
+            EXPECT_EQ(point.look, float(kind));
+        EXPECT_EQ(stream[1].radius, 2) << kind;
     }
-    const std::vector<StreamPoint> stream = streamOf(lines, radii);
-    ASSERT_EQ(stream.size(), 4 * laplacian_lines::line_kind_count);
-    for (std::size_t i = 0; i < stream.size(); ++i)
-        EXPECT_EQ(stream[i].look, float(i / 4)) << i;
-    for (std::size_t i = 1; i < stream.size(); i += 4)
-        EXPECT_EQ(stream[i].radius, 1 + float(i / 4)) << i;
 }
 
 TEST(LineStream, TapersWithTheWeight) {
