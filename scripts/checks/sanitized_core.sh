@@ -4,10 +4,10 @@
 require checks/clang_build environment/in_parallel environment/messages
 
 LEAST_COVERAGE=95 # percent of the core's lines
-# Tests of accuracy, of many meshes or options, and of many threads take minutes under sanitizers. Others run the same
-# code.
+# Tests of accuracy, of many meshes, triangles or options, and of many threads take minutes under sanitizers. Others run
+# the same code.
 SLOW_UNDER_SANITIZERS=('*WithAnyOptions*' '*Converge*' '*Guarantee*' 'RealModel*' 'Models/*' 'Meshes/PlainComparison*'
-    '*TorusLines*' '*Monotone*' '*Large*'
+    '*TorusLines*' '*Monotone*' '*Large*' '*KindsOnSurface*' 'LineSight.ContoursHaveNoShortGaps*'
     'ExactPointLight.*' 'SummationChoice.FollowsThePredictedCost' 'EndlessSum.*'
     'Borders.CorrectionHelpsMoreOnFinerMeshes' 'Determinism.*' '*.DoNotDependOnTheNumberOfThreads'
     '*.DoesNotDependOnTheNumberOfThreads' '*FiniteFromAnyEye/book' '*FiniteFromAnyEye/cut_star')
