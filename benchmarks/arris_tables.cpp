@@ -9,7 +9,7 @@
 #include "laplacian_lines/precompute.h"
 #include "line_scores.h"
 #include "machined_part.h"
-#include "noise.h"
+#include "mesh_noise.h"
 #include "truth_tables.h"
 
 namespace benchmarks {
@@ -113,7 +113,7 @@ void add_noisy(const TriangleMesh& mesh, const Truth& truth, double diagonal,
     sums.resize(options.noise.size());
     for (std::size_t i = 0; i < sums.size(); ++i)
         sums[i] += measure(
-            options.noise[i] > 0 ? test_meshes::with_noise(mesh, options.noise[i] / 100) : mesh,
+            options.noise[i] > 0 ? mesh_noise::with_noise(mesh, options.noise[i] / 100) : mesh,
             truth, diagonal, options);
 }
 

@@ -10,7 +10,7 @@
 #include "laplacian_lines/precompute.h"
 #include "line_scores.h"
 #include "mesh_file.h"
-#include "noise.h"
+#include "mesh_noise.h"
 #include "registry.h"
 #include "truth_tables.h"
 
@@ -48,7 +48,7 @@ void print_mesh(const std::string& name, const TriangleMesh& mesh, const TruthOp
     std::printf("| %s | %zu | %.2f |", name.c_str(), mesh.triangles.size(), length);
     for (const double noise : options.drawing_noise) {
         const CurvePoints noisy =
-            draw(test_meshes::with_noise(mesh, noise / 100), view, diagonal, options);
+            draw(mesh_noise::with_noise(mesh, noise / 100), view, diagonal, options);
         const Score score = compare(noisy, clean, options.drawing_reach / 100 * diagonal);
         if (score.is_empty())
             std::printf(" – |");
@@ -97,7 +97,7 @@ void print_kinds_of(const std::string& name, const TriangleMesh& mesh,
     Drawings clean(mesh, view, diagonal, options);
     std::deque<Drawings> noisy;
     for (const double noise : options.drawing_noise)
-        noisy.emplace_back(test_meshes::with_noise(mesh, noise / 100), view, diagonal, options);
+        noisy.emplace_back(mesh_noise::with_noise(mesh, noise / 100), view, diagonal, options);
     for (const LineKindDescription& row : line_kinds) {
         const CurvePoints right = clean.of(row.kind);
         double length = 0;

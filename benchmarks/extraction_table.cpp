@@ -85,11 +85,6 @@ Arguments parse(int argc, char** argv) {
     return result;
 }
 
-std::string name_of(const std::string& file) {
-    const std::string name = file.substr(file.find_last_of('/') + 1);
-    return name.substr(0, name.find('.'));
-}
-
 MeshFigures measure(const std::string& name, const TriangleMesh& mesh, const Field& field,
                     const Arguments& arguments) {
     std::fprintf(stderr, "measuring %s\n", name.c_str());
@@ -122,7 +117,7 @@ void measure_levels(const std::string& file, int first, int last, const Argument
         if (level > 0) subdivide(mesh, field);
         if (level < first) continue;
         const std::string suffix = level > 0 ? " × " + std::to_string(1 << 2 * level) : "";
-        meshes.push_back(measure(name_of(file) + suffix, mesh, field, arguments));
+        meshes.push_back(measure(test_meshes::mesh_name(file) + suffix, mesh, field, arguments));
         if (level > first) add_growth(meshes[meshes.size() - 2], meshes.back());
     }
 }

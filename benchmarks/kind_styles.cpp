@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kind_styles.h"
 
+#include "laplacian_lines/line_mixture.h"
+
 namespace benchmarks {
 
 using namespace laplacian_lines;
 
 NamedStyle only(LineKind kind) {
     LineStyle style;
-    style.shows = LineKindSet();
-    style.shows[kind] = true;
+    style.shows = only_kinds({kind});
     return {describe(kind).key, describe(kind).many, style};
 }
 
@@ -21,8 +22,7 @@ std::vector<NamedStyle> kind_styles() {
         styles.push_back(only(kind));
     styles.push_back({"default", "the default style", LineStyle()});
     LineStyle all;
-    for (const LineKindDescription& row : line_kinds)
-        all.shows[row.kind] = true;
+    all.shows = all_kinds();
     styles.push_back({"all", "all kinds at once", all});
     return styles;
 }

@@ -182,8 +182,7 @@ void measure_file(const std::string& file) {
         drawing.look(direction);
         ends += drawing.ends();
     }
-    const std::string name = file.substr(file.find_last_of('/') + 1);
-    print_row(name.substr(0, name.find('.')), mesh.triangles.size(), {}, ends, drawing.seconds);
+    print_row(test_meshes::mesh_name(file), mesh.triangles.size(), {}, ends, drawing.seconds);
 }
 
 }  // namespace

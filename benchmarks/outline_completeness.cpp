@@ -87,11 +87,6 @@ Arguments parse(int argc, char** argv) {
     return result;
 }
 
-std::string name_of(const std::string& file) {
-    const std::string name = file.substr(file.find_last_of('/') + 1);
-    return name.substr(0, name.find('.'));
-}
-
 /// Measures one mesh after the other, and goes on after those that cannot be.
 class Measuring {
 public:
@@ -124,7 +119,8 @@ void measure_all(const Arguments& arguments, Measuring& measuring) {
     for (const Primitive& primitive : primitive_meshes())
         measuring.add(primitive.name, "primitives", primitive.is_sharp, primitive.make);
     for (const std::string& file : arguments.files)
-        measuring.add(name_of(file), "files", false, [&] { return test_meshes::read_mesh(file); });
+        measuring.add(test_meshes::mesh_name(file), "files", false,
+                      [&] { return test_meshes::read_mesh(file); });
 }
 
 void write_pictures(const std::vector<MeasuredDrawing>& drawings, const std::string& folder) {

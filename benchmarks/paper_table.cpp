@@ -57,11 +57,6 @@ Arguments parse(int argc, char** argv) {
     return result;
 }
 
-std::string name_of(const std::string& file) {
-    const std::string name = file.substr(file.find_last_of('/') + 1);
-    return name.substr(0, name.find('.'));
-}
-
 PrecomputeOptions field_options(bool derivatives) {
     PrecomputeOptions options;
     options.curvature_derivatives = derivatives;
@@ -151,7 +146,7 @@ void add_redraws(Drawing& drawing, double budget, MeshFigures& figures) {
 }
 
 MeshFigures measure(const std::string& file, double budget) {
-    MeshFigures figures{name_of(file)};
+    MeshFigures figures{test_meshes::mesh_name(file)};
     std::fprintf(stderr, "measuring %s\n", figures.name.c_str());
     const TriangleMesh mesh = test_meshes::read_mesh(file);
     figures.add(kSize, "triangles", "triangles", double(mesh.triangles.size()));

@@ -101,7 +101,7 @@ ComparedPicture pictureOfKinds(const QString& name,
 QStringList allCompared() {
     QStringList names;
     for (const auto& mixture : laplacian_lines::line_mixtures)
-        if (!mixture.colored[LineKind::Ridge]) names << mixture.key;
+        if (!(mixture.kinds == laplacian_lines::all_kinds())) names << mixture.key;
     for (const auto& detector : detectors)
         names << detector.first;
     return names;

@@ -17,10 +17,8 @@ ColorsOfKinds keyColors() {
 }
 
 laplacian_lines::LineKindSet usuallyColored() {
-    laplacian_lines::LineKindSet set;
-    for (const LineKindDescription& kind : laplacian_lines::line_kinds)
-        set[kind.kind] = kind.color != 0;
-    return set;
+    return laplacian_lines::LineKindSet::where(
+        [](const LineKindDescription& kind) { return kind.color != 0; });
 }
 
 LineLook lookOf(const LineKindDescription& kind, const LineChoice& choice) {

@@ -3,31 +3,17 @@
 # its package holds, which is of double precision and no other one's. Functions that cannot do their work set OBSTACLE.
 
 require environment/build environment/cache environment/headers environment/meshlab_releases environment/messages
-require environment/obstacles environment/packages
+require environment/obstacles environment/packages environment/python_environments
 
 PYMESHLAB_VERSION=2025.7
 PYMESHLAB_MESHLAB=2025.07 # what it is made of, by its number and the host that has the same
 PYMESHLAB_HOST=2025
 PYTHON_PACKAGES=("pymeshlab==$PYMESHLAB_VERSION" numpy matplotlib)
 
-# install_pymeshlab FOLDER
-install_pymeshlab() {
-    python3 -m venv "$1" &&
-        "$1/bin/python" -m pip --disable-pip-version-check --no-input install "${PYTHON_PACKAGES[@]}"
-}
-
 # ensure_pymeshlab: sets PYMESHLAB_PYTHON
 ensure_pymeshlab() {
-    local folder log
-    python3 -c 'import ensurepip, venv' 2>/dev/null || (ensure_packages python3 python3-venv) ||
-        obstacle "python3-venv could not be installed" || return 1
-    folder=$(cache_folder)/pymeshlab/$PYMESHLAB_VERSION-python$(python3 -c 'import platform; print(platform.python_version())')
-    PYMESHLAB_PYTHON=$folder/bin/python
-    [[ -x $PYMESHLAB_PYTHON ]] && return 0
-    log=$folder.log
-    say "installing PyMeshLab $PYMESHLAB_VERSION into $folder (0.5 GB)"
-    quietly "$log" publish_into "$folder" install_pymeshlab ||
-        obstacle "PyMeshLab $PYMESHLAB_VERSION could not be installed for $(python3 --version); the log is $log"
+    ensure_python_environment pymeshlab "$PYMESHLAB_VERSION" "0.5 GB" "${PYTHON_PACKAGES[@]}" || return 1
+    PYMESHLAB_PYTHON=$ENVIRONMENT_PYTHON
 }
 
 # ensure_pymeshlab_headers: sets MESHLAB_SOURCE_DIR

@@ -8,7 +8,7 @@
 #include "generators.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "noise.h"
+#include "mesh_noise.h"
 
 namespace {
 
@@ -139,7 +139,7 @@ TEST(Creases, AreHardlyAnyOnNoisyScans) {
     const TriangleMesh mesh = test_meshes::bumpy_sphere(6).mesh;  // 81,920 triangles
     EXPECT_EQ(helpers::total_length(creases_of(mesh)), 0);
     for (const double noise : {0.2, 0.4}) {
-        const TriangleMesh noisy = test_meshes::with_noise(mesh, noise);
+        const TriangleMesh noisy = mesh_noise::with_noise(mesh, noise);
         EXPECT_LT(helpers::total_length(creases_of(noisy)), noise < 0.3 ? 0.05 : 2) << noise;
     }
 }

@@ -7,7 +7,7 @@
 #include "fixed/demarcation.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "noise.h"
+#include "mesh_noise.h"
 #include "plain_demarcation.h"
 
 namespace {
@@ -81,7 +81,7 @@ TEST(DemarcatingCurves, AreLeftOutWhereTheReliefIsGentle) {
 TEST(DemarcatingCurves, AreNotOnPlanesSpheresAndNoise) {
     EXPECT_TRUE(curves(test_meshes::mesh_named("plane").mesh).lines.empty());
     EXPECT_TRUE(curves(test_meshes::sphere(5).mesh).lines.empty());
-    EXPECT_TRUE(curves(test_meshes::with_noise(test_meshes::sphere(5).mesh, 0.2)).lines.empty());
+    EXPECT_TRUE(curves(mesh_noise::with_noise(test_meshes::sphere(5).mesh, 0.2)).lines.empty());
 }
 
 TEST(DemarcatingCurves, NeedTheDerivatives) {

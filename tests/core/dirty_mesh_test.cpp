@@ -11,7 +11,7 @@
 #include "laplacian_lines/mesh_faults.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
-#include "noise.h"
+#include "mesh_noise.h"
 #include "places.h"
 
 namespace {
@@ -164,7 +164,7 @@ TEST(ExtremeMeshes, StayFinite) {
 class RealModel : public testing::TestWithParam<const char*> {};
 
 TriangleMesh noisy_stone() {
-    return test_meshes::with_noise(test_meshes::FlakedStone({}).mesh(6), 0.2);
+    return mesh_noise::with_noise(test_meshes::FlakedStone({}).mesh(6), 0.2);
 }
 
 TEST_P(RealModel, IsDrawnWithSomeOfItsZeroCrossings) {

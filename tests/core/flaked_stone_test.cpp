@@ -10,12 +10,13 @@
 
 #include "closed_mesh.h"
 #include "generators.h"
-#include "noise.h"
+#include "mesh_noise.h"
 
 namespace {
 
 using namespace test_meshes;
 using Eigen::Vector3d;
+using mesh_noise::with_noise;
 
 constexpr double kDegrees = 57.29577951308232;
 

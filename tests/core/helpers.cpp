@@ -9,6 +9,7 @@
 #include <random>
 
 #include "laplacian_lines/field_columns.h"
+#include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/tangent_frame.h"
 
@@ -121,8 +122,7 @@ LineStyle all_contours() {
 
 LineStyle all_crossings_of_all_kinds() {
     LineStyle style = all_crossings();
-    for (const LineKindDescription& row : line_kinds)
-        style.shows[row.kind] = true;
+    style.shows = laplacian_lines::all_kinds();
     style.suggestive_slope = style.apparent_curvature = style.apparent_slope = 0;
     style.photic_slope = style.demarcation = 0;
     return style;
@@ -130,15 +130,13 @@ LineStyle all_crossings_of_all_kinds() {
 
 LineStyle all_kinds() {
     LineStyle style;
-    for (const LineKindDescription& row : line_kinds)
-        style.shows[row.kind] = true;
+    style.shows = laplacian_lines::all_kinds();
     return style;
 }
 
 LineStyle only(LineKind kind) {
     LineStyle style;
-    style.shows = LineKindSet();
-    style.shows[kind] = true;
+    style.shows = only_kinds({kind});
     return style;
 }
 

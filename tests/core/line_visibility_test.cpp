@@ -9,7 +9,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
-#include "noise.h"
+#include "mesh_noise.h"
 
 namespace {
 
@@ -267,7 +267,7 @@ TEST(LineVisibility, ContoursAreClearedByEdgesUnlessTheyFollowThem) {
 
 /// Contours of rough meshes are smooth, beyond the horizon by as much as the triangles are large.
 TEST(LineVisibility, OutlinesOfCoarseNoisyMeshesHaveNoGaps) {
-    const Scene scene{test_meshes::with_noise(test_meshes::torus(54, 27).mesh, 0.2)};
+    const Scene scene{mesh_noise::with_noise(test_meshes::torus(54, 27).mesh, 0.2)};
     ASSERT_GT(scene.field.scale.mean_edge, 0.025 * scene.field.scale.diagonal);
     ASSERT_GT(sight_edge(scene.field), 0);
     const View view = View::orthographic(Eigen::Vector3d::UnitZ());  // nothing is before an outline

@@ -13,7 +13,7 @@
 #include "generators.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "noise.h"
+#include "mesh_noise.h"
 
 namespace {
 
@@ -181,7 +181,7 @@ TEST(Ridges, AreNotOnSmoothBumps) {
 /// A larger kernel finds no softer ridges.
 TEST(Ridges, AreNoMoreWithALargerKernel) {
     const test_meshes::FlakedStone stone({});
-    const TriangleMesh mesh = test_meshes::with_noise(stone.mesh(5), 0.2);
+    const TriangleMesh mesh = mesh_noise::with_noise(stone.mesh(5), 0.2);
     float last = std::numeric_limits<float>::max();
     for (const double kernel_size : {0., 0.03, 0.06}) {
         PrecomputeOptions options;

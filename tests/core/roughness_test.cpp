@@ -13,7 +13,7 @@
 #include "implicit_head.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
-#include "noise.h"
+#include "mesh_noise.h"
 
 namespace {
 
@@ -114,7 +114,7 @@ TEST(Roughness, TellsTerracesAndNoiseOnSmoothForms) {
     EXPECT_LT(sigma_of(rough), 1.7);
     EXPECT_GT(sigma_of(test_meshes::terraced_head(100)), sigma_of(rough))
         << "more voxels: the same terraces on a form that is smoother at their scale";
-    EXPECT_GT(sigma_of(test_meshes::with_noise(test_meshes::sphere(5).mesh, 0.4)), 1.6);
+    EXPECT_GT(sigma_of(mesh_noise::with_noise(test_meshes::sphere(5).mesh, 0.4)), 1.6);
 }
 
 /// Where the scales of the smoothing say too little: fine forms, large triangles.
@@ -127,7 +127,7 @@ TEST(Roughness, TellsNoiseOnCoarseMeshes) {
     TriangleMesh sheets = test_meshes::parallel_sheets(24, 0.05);
     for (const double noise : {0.1, 0.2, 0.4})
         for (TriangleMesh* mesh : {&bumps, &cylinder, &sheets})
-            EXPECT_EQ(roughness(test_meshes::with_noise(*mesh, noise)), 1);
+            EXPECT_EQ(roughness(mesh_noise::with_noise(*mesh, noise)), 1);
 }
 
 TEST(Roughness, OfFacetsDoesNotMindOrientation) {
@@ -139,7 +139,7 @@ TEST(Roughness, OfFacetsDoesNotMindOrientation) {
     TriangleMesh bumps = test_meshes::bumpy_sphere(4).mesh;
     test_meshes::flip_triangles(bumps, 3);
     EXPECT_FALSE(is_noisy(bumps));
-    EXPECT_TRUE(is_noisy(test_meshes::with_noise(bumps, 0.2)));
+    EXPECT_TRUE(is_noisy(mesh_noise::with_noise(bumps, 0.2)));
 }
 
 /// Forms that are as rough as noise, but not everywhere.
@@ -156,8 +156,8 @@ TEST(Roughness, IsNotThatOfCoarseForms) {
 TEST(Roughness, HasNoisyCoarseMeshesDrawnWithSmoothContours) {
     const TriangleMesh bumps = test_meshes::bumpy_sphere(4).mesh;
     const double clean = drawn_length(bumps, {});
-    EXPECT_NEAR(drawn_length(test_meshes::with_noise(bumps, 0.1), {}), clean, 0.2 * clean);
-    EXPECT_NEAR(drawn_length(test_meshes::with_noise(bumps, 0.2), {}), clean, 0.5 * clean);
+    EXPECT_NEAR(drawn_length(mesh_noise::with_noise(bumps, 0.1), {}), clean, 0.2 * clean);
+    EXPECT_NEAR(drawn_length(mesh_noise::with_noise(bumps, 0.2), {}), clean, 0.5 * clean);
 }
 
 TEST(Roughness, HasTheSmoothingInProportionWithinLimits) {

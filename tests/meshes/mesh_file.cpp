@@ -177,4 +177,9 @@ TriangleMesh read_mesh(const std::string& path) {
     return mesh;
 }
 
+std::string mesh_name(const std::string& path) {
+    const std::string name = path.substr(path.find_last_of('/') + 1);
+    return name.substr(0, name.find('.'));
+}
+
 }  // namespace test_meshes

@@ -12,4 +12,7 @@ namespace test_meshes {
 /// vertex. @throws std::runtime_error
 laplacian_lines::TriangleMesh read_mesh(const std::string& path);
 
+/// The name of the file without folder and endings.
+std::string mesh_name(const std::string& path);
+
 }  // namespace test_meshes

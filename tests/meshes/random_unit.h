@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <random>
+#include "mesh_noise.h"
 
 namespace test_meshes {
 
-/// −1..1; the standard's distributions differ between libraries, its engines do not.
-inline double signed_unit(std::mt19937& random) {
-    return double(random()) / double(std::mt19937::max()) * 2 - 1;
-}
+using mesh_noise::signed_unit;
+
 /// Between the two.
 inline double between(std::mt19937& random, double least, double most) {
     return least + (most - least) * (signed_unit(random) + 1) / 2;

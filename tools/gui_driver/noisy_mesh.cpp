@@ -5,39 +5,16 @@
 
 #include <QFile>
 #include <QTextStream>
-#include <cmath>
-#include <random>
 
 #include "command_table.h"
 #include "core_lines.h"
-#include "laplacian_lines/precompute.h"
+#include "mesh_noise.h"
 #include "situation.h"
 
 namespace driver {
 namespace {
 
 using laplacian_lines::TriangleMesh;
-
-/// From -1 to 1, of the generator's own numbers: std's distributions differ between libraries.
-double signedUnit(std::mt19937& random) {
-    return 2 * (double(random()) / 4294967295.0) - 1;
-}
-
-/// All are as likely: points of the cube that are not inside the ball are drawn anew.
-Eigen::Vector3d randomDirection(std::mt19937& random) {
-    while (true) {
-        const double x = signedUnit(random), y = signedUnit(random), z = signedUnit(random);
-        const Eigen::Vector3d p(x, y, z);
-        if (p.norm() <= 1 && p.norm() > 0.01) return p.normalized();
-    }
-}
-
-void addNoise(double share, unsigned seed, TriangleMesh& mesh) {
-    const double length = share * laplacian_lines::measure_scale(mesh).mean_edge;
-    std::mt19937 random(seed);
-    for (Eigen::Vector3d& p : mesh.positions)
-        p += length * randomDirection(random);
-}
 
 void writePly(const TriangleMesh& mesh, const QString& name) {
     QFile file(name);
@@ -58,9 +35,9 @@ void writePly(const TriangleMesh& mesh, const QString& name) {
 void writeNoisy(const Command& command) {
     const MeshModel* layer = presentSituation().current;
     if (!layer) throw CommandError("there is no layer");
-    TriangleMesh mesh = liveTriangles(layer->cm);
-    addNoise(command.number(0), unsigned(command.number(1)), mesh);
-    writePly(mesh, command.word(2));
+    writePly(mesh_noise::with_noise(liveTriangles(layer->cm), command.number(0),
+                                    unsigned(command.number(1))),
+             command.word(2));
 }
 
 }  // namespace driver

@@ -165,18 +165,31 @@ class LineKindSet {
 public:
     /// None.
     constexpr LineKindSet() = default;
-    /// Those that are shown by default.
-    static constexpr LineKindSet defaults() {
+    /// Those of which `holds(row)` is true, a row of line_kinds.
+    template <class Holds>
+    static constexpr LineKindSet where(const Holds& holds) {
         LineKindSet set;
         for (const LineKindDescription& row : line_kinds)
-            set[row.kind] = row.shown;
+            set[row.kind] = holds(row);
         return set;
+    }
+    /// Those that are shown by default.
+    static constexpr LineKindSet defaults() {
+        return where([](const LineKindDescription& row) { return row.shown; });
     }
 
     constexpr bool& operator[](LineKind kind) { return switches_[static_cast<std::size_t>(kind)]; }
     constexpr bool operator[](LineKind kind) const {
         return switches_[static_cast<std::size_t>(kind)];
     }
+
+    /// Those in either.
+    constexpr LineKindSet operator|(const LineKindSet& other) const {
+        return where(
+            [&](const LineKindDescription& row) { return (*this)[row.kind] || other[row.kind]; });
+    }
+
+    bool operator==(const LineKindSet& other) const { return switches_ == other.switches_; }
 
     /// Whether one of them needs Field::curvature_derivatives.
     constexpr bool needs_derivatives() const {

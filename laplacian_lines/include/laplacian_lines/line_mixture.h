@@ -18,16 +18,6 @@ struct LineMixture {
     LineKindSet colored;  ///< of them, those that have their key_color, not that of the others
 };
 
-/// The outlines and these.
-constexpr LineKindSet outlines_and(std::initializer_list<LineKind> kinds) {
-    LineKindSet set;
-    for (const LineKindDescription& row : line_kinds)
-        set[row.kind] = row.is_outline;
-    for (const LineKind kind : kinds)
-        set[kind] = true;
-    return set;
-}
-
 constexpr LineKindSet only_kinds(std::initializer_list<LineKind> kinds) {
     LineKindSet set;
     for (const LineKind kind : kinds)
@@ -35,25 +25,24 @@ constexpr LineKindSet only_kinds(std::initializer_list<LineKind> kinds) {
     return set;
 }
 
+/// The outlines and these.
+constexpr LineKindSet outlines_and(std::initializer_list<LineKind> kinds) {
+    return only_kinds(kinds) |
+           LineKindSet::where([](const LineKindDescription& row) { return row.is_outline; });
+}
+
 /// Those that have a color of their own to be told by.
 constexpr LineKindSet kinds_with_key_color() {
-    LineKindSet set;
-    for (const LineKindDescription& row : line_kinds)
-        set[row.kind] = row.key_color != 0;
-    return set;
+    return LineKindSet::where([](const LineKindDescription& row) { return row.key_color != 0; });
 }
 
 constexpr LineKindSet all_kinds() {
-    LineKindSet set;
-    for (const LineKindDescription& row : line_kinds)
-        set[row.kind] = true;
-    return set;
+    return LineKindSet::where([](const LineKindDescription&) { return true; });
 }
 
 /// One row a mixture. Their places are what scripts and settings hold: new ones come last.
 inline constexpr std::array line_mixtures = {
-    LineMixture{
-        "laplacian_lines", "Only Laplacian Lines", outlines_and({LineKind::Laplacian}), {}},
+    LineMixture{"laplacian_lines", "Only Laplacian Lines", outlines_and({LineKind::Laplacian}), {}},
     LineMixture{"suggestive_contours",
                 "Suggestive Contours",
                 outlines_and({LineKind::SuggestiveContour}),

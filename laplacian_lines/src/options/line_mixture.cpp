@@ -51,8 +51,7 @@ std::optional<LineKindSet> kinds_named(const std::string& names) {
     for (std::string name; std::getline(parts, name, ',');) {
         const std::optional<LineKindSet> kinds = kinds_of(name);
         if (!kinds) return std::nullopt;
-        for (const LineKindDescription& row : line_kinds)
-            result[row.kind] = result[row.kind] || (*kinds)[row.kind];
+        result = result | *kinds;
     }
     return result;
 }

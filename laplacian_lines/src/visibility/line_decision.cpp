@@ -32,15 +32,15 @@ public:
           is_contour_(describe(line.kind).is_on_horizon),
           votes_(lines, line, side, lengths, sight),
           knows_crossings_(crossings.are_known()) {
-        if (knows_crossings_) {
-            const std::vector<Passage> passages = crossings.along(line);
-            steps_ = steps_of(lines, line, passages,
-                              std::max(kSure * lengths.diagonal, kSureEdges * lengths.mean_edge));
-            for (const Passage& passage : passages)
-                places_.push_back(passage.place);
-        }
-        pieces_ = votes_.pieces(places_);
+        const std::vector<Passage> passages =
+            knows_crossings_ ? crossings.along(line) : std::vector<Passage>();
+        std::vector<LinePlace> places;
+        for (const Passage& passage : passages)
+            places.push_back(passage.place);
+        pieces_ = votes_.pieces(places);
         if (is_contour_ && side != 0) folds_ = find_folds(pieces_, line.closed, lengths, votes_);
+        find_steps(steps_of(lines, line, passages,
+                            std::max(kSure * lengths.diagonal, kSureEdges * lengths.mean_edge)));
         vote();
         hide_folds();
         show_knots();
@@ -59,15 +59,14 @@ private:
     bool bends_in(std::size_t i) const { return !folds_.bends_in.empty() && folds_.bends_in[i]; }
 
     void vote() {
-        const std::vector<LayerStep> steps = steps_before_pieces();
         const LayerPrices elsewhere =
                               prices(is_contour_ && knows_crossings_ ? kContourCost : kLineCost),
                           at_passage = prices(is_contour_ ? kPassageCost : kLineCost);
         std::vector<LayerCosts> costs;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            const double seen =
-                bends_in(i) ? 0 : votes_.share_seen(pieces_[i].middle, pieces_[i].aside);
-            costs.push_back(layer_costs(pieces_[i].length(), seen, steps[i],
+            shares_seen_.push_back(
+                bends_in(i) ? 0 : votes_.share_seen(pieces_[i].middle, pieces_[i].aside));
+            costs.push_back(layer_costs(pieces_[i].length(), shares_seen_[i], steps_[i],
                                         pieces_[i].piece.place < 0 ? elsewhere : at_passage));
         }
         is_seen_ = cheapest_labels(costs, line_.closed);
@@ -79,21 +78,20 @@ private:
         return {layer * lengths_.diagonal, kSightCost * lengths_.diagonal};
     }
 
-    std::vector<LayerStep> steps_before_pieces() const {
-        std::vector<LayerStep> steps(pieces_.size());
+    void find_steps(const std::vector<LayerStep>& at_passages) {
+        steps_.resize(pieces_.size());
         int next = 0;  // of several crossings at the same place a piece names the last one
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             for (; next <= pieces_[i].piece.place; ++next)
-                steps[i] += steps_[std::size_t(next)];
+                steps_[i] += at_passages[std::size_t(next)];
             const std::size_t before = i > 0 ? i - 1 : pieces_.size() - 1;
             // beyond a cusp there is the near part of the form before a contour; before one whose
             // near part is the fold, there was another layer
-            if (bends_in(i) && !bends_in(before)) steps[i] += {0, 1};
-            if (!bends_in(i) && bends_in(before)) steps[i] += {-1, 0};
+            if (bends_in(i) && !bends_in(before)) steps_[i] += {0, 1};
+            if (!bends_in(i) && bends_in(before)) steps_[i] += {-1, 0};
         }
         for (const auto& fold : folds_.possible)
-            steps[fold[fold.size() / 2]] += {-1, 1};
-        return steps;
+            steps_[fold[fold.size() / 2]] += {-1, 1};
     }
 
     /// A line that goes out of sight in a possible fold does so at its nearer cusp.
@@ -112,7 +110,6 @@ private:
         if (!is_contour_) return;
         const double smallest =
             std::min(kSmallestKnot * lengths_.diagonal, kSmallestKnotEdges * lengths_.mean_edge);
-        const std::vector<LayerStep> steps = steps_before_pieces();
         const std::vector<std::uint8_t> before = is_seen_;
         for_each_run(before, line_.closed, [&](bool is_seen, const auto& run) {
             if (is_seen) return;
@@ -122,7 +119,7 @@ private:
                 length += pieces_[i].length();
                 has_fold |= is_in_possible_fold_[i] != 0;
             }
-            if (length > smallest || !(has_fold || is_slip(run, steps, length))) return;
+            if (length > smallest || !(has_fold || is_slip(run, length))) return;
             for (const std::size_t i : run)
                 is_seen_[i] = 1;
         });
@@ -130,16 +127,15 @@ private:
 
     /// Whether pieces that rays see are hidden because an outline seems to be passed that is not
     /// passed back.
-    bool is_slip(const std::vector<std::size_t>& run, const std::vector<LayerStep>& steps,
-                 double length) {
+    bool is_slip(const std::vector<std::size_t>& run, double length) const {
         const std::size_t n = pieces_.size(), after = (run.back() + 1) % n;
         const bool is_at_end = !line_.closed && (run.front() == 0 || after == 0);
         if (is_at_end || run.size() == n) return false;
-        if (!steps[run.front()].may_be_none() && !steps[after].may_be_none()) return false;
+        if (!steps_[run.front()].may_be_none() && !steps_[after].may_be_none()) return false;
         double seen = 0;
         for (const std::size_t i : run) {
             if (bends_in(i)) return false;
-            seen += votes_.share_seen(pieces_[i].middle, pieces_[i].aside) * pieces_[i].length();
+            seen += shares_seen_[i] * pieces_[i].length();
         }
         return 2 * seen > length;
     }
@@ -173,11 +169,12 @@ private:
     const bool is_contour_;
     LineVotes votes_;
     const bool knows_crossings_;
-    std::vector<LinePlace> places_;  // of crossings
-    std::vector<LayerStep> steps_;   // there
     std::vector<PlacedPiece> pieces_;
     ContourFolds folds_;
-    std::vector<std::uint8_t> is_in_possible_fold_, is_seen_;  // by piece
+    // By piece; steps are before it.
+    std::vector<LayerStep> steps_;
+    std::vector<double> shares_seen_;
+    std::vector<std::uint8_t> is_in_possible_fold_, is_seen_;
 };
 
 }  // namespace

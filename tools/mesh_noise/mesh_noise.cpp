@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "noise.h"
-
-#include <random>
+#include "mesh_noise.h"
 
 #include "laplacian_lines/precompute.h"
-#include "random_unit.h"
 
-namespace test_meshes {
+namespace mesh_noise {
 namespace {
 
 /// All directions are as likely: a point of the cube that is not inside the ball is drawn anew.
@@ -30,4 +27,4 @@ laplacian_lines::TriangleMesh with_noise(const laplacian_lines::TriangleMesh& me
     return noisy;
 }
 
-}  // namespace test_meshes
+}  // namespace mesh_noise
