@@ -15,7 +15,7 @@ namespace laplacian_lines {
 /// C is the slope of the linear function of the place in the tangent plane that best fits the S of
 /// the vertices within kDerivativeReach √h, each by its mass, its nearness and how it faces. A fit
 /// takes away what the triangles' shapes and noise do; docs/accuracy.md compares it with other
-/// ways. Where there are too few vertices for one: ring_derivatives().
+/// ways. Where there are too few vertices for one: set_ring_derivatives().
 void fill_curvature_derivatives(const PreparedMesh& mesh, const SpatialTree& tree,
                                 const VertexRanges& ranges, const StageProgress& stage,
                                 Field& field);
