@@ -184,6 +184,9 @@ TEST(CurvatureDerivatives, AreFiniteOnAnyMesh) {
             ASSERT_EQ(field.curvature_derivatives.size(), mesh.mesh.positions.size());
             for (const Eigen::Vector4f& c : field.curvature_derivatives)
                 ASSERT_TRUE(c.allFinite()) << mesh;
+            ASSERT_EQ(field.smooth_curvatures.size(), mesh.mesh.positions.size());
+            for (const Eigen::Vector3f& s : field.smooth_curvatures)
+                ASSERT_TRUE(s.allFinite()) << mesh;
         }
 }
 

@@ -19,7 +19,8 @@ constexpr double kLargestCurvature = 1e15;  // 1/D; sums of it with squares of l
 /// Of the places of the neighbours along the direction in which they vary least, in squared radii:
 /// 1/8 all around, 1/20 at a border.
 constexpr double kLeastVariance = 0.004;
-constexpr double kMostCost = 1e7;  // as pairs_cost() has it: about ten seconds
+constexpr double kMostCost = 1e7;   // as pairs_cost() has it: about ten seconds
+constexpr double kSmoothed = 0.25;  // of the time
 
 using Vertices = std::vector<CurvedVertex>;
 
@@ -55,8 +56,14 @@ TensorSource source_of(const CurvedVertex& vertex, double mass) {
 
 using Sources = std::vector<TensorSource>;
 
-/// The slopes of the linear fit; false if the neighbours do not spread in all directions.
-bool fit(const TensorSums& sums, std::size_t lane, CubicForm& form) {
+/// The linear function that fits S best around a vertex, at the vertex.
+struct TensorFit {
+    Eigen::Vector3d value;  ///< S(u,u), S(u,v), S(v,v)
+    CubicForm slopes;       ///< over a radius
+};
+
+/// Returns false if the neighbours do not spread in all directions.
+bool fit(const TensorSums& sums, std::size_t lane, TensorFit& fit) {
     double n[TensorSums::kNumbers];
     for (int i = 0; i < TensorSums::kNumbers; ++i)
         n[i] = sums.numbers[i][lane];
@@ -75,13 +82,14 @@ bool fit(const TensorSums& sums, std::size_t lane, CubicForm& form) {
         const double sy = n[TensorSums::kYEntries + i] / w - y * mean;
         by_x[i] = (yy * sx - xy * sy) / determinant;
         by_y[i] = (xx * sy - xy * sx) / determinant;
+        fit.value[i] = mean - by_x[i] * x - by_y[i] * y;
     }
-    form =
+    fit.slopes =
         CubicForm::of(by_x[0], (by_y[0] + 2 * by_x[1]) / 3, (by_x[2] + 2 * by_y[1]) / 3, by_y[2]);
-    return std::isfinite(form.entries().sum());
+    return std::isfinite(fit.slopes.entries().sum() + fit.value.sum());
 }
 
-/// Fits around the vertices of one leaf of the tree after the other.
+/// Fits around all vertices, one leaf of the tree after the other.
 class Fits {
 public:
     Fits(const PreparedMesh& mesh, const SpatialTree& tree, const Vertices& vertices,
@@ -100,33 +108,46 @@ public:
         });
     }
 
-    /// Writes the forms of the leaf's vertices, and 1 where there is none.
-    void fit_leaf(const SpatialTree::Leaf& leaf, Sources& sources, std::vector<CubicForm>& forms,
-                  std::vector<std::uint8_t>& failed) const {
+    /// Whether the sums over all that is within a reach would take seconds.
+    bool is_endless(double reach) const { return pairs_cost(tree_, radius(0, reach)) > kMostCost; }
+
+    /// Calls take(v, fit, radius) for each vertex, on any thread; without a fit where there is
+    /// none. `reach` is in √h.
+    template <class Take>
+    void fit_all(double reach, const StageProgress& stage, const Take& take) const {
+        parallel_for<Sources>(tree_.leaves().size(), stage, [&](std::size_t i, Sources& sources) {
+            fit_leaf(tree_.leaves()[i], reach, sources, take);
+        });
+    }
+
+private:
+    /// Within which vertices count for v, local.
+    double radius(std::uint32_t v, double reach) const {
+        const double size = field_.kernel_sizes[mesh_.original_vertex[v]];
+        return reach / kDerivativeReach *
+               std::min(kDerivativeReach * size / mesh_.diagonal, most_per_size_ * size);
+    }
+
+    template <class Take>
+    void fit_leaf(const SpatialTree::Leaf& leaf, double reach, Sources& sources,
+                  const Take& take) const {
         const Eigen::Vector3d centre = leaf.box.center();
-        double reach = 0;
+        double largest = 0;
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v)
-            reach = std::max(reach, radius(v));
-        const std::size_t count = collect(leaf, centre, reach, sources);
+            largest = std::max(largest, radius(v, reach));
+        const std::size_t count = collect(leaf, centre, largest, sources);
         for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kSlopeLanes) {
             TensorSums sums;
-            sum_tensors(targets(leaf, begin, centre), sources.data(), count, sums);
-            for (std::size_t lane = 0; lane < kSlopeLanes && begin + lane < leaf.end; ++lane) {
-                const std::size_t v = begin + lane;
-                const double r = radius(std::uint32_t(v));
-                failed[v] = !(r > 0 && fit(sums, lane, forms[v]));
-                forms[v].scale(failed[v] ? 0 : 1 / r);
+            sum_tensors(targets(leaf, begin, centre, reach), sources.data(), count, sums);
+            for (std::uint32_t lane = 0; lane < kSlopeLanes && begin + lane < leaf.end; ++lane) {
+                const std::uint32_t v = begin + lane;
+                const double r = radius(v, reach);
+                TensorFit found;
+                take(v, r > 0 && fit(sums, lane, found) ? &found : nullptr, r);
             }
         }
     }
 
-    /// Within which vertices count for v, local.
-    double radius(std::uint32_t v) const {
-        const double size = field_.kernel_sizes[mesh_.original_vertex[v]];
-        return std::min(kDerivativeReach * size / mesh_.diagonal, most_per_size_ * size);
-    }
-
-private:
     /// Returns how many there are.
     std::size_t collect(const SpatialTree::Leaf& leaf, const Eigen::Vector3d& centre, double reach,
                         Sources& sources) const {
@@ -148,12 +169,12 @@ private:
     }
 
     TensorTargets targets(const SpatialTree::Leaf& leaf, std::uint32_t begin,
-                          const Eigen::Vector3d& centre) const {
+                          const Eigen::Vector3d& centre, double reach) const {
         TensorTargets t = {};
         for (std::uint32_t lane = 0; lane < kSlopeLanes; ++lane) {
             const std::uint32_t v = std::min(begin + lane, leaf.end - 1);
             const CurvedVertex& vertex = vertices_[v];
-            const double r = radius(v);
+            const double r = radius(v, reach);
             for (int k = 0; k < 3; ++k) {
                 t.position[k][lane] = float(mesh_.positions[v][k] - centre[k]);
                 t.normal[k][lane] = float(vertex.normal[k]);
@@ -173,23 +194,41 @@ private:
     double most_per_size_;
 };
 
-std::vector<CubicForm> differentiate(const PreparedMesh& mesh, const SpatialTree& tree,
-                                     const VertexRanges& ranges, const Vertices& vertices,
-                                     const Field& field, const StageProgress& stage) {
-    const Fits fits(mesh, tree, vertices, field);
-    if (pairs_cost(tree, fits.radius(0)) > kMostCost)
-        return ring_derivatives(mesh, ranges, vertices);
+std::vector<CubicForm> differentiate(const PreparedMesh& mesh, const VertexRanges& ranges,
+                                     const Vertices& vertices, const Fits& fits,
+                                     const StageProgress& stage) {
+    if (fits.is_endless(kDerivativeReach)) return ring_derivatives(mesh, ranges, vertices);
     std::vector<CubicForm> forms = large_array<CubicForm>(mesh.size());
     std::vector<std::uint8_t> failed(mesh.size());
-    parallel_for<Sources>(tree.leaves().size(), stage, [&](std::size_t i, Sources& sources) {
-        fits.fit_leaf(tree.leaves()[i], sources, forms, failed);
-    });
+    fits.fit_all(kDerivativeReach, stage,
+                 [&](std::uint32_t v, const TensorFit* fit, double radius) {
+                     failed[v] = fit == nullptr;
+                     if (!fit) return;
+                     forms[v] = fit->slopes;
+                     forms[v].scale(1 / radius);
+                 });
     if (std::find(failed.begin(), failed.end(), 1) == failed.end()) return forms;
     const std::vector<CubicForm> others = ring_derivatives(mesh, ranges, vertices);
     for_each_element(mesh.size(), [&](std::size_t v) {
         if (failed[v]) forms[v] = others[v];
     });
     return forms;
+}
+
+/// S(u,u), S(u,v), S(v,v), smoothed where there is a fit.
+std::vector<Eigen::Vector3d> smooth(const PreparedMesh& mesh, const Vertices& vertices,
+                                    const Fits& fits, const StageProgress& stage) {
+    std::vector<Eigen::Vector3d> smoothed = large_array<Eigen::Vector3d>(mesh.size());
+    for_each_element(mesh.size(), [&](std::size_t i) {
+        const CurvedVertex& v = vertices[i];
+        const SymmetricTensor& s = v.shape_operator;
+        smoothed[i] = {v.u.dot(s * v.u), v.u.dot(s * v.v), v.v.dot(s * v.v)};
+    });
+    if (fits.is_endless(kSmoothReach)) return smoothed;
+    fits.fit_all(kSmoothReach, stage, [&](std::uint32_t v, const TensorFit* fit, double) {
+        if (fit) smoothed[v] = fit->value;
+    });
+    return smoothed;
 }
 
 float to_float(double x) {
@@ -206,15 +245,23 @@ void fill_curvature_derivatives(const PreparedMesh& mesh, const SpatialTree& tre
     for_each_element(mesh.size(), [&](std::size_t i) {
         vertices[i] = vertex_of(field, mesh.original_vertex[i], d);
     });
-    const std::vector<CubicForm> forms = differentiate(mesh, tree, ranges, vertices, field, stage);
+    const Fits fits(mesh, tree, vertices, field);
+    const auto smoothed = smooth(mesh, vertices, fits, stage.part(0, kSmoothed));
+    const auto forms = differentiate(mesh, ranges, vertices, fits, stage.part(kSmoothed, 1));
+    auto& curvatures = field.smooth_curvatures;
     auto& derivatives = field.curvature_derivatives;
+    curvatures = large_array(field.normals.size(), Eigen::Vector3f(Eigen::Vector3f::Zero()));
     derivatives = large_array(field.normals.size(), Eigen::Vector4f(Eigen::Vector4f::Zero()));
     for_each_element(mesh.size(), [&](std::size_t i) {
-        derivatives[mesh.original_vertex[i]] = (forms[i].entries() / d / d).unaryExpr(&to_float);
+        const std::uint32_t v = mesh.original_vertex[i];
+        curvatures[v] = (smoothed[i] / d).unaryExpr(&to_float);
+        derivatives[v] = (forms[i].entries() / d / d).unaryExpr(&to_float);
     });
     const std::vector<std::uint32_t>& representative = mesh.representative;
     for_each_element(representative.size(), [&](std::size_t v) {
-        if (representative[v] != v) derivatives[v] = derivatives[representative[v]];
+        if (representative[v] == v) return;
+        curvatures[v] = curvatures[representative[v]];
+        derivatives[v] = derivatives[representative[v]];
     });
 }
 
