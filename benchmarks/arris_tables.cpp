@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of stones and parts against their arrises.
-#include <cmath>
 #include <cstdio>
 #include <string>
 
-#include "flaked_stone.h"
+#include "arris_forms.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
-#include "line_scores.h"
 #include "machined_part.h"
 #include "mesh_noise.h"
 #include "truth_tables.h"
@@ -16,11 +14,6 @@ namespace benchmarks {
 namespace {
 
 using namespace laplacian_lines;
-
-constexpr int kStoneLevel = 5;       // of resolution 1: 20,480 triangles
-constexpr double kPartEdge = 0.012;  // of resolution 1, in D
-const Eigen::Vector3d kEyes[] = {{1, 0.2, 0.3},  {-1, 0.3, 0.2},  {0.3, 1, 0.2},
-                                 {0.2, -1, 0.3}, {0.2, 0.3, 1.0}, {0.3, 0.2, -1}};
 
 /// By ridges alone, of convex arrises, and by all kinds that are asked for, of all arrises.
 struct Scores {
@@ -53,7 +46,7 @@ Scores measure(const TriangleMesh& mesh, const Truth& truth, double diagonal,
     ExtractionScratch scratch;
     LineSet lines;
     Scores scores;
-    for (const Eigen::Vector3d& eye : kEyes) {
+    for (const Eigen::Vector3d& eye : arris_eyes) {
         extractor.extract(View::orthographic(eye), style, scratch, lines);
         scores.ridges += score(lines, convex.facing(eye), ridges, ridges, matching);
         scores.all += score(lines, truth.facing(eye), options.kinds,
@@ -96,74 +89,36 @@ void print_row(const std::string& edges, const std::string& resolution, double n
     std::fflush(stdout);
 }
 
-/// A row for each noise.
-void print_rows(double radius, double resolution, const TruthOptions& options,
-                const std::vector<Scores>& by_noise) {
-    for (std::size_t i = 0; i < by_noise.size(); ++i)
-        print_row(in_short(radius) + " %", in_short(resolution), options.noise[i], by_noise[i]);
+/// Scores of all forms together, a row for each resolution and noise.
+void print_rows(double radius, const std::vector<ArrisForm>& forms, const TruthOptions& options) {
+    for (const double resolution : options.resolutions) {
+        std::vector<Scores> sums(options.noise.size());
+        for (const ArrisForm& form : forms) {
+            const TriangleMesh mesh = form.mesh(resolution);
+            for (std::size_t i = 0; i < sums.size(); ++i)
+                sums[i] += measure(mesh_noise::with_noise(mesh, options.noise[i] / 100), form.truth,
+                                   form.diagonal, options);
+        }
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            print_row(in_short(radius) + " %", in_short(resolution), options.noise[i], sums[i]);
+    }
 }
-
-int doublings(double resolution) {
-    return int(std::lround(std::log2(resolution) / 2));
-}
-
-/// The scores of a mesh at each noise are added to those in `sums`.
-void add_noisy(const TriangleMesh& mesh, const Truth& truth, double diagonal,
-               const TruthOptions& options, std::vector<Scores>& sums) {
-    sums.resize(options.noise.size());
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        sums[i] += measure(
-            options.noise[i] > 0 ? mesh_noise::with_noise(mesh, options.noise[i] / 100) : mesh,
-            truth, diagonal, options);
-}
-
-struct StoneWithTruth {
-    test_meshes::FlakedStone stone;
-    Truth truth;
-
-    /// `radius` in percent.
-    StoneWithTruth(unsigned seed, double radius, const TruthOptions& options)
-        : stone({seed, radius / 100, 40, options.ripple_angle}),
-          truth(find_arrises(stone, options.blunt_angle), options.sharp_angle,
-                options.blunt_angle) {}
-};
 
 }  // namespace
 
 void print_stones(const TruthOptions& options) {
     print_head("Flaked stones", "radius of arrises");
-    for (const double radius : options.radii) {
-        std::vector<StoneWithTruth> stones;
-        for (const double seed : options.seeds)
-            stones.emplace_back(unsigned(seed), radius, options);
-        for (const double resolution : options.resolutions) {
-            std::vector<Scores> sums;
-            for (const StoneWithTruth& of_seed : stones)
-                add_noisy(of_seed.stone.mesh(kStoneLevel + doublings(resolution)), of_seed.truth,
-                          of_seed.stone.diagonal(), options, sums);
-            print_rows(radius, resolution, options, sums);
-        }
-    }
+    for (const double radius : options.radii)
+        print_rows(radius, flaked_stones(radius, options), options);
 }
 
 void print_parts(const TruthOptions& options) {
     print_head("Machined parts", "radius of fillets");
-    const auto truth_of = [&](const test_meshes::MachinedPart& part) {
-        return Truth(part.arrises(), options.sharp_angle, options.blunt_angle);
-    };
-    const double diagonal = test_meshes::MachinedPart::diagonal();
-    for (const double radius : options.radii) {
-        const test_meshes::MachinedPart part(radius / 100);
-        for (const double resolution : options.resolutions) {
-            std::vector<Scores> sums;
-            add_noisy(part.mesh(kPartEdge / std::sqrt(resolution)), truth_of(part), diagonal,
-                      options, sums);
-            print_rows(radius, resolution, options, sums);
-        }
-    }
+    for (const double radius : options.radii)
+        print_rows(radius, {machined_part(radius, options)}, options);
+    const ArrisForm sharp = machined_part(0, options);
     print_row("none, 180 triangles", "–", 0,
-              measure(test_meshes::sharp_part(), truth_of(test_meshes::MachinedPart(0)), diagonal,
-                      options));
+              measure(test_meshes::sharp_part(), sharp.truth, sharp.diagonal, options));
 }
 
 }  // namespace benchmarks

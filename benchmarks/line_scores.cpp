@@ -84,11 +84,11 @@ Truth::Truth(const std::vector<ArrisPiece>& arrises, double sharp_angle, double 
             blunt.push_back(piece);
 }
 
-Truth Truth::convex() const {
+Truth Truth::of_side(bool convex) const {
     Truth truth;
-    const auto is_convex = [](const ArrisPiece& piece) { return piece.convex; };
-    std::copy_if(sharp.begin(), sharp.end(), std::back_inserter(truth.sharp), is_convex);
-    std::copy_if(blunt.begin(), blunt.end(), std::back_inserter(truth.blunt), is_convex);
+    const auto is_of_side = [&](const ArrisPiece& piece) { return piece.convex == convex; };
+    std::copy_if(sharp.begin(), sharp.end(), std::back_inserter(truth.sharp), is_of_side);
+    std::copy_if(blunt.begin(), blunt.end(), std::back_inserter(truth.blunt), is_of_side);
     return truth;
 }
 

@@ -54,12 +54,14 @@ struct Truth {
     /// All else is left out. Angles in degrees.
     Truth(const std::vector<test_meshes::ArrisPiece>& arrises, double sharp_angle,
           double blunt_angle);
-    Truth convex() const;
+    Truth convex() const { return of_side(true); }
+    Truth concave() const { return of_side(false); }
     /// What has to be drawn from an orthographic view, and all that may be.
     Truth facing(const Eigen::Vector3d& towards_viewer) const;
 
 private:
     Truth() = default;
+    Truth of_side(bool convex) const;
 };
 
 /// What decides that a line and an arris are the same. Lengths in mesh units.

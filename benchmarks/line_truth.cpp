@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
         if (options.parts) print_parts(options);
         if (options.drawings) print_drawings(options);
         if (options.kinds_alone) print_kinds_alone(options);
+        if (options.crests) print_crests(options);
         if (options.terraces) print_terraces(options);
     } catch (const std::invalid_argument& error) {
         std::fprintf(stderr, "line_truth: %s\n%s", error.what(), truth_usage);

@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
+#include "joined_crossings.h"
 #include "laplacian_lines/view.h"
 #include "plain_mesh.h"
 
@@ -23,21 +23,10 @@ public:
                  std::vector<std::uint32_t>& starts);
 
 private:
-    std::uint32_t crossing(std::uint32_t a, std::uint32_t b);
-    void follow(std::uint32_t first, std::vector<Eigen::Vector3f>& points);
-
-    static constexpr std::uint32_t kNone = 0xffffffffu;
-    struct Crossing {
-        Eigen::Vector3f position;
-        std::uint32_t neighbours[2] = {kNone, kNone};
-        bool visited = false;
-    };
-
     const PlainMesh& mesh_;
     const std::vector<Eigen::Vector3f>& vectors_;
     std::vector<float> values_;
-    std::unordered_map<std::uint64_t, std::uint32_t> crossing_of_edge_;
-    std::vector<Crossing> crossings_;
+    JoinedCrossings<Eigen::Vector3f> crossings_;
 };
 
 }  // namespace benchmarks

@@ -12,7 +12,7 @@ using namespace laplacian_lines;
 
 const char* const truth_usage =
     "line_truth [OPTION VALUE]... [MESH...]\n"
-    "  --only stones|parts|drawings|kinds|terraces   one of the tables\n"
+    "  --only stones|parts|drawings|kinds|crests|terraces   one of the tables\n"
     "  --seeds 1,2,3                  of stones\n"
     "  --ripples 5                    of stones: how far they turn the surface, degrees\n"
     "  --radii 0.5,1,2                of edges, % of D\n"
@@ -20,6 +20,7 @@ const char* const truth_usage =
     "  --noise 0,10,20                of stones and parts, % of the mean edge\n"
     "  --drawing-noise 20,40          of drawings\n"
     "  --voxels 80,160                along each axis, of terraces\n"
+    "  --crest-strengths 1,2,4        of crest lines as usually defined, their least\n"
     "  --reach 1                      between an arris and its line, % of D; also of terraces\n"
     "  --drawing-reach 0.5            between lines of two drawings\n"
     "  --sharp 15, --blunt 8          degrees: sharper arrises have to be drawn; may be drawn\n"
@@ -89,8 +90,9 @@ void choose_table(TruthOptions& options, const std::string& name) {
     options.drawings = name == "drawings";
     options.terraces = name == "terraces";
     options.kinds_alone = name == "kinds";
+    options.crests = name == "crests";
     if (!options.stones && !options.parts && !options.drawings && !options.terraces &&
-        !options.kinds_alone)
+        !options.kinds_alone && !options.crests)
         throw std::invalid_argument("there is no table '" + name + "'");
 }
 
@@ -129,6 +131,7 @@ const std::map<std::string, Setter>& setters() {
         {"--noise", list(&O::noise)},
         {"--drawing-noise", list(&O::drawing_noise)},
         {"--voxels", [](O& o, const std::string& text) { o.voxels = voxels(text); }},
+        {"--crest-strengths", list(&O::crest_strengths)},
         {"--reach", one(&O::reach)},
         {"--drawing-reach", one(&O::drawing_reach)},
         {"--sharp", one(&O::sharp_angle)},

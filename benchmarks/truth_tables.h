@@ -12,6 +12,8 @@ void print_parts(const TruthOptions& options);
 void print_drawings(const TruthOptions& options);
 /// Of each kind alone, of the meshes that are named.
 void print_kinds_alone(const TruthOptions& options);
+/// Ridges and valleys beside crest lines as they are usually defined: of stones, parts and files.
+void print_crests(const TruthOptions& options);
 /// Drawings of a head from segmented volumes against those of the smooth head.
 void print_terraces(const TruthOptions& options);
 
