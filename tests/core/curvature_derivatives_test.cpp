@@ -10,6 +10,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/tangent_frame.h"
+#include "plain_derivatives.h"
 
 namespace {
 
@@ -87,6 +88,56 @@ TEST(CurvatureDerivatives, ConvergeToTheTruth) {
         EXPECT_LT(coarse, family.coarse) << family.name;
         EXPECT_LT(fine, family.ratio * coarse) << family.name;
     }
+}
+
+TEST(CurvatureDerivatives, AreThoseOfPlainSums) {
+    const AnalyticMesh surfaces[] = {test_meshes::torus(50, 25, 0.25),
+                                     test_meshes::half_torus(30, 30),
+                                     test_meshes::bumpy_sphere(4, 0.15)};
+    for (const AnalyticMesh& surface : surfaces)
+        for (const KernelMode mode : {KernelMode::Uniform, KernelMode::Adaptive}) {
+            PrecomputeOptions options = with_derivatives();
+            options.kernel_mode = mode;
+            const Field field = precompute(surface.mesh, options);
+            const auto plain = reference::curvature_derivatives(surface.mesh, field);
+            double error = 0, size = 0, smooth_error = 0, smooth_size = 0;
+            for (std::size_t v = 0; v < surface.truth.size(); ++v) {
+                const Eigen::Vector4d c = field.curvature_derivatives[v].cast<double>();
+                error += helpers::squared_size(c - plain.derivatives[v]);
+                size += helpers::squared_size(plain.derivatives[v]);
+                const Eigen::Vector3d s = field.smooth_curvatures[v].cast<double>();
+                smooth_error += (s - plain.curvatures[v]).squaredNorm();
+                smooth_size += plain.curvatures[v].squaredNorm();
+            }
+            EXPECT_LT(std::sqrt(error / size), 3e-6);
+            EXPECT_LT(std::sqrt(smooth_error / smooth_size), 3e-6);
+        }
+}
+
+/// Of an S that is linear in the place, up to the borders, and on a lone triangle far smaller than
+/// what is fitted, where differences are taken within it.
+TEST(CurvatureDerivatives, AreExactOfLinearShapeOperators) {
+    TriangleMesh mesh = test_meshes::plane(20, 0.3);
+    TriangleMesh small;
+    small.positions = {{3, 0, 0}, {3.002, 0, 0}, {3, 0.003, 0}};
+    small.triangles = {{0, 1, 2}};
+    test_meshes::append(mesh, small);
+    Field field = precompute(mesh);
+    const Eigen::Vector4f c(3, -2, 1, 0.5f);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        ASSERT_GT(field.normals[v].z(), 0.999f);
+        field.normals[v] = Eigen::Vector3f::UnitZ();
+        const Eigen::Vector3f p = mesh.positions[v].cast<float>();
+        ShapeOperator& s = field.shape_operators[v];
+        s = {};
+        s.xx = 0.3f + c[0] * p.x() + c[1] * p.y();
+        s.xy = c[1] * p.x() + c[2] * p.y();
+        s.yy = 0.1f + c[2] * p.x() + c[3] * p.y();
+    }
+    add_curvature_derivatives(mesh, field);
+    const std::size_t last = mesh.positions.size() - 3;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        EXPECT_LT((field.curvature_derivatives[v] - c).norm(), v < last ? 1e-4 : 1e-2) << v;
 }
 
 TEST(CurvatureDerivatives, AreNoneOnPlanesAndSpheres) {
@@ -184,6 +235,9 @@ TEST(CurvatureDerivatives, AreFiniteOnAnyMesh) {
             ASSERT_EQ(field.curvature_derivatives.size(), mesh.mesh.positions.size());
             for (const Eigen::Vector4f& c : field.curvature_derivatives)
                 ASSERT_TRUE(c.allFinite()) << mesh;
+            ASSERT_EQ(field.smooth_curvatures.size(), mesh.mesh.positions.size());
+            for (const Eigen::Vector3f& s : field.smooth_curvatures)
+                ASSERT_TRUE(s.allFinite()) << mesh;
         }
 }
 

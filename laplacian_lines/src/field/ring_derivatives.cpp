@@ -2,8 +2,9 @@
 #include "field/ring_derivatives.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
-#include "system/large_array.h"
+#include "field/curved_vertex.h"
 
 namespace laplacian_lines {
 namespace {
@@ -26,7 +27,7 @@ struct PlaneFrame {
 class TriangleDerivative {
 public:
     /// False if the triangle has no part in the derivatives.
-    bool fit(const Eigen::Vector3d* const p[3], const CurvedVertex* const corners[3]) {
+    bool fit(const Eigen::Vector3d* const p[3], const CurvedVertex corners[3]) {
         const Eigen::Vector3d edges[3] = {*p[2] - *p[1], *p[0] - *p[2], *p[1] - *p[0]};
         const Eigen::Vector3d area = edges[2].cross(-edges[1]);
         weight_ = area.norm();
@@ -39,7 +40,7 @@ public:
         // Derivatives along t and b of S(t, t), S(t, b), S(b, b), times the weight.
         double by_t[3] = {}, by_b[3] = {};
         for (int k = 0; k < 3; ++k) {
-            const CurvedVertex& corner = *corners[k];
+            const CurvedVertex& corner = corners[k];
             if (!(plane.n.dot(corner.normal) > kLeastCosine)) return false;
             const PlaneFrame turned = plane.turned_to(corner.normal);
             const Eigen::Vector3d st = corner.shape_operator * turned.t,
@@ -68,31 +69,37 @@ private:
 
 }  // namespace
 
-std::vector<CubicForm> ring_derivatives(const PreparedMesh& mesh, const VertexRanges& ranges,
-                                        const std::vector<CurvedVertex>& vertices) {
-    std::vector<CubicForm> forms = large_array<CubicForm>(mesh.size());
-    std::vector<double> weights = large_array(mesh.size(), 0.);
+void set_ring_derivatives(const PreparedMesh& mesh, const VertexRanges& ranges, const Field& field,
+                          const std::vector<std::uint8_t>& wanted, std::vector<CubicForm>& forms) {
     const Progress none;
     ranges.for_each({none, 0, 1, ""}, [&](const VertexRanges::Range& range) {
-        range.prefetch(mesh.positions);
-        range.prefetch(vertices);
+        const auto is_wanted = [&](std::uint32_t v) { return range.holds(v) && wanted[v]; };
+        const std::uint8_t* const end = wanted.data() + range.end();
+        if (std::find(wanted.data() + range.begin(), end, 1) == end) return;
+        std::vector<CubicForm> sums(range.end() - range.begin());
+        std::vector<double> weights(sums.size());
         TriangleDerivative derivative;
         range.for_each_triangle([&](const Triangle& t) {
+            if (std::none_of(t.begin(), t.end(), is_wanted)) return;
             const Eigen::Vector3d* const p[3] = {&mesh.positions[t[0]], &mesh.positions[t[1]],
                                                  &mesh.positions[t[2]]};
-            const CurvedVertex* const corners[3] = {&vertices[t[0]], &vertices[t[1]],
-                                                    &vertices[t[2]]};
+            const CurvedVertex corners[3] = {curved_vertex(mesh, field, t[0]),
+                                             curved_vertex(mesh, field, t[1]),
+                                             curved_vertex(mesh, field, t[2])};
             if (!derivative.fit(p, corners)) return;
             for (int k = 0; k < 3; ++k) {
-                if (!range.holds(t[k])) continue;
-                forms[t[k]].add(derivative.at(k), 1);
-                weights[t[k]] += derivative.weight();
+                if (!is_wanted(t[k])) continue;
+                sums[t[k] - range.begin()].add(derivative.at(k), 1);
+                weights[t[k] - range.begin()] += derivative.weight();
             }
         });
-        for (std::uint32_t v = range.begin(); v < range.end(); ++v)
-            if (weights[v] > 0) forms[v].scale(1 / weights[v]);
+        for (std::uint32_t v = range.begin(); v < range.end(); ++v) {
+            if (!wanted[v]) continue;
+            const double weight = weights[v - range.begin()];
+            forms[v] = sums[v - range.begin()];
+            if (weight > 0) forms[v].scale(1 / weight);
+        }
     });
-    return forms;
 }
 
 }  // namespace laplacian_lines

@@ -3,71 +3,190 @@
 
 #include <cstdint>
 
-#include "sums/facing_weight.h"
 #include "system/simd_clones.h"
 
 namespace laplacian_lines {
 namespace {
 
-typedef float Floats __attribute__((vector_size(4 * kSlopeLanes)));
-typedef std::int32_t Ints __attribute__((vector_size(4 * kSlopeLanes)));
+/// The loops, by vectors of `Width` floats: as wide as registers are, since GCC sends wider ones
+/// through memory, which takes ten times as long.
+template <std::size_t Width>
+struct Loops {
+    typedef float Floats __attribute__((vector_size(4 * Width), may_alias));
+    typedef std::int32_t Ints __attribute__((vector_size(4 * Width), may_alias));
 
-LAPLACIAN_LINES_INLINE Floats load(const float* p) {
-    return *reinterpret_cast<const Floats*>(p);
-}
+    struct Vector {
+        Floats x, y, z;
+    };
+    /// Weighted sums of S over the sources.
+    struct Tensors {
+        Floats xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
+    };
 
-struct Vector {
-    Floats x, y, z;
+    static LAPLACIAN_LINES_INLINE Floats load(const float* p) {
+        return *reinterpret_cast<const Floats*>(p);
+    }
+    static LAPLACIAN_LINES_INLINE Vector load(const float p[3][kSlopeLanes], std::size_t lane) {
+        return {load(p[0] + lane), load(p[1] + lane), load(p[2] + lane)};
+    }
+    static LAPLACIAN_LINES_INLINE Floats dot(const Vector& a, const Vector& b) {
+        return a.x * b.x + a.y * b.y + a.z * b.z;
+    }
+    /// Where negative, 0.
+    static LAPLACIAN_LINES_INLINE Floats positive(Floats v) {
+        return (Floats)((Ints)v & ~((Ints)v >> 31));
+    }
+    /// max(|v| − half, 0)
+    static LAPLACIAN_LINES_INLINE Floats beyond(Floats v, float half) {
+        return positive((Floats)((Ints)v & 0x7fffffff) - half);
+    }
+
+    static LAPLACIAN_LINES_INLINE void add(const TensorSource& s, const Floats& weight,
+                                           Tensors& sums) {
+        sums.xx += s.xx * weight, sums.yy += s.yy * weight, sums.zz += s.zz * weight;
+        sums.yz += s.yz * weight, sums.xz += s.xz * weight, sums.xy += s.xy * weight;
+    }
+    static LAPLACIAN_LINES_INLINE Vector times(const Tensors& s, const Vector& a) {
+        return {s.xx * a.x + s.xy * a.y + s.xz * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,
+                s.xz * a.x + s.yz * a.y + s.zz * a.z};
+    }
+
+    static LAPLACIAN_LINES_INLINE void store(float* p, const Floats& v) {
+        *reinterpret_cast<Floats*>(p) = 0.25f * v;
+    }
+    /// The three entries of a tensor in the plane of u and v.
+    static LAPLACIAN_LINES_INLINE void store(float (*p)[kSlopeLanes], std::size_t lane,
+                                             const Tensors& s, const Vector& u, const Vector& v) {
+        const Vector su = times(s, u), sv = times(s, v);
+        store(p[0] + lane, dot(su, u));
+        store(p[1] + lane, dot(su, v));
+        store(p[2] + lane, dot(sv, v));
+    }
+
+    // What bounds this loop are its multiplications. Tensors are summed as they are in space and
+    // put into the plane at the end; weights are 4 facing_weight(), which storing makes up for.
+    static LAPLACIAN_LINES_INLINE void sum(const TensorTargets& targets,
+                                           const TensorSource* sources, std::size_t count,
+                                           std::size_t lane, TensorSums& sums) {
+        using Sums = TensorSums;
+        const Vector m = load(targets.normal, lane), u = load(targets.u, lane),
+                     v = load(targets.v, lane);
+        const Floats r = load(targets.per_radius + lane);
+        const Vector at = load(targets.position, lane), p = {r * at.x, r * at.y, r * at.z};
+        Floats weight{}, x_sum{}, y_sum{}, xx{}, xy{}, yy{};
+        Tensors s_sum, xs_sum, ys_sum;
+        for (const TensorSource* s = sources; s < sources + count; ++s) {
+            const Vector d = {s->x * r - p.x, s->y * r - p.y, s->z * r - p.z};
+            const Floats inside = positive(1 - d.x * d.x - d.y * d.y - d.z * d.z);
+            // 1 + cosine
+            const Floats facing =
+                s->normal[2] * m.z + (s->normal[1] * m.y + (s->normal[0] * m.x + 1.f));
+            const Floats root = inside * facing;
+            const Floats w = (s->mass * (3 - facing)) * (root * root);
+            const Floats x = dot(d, u), y = dot(d, v), wx = w * x, wy = w * y;
+            weight += w;
+            x_sum += wx;
+            y_sum += wy;
+            xx += wx * x;
+            xy += wx * y;
+            yy += wy * y;
+            add(*s, w, s_sum);
+            add(*s, wx, xs_sum);
+            add(*s, wy, ys_sum);
+        }
+        store(sums.numbers[Sums::kWeight] + lane, weight);
+        store(sums.numbers[Sums::kX] + lane, x_sum);
+        store(sums.numbers[Sums::kY] + lane, y_sum);
+        store(sums.numbers[Sums::kXX] + lane, xx);
+        store(sums.numbers[Sums::kXY] + lane, xy);
+        store(sums.numbers[Sums::kYY] + lane, yy);
+        store(&sums.numbers[Sums::kEntries], lane, s_sum, u, v);
+        store(&sums.numbers[Sums::kXEntries], lane, xs_sum, u, v);
+        store(&sums.numbers[Sums::kYEntries], lane, ys_sum, u, v);
+    }
+
+    static LAPLACIAN_LINES_INLINE void sum_all(const TensorTargets& targets,
+                                               const TensorSource* sources, std::size_t count,
+                                               TensorSums& sums) {
+        for (std::size_t lane = 0; lane < kSlopeLanes; lane += Width)
+            sum(targets, sources, count, lane, sums);
+    }
+
+    static LAPLACIAN_LINES_INLINE std::size_t collect(const TensorLeaf& leaf, const float shift[3],
+                                                      const float half_size[3], float squared_reach,
+                                                      TensorSource* kept) {
+        alignas(64) std::int32_t keep[TensorLeaf::kSize];  // −1 for a source that is kept, else 0
+        for (std::size_t i = 0; i < leaf.count; i += Width) {
+            const Floats x = beyond(load(leaf.x + i) + shift[0], half_size[0]),
+                         y = beyond(load(leaf.y + i) + shift[1], half_size[1]),
+                         z = beyond(load(leaf.z + i) + shift[2], half_size[2]);
+            *reinterpret_cast<Ints*>(keep + i) =
+                (Ints)(x * x + y * y + z * z - squared_reach) >> 31;
+        }
+        const Floats by = {shift[0], shift[1], shift[2]};
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < leaf.count; ++i) {
+            const Floats* from = reinterpret_cast<const Floats*>(&leaf.sources[i]);
+            Floats* to = reinterpret_cast<Floats*>(&kept[count]);
+            to[0] = from[0] + by;
+            for (std::size_t k = 1; k < sizeof(TensorSource) / sizeof(Floats); ++k)
+                to[k] = from[k];
+            count -= std::size_t(std::ptrdiff_t(keep[i]));  // else the next overwrites it
+        }
+        return count;
+    }
 };
-LAPLACIAN_LINES_INLINE Vector load(const float p[3][kSlopeLanes]) {
-    return {load(p[0]), load(p[1]), load(p[2])};
+
+using Sum = void(const TensorTargets&, const TensorSource*, std::size_t, TensorSums&);
+using Collect = std::size_t(const TensorLeaf&, const float[3], const float[3], float,
+                            TensorSource*);
+struct Functions {
+    Sum* sum;
+    Collect* collect;
+};
+
+/// The loops for one level of the instruction set.
+#define LAPLACIAN_LINES_LOOPS(Name, Width, Target)                                    \
+    Target void sum_##Name(const TensorTargets& targets, const TensorSource* sources, \
+                           std::size_t count, TensorSums& sums) {                     \
+        Loops<Width>::sum_all(targets, sources, count, sums);                         \
+    }                                                                                 \
+    Target std::size_t collect_##Name(const TensorLeaf& leaf, const float shift[3],   \
+                                      const float half_size[3], float squared_reach,  \
+                                      TensorSource* kept) {                           \
+        return Loops<Width>::collect(leaf, shift, half_size, squared_reach, kept);    \
+    }                                                                                 \
+    constexpr Functions k##Name = {&sum_##Name, &collect_##Name}
+
+LAPLACIAN_LINES_LOOPS(Baseline, 4, );
+#ifdef LAPLACIAN_LINES_LEVELS
+LAPLACIAN_LINES_LOOPS(Avx2, 8, __attribute__((target("arch=x86-64-v3"))));
+LAPLACIAN_LINES_LOOPS(Avx512, 16, __attribute__((target("arch=x86-64-v4"))));
+#endif
+
+const Functions& fastest_functions() {
+#ifdef LAPLACIAN_LINES_LEVELS
+    if (__builtin_cpu_supports("x86-64-v4")) return kAvx512;
+    if (__builtin_cpu_supports("x86-64-v3")) return kAvx2;
+#endif
+    return kBaseline;
 }
-LAPLACIAN_LINES_INLINE Floats dot(const Vector& a, const Vector& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-LAPLACIAN_LINES_INLINE Vector times(const TensorSource& s, const Vector& a) {
-    return {s.xx * a.x + s.xy * a.y + s.xz * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,
-            s.xz * a.x + s.yz * a.y + s.zz * a.z};
-}
-/// Where negative, 0. Comparisons of vectors would be lowered to scalar code before the function is
-/// cloned; shifts are not.
-LAPLACIAN_LINES_INLINE Floats positive(Floats v) {
-    return (Floats)((Ints)v & ~((Ints)v >> 31));
+
+const Functions& functions() {
+    static const Functions& fastest = fastest_functions();
+    return fastest;
 }
 
 }  // namespace
 
-LAPLACIAN_LINES_CLONES
+std::size_t collect_tensors(const TensorLeaf& leaf, const float shift[3], const float half_size[3],
+                            float squared_reach, TensorSource* kept) {
+    return functions().collect(leaf, shift, half_size, squared_reach, kept);
+}
+
 void sum_tensors(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                  TensorSums& sums) {
-    using Sums = TensorSums;
-    const Vector p = load(targets.position), m = load(targets.normal);
-    const Vector u = load(targets.u), v = load(targets.v);
-    const Floats per_radius = load(targets.per_radius);
-    Floats total[Sums::kNumbers] = {};
-    for (const TensorSource* s = sources; s < sources + count; ++s) {
-        const Vector d = {(s->x - p.x) * per_radius, (s->y - p.y) * per_radius,
-                          (s->z - p.z) * per_radius};
-        const Floats inside = positive(1 - dot(d, d));
-        const Floats cosine = s->normal[0] * m.x + s->normal[1] * m.y + s->normal[2] * m.z;
-        const Floats w = s->mass * (inside * inside) * facing_weight(cosine);
-        const Floats x = dot(d, u), y = dot(d, v), wx = w * x, wy = w * y;
-        const Vector su = times(*s, u), sv = times(*s, v);
-        const Floats entries[3] = {dot(su, u), dot(su, v), dot(sv, v)};
-        total[Sums::kWeight] += w;
-        total[Sums::kX] += wx;
-        total[Sums::kY] += wy;
-        total[Sums::kXX] += wx * x;
-        total[Sums::kXY] += wx * y;
-        total[Sums::kYY] += wy * y;
-        for (int i = 0; i < 3; ++i) {
-            total[Sums::kEntries + i] += w * entries[i];
-            total[Sums::kXEntries + i] += wx * entries[i];
-            total[Sums::kYEntries + i] += wy * entries[i];
-        }
-    }
-    for (int i = 0; i < Sums::kNumbers; ++i)
-        *reinterpret_cast<Floats*>(sums.numbers[i]) = total[i];
+    functions().sum(targets, sources, count, sums);
 }
 
 }  // namespace laplacian_lines

@@ -15,6 +15,23 @@ struct alignas(64) TensorSource {
     float xx, yy, zz, yz, xz, xy;  ///< S
 };
 
+/// The sources of one leaf of a kd-tree, with places from the middle of its box.
+struct TensorLeaf {
+    static constexpr std::size_t kSize = 32;
+
+    TensorLeaf() {}  // leaves all but the count as it is
+
+    TensorSource sources[kSize];
+    alignas(64) float x[kSize], y[kSize], z[kSize];  ///< the same places
+    std::size_t count = 0;
+};
+
+/// Copies the leaf's sources that are nearer than the square root of `squared_reach` to a box
+/// around the origin, each moved by `shift`, and returns their number. `kept` has room for one more
+/// than all.
+std::size_t collect_tensors(const TensorLeaf& leaf, const float shift[3], const float half_size[3],
+                            float squared_reach, TensorSource* kept);
+
 /// Vertices around which the tensors are looked at, each in the plane of u and v, by component and
 /// lane. Unused lanes may repeat others.
 struct TensorTargets {
@@ -30,8 +47,8 @@ struct TensorSums {
     alignas(64) float numbers[kNumbers][kSlopeLanes];
 };
 
-/// Sources count by mass · (1 − d²/R²)² · facing_weight(n_q·n_p), d their distance in space and R
-/// the radius. Runs with the widest vectors the processor has.
+/// Sources count by mass · (1 − d²/R²)² · facing_weight(n_q·n_p), d their distance in space and
+/// R the radius. Runs with the widest vectors the processor has.
 void sum_tensors(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                  TensorSums& sums);
 

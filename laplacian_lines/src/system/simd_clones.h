@@ -8,6 +8,9 @@
     !defined(LAPLACIAN_LINES_NO_CLONES)
 #define LAPLACIAN_LINES_CLONES \
     __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+// Whether functions can be compiled for a level by __attribute__((target("arch=x86-64-v4"))), for
+// loops that are written differently for each.
+#define LAPLACIAN_LINES_LEVELS
 #else
 #define LAPLACIAN_LINES_CLONES
 #endif
