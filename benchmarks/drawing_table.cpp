@@ -90,23 +90,37 @@ private:
     LineSet lines_;
 };
 
+/// Of one noise, a drawing for each seed.
+using NoisyDrawings = std::deque<Drawings>;
+
+Score score_of(NoisyDrawings& noisy, LineKind kind, const CurvePoints& right, double reach) {
+    Score score;
+    for (Drawings& drawing : noisy)
+        score += compare(drawing.of(kind), right, reach);
+    return score;
+}
+
 void print_kinds_of(const std::string& name, const TriangleMesh& mesh,
                     const TruthOptions& options) {
     const double diagonal = measure_scale(mesh).diagonal;
     const View view = front_view(mesh, diagonal);
     Drawings clean(mesh, view, diagonal, options);
-    std::deque<Drawings> noisy;
-    for (const double noise : options.drawing_noise)
-        noisy.emplace_back(mesh_noise::with_noise(mesh, noise / 100), view, diagonal, options);
+    std::deque<NoisyDrawings> of_noise;
+    for (const double noise : options.drawing_noise) {
+        of_noise.emplace_back();
+        for (const double seed : options.drawing_seeds)
+            of_noise.back().emplace_back(mesh_noise::with_noise(mesh, noise / 100, unsigned(seed)),
+                                         view, diagonal, options);
+    }
     for (const LineKindDescription& row : line_kinds) {
         const CurvePoints right = clean.of(row.kind);
         double length = 0;
         for (const double part : right.lengths)
             length += part / diagonal;
         std::printf("| %s | %s | %.2f |", name.c_str(), row.many, length);
-        for (Drawings& drawing : noisy) {
+        for (NoisyDrawings& noisy : of_noise) {
             const Score score =
-                compare(drawing.of(row.kind), right, options.drawing_reach / 100 * diagonal);
+                score_of(noisy, row.kind, right, options.drawing_reach / 100 * diagonal);
             if (score.is_empty())
                 std::printf(" – |");
             else

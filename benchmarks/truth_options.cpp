@@ -19,6 +19,7 @@ const char* const truth_usage =
     "  --resolutions 1,4,16           times 20,480 triangles (stones) or about 33,000 (parts)\n"
     "  --noise 0,10,20                of stones and parts, % of the mean edge\n"
     "  --drawing-noise 20,40          of drawings\n"
+    "  --drawing-seeds 1              of the noise of kinds, whose scores are of all together\n"
     "  --voxels 80,160                along each axis, of terraces\n"
     "  --crest-strengths 1,2,4        of crest lines as usually defined, their least\n"
     "  --reach 1                      between an arris and its line, % of D; also of terraces\n"
@@ -130,6 +131,7 @@ const std::map<std::string, Setter>& setters() {
         {"--resolutions", [](O& o, const std::string& text) { o.resolutions = resolutions(text); }},
         {"--noise", list(&O::noise)},
         {"--drawing-noise", list(&O::drawing_noise)},
+        {"--drawing-seeds", list(&O::drawing_seeds)},
         {"--voxels", [](O& o, const std::string& text) { o.voxels = voxels(text); }},
         {"--crest-strengths", list(&O::crest_strengths)},
         {"--reach", one(&O::reach)},

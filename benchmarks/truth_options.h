@@ -18,6 +18,7 @@ struct TruthOptions {
     std::vector<double> resolutions = {1, 4, 16};  ///< powers of 4
     std::vector<double> noise = {0, 10, 20};       ///< of stones and parts, % of the mean edge
     std::vector<double> drawing_noise = {20, 40};  ///< of drawings
+    std::vector<double> drawing_seeds = {1};       ///< of the noise, of kinds alone
     std::vector<double> voxels = {80, 160};        ///< along each axis, of terraces
     /// The least, see crest_lines().
     std::vector<double> crest_strengths = {1, 2, 4};

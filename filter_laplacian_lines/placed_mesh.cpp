@@ -59,6 +59,7 @@ void place(const Similarity& similarity, Field& field) {
         n = (rotation * n / (factor * factor)).eval();
     for (ShapeOperator& s : field.shape_operators)
         s = shapeOperatorOf(rotation * matrixOf(s) * rotation.transpose() / factor);
+    field.smooth_curvatures.clear();
     field.curvature_derivatives.clear();
     for (float& size : field.kernel_sizes)
         size *= factor;

@@ -90,7 +90,7 @@ Field demandField(const CMeshO& mesh, const laplacian_lines::TriangleMesh& trian
 
 void demandDerivatives(const laplacian_lines::TriangleMesh& triangles, Field& field,
                        const laplacian_lines::Progress& progress) {
-    if (field.curvature_derivatives.empty())
+    if (!field.has_derivatives())
         laplacian_lines::add_curvature_derivatives(triangles, field, progress);
 }
 

@@ -144,14 +144,16 @@ TEST(LineScores, CompareDrawingsBothWays) {
 }
 
 TEST(TruthOptions, SetWhatTheirKeysName) {
-    const TruthOptions options = parse_truth_options(
-        {"--set", "ridge_angle=30", "--set", "kernel_size=1.5%", "--set", "normal_sigma=1",
-         "--only", "parts", "--seeds", "4,5", "--kinds", "ridges", "mesh.ply", "--reach", "2"});
+    const TruthOptions options =
+        parse_truth_options({"--set", "ridge_angle=30", "--set", "kernel_size=1.5%", "--set",
+                             "normal_sigma=1", "--only", "parts", "--seeds", "4,5", "--kinds",
+                             "ridges", "mesh.ply", "--reach", "2", "--drawing-seeds", "6,7"});
     EXPECT_EQ(options.style.ridge_angle, 30);
     EXPECT_DOUBLE_EQ(options.field_options(200).kernel_size, 3);
     EXPECT_EQ(options.field_options(200).normal_sigma, 1);
     EXPECT_TRUE(options.parts && !options.stones && !options.drawings);
     EXPECT_EQ(options.seeds, std::vector<double>({4, 5}));
+    EXPECT_EQ(options.drawing_seeds, std::vector<double>({6, 7}));
     EXPECT_TRUE(options.kinds[LineKind::Ridge]);
     EXPECT_FALSE(options.kinds[LineKind::Laplacian]);
     EXPECT_EQ(options.files, std::vector<std::string>({"mesh.ply"}));

@@ -100,13 +100,17 @@ TEST(CurvatureDerivatives, AreThoseOfPlainSums) {
             options.kernel_mode = mode;
             const Field field = precompute(surface.mesh, options);
             const auto plain = reference::curvature_derivatives(surface.mesh, field);
-            double error = 0, size = 0;
-            for (std::size_t v = 0; v < plain.size(); ++v) {
+            double error = 0, size = 0, smooth_error = 0, smooth_size = 0;
+            for (std::size_t v = 0; v < surface.truth.size(); ++v) {
                 const Eigen::Vector4d c = field.curvature_derivatives[v].cast<double>();
-                error += helpers::squared_size(c - plain[v]);
-                size += helpers::squared_size(plain[v]);
+                error += helpers::squared_size(c - plain.derivatives[v]);
+                size += helpers::squared_size(plain.derivatives[v]);
+                const Eigen::Vector3d s = field.smooth_curvatures[v].cast<double>();
+                smooth_error += (s - plain.curvatures[v]).squaredNorm();
+                smooth_size += plain.curvatures[v].squaredNorm();
             }
             EXPECT_LT(std::sqrt(error / size), 3e-6);
+            EXPECT_LT(std::sqrt(smooth_error / smooth_size), 3e-6);
         }
 }
 
@@ -231,6 +235,9 @@ TEST(CurvatureDerivatives, AreFiniteOnAnyMesh) {
             ASSERT_EQ(field.curvature_derivatives.size(), mesh.mesh.positions.size());
             for (const Eigen::Vector4f& c : field.curvature_derivatives)
                 ASSERT_TRUE(c.allFinite()) << mesh;
+            ASSERT_EQ(field.smooth_curvatures.size(), mesh.mesh.positions.size());
+            for (const Eigen::Vector3f& s : field.smooth_curvatures)
+                ASSERT_TRUE(s.allFinite()) << mesh;
         }
 }
 

@@ -51,6 +51,12 @@ double shape_error(const Field& field, const std::vector<test_meshes::SurfacePoi
     return std::sqrt(error / size);
 }
 
+Eigen::Vector3d curvature_entries(const Eigen::Matrix3d& s, const Eigen::Vector3f& normal) {
+    const TangentFrame frame = tangent_frame(normal);
+    const Eigen::Vector3d u = frame.u.cast<double>(), v = frame.v.cast<double>();
+    return {u.dot(s * u), u.dot(s * v), v.dot(s * v)};
+}
+
 Eigen::Vector4d derivative_entries(const std::array<Eigen::Matrix3d, 3>& derivative,
                                    const Eigen::Vector3f& normal) {
     const TangentFrame frame = tangent_frame(normal);

@@ -27,6 +27,9 @@ double shape_error(const laplacian_lines::Field& field,
                    const std::vector<test_meshes::SurfacePoint>& truth,
                    const std::vector<bool>& use = {});
 
+/// S in the frame of a normal, as Field::smooth_curvatures has it.
+Eigen::Vector3d curvature_entries(const Eigen::Matrix3d& s, const Eigen::Vector3f& normal);
+
 /// C in the frame of a normal, as Field::curvature_derivatives has it.
 Eigen::Vector4d derivative_entries(const std::array<Eigen::Matrix3d, 3>& derivative,
                                    const Eigen::Vector3f& normal);

@@ -42,10 +42,10 @@ Vertex vertex_of(const Field& field, std::size_t v) {
         for (const double other : {angle - step, angle + step})
             if (cubic(c, other) > cubic(c, angle)) angle = other;
     const TangentFrame frame = tangent_frame(field.normals[v]);
-    vertex.direction =
-        std::cos(angle) * frame.u.cast<double>() + std::sin(angle) * frame.v.cast<double>();
-    vertex.curvature =
-        vertex.direction.dot(helpers::matrix(field.shape_operators[v]) * vertex.direction);
+    const double x = std::cos(angle), y = std::sin(angle);
+    vertex.direction = x * frame.u.cast<double>() + y * frame.v.cast<double>();
+    const Eigen::Vector3d s = field.smooth_curvatures[v].cast<double>();
+    vertex.curvature = s[0] * x * x + 2 * s[1] * x * y + s[2] * y * y;
     const double h = std::pow(field.kernel_sizes[v], 2) + std::pow(field.scale.normal_sigma, 2) / 2;
     vertex.strength = cubic(c, angle) * h * 180 / 3.14159265358979;
     return vertex;

@@ -13,7 +13,7 @@ using namespace laplacian_lines;
 
 namespace {
 
-constexpr double kReach = 3.4;  // √h
+constexpr double kReach = 3.4, kSmoothReach = 1.4;  // √h
 using Entries = Eigen::Matrix<double, 3, 3>;
 
 Eigen::Vector3d entries_of(const ShapeOperator& s, const TangentFrame& frame) {
@@ -22,10 +22,11 @@ Eigen::Vector3d entries_of(const ShapeOperator& s, const TangentFrame& frame) {
         .cast<double>();
 }
 
-Eigen::Vector4d derivative_at(std::size_t v, const TriangleMesh& mesh, const Field& field,
-                              const std::vector<double>& masses) {
+/// S(u,u), S(u,v), S(v,v), one a column, and their slopes along u and along v.
+Entries fit_at(std::size_t v, double reach, const TriangleMesh& mesh, const Field& field,
+               const std::vector<double>& masses) {
     const TangentFrame frame = tangent_frame(field.normals[v]);
-    const double radius = kReach * double(field.kernel_sizes[v]);
+    const double radius = reach * double(field.kernel_sizes[v]);
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
     Entries moments = Entries::Zero();  // rows by 1, x, y; columns by the entry of S
     for (std::size_t q = 0; q < mesh.positions.size(); ++q) {
@@ -39,19 +40,21 @@ Eigen::Vector4d derivative_at(std::size_t v, const TriangleMesh& mesh, const Fie
         products += weight * at * at.transpose();
         moments += weight * at * entries_of(field.shape_operators[q], frame).transpose();
     }
-    const Entries slopes = products.ldlt().solve(moments);
-    return {slopes(1, 0), (slopes(2, 0) + 2 * slopes(1, 1)) / 3,
-            (slopes(1, 2) + 2 * slopes(2, 1)) / 3, slopes(2, 2)};
+    return products.ldlt().solve(moments);
 }
 
 }  // namespace
 
-std::vector<Eigen::Vector4d> curvature_derivatives(const TriangleMesh& mesh, const Field& field) {
+PlainDerivatives curvature_derivatives(const TriangleMesh& mesh, const Field& field) {
     const std::vector<double> mass = masses(mesh);
-    std::vector<Eigen::Vector4d> derivatives;
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        derivatives.push_back(derivative_at(v, mesh, field, mass));
-    return derivatives;
+    PlainDerivatives result;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const Entries c = fit_at(v, kReach, mesh, field, mass);
+        result.derivatives.emplace_back(c(1, 0), (c(2, 0) + 2 * c(1, 1)) / 3,
+                                        (c(1, 2) + 2 * c(2, 1)) / 3, c(2, 2));
+        result.curvatures.push_back(fit_at(v, kSmoothReach, mesh, field, mass).row(0));
+    }
+    return result;
 }
 
 }  // namespace reference

@@ -146,11 +146,11 @@ private:
         vertex.laplacian =
             linear_form(field.laplacian_normals[v].cast<double>() * d * d, p, light_);
         if (exact_point_light) vertex.laplacian -= light_.w * vertex.shape_operator.trace();
-        KindVertex at{vertex.position, vertex.normal, vertex.shape_operator,
-                      Eigen::Vector4f::Zero()};
+        if (!field.has_derivatives()) return vertex;
+        const KindVertex at{vertex.position, vertex.normal,
+                            (field.smooth_curvatures[v].cast<double>() * d).cast<float>(),
+                            (field.curvature_derivatives[v].cast<double>() * d * d).cast<float>()};
         vertex.radial = radial(at, eye_.e, eye_.w);
-        if (field.curvature_derivatives.empty()) return vertex;
-        at.derivative = (field.curvature_derivatives[v].cast<double>() * (d * d)).cast<float>();
         vertex.photic = photic(at, light_.e, light_.w);
         vertex.apparent = apparent_curvature(at, eye_.e, eye_.w);
         return vertex;
@@ -468,9 +468,9 @@ std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& fi
         if (style.shows[kind.kind])
             extraction.extract(kind.rules(style, !view.light), function, lines);
     };
+    if (!field.has_derivatives()) return lines;
     extract(suggestive_contour_strips, &Vertex::radial);
     extract(suggestive_highlight_strips, &Vertex::radial);
-    if (field.curvature_derivatives.empty()) return lines;
     extract(photic_extremum_strips, &Vertex::photic);
     if (style.shows[LineKind::ApparentRidge])
         extraction.extract_apparent(apparent_ridge_strips.rules(style, !view.light), lines);

@@ -12,12 +12,12 @@ namespace reference {
 /// A vertex in local coordinates.
 struct KindVertex {
     Eigen::Vector3f position, normal;
-    laplacian_lines::ShapeOperator shape_operator;  ///< S·D
-    Eigen::Vector4f derivative;                     ///< C·D²
+    Eigen::Vector3f curvature;   ///< S̄·D
+    Eigen::Vector4f derivative;  ///< C·D²
 
-    /// C(x, y, z) of tangents.
-    float C(const Eigen::Vector3f& x, const Eigen::Vector3f& y, const Eigen::Vector3f& z) const;
-    Eigen::Vector3f S(const Eigen::Vector3f& x) const;
+    /// Of tangents, by their parts in the frame of S̄ and C.
+    Eigen::Vector2f S(const Eigen::Vector2f& x) const;
+    float C(const Eigen::Vector2f& x, const Eigen::Vector2f& y, const Eigen::Vector2f& z) const;
 };
 
 /// v·S v, v to the eye (e, w).

@@ -28,8 +28,7 @@ KindVertex vertex(const test_meshes::SurfacePoint& truth) {
     KindVertex p;
     p.position = truth.position.cast<float>();
     p.normal = truth.normal.cast<float>();
-    const auto s = truth.shape_operator.cast<float>().eval();
-    p.shape_operator = {s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)};
+    p.curvature = helpers::curvature_entries(truth.shape_operator, p.normal).cast<float>();
     const TangentFrame frame = tangent_frame(p.normal);
     const auto c = [&](const Eigen::Vector3f& x, const Eigen::Vector3f& y,
                        const Eigen::Vector3f& z) {

@@ -101,6 +101,7 @@ Field made_up_field(const TriangleMesh& mesh, Choices& choices) {
         const Eigen::Vector3f a = 10 * vector(), b = 10 * vector();
         field.shape_operators.push_back({a.x(), a.y(), a.z(), b.x(), b.y(), b.z()});
         field.kernel_sizes.push_back(wild_float(choices));
+        field.smooth_curvatures.push_back({b.y(), a.z(), b.x()});
         field.curvature_derivatives.push_back({10 * a.y(), 10 * b.x(), 10 * a.x(), 10 * b.z()});
     }
     const std::size_t count = mesh.positions.size() + choices.one_in(32);
@@ -108,6 +109,7 @@ Field made_up_field(const TriangleMesh& mesh, Choices& choices) {
     field.laplacian_normals.resize(count, Eigen::Vector3f::UnitY());
     field.shape_operators.resize(count);
     field.kernel_sizes.resize(count, 0.1f);
+    field.smooth_curvatures.resize(count, Eigen::Vector3f(3, -2, 1));
     field.curvature_derivatives.resize(count, Eigen::Vector4f(1, 2, 3, 4));
     field.scale = measure_scale(mesh);
     return field;
@@ -159,8 +161,9 @@ std::string complaint(const TriangleMesh& mesh, const Field& field) {
         if (!helpers::matrix(field.shape_operators[v]).allFinite()) return "no finite tensor" + at;
         if (!std::isfinite(field.kernel_sizes[v]) || field.kernel_sizes[v] < 0)
             return "no finite kernel size" + at;
-        if (!field.curvature_derivatives.empty() && !field.curvature_derivatives[v].allFinite())
-            return "no finite derivative" + at;
+        if (!field.has_derivatives()) continue;
+        if (!field.smooth_curvatures[v].allFinite()) return "no finite smooth curvature" + at;
+        if (!field.curvature_derivatives[v].allFinite()) return "no finite derivative" + at;
     }
     return {};
 }

@@ -35,11 +35,19 @@ struct Field {
     std::vector<Eigen::Vector3f> laplacian_normals;  ///< Δn, 1/length²; −(k1²+k2²) n + ∇(k1+k2)
     std::vector<ShapeOperator> shape_operators;      ///< S, 1/length
     std::vector<float> kernel_sizes;                 ///< √h(p), length
-    /// C = ∇S, 1/length²: C(u,u,u), C(u,u,v), C(u,v,v), C(v,v,v) in tangent_frame(normals[v]).
-    /// Symmetric in all three places. Computed only when asked for, otherwise without entries.
+    /// S̄, S smoothed with the kernel, 1/length: S̄(u,u), S̄(u,v), S̄(v,v) in
+    /// tangent_frame(normals[v]). Computed only when asked for, otherwise without entries.
+    std::vector<Eigen::Vector3f> smooth_curvatures;
+    /// C = ∇S, 1/length²: C(u,u,u), C(u,u,v), C(u,v,v), C(v,v,v) in the same frame. Symmetric in
+    /// all three places. Computed together with S̄.
     std::vector<Eigen::Vector4f> curvature_derivatives;
     FieldScale scale;
     MeshReport report;
+
+    /// Whether both S̄ and C are there.
+    bool has_derivatives() const {
+        return !smooth_curvatures.empty() && !curvature_derivatives.empty();
+    }
 };
 
 }  // namespace laplacian_lines

@@ -91,6 +91,10 @@ inline constexpr std::array field_columns = {
         "1/length", {{{"ll_shape_diagonal", 3}, {"ll_shape_off_diagonal", 3}}}),
     field_column<&Field::kernel_sizes>("kernel_sizes", "size √h of the kernel at the vertex",
                                        "length", {{{"ll_kernel_size", 1}}}),
+    field_column<&Field::smooth_curvatures>(
+        "smooth_curvatures",
+        "S̄, the shape operator smoothed with the kernel: (uu, uv, vv) in the tangent frame",
+        "1/length", {{{"ll_smooth_curvature", 3}}}, ColumnPresence::Optional),
     field_column<&Field::curvature_derivatives>(
         "curvature_derivatives",
         "C = ∇S, the derivative of S along the surface: (uuu, uuv, uvv) and vvv in the tangent "

@@ -43,7 +43,7 @@ struct LineKindDescription {
     bool depends_on_view = false;    ///< otherwise only which parts are seen does
     bool is_on_horizon = false;      ///< where the surface turns away, to either side of it
     bool shown = true;               ///< by default
-    bool needs_derivatives = false;  ///< none without Field::curvature_derivatives
+    bool needs_derivatives = false;  ///< none without Field::has_derivatives()
     std::uint32_t color = 0;         ///< by default, 0xRRGGBB
     std::uint32_t key_color = 0;     ///< where many kinds are drawn; 0: as all that have none
     double width = 1;                ///< by default, in widths of a Laplacian line of full weight
@@ -129,7 +129,7 @@ inline constexpr std::array line_kinds = {
                         "and others 2003).",
                         "suggestive contour", "suggestive contours", LineGradient::Illumination}
         .of_view()
-        .on_request()
+        .of_derivatives()
         .in_color(0x1f4e99),
     LineKindDescription{LineKind::SuggestiveHighlight, "suggestive_highlights",
                         "Suggestive Highlights",
@@ -137,7 +137,7 @@ inline constexpr std::array line_kinds = {
                         "towards the eye (DeCarlo and Rusinkiewicz 2007).",
                         "suggestive highlight", "suggestive highlights", LineGradient::Illumination}
         .of_view()
-        .on_request()
+        .of_derivatives()
         .in_color(0xd08a1d),
     LineKindDescription{LineKind::ApparentRidge, "apparent_ridges", "Apparent Ridges",
                         "Draw ridges and valleys of the surface as it is seen from the eye (Judd "
@@ -191,7 +191,7 @@ public:
 
     bool operator==(const LineKindSet& other) const { return switches_ == other.switches_; }
 
-    /// Whether one of them needs Field::curvature_derivatives.
+    /// Whether one of them needs Field::has_derivatives().
     constexpr bool needs_derivatives() const {
         for (const LineKindDescription& row : line_kinds)
             if (row.needs_derivatives && (*this)[row.kind]) return true;

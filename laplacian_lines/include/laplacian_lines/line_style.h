@@ -67,9 +67,9 @@ struct LineStyle {
     double demarcation = 4;
     /// Least (x h_e)^1.5 at a suggestive contour, x the derivative of the radial curvature towards
     /// the eye over the cosine between normal and view; twice that at a highlight.
-    double suggestive_slope = 0.015;
+    double suggestive_slope = 0.005;
     /// Least q1·D of an apparent ridge, q1 the largest curvature as it is seen on the screen.
-    double apparent_curvature = 20;
+    double apparent_curvature = 15;
     /// Least −d²q1/dr² h_e^1.5 of an apparent ridge, r across it.
     double apparent_slope = 0.02;
     /// Least −d²‖∇I‖/dg² h_e^1.5 of a photic extremum line, g along ∇I.

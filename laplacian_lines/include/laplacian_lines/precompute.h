@@ -19,8 +19,9 @@ namespace laplacian_lines {
 Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options = {},
                  const Progress& progress = {});
 
-/// Computes Field::curvature_derivatives of a field of this mesh: the same as if precompute() had
-/// been asked for them. What was there before is computed anew; the rest of the field stays.
+/// Computes S̄ and C of a field of this mesh, see Field::has_derivatives(): the same as if
+/// precompute() had been asked for them. What was there before is computed anew; the rest of the
+/// field stays.
 /// @throws Error: FieldMismatch, and those of precompute(). Thread-safe for different fields.
 void add_curvature_derivatives(const TriangleMesh& mesh, Field& field,
                                const Progress& progress = {});

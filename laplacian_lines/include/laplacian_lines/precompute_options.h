@@ -55,7 +55,8 @@ struct PrecomputeOptions {
     /// Vertices of equal coordinates count as one where they cut the surface open: two borders run
     /// along each other there, in opposite directions, and no third one.
     bool weld_duplicates = true;
-    /// Compute Field::curvature_derivatives as well, which only some kinds of lines need.
+    /// Compute Field::curvature_derivatives and smooth_curvatures as well, which only some kinds of
+    /// lines need.
     bool curvature_derivatives = false;
 };
 

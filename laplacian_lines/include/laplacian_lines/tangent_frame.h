@@ -16,9 +16,9 @@ struct TangentFrame {
     }
 };
 
-/// The frame that Field::curvature_derivatives are given in: a function of the unit normal alone,
-/// which jumps where n.z changes its sign. T. Duff et al., "Building an Orthonormal Basis,
-/// Revisited", Journal of Computer Graphics Techniques 6(1), 2017. Thread-safe.
+/// The frame that Field::smooth_curvatures and curvature_derivatives are given in: a function of
+/// the unit normal alone, which jumps where n.z changes its sign. T. Duff et al., "Building an
+/// Orthonormal Basis, Revisited", Journal of Computer Graphics Techniques 6(1), 2017. Thread-safe.
 inline TangentFrame tangent_frame(const Eigen::Vector3f& n) {
     const float sign = std::copysign(1.f, n.z());
     const float a = -1 / (sign + n.z()), b = n.x() * n.y() * a;

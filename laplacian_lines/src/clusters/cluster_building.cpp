@@ -143,7 +143,7 @@ std::size_t ClusterBuilder::lay_out() {
         edges += shared_edges[c];
     }
     data_.vertices_of_clusters.resize(vertices);
-    if (!field_.curvature_derivatives.empty()) data_.derivatives.resize(vertices);
+    if (field_.has_derivatives()) data_.curvatures.resize(vertices);
     data_.border_edges.resize(edges);
     return units * kCacheUnit;
 }
@@ -175,15 +175,23 @@ LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
             bounded(field_.laplacian_normals[v], d * d, kLargestLaplacian),
             {curvature(s.xx), curvature(s.yy), curvature(s.zz), curvature(s.yz), curvature(s.xz),
              curvature(s.xy)},
-            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale)),
-            local_derivative(v)};
+            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
 }
 
-Eigen::Vector4f ClusterBuilder::local_derivative(std::uint32_t v) const {
-    if (field_.curvature_derivatives.empty()) return Eigen::Vector4f::Zero();
-    const double factor = data_.diagonal * data_.diagonal;
-    return field_.curvature_derivatives[v].unaryExpr(
-        [=](float x) { return float(bounded(x * factor, kLargestDerivative)); });
+CurvatureRecord ClusterBuilder::curvature_record(std::uint32_t prepared,
+                                                 const LocalVertex& at) const {
+    const std::uint32_t v = mesh_.original_vertex[prepared];
+    const double d = data_.diagonal;
+    CurvatureRecord record{};
+    for (int k = 0; k < 3; ++k) {
+        record.position[k] = float(at.position[k]);
+        record.normal[k] = float(at.normal[k]);
+        record.curvature[k] = float(bounded(field_.smooth_curvatures[v][k] * d, kLargestCurvature));
+    }
+    for (int k = 0; k < 4; ++k)
+        record.derivative[k] =
+            float(bounded(field_.curvature_derivatives[v][k] * d * d, kLargestDerivative));
+    return record;
 }
 
 void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
@@ -249,9 +257,10 @@ void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
     auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
     for (std::size_t i = 0; i < values.size(); ++i)
         records[i] = make_record(values[i]);
-    if (!data_.derivatives.empty())
-        for (std::size_t i = 0; i < values.size(); ++i)
-            data_.derivatives[cluster.first_vertex + i] = values[i].derivative;
+    if (!data_.curvatures.empty())
+        for (std::size_t i = cluster.first_vertex; i < cluster.first_vertex + values.size(); ++i)
+            data_.curvatures[i] =
+                curvature_record(data_.vertices_of_clusters[i], values[i - cluster.first_vertex]);
     // The places that are left over repeat the last vertex, which changes no "all" or "any".
     for (std::size_t i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
         const LocalVertex& v = values[std::min(i, values.size() - 1)];

@@ -13,7 +13,6 @@ struct LocalVertex {
     Eigen::Vector3d position, normal, laplacian;  ///< laplacian: Δn·D²
     ShapeOperator shape_operator;                 ///< S·D
     float slope_scale;                            ///< h_e(p)^1.5
-    Eigen::Vector4f derivative;                   ///< C·D²; zero if the field has none
 };
 
 /// Writes the clusters of a mesh into `data`, whose centre and diagonal are set. The number of
@@ -32,7 +31,7 @@ private:
     std::size_t lay_out();
     void write_cluster(std::size_t cluster, Values& values);
     LocalVertex local_vertex(std::uint32_t v) const;
-    Eigen::Vector4f local_derivative(std::uint32_t vertex_of_field) const;
+    CurvatureRecord curvature_record(std::uint32_t v, const LocalVertex& at) const;
     /// Lists the cluster's vertices with their values.
     void list_vertices(std::size_t cluster, Values& values);
     void write_triangles(std::size_t cluster, unsigned char* memory);

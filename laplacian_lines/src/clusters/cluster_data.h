@@ -37,6 +37,14 @@ struct VertexRecord {
 };
 static_assert(sizeof(VertexRecord) == kCacheUnit, "a vertex record is one cache unit");
 
+/// What kinds of lines that need S̄ and C read of a vertex, local, as rows of four: likewise.
+struct alignas(kCacheUnit) CurvatureRecord {
+    float position[4], normal[4];  ///< and 0
+    float curvature[4];            ///< S̄·D as in the field, and 0
+    float derivative[4];           ///< C·D² as in the field
+};
+static_assert(sizeof(CurvatureRecord) == kCacheUnit, "a curvature record is one cache unit");
+
 /// Corners in cyclic order; neighbour k is across the edge from corner k to the next: the number of
 /// a triangle of the cluster with the same orientation and coarseness, or of an edge to others, or
 /// kNoNeighbour where lines end (borders, edges of more than two triangles).
@@ -111,8 +119,7 @@ struct ClusterStore {
     const Cluster* clusters;
     const std::uint32_t* border_edges;  ///< numbers of edges over the whole mesh
     FacingBounds facing;
-    const float*
-        derivatives;  ///< C·D² as in the field, four numbers a vertex of a cluster; or null
+    const CurvatureRecord* curvatures;  ///< of the vertices of clusters; or null
 };
 
 /// All memory as records, to be indexed in units of them.

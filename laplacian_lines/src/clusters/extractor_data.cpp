@@ -61,12 +61,12 @@ ClusterStore ExtractorData::store() const {
               {array(12), array(13), array(14)}},
              array(15),
              array(16)},
-            derivatives.empty() ? nullptr : derivatives.data()->data()};
+            curvatures.empty() ? nullptr : curvatures.data()};
 }
 
 std::size_t ExtractorData::memory() const {
     return sizeof(*this) + bytes_of_clusters + bytes(clusters) + bytes(vertices_of_clusters) +
-           bytes(border_edges) + bytes(bounds) + bytes(derivatives);
+           bytes(border_edges) + bytes(bounds) + bytes(curvatures);
 }
 
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
@@ -81,7 +81,7 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
              reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
              reinterpret_cast<const VertexRecord*>(memory + layout.records),
              reinterpret_cast<const float*>(memory + layout.forms[kLaplacianForm]),
-             data.derivatives.empty() ? nullptr : data.derivatives.data() + cluster.first_vertex});
+             data.curvatures.empty() ? nullptr : data.curvatures.data() + cluster.first_vertex});
     }
     return placed;
 }

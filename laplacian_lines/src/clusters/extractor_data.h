@@ -24,9 +24,8 @@ struct ExtractorData {
     std::vector<Cluster> clusters;
     std::vector<std::uint32_t> vertices_of_clusters;  ///< numbers in the mesh, cluster by cluster
     std::uint32_t vertex_count = 0;                   ///< of the mesh
-    /// C·D² of the vertices of clusters, as Field::curvature_derivatives has it; empty if the field
-    /// has none.
-    std::vector<Eigen::Vector4f> derivatives;
+    /// Of the vertices of clusters; empty if the field has no derivatives.
+    std::vector<CurvatureRecord> curvatures;
     std::vector<std::uint32_t> border_edges;
     std::uint32_t border_edge_count = 0;  ///< the numbers in border_edges are below
     /// The arrays of ClusterStore about whole clusters, one after the other.
@@ -59,8 +58,8 @@ struct PlacedCluster {
     const std::uint32_t* vertices;  ///< numbers in the mesh
     const ClusterTriangle* triangles;
     const VertexRecord* records;
-    const float* laplacians;             ///< linear forms
-    const Eigen::Vector4f* derivatives;  ///< C·D² by vertex; null if there is none
+    const float* laplacians;            ///< linear forms
+    const CurvatureRecord* curvatures;  ///< by vertex; null if there are none
 };
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
 

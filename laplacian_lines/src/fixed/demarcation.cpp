@@ -44,17 +44,19 @@ struct Demarcation {
     float strength = 0;   ///< C(g, g, g) h_e, degrees; 0: no direction
 };
 
-Demarcation demarcation(const VertexRecord& record, const Eigen::Vector4f& derivative) {
+Demarcation demarcation(const CurvatureRecord& record, float slope_scale) {
     Demarcation result;
-    const SteepestBend steepest = steepest_bend(derivative);
+    const SteepestBend steepest =
+        steepest_bend(Eigen::Map<const Eigen::Vector4f>(record.derivative));
     if (!(steepest.slope > 0)) return result;
-    const TangentFrame frame = tangent_frame(normal_of(record));
-    const Eigen::Matrix3f s =
-        Eigen::Map<const Eigen::Matrix<float, 4, 3>>(record.shape_operator[0]).topRows<3>();
-    result.direction = steepest.direction.x() * frame.u + steepest.direction.y() * frame.v;
-    result.bend = s * result.direction;
-    result.curvature = result.direction.dot(result.bend);
-    result.strength = kDegrees * steepest.slope * std::pow(record.slope_scale, 2 / 3.f);
+    const TangentFrame frame = tangent_frame(Eigen::Map<const Eigen::Vector3f>(record.normal));
+    const float* const s = record.curvature;
+    const Eigen::Vector2f &g = steepest.direction,
+                          bend = {s[0] * g.x() + s[1] * g.y(), s[1] * g.x() + s[2] * g.y()};
+    result.direction = g.x() * frame.u + g.y() * frame.v;
+    result.bend = bend.x() * frame.u + bend.y() * frame.v;
+    result.curvature = g.dot(bend);
+    result.strength = kDegrees * steepest.slope * std::pow(slope_scale, 2 / 3.f);
     return result;
 }
 
@@ -64,7 +66,7 @@ public:
     ClusterCurves(const PlacedCluster& placed, std::uint32_t number)
         : placed_(placed), zeros_(placed, number) {
         for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
-            at_[v] = demarcation(placed.records[v], placed.derivatives[v]);
+            at_[v] = demarcation(placed.curvatures[v], placed.records[v].slope_scale);
     }
 
     void find(ZeroPieces& pieces) const {
@@ -117,7 +119,7 @@ SteepestBend steepest_bend(const Eigen::Vector4f& derivative) {
 
 ZeroLines find_demarcating_curves(const ExtractorData& data,
                                   const std::vector<PlacedCluster>& placed) {
-    if (data.derivatives.empty()) return {};
+    if (data.curvatures.empty()) return {};
     std::vector<ZeroPieces> pieces(placed.size());
     in_parallel<NoScratch>(placed.size(), [&](std::size_t c, NoScratch&) {
         ClusterCurves(placed[c], std::uint32_t(c)).find(pieces[c]);

@@ -18,8 +18,8 @@ SteepestBend steepest_bend(const Eigen::Vector4f& derivative);
 /// so that the curvature along g changes fastest. M. Kolomenkin, I. Shimshoni, A. Tal: "Demarcating
 /// Curves for Shape Illustration", SIGGRAPH Asia 2008. g has a sign, from hollow to bulging; no
 /// curve passes triangles in which it turns by more than 45 degrees. The value of a point is
-/// C(g, g, g) h_e in degrees. None without Field::curvature_derivatives. The number of threads does
-/// not matter.
+/// C(g, g, g) h_e in degrees. None without Field::has_derivatives(). The number of threads does not
+/// matter.
 ZeroLines find_demarcating_curves(const ExtractorData& data,
                                   const std::vector<PlacedCluster>& placed);
 

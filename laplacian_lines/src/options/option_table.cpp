@@ -94,7 +94,8 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
                                      "texture seams. The mesh is not changed; holes stay open."),
         for_experts(boolean<&O::curvature_derivatives>(
             "curvature_derivatives", "Curvature Derivatives",
-            "Compute the derivatives of the curvature as well, for programs that read them. The "
+            "Compute smoothed curvatures and their derivatives as well, for programs that read "
+            "them. The "
             "decoration computes them by itself when a kind of lines needs them.")),
     };
     return table;

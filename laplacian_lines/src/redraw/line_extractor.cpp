@@ -97,7 +97,7 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
-        const bool possible = !describe(kind->kind).needs_derivatives || !data.derivatives.empty();
+        const bool possible = !describe(kind->kind).needs_derivatives || !data.curvatures.empty();
         task.kinds[number] = {possible && kind->is_wanted(style), least_facing, rules};
     }
     return task;

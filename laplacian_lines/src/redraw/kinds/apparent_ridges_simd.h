@@ -262,7 +262,7 @@ static inline void collect_apparent_corners(const ClusterStore& store, const Bat
 /// Of simd_kinds.h what cull() asks for.
 struct ApparentRidges : FacingKind {
     static constexpr LineKind kKind = LineKind::ApparentRidge;
-    static constexpr unsigned kForms = kRecords | kDerivatives;
+    static constexpr unsigned kForms = kCurvatures;
 };
 
 using ApparentKinds = KindList<3, ApparentRidges>;

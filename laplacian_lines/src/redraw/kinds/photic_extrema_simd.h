@@ -16,10 +16,11 @@ static inline void evaluate_photic(const ClusterInSlot& place, const float light
     const unsigned count = place.cluster.vertex_count;
     const Vectors e = {Floats{} + light[0], Floats{} + light[1], Floats{} + light[2]};
     for (unsigned i = 0; i < form_groups(place.cluster) * kFormGroup; i += kLanes) {
-        const DerivativeColumns p(records_of(place), derivatives_of(place), i, count);
-        const Vectors l = e - p.position * (Floats{} + light[3]);
-        const Vectors g = p.S(l), sg = p.S(g);
-        store(values + i, p.C(g, g, l) - dot(p.normal, l) * dot(sg, sg) - light[3] * dot(g, sg));
+        const CurvatureColumns p(curvatures_of(place), i, count);
+        const Vectors to_light = e - p.position * (Floats{} + light[3]);
+        const Tangents l = p.tangent(to_light), g = p.S(l), sg = p.S(g);
+        store(values + i,
+              p.C(g, g, l) - dot(p.normal, to_light) * dot(sg, sg) - light[3] * dot(g, sg));
     }
 }
 
@@ -37,7 +38,7 @@ static inline void scale_photic_gradients(CrossingMemory& m, std::size_t count) 
 /// See simd_kinds.h.
 struct PhoticExtrema : FacingKind {
     static constexpr LineKind kKind = LineKind::PhoticExtremum;
-    static constexpr unsigned kForms = kRecords | kDerivatives;
+    static constexpr unsigned kForms = kCurvatures;
     static constexpr SegmentSlope kSlope = SegmentSlope::AlongOnce;
 
     static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,

@@ -15,12 +15,12 @@ namespace SIMD_NAMESPACE {
 
 /// v·S v at the vertices of a cluster, in the places of the forms. Places that are left over repeat
 /// the last vertex, as in the forms.
-static inline void evaluate_radial(const VertexRecord* records, const Cluster& cluster,
-                                   const float eye[4], float* values) {
+static inline void evaluate_radial(const ClusterInSlot& place, const float eye[4], float* values) {
+    const unsigned count = place.cluster.vertex_count;
     const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
-    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; i += kLanes) {
-        const VertexColumns p(records, i, cluster.vertex_count);
-        const Vectors v = e - p.position * (Floats{} + eye[3]);
+    for (unsigned i = 0; i < form_groups(place.cluster) * kFormGroup; i += kLanes) {
+        const CurvatureColumns p(curvatures_of(place), i, count);
+        const Tangents v = p.tangent(e - p.position * (Floats{} + eye[3]));
         store(values + i, dot(v, p.S(v)));
     }
 }
@@ -61,13 +61,13 @@ static inline void test_radial_zeros(const LineRules& rules, const ExtractionTas
 template <LineKind kind, int sign>
 struct RadialZeros : FacingKind {
     static constexpr LineKind kKind = kind;
-    static constexpr unsigned kForms = kRecords;
+    static constexpr unsigned kForms = kCurvatures;
     static constexpr SegmentSlope kSlope = SegmentSlope::Along;
 
     static inline BelowBound find_signs(const ExtractionTask& task, const ClusterInSlot& place,
                                         const BelowBound&, float* values) {
         float* own = in_slot(values, place);
-        evaluate_radial(records_of(place), place.cluster, task.eye, own);
+        evaluate_radial(place, task.eye, own);
         return below(own, form_groups(place.cluster), 0);
     }
 

@@ -31,11 +31,10 @@ static inline void touch(const ClusterStore& store, const KeptCluster& kept) {
         if (forms >> form & 1)
             touch(memory + layout.forms[form],
                   memory + layout.forms[form] + layout.corners / kVertexFormCount);
-    if (Kinds::kReadsRecords) touch(memory + layout.records, memory + layout.end);
-    if (Kinds::kReadsDerivatives) {
-        const float* derivatives = store.derivatives + std::size_t(4) * cluster.first_vertex;
-        touch(reinterpret_cast<const unsigned char*>(derivatives),
-              reinterpret_cast<const unsigned char*>(derivatives + 4 * cluster.vertex_count));
+    if (Kinds::kReadsCurvatures) {
+        const CurvatureRecord* curvatures = store.curvatures + cluster.first_vertex;
+        touch(reinterpret_cast<const unsigned char*>(curvatures),
+              reinterpret_cast<const unsigned char*>(curvatures + cluster.vertex_count));
     }
     touch(memory + layout.corners, memory + layout.triangles);
 }
@@ -59,7 +58,7 @@ static inline void begin_batch(const ClusterStore& store, const KeptCluster* clu
 
 static inline ClusterInSlot place_of(const ClusterStore& store, const Batch& batch, unsigned slot) {
     const Cluster& cluster = *batch.clusters[slot];
-    return {cluster, cluster_layout(cluster), memory_of(store, cluster), store.derivatives, slot};
+    return {cluster, cluster_layout(cluster), memory_of(store, cluster), store.curvatures, slot};
 }
 
 }  // namespace SIMD_NAMESPACE

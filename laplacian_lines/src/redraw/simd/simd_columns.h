@@ -44,61 +44,51 @@ static inline void store_as_rows(Floats columns[4], const Row& row) {
     }
 }
 
-/// kLanes vertices: position, normal, S·D.
-class VertexColumns {
+/// A tangent in each lane, by its parts along u and v of the frames that S̄ and C are given in.
+struct Tangents {
+    Floats u, v;
+
+    Tangents operator-(const Tangents& b) const { return {u - b.u, v - b.v}; }
+    Tangents operator+(const Tangents& b) const { return {u + b.u, v + b.v}; }
+    Tangents operator*(Floats s) const { return {u * s, v * s}; }
+};
+static inline Floats dot(const Tangents& a, const Tangents& b) {
+    return a.u * b.u + a.v * b.v;
+}
+
+/// kLanes vertices with S̄·D, C·D² and the frame that these are given in.
+class CurvatureColumns {
 public:
     /// Vertices i to i + kLanes − 1 of a cluster; those beyond the last one repeat it.
-    VertexColumns(const VertexRecord* records, unsigned i, unsigned count)
-        : records_(records), first_(i), last_(count - 1) {
-        Floats p[4], a[4], b[4], c[4];
+    CurvatureColumns(const CurvatureRecord* records, unsigned i, unsigned count) {
+        const auto record = [&](unsigned lane) -> const CurvatureRecord& {
+            return records[i + lane < count ? i + lane : count - 1];
+        };
+        Floats p[4], n[4], s[4];
         load_columns([&](unsigned k) { return record(k).position; }, p);
-        load_columns([&](unsigned k) { return record(k).shape_operator[0]; }, a);
-        load_columns([&](unsigned k) { return record(k).shape_operator[1]; }, b);
-        load_columns([&](unsigned k) { return record(k).shape_operator[2]; }, c);
+        load_columns([&](unsigned k) { return record(k).normal; }, n);
+        load_columns([&](unsigned k) { return record(k).curvature; }, s);
+        load_columns([&](unsigned k) { return record(k).derivative; }, c_);
         position = {p[0], p[1], p[2]};
-        normal = {a[3], b[3], c[3]};
-        rows_[0] = {a[0], b[0], c[0]};
-        rows_[1] = {a[1], b[1], c[1]};
-        rows_[2] = {a[2], b[2], c[2]};
-    }
-
-    Vectors S(const Vectors& x) const {
-        return {dot(rows_[0], x), dot(rows_[1], x), dot(rows_[2], x)};
-    }
-
-    Vectors position, normal;
-
-protected:
-    unsigned number(unsigned lane) const { return first_ + lane < last_ ? first_ + lane : last_; }
-
-private:
-    const VertexRecord& record(unsigned lane) const { return records_[number(lane)]; }
-
-    const VertexRecord* const records_;
-    const unsigned first_, last_;
-    Vectors rows_[3];
-};
-
-/// The same with C·D² and the frame that it is given in.
-class DerivativeColumns : public VertexColumns {
-public:
-    /// `derivatives` are the cluster's.
-    DerivativeColumns(const VertexRecord* records, const float* derivatives, unsigned i,
-                      unsigned count)
-        : VertexColumns(records, i, count) {
-        load_columns([&](unsigned k) { return derivatives + 4 * number(k); }, c_);
+        normal = {n[0], n[1], n[2]};
+        suu_ = s[0], suv_ = s[1], svv_ = s[2];
         make_frame();
     }
 
-    /// C(x, y, z) of tangents.
-    Floats C(const Vectors& x, const Vectors& y, const Vectors& z) const {
-        const Floats xu = dot(u, x), xv = dot(v, x), yu = dot(u, y), yv = dot(v, y);
-        const Floats uu = xu * yu, uv = xu * yv + xv * yu, vv = xv * yv;
-        return dot(u, z) * (c_[0] * uu + c_[1] * uv + c_[2] * vv) +
-               dot(v, z) * (c_[1] * uu + c_[2] * uv + c_[3] * vv);
+    /// The tangential part of a vector.
+    Tangents tangent(const Vectors& x) const { return {dot(u_, x), dot(v_, x)}; }
+    Vectors in_space(const Tangents& x) const { return u_ * x.u + v_ * x.v; }
+
+    Tangents S(const Tangents& x) const {
+        return {suu_ * x.u + suv_ * x.v, suv_ * x.u + svv_ * x.v};
+    }
+    Floats C(const Tangents& x, const Tangents& y, const Tangents& z) const {
+        const Floats uu = x.u * y.u, uv = x.u * y.v + x.v * y.u, vv = x.v * y.v;
+        return z.u * (c_[0] * uu + c_[1] * uv + c_[2] * vv) +
+               z.v * (c_[1] * uu + c_[2] * uv + c_[3] * vv);
     }
 
-    Vectors u, v;
+    Vectors position, normal;
 
 private:
     /// tangent_frame().
@@ -106,11 +96,12 @@ private:
         const Floats one = Floats{} + 1;
         const Floats sign = (Floats)(((Ints)normal.z & std::int32_t(0x80000000)) | (Ints)one);
         const Floats a = -1 / (sign + normal.z), b = normal.x * normal.y * a;
-        u = {1 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
-        v = {b, sign + normal.y * normal.y * a, -normal.y};
+        u_ = {1 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
+        v_ = {b, sign + normal.y * normal.y * a, -normal.y};
     }
 
-    Floats c_[4];
+    Vectors u_, v_;
+    Floats suu_, suv_, svv_, c_[4];
 };
 
 }  // namespace SIMD_NAMESPACE

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kinds of lines that are zeros of functions of the vertices. Each is a type without members:
-//  - kKind; kForms: a bit for each VertexForm that it reads, kRecords and kDerivatives;
+//  - kKind; kForms: a bit for each VertexForm that it reads, and kCurvatures;
 //    kHasLeastFacing: nothing is wanted of triangles with n·eye below ExtractionTask's bound at
 //    all corners,
 //  - may_hold(least_facing, low, high): whether a cluster can hold a line where n·eye is within
@@ -29,8 +29,7 @@ template <unsigned Pass, class... Kinds>
 struct KindList {
     static constexpr unsigned kFirst = kStripPasses[Pass].first;  ///< in kStripKinds
     static constexpr unsigned kCount = sizeof...(Kinds);
-    static constexpr bool kReadsRecords = ((Kinds::kForms | ...) & kRecords) != 0;
-    static constexpr bool kReadsDerivatives = ((Kinds::kForms | ...) & kDerivatives) != 0;
+    static constexpr bool kReadsCurvatures = ((Kinds::kForms | ...) & kCurvatures) != 0;
 
     static constexpr bool is_as_declared() {
         unsigned number = kFirst;

@@ -47,8 +47,8 @@ constexpr unsigned kBatchTriangles = kBatch * kClusterTriangles;
 constexpr unsigned kStripsOfBatch = kBatchTriangles;
 constexpr unsigned kPointsOfBatch = 2 * kStripsOfBatch;
 
-/// Beside the bits of VertexForm: the records of all vertices, or their C, are read to find signs.
-constexpr unsigned kRecords = 1u << kVertexFormCount, kDerivatives = kRecords << 1;
+/// Beside the bits of VertexForm: the CurvatureRecords of all vertices are read to find signs.
+constexpr unsigned kCurvatures = 1u << kVertexFormCount;
 
 /// A cluster that can hold a line, and what has to be known of it.
 struct KeptCluster {

@@ -47,7 +47,7 @@ struct ClusterInSlot {
     const Cluster& cluster;
     ClusterLayout layout;
     const unsigned char* memory;
-    const float* derivatives;  ///< the store's
+    const CurvatureRecord* curvatures;  ///< the store's
     unsigned slot;
 };
 static inline const float* form_of(const ClusterInSlot& place, VertexForm form) {
@@ -56,9 +56,8 @@ static inline const float* form_of(const ClusterInSlot& place, VertexForm form) 
 static inline const VertexRecord* records_of(const ClusterInSlot& place) {
     return reinterpret_cast<const VertexRecord*>(place.memory + place.layout.records);
 }
-/// C·D² of its vertices, four numbers each.
-static inline const float* derivatives_of(const ClusterInSlot& place) {
-    return place.derivatives + std::size_t(4) * place.cluster.first_vertex;
+static inline const CurvatureRecord* curvatures_of(const ClusterInSlot& place) {
+    return place.curvatures + place.cluster.first_vertex;
 }
 /// Its part of one of Batch's arrays.
 static inline float* in_slot(float* values, const ClusterInSlot& place) {

@@ -169,8 +169,11 @@ static inline void split(Floats v, Float4 parts[kParts]) {
 /// Four rows to columns, each part for itself.
 static inline void transpose_parts(Floats rows[4]) {
 #if defined(__AVX512F__)
-    const __m512 a = _mm512_unpacklo_ps(rows[0], rows[1]), b = _mm512_unpacklo_ps(rows[2], rows[3]);
-    const __m512 c = _mm512_unpackhi_ps(rows[0], rows[1]), d = _mm512_unpackhi_ps(rows[2], rows[3]);
+    constexpr __mmask16 all = 0xffff;  // without a mask, GCC 12 warns of its own header
+    const __m512 a = _mm512_maskz_unpacklo_ps(all, rows[0], rows[1]);
+    const __m512 b = _mm512_maskz_unpacklo_ps(all, rows[2], rows[3]);
+    const __m512 c = _mm512_maskz_unpackhi_ps(all, rows[0], rows[1]);
+    const __m512 d = _mm512_maskz_unpackhi_ps(all, rows[2], rows[3]);
     rows[0] = _mm512_shuffle_ps(a, b, 0x44);
     rows[1] = _mm512_shuffle_ps(a, b, 0xee);
     rows[2] = _mm512_shuffle_ps(c, d, 0x44);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "field/cubic_form.h"
+#include "field/tensor_sources.h"
+#include "laplacian_lines/field.h"
+#include "mesh/prepared_mesh.h"
+#include "mesh/spatial_tree.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+
+/// In √h, for C: the spread of the weights is that of a kernel of 0.85 √h.
+constexpr double kDerivativeReach = 3.4;
+/// Of C, in mean edges: beyond it nothing gets better, but slower. Smaller reaches are cut as much.
+constexpr double kMostDerivativeReach = 16;
+/// For S̄, the spread of a kernel of 0.35 √h: lines keep what can be seen of the form, and lose what
+/// noise of a fifth of the edges adds.
+constexpr double kSmoothReach = 1.4;
+
+/// The linear function of the place in a vertex's tangent plane that fits S best, local units.
+struct TensorFit {
+    bool found = false;     ///< false: too few neighbours, or not in all directions
+    Eigen::Vector3d value;  ///< at the vertex: S(u,u), S(u,v), S(v,v)
+    CubicForm slopes;       ///< made symmetric
+};
+
+/// Fits to the S of the vertices around each vertex, which count by their mass, their nearness and
+/// how they face.
+class TensorFits {
+public:
+    /// Keeps references.
+    TensorFits(const PreparedMesh& mesh, const SpatialTree& tree, const Field& field);
+
+    /// Calls take(v, fit), on any thread, for each vertex for which there is a fit of what is
+    /// within `reach` √h of it; for none where the sums would take seconds.
+    template <class Take>
+    void for_each(double reach, const StageProgress& stage, const Take& take) const {
+        const std::vector<float> radii = radii_of(reach);
+        if (is_endless(radii)) return;
+        parallel_for<Scratch>(tree_.leaves().size(), stage, [&](std::size_t i, Scratch& scratch) {
+            const SpatialTree::Leaf& leaf = tree_.leaves()[i];
+            fit_leaf(leaf, radii, scratch);
+            for (std::uint32_t v = leaf.begin; v < leaf.end; ++v)
+                if (scratch.fits[v - leaf.begin].found) take(v, scratch.fits[v - leaf.begin]);
+        });
+    }
+
+private:
+    struct Scratch {
+        std::vector<TensorSource> sources;
+        TensorFit fits[SpatialTree::kLeafSize];
+    };
+
+    /// Within which vertices count for each, local, [N].
+    std::vector<float> radii_of(double reach) const;
+    bool is_endless(const std::vector<float>& radii) const;
+    void fit_leaf(const SpatialTree::Leaf& leaf, const std::vector<float>& radii,
+                  Scratch& scratch) const;
+    TensorTargets targets(const SpatialTree::Leaf& leaf, const std::vector<float>& radii,
+                          std::uint32_t begin) const;
+
+    const PreparedMesh& mesh_;
+    const SpatialTree& tree_;
+    const Field& field_;
+    const TensorSources sources_;
+};
+
+}  // namespace laplacian_lines

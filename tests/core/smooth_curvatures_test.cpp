@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// S̄, the smoothed curvatures that come with C, against smooth surfaces and noise.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "helpers.h"
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/precompute.h"
+#include "mesh_noise.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using test_meshes::AnalyticMesh;
+
+Field compute(const TriangleMesh& mesh) {
+    PrecomputeOptions options;
+    options.curvature_derivatives = true;
+    return precompute(mesh, options);
+}
+
+/// Of three entries of tensors, root mean squares over all vertices, relative to the truth's.
+template <class Entries>
+double error_of(const AnalyticMesh& surface, const Field& field, const Entries& entries) {
+    double error = 0, size = 0;
+    for (std::size_t v = 0; v < surface.truth.size(); ++v) {
+        const Eigen::Vector3d truth =
+            helpers::curvature_entries(surface.truth[v].shape_operator, field.normals[v]);
+        const Eigen::Vector3d weights(1, 2, 1);  // the middle one stands for two
+        error += (entries(v) - truth).cwiseAbs2().dot(weights);
+        size += truth.cwiseAbs2().dot(weights);
+    }
+    return std::sqrt(error / size);
+}
+
+double smooth_error(const AnalyticMesh& surface, const Field& field) {
+    return error_of(surface, field, [&](std::size_t v) -> Eigen::Vector3d {
+        return field.smooth_curvatures[v].cast<double>();
+    });
+}
+
+double raw_error(const AnalyticMesh& surface, const Field& field) {
+    return error_of(surface, field, [&](std::size_t v) {
+        return helpers::curvature_entries(helpers::matrix(field.shape_operators[v]),
+                                          field.normals[v]);
+    });
+}
+
+TEST(SmoothCurvatures, ConvergeToTheTruth) {
+    const struct {
+        const char* name;
+        AnalyticMesh (*make)(int level);
+        double coarse;
+    } families[] = {
+        {"torus", [](int l) { return test_meshes::torus(80 << l, 40 << l); }, 0.07},
+        {"torus, jitter .25", [](int l) { return test_meshes::torus(80 << l, 40 << l, 0.25); },
+         0.07},
+        {"ellipsoid", [](int l) { return test_meshes::ellipsoid(5 + l); }, 0.06},
+        {"bumpy sphere, jitter .15", [](int l) { return test_meshes::bumpy_sphere(5 + l, 0.15); },
+         0.08},
+    };
+    for (const auto& family : families) {
+        const AnalyticMesh coarse = family.make(0), fine = family.make(1);
+        const double before = smooth_error(coarse, compute(coarse.mesh));
+        EXPECT_LT(before, family.coarse) << family.name;
+        EXPECT_LT(smooth_error(fine, compute(fine.mesh)), 0.4 * before) << family.name;
+    }
+}
+
+TEST(SmoothCurvatures, AreThoseOfSpheres) {
+    const double radius = 5;
+    const Field field = compute(test_meshes::sphere(5, radius).mesh);
+    for (const Eigen::Vector3f& s : field.smooth_curvatures) {
+        EXPECT_NEAR(s[0] * radius, 1, 0.02);
+        EXPECT_NEAR(s[1] * radius, 0, 0.02);
+        EXPECT_NEAR(s[2] * radius, 1, 0.02);
+    }
+}
+
+TEST(SmoothCurvatures, HaveLessNoiseThanTheOthers) {
+    AnalyticMesh surface = test_meshes::sphere(6, 1);
+    surface.mesh = mesh_noise::with_noise(surface.mesh, 0.2);
+    const Field field = compute(surface.mesh);
+    EXPECT_LT(smooth_error(surface, field), 0.85 * raw_error(surface, field));
+}
+
+/// Fields that were stored by versions without S̄ have C alone.
+TEST(SmoothCurvatures, AreAddedToFieldsThatHaveDerivativesAlone) {
+    const TriangleMesh& mesh = test_meshes::mesh_named("bumpy_sphere").mesh;
+    const Field complete = compute(mesh);
+    EXPECT_TRUE(complete.has_derivatives());
+    Field alone = complete;
+    alone.smooth_curvatures.clear();
+    EXPECT_FALSE(alone.has_derivatives());
+    const View view = View::perspective(Eigen::Vector3d(0.5, 1, 4));
+    for (const LineKind kind : {LineKind::SuggestiveContour, LineKind::ApparentRidge}) {
+        LineStyle style = helpers::only(kind);
+        style.detail = 100;
+        EXPECT_GT(helpers::extract(LineExtractor(mesh, complete), view, style).lines.size(), 0u);
+        EXPECT_EQ(helpers::extract(LineExtractor(mesh, alone), view, style).lines.size(), 0u);
+    }
+    add_curvature_derivatives(mesh, alone);
+    EXPECT_TRUE(helpers::same_fields(alone, complete));
+}
+
+}  // namespace
