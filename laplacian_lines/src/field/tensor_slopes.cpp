@@ -9,7 +9,7 @@ namespace laplacian_lines {
 namespace {
 
 /// The loops, by vectors of `Width` floats: as wide as registers are, since GCC sends wider ones
-/// through memory, which takes ten times as long.
+/// through memory, which takes up to ten times as long.
 template <std::size_t Width>
 struct Loops {
     typedef float Floats __attribute__((vector_size(4 * Width), may_alias));
