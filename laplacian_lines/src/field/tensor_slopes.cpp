@@ -3,17 +3,17 @@
 
 #include <cstdint>
 
-#include "system/simd_clones.h"
+#include "system/simd_versions.h"
 
 namespace laplacian_lines {
 namespace {
 
-/// The loops, by vectors of `Width` floats: as wide as registers are, since GCC sends wider ones
-/// through memory, which takes up to ten times as long.
-template <std::size_t Width>
+/// The loops, by vectors of so many bytes.
+template <std::size_t Bytes>
 struct Loops {
-    typedef float Floats __attribute__((vector_size(4 * Width), may_alias));
-    typedef std::int32_t Ints __attribute__((vector_size(4 * Width), may_alias));
+    static constexpr std::size_t kWidth = Bytes / sizeof(float);
+    using Floats = typename SimdVector<float, Bytes>::Type;
+    using Ints = typename SimdVector<std::int32_t, Bytes>::Type;
 
     struct Vector {
         Floats x, y, z;
@@ -108,7 +108,7 @@ struct Loops {
     static LAPLACIAN_LINES_INLINE void sum_all(const TensorTargets& targets,
                                                const TensorSource* sources, std::size_t count,
                                                TensorSums& sums) {
-        for (std::size_t lane = 0; lane < kSlopeLanes; lane += Width)
+        for (std::size_t lane = 0; lane < kSlopeLanes; lane += kWidth)
             sum(targets, sources, count, lane, sums);
     }
 
@@ -116,7 +116,7 @@ struct Loops {
                                                       const float half_size[3], float squared_reach,
                                                       TensorSource* kept) {
         alignas(64) std::int32_t keep[TensorLeaf::kSize];  // −1 for a source that is kept, else 0
-        for (std::size_t i = 0; i < leaf.count; i += Width) {
+        for (std::size_t i = 0; i < leaf.count; i += kWidth) {
             const Floats x = beyond(load(leaf.x + i) + shift[0], half_size[0]),
                          y = beyond(load(leaf.y + i) + shift[1], half_size[1]),
                          z = beyond(load(leaf.z + i) + shift[2], half_size[2]);
@@ -137,56 +137,25 @@ struct Loops {
     }
 };
 
-using Sum = void(const TensorTargets&, const TensorSource*, std::size_t, TensorSums&);
-using Collect = std::size_t(const TensorLeaf&, const float[3], const float[3], float,
-                            TensorSource*);
-struct Functions {
-    Sum* sum;
-    Collect* collect;
-};
-
-/// The loops for one level of the instruction set.
-#define LAPLACIAN_LINES_LOOPS(Name, Width, Target)                                    \
-    Target void sum_##Name(const TensorTargets& targets, const TensorSource* sources, \
-                           std::size_t count, TensorSums& sums) {                     \
-        Loops<Width>::sum_all(targets, sources, count, sums);                         \
-    }                                                                                 \
-    Target std::size_t collect_##Name(const TensorLeaf& leaf, const float shift[3],   \
-                                      const float half_size[3], float squared_reach,  \
-                                      TensorSource* kept) {                           \
-        return Loops<Width>::collect(leaf, shift, half_size, squared_reach, kept);    \
-    }                                                                                 \
-    constexpr Functions k##Name = {&sum_##Name, &collect_##Name}
-
-LAPLACIAN_LINES_LOOPS(Baseline, 4, );
-#ifdef LAPLACIAN_LINES_LEVELS
-LAPLACIAN_LINES_LOOPS(Avx2, 8, __attribute__((target("arch=x86-64-v3"))));
-LAPLACIAN_LINES_LOOPS(Avx512, 16, __attribute__((target("arch=x86-64-v4"))));
-#endif
-
-const Functions& fastest_functions() {
-#ifdef LAPLACIAN_LINES_LEVELS
-    if (__builtin_cpu_supports("x86-64-v4")) return kAvx512;
-    if (__builtin_cpu_supports("x86-64-v3")) return kAvx2;
-#endif
-    return kBaseline;
-}
-
-const Functions& functions() {
-    static const Functions& fastest = fastest_functions();
-    return fastest;
-}
+LAPLACIAN_LINES_VERSIONS(collect,
+                         (const TensorLeaf& leaf, const float shift[3], const float half_size[3],
+                          float squared_reach, TensorSource* kept),
+                         Loops<kBytes>::collect(leaf, shift, half_size, squared_reach, kept))
+LAPLACIAN_LINES_VERSIONS(sum,
+                         (const TensorTargets& targets, const TensorSource* sources,
+                          std::size_t count, TensorSums& sums),
+                         Loops<kBytes>::sum_all(targets, sources, count, sums))
 
 }  // namespace
 
 std::size_t collect_tensors(const TensorLeaf& leaf, const float shift[3], const float half_size[3],
                             float squared_reach, TensorSource* kept) {
-    return functions().collect(leaf, shift, half_size, squared_reach, kept);
+    return fastest_collect(leaf, shift, half_size, squared_reach, kept);
 }
 
 void sum_tensors(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                  TensorSums& sums) {
-    functions().sum(targets, sources, count, sums);
+    fastest_sum(targets, sources, count, sums);
 }
 
 }  // namespace laplacian_lines

@@ -2,28 +2,16 @@
 #include "sums/simd_grid.h"
 
 #include "sums/spline_kernel.h"
-#include "system/simd_clones.h"
+#include "system/simd_versions.h"
 
 namespace laplacian_lines {
 namespace {
 
-template <class Real>
-struct Lanes;
-template <>
-struct Lanes<float> {
-    typedef float Type __attribute__((vector_size(4 * kMoments)));
-};
-template <>
-struct Lanes<double> {
-    // The widest registers hold 8; two of these make a group.
-    typedef double Type __attribute__((vector_size(8 * kMoments / 2)));
-};
-
-/// A node as vectors.
-template <class Real, int Groups>
+/// A node as vectors of so many bytes.
+template <class Real, int Groups, std::size_t Bytes>
 struct Vectors {
-    using Lane = typename Lanes<Real>::Type;
-    static constexpr int kLane = int(sizeof(Lane) / sizeof(Real));
+    using Lane = typename SimdVector<Real, Bytes>::Type;
+    static constexpr int kLane = int(Bytes / sizeof(Real));
     static constexpr int kFirst = kMoments / kLane;  // vectors in the first group
     static constexpr int kCount = Groups * kFirst;
 
@@ -49,10 +37,10 @@ struct Splines {
     }
 };
 
-template <class Real, int Groups>
+template <std::size_t Bytes, class Real, int Groups>
 LAPLACIAN_LINES_INLINE void spread_any(const GridNode<Real, Groups>& value, const CellPlace& place,
                                        GridNode<Real, Groups>* corner) {
-    using V = Vectors<Real, Groups>;
+    using V = Vectors<Real, Groups, Bytes>;
     Places cubic[4];
     cubic_spline(*reinterpret_cast<const Places*>(place.t), cubic);
     Splines<Real, 4> w;
@@ -72,10 +60,10 @@ LAPLACIAN_LINES_INLINE void spread_any(const GridNode<Real, Groups>& value, cons
         }
 }
 
-template <class Real, int Groups>
+template <std::size_t Bytes, class Real, int Groups>
 LAPLACIAN_LINES_INLINE void interpolate_any(const GridNode<Real, Groups>* corner,
                                             const CellPlace& place, PointSums<Real, Groups>& sums) {
-    using V = Vectors<Real, Groups>;
+    using V = Vectors<Real, Groups, Bytes>;
     using Lane = typename V::Lane;
     const Places t = *reinterpret_cast<const Places*>(place.t);
     Places cubic[4], quartic[5], derivatives[5];
@@ -126,9 +114,9 @@ LAPLACIAN_LINES_INLINE void for_each_row(int part, unsigned rows, Visit visit) {
     }
 }
 
-template <class Real, int Groups>
+template <std::size_t Bytes, class Real, int Groups>
 LAPLACIAN_LINES_INLINE void clear_rows_any(int part, RowMask rows, GridNode<Real, Groups>* box) {
-    using V = Vectors<Real, Groups>;
+    using V = Vectors<Real, Groups, Bytes>;
     for_each_row(
         part, rows, [&](int in_box, int) __attribute__((always_inline)) {
             for (int i = 0; i < kBlock * V::kCount; ++i)
@@ -136,11 +124,11 @@ LAPLACIAN_LINES_INLINE void clear_rows_any(int part, RowMask rows, GridNode<Real
         });
 }
 
-template <class Real, int Groups>
+template <std::size_t Bytes, class Real, int Groups>
 LAPLACIAN_LINES_INLINE void copy_rows_any(int part, RowMask rows,
                                           const GridNode<Real, Groups>* block,
                                           GridNode<Real, Groups>* box) {
-    using V = Vectors<Real, Groups>;
+    using V = Vectors<Real, Groups, Bytes>;
     for_each_row(
         part, rows, [&](int in_box, int in_block) __attribute__((always_inline)) {
             for (int i = 0; i < kBlock * V::kCount; ++i)
@@ -148,10 +136,10 @@ LAPLACIAN_LINES_INLINE void copy_rows_any(int part, RowMask rows,
         });
 }
 
-template <class Real, int Groups>
+template <std::size_t Bytes, class Real, int Groups>
 LAPLACIAN_LINES_INLINE void add_rows_any(int part, RowMask rows, const GridNode<Real, Groups>* box,
                                          GridNode<Real, Groups>* block) {
-    using V = Vectors<Real, Groups>;
+    using V = Vectors<Real, Groups, Bytes>;
     for_each_row(
         part, rows, [&](int in_box, int in_block) __attribute__((always_inline)) {
             for (int i = 0; i < kBlock * V::kCount; ++i)
@@ -163,42 +151,44 @@ LAPLACIAN_LINES_INLINE int row_begin(int axis, int row) {
     return axis == 0 ? 4 * row : axis == 1 ? 16 * (row / 4) + row % 4 : row;
 }
 
-template <class Real, int Groups>
+template <std::size_t Bytes, class Real, int Groups>
 LAPLACIAN_LINES_INLINE void convolve_any(const ConvolutionInput<Real, Groups>& input, RowMask rows,
                                          GridNode<Real, Groups>* output) {
-    using V = Vectors<Real, Groups>;
+    using V = Vectors<Real, Groups, Bytes>;
     using Lane = typename V::Lane;
     const int stride = input.axis == 0 ? 1 : input.axis == 1 ? 4 : 16;
+    constexpr int together = V::kCount < 2 ? V::kCount : 2;  // that registers have room for
     for (int row = 0; row < 16; ++row) {
         const int begin = row_begin(input.axis, row);
-        Lane sum[V::kCount][kBlock]{};
-        for (int b = 0; b < (rows >> row & 1 ? input.count : 0); ++b) {
-            if (!(input.rows[b] >> row & 1)) continue;
-            const GridNode<Real, Groups>* in = input.blocks[b] + begin;
-            const Real* taps = input.taps + kBlock * (b - input.count / 2);
-            for (int k = 0; k < kBlock; ++k)
-                for (int i = 0; i < V::kCount; ++i) {
-                    const Lane g = V::get(in[k * stride].moments, i);
-                    for (int j = 0; j < kBlock; ++j)
-                        sum[i][j] += taps[k - j] * g;
-                }
+        const int count = rows >> row & 1 ? input.count : 0;
+        for (int first = 0; first < V::kCount; first += together) {
+            Lane sum[together][kBlock]{};
+            for (int b = 0; b < count; ++b) {
+                if (!(input.rows[b] >> row & 1)) continue;
+                const GridNode<Real, Groups>* in = input.blocks[b] + begin;
+                const Real* taps = input.taps + kBlock * (b - input.count / 2);
+                for (int k = 0; k < kBlock; ++k)
+                    for (int i = 0; i < together; ++i) {
+                        const Lane g = V::get(in[k * stride].moments, first + i);
+                        for (int j = 0; j < kBlock; ++j)
+                            sum[i][j] += taps[k - j] * g;
+                    }
+            }
+            for (int j = 0; j < kBlock; ++j)
+                for (int i = 0; i < together; ++i)
+                    V::get(output[begin + j * stride].moments, first + i) = sum[i][j];
         }
-        for (int j = 0; j < kBlock; ++j)
-            for (int i = 0; i < V::kCount; ++i)
-                V::get(output[begin + j * stride].moments, i) = sum[i][j];
     }
 }
 
 }  // namespace
 
-// Clones cannot be templates. The parameters come last, since they hold commas.
-#define LAPLACIAN_LINES_GRID_KERNEL(name, Real, Groups, arguments, ...) \
-    LAPLACIAN_LINES_CLONES void name##_##Real##Groups(__VA_ARGS__) {    \
-        name##_any arguments;                                           \
-    }                                                                   \
-    template <>                                                         \
-    void name(__VA_ARGS__) {                                            \
-        name##_##Real##Groups arguments;                                \
+// Versions cannot be templates. The parameters come last, since they hold commas.
+#define LAPLACIAN_LINES_GRID_KERNEL(name, Real, Groups, arguments, ...)                          \
+    LAPLACIAN_LINES_VERSIONS(name##_##Real##Groups, (__VA_ARGS__), name##_any<kBytes> arguments) \
+    template <>                                                                                  \
+    void name(__VA_ARGS__) {                                                                     \
+        fastest_##name##_##Real##Groups arguments;                                               \
     }
 
 #define LAPLACIAN_LINES_GRID_KERNELS(Real, Groups)                                            \

@@ -13,7 +13,7 @@
 namespace laplacian_lines {
 namespace {
 
-// Measured on a processor with AVX-512; the ratios are much the same with AVX2.
+// Measured on a processor with AVX-512; the ratios are about the same with AVX2.
 constexpr double kPerLeafPair = 0.45;  // 32 x 32 pairs, of which many are beyond the cutoff
 constexpr double kQuick = 0.52;        // times that cost, with quick Gaussians
 constexpr double kPerVertex = 0.26;    // to spread and to interpolate
