@@ -169,7 +169,7 @@ std::vector<RidgePiece> ridge_pieces(const TriangleMesh& mesh, const Field& fiel
     std::vector<RidgePiece> pieces;
     for (const Triangle& t : mesh.triangles) {
         Corners corners;
-        for (int k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             corners.numbers[k] = t[k];
             corners.vertices[k] = vertices[t[k]];
             corners.positions[k] = mesh.positions[t[k]] / field.scale.diagonal;
