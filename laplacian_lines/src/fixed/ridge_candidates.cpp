@@ -111,21 +111,20 @@ private:
     Bend bends_[kClusterVertices];
 };
 
-/// In the order of the clusters.
-std::vector<ZeroPieces> find_pieces(const std::vector<PlacedCluster>& placed, float sign) {
+}  // namespace
+
+std::vector<ZeroPieces> find_ridge_pieces(const std::vector<PlacedCluster>& placed, Crest crest) {
     std::vector<ZeroPieces> pieces(placed.size());
     in_parallel<NoScratch>(placed.size(), [&](std::size_t c, NoScratch&) {
-        ClusterRidges(placed[c], std::uint32_t(c), sign).find(pieces[c]);
+        ClusterRidges(placed[c], std::uint32_t(c), crest.sign).find(pieces[c]);
     });
     return pieces;
 }
 
-}  // namespace
-
 RidgeCandidates find_ridge_candidates(const ExtractorData& data,
                                       const std::vector<PlacedCluster>& placed, Crest crest) {
     return trace_zeros(data, crest.kind, kLeastRidgeLength / SharpLength::kMostWeight,
-                       find_pieces(placed, crest.sign));
+                       find_ridge_pieces(placed, crest));
 }
 
 }  // namespace laplacian_lines

@@ -25,6 +25,9 @@ constexpr Crest kConvexCrest{LineKind::Ridge, 1}, kConcaveCrest{LineKind::Valley
 /// and none that is too short however sharp.
 using RidgeCandidates = ZeroLines;
 
+/// Their pieces before they are joined, in the order of the clusters.
+std::vector<ZeroPieces> find_ridge_pieces(const std::vector<PlacedCluster>& placed, Crest crest);
+
 /// The number of threads does not matter.
 RidgeCandidates find_ridge_candidates(const ExtractorData& data,
                                       const std::vector<PlacedCluster>& placed, Crest crest);
