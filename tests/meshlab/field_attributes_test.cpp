@@ -96,7 +96,7 @@ TEST_F(FieldAttributes, ComeBack) {
     EXPECT_EQ(valueOf<Point3m>(mesh, "ll_normal", 2), Point3m(4, 5, 6));
     EXPECT_EQ(valueOf<Point3m>(mesh, "ll_shape_off_diagonal", 0), Point3m(28, 29, 30));
     EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_kernel_size", 4), 52);
-    EXPECT_EQ(mesh.vert_attr.size(), 7u);
+    EXPECT_EQ(mesh.vert_attr.size(), 8u);
 }
 
 TEST_F(FieldAttributes, OfDeletedVerticesAreZero) {
@@ -109,9 +109,9 @@ TEST_F(FieldAttributes, OfDeletedVerticesAreZero) {
 TEST_F(FieldAttributes, FollowTheTable) {
     write(richer);
     EXPECT_EQ(status(), FieldStatus::Current);
-    EXPECT_EQ(valueOf<Point3m>(mesh, "ll_hue", 0), Point3m(69, 70, 71));
-    EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_light", 0), 72);
-    EXPECT_EQ(valueOf<Point3m>(mesh, "ll_hue", 2), Point3m(73, 74, 75));
+    EXPECT_EQ(valueOf<Point3m>(mesh, "ll_hue", 0), Point3m(81, 82, 83));
+    EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_light", 0), 84);
+    EXPECT_EQ(valueOf<Point3m>(mesh, "ll_hue", 2), Point3m(85, 86, 87));
     RicherField back;
     ASSERT_TRUE(store.read(mesh, geometryStamp(mesh), back));
     expectSame(back, richer, richerTable());
@@ -138,7 +138,7 @@ TEST_F(FieldAttributes, OfEarlierFieldsAreRemoved) {
     EXPECT_EQ(status(), FieldStatus::Current);
     write(richer);
     EXPECT_EQ(status(), FieldStatus::Current);
-    EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_light", 4), 84);
+    EXPECT_EQ(valueOf<Scalarm>(mesh, "ll_light", 4), 96);
 }
 
 TEST_F(FieldAttributes, CountOnlyWithEveryValue) {
