@@ -22,8 +22,8 @@ struct ExtractorData {
     std::unique_ptr<unsigned char[], Free> memory_of_clusters;
     std::size_t bytes_of_clusters = 0;
     std::vector<Cluster> clusters;
-    std::vector<std::uint32_t> vertices_of_clusters;  ///< numbers in the mesh, cluster by cluster
-    std::uint32_t vertex_count = 0;                   ///< of the mesh
+    std::vector<std::uint32_t> vertices_of_clusters;  ///< in the prepared mesh, cluster by cluster
+    std::uint32_t vertex_count = 0;                   ///< of the prepared mesh
     /// Of the vertices of clusters; empty if the field has no derivatives.
     std::vector<CurvatureRecord> curvatures;
     std::vector<std::uint32_t> border_edges;
@@ -55,7 +55,7 @@ inline Eigen::Vector3f normal_of(const VertexRecord& record) {
 /// A cluster with where its parts are.
 struct PlacedCluster {
     const Cluster* cluster;
-    const std::uint32_t* vertices;  ///< numbers in the mesh
+    const std::uint32_t* vertices;  ///< numbers in the prepared mesh
     const ClusterTriangle* triangles;
     const VertexRecord* records;
     const float* laplacians;            ///< linear forms
