@@ -2,6 +2,7 @@
 // The commands are described in README.md.
 #include <QApplication>
 #include <QDockWidget>
+#include <QElapsedTimer>
 #include <QFocusEvent>
 #include <QMdiArea>
 #include <QTreeWidget>
@@ -29,8 +30,21 @@ void undockDialogs(const QSize& windowSize) {
     }
 }
 
+// Whether window and view have had these sizes for a while.
+bool stoodStill(const QSize& window, const QSize& view) {
+    constexpr qint64 a_while = 500;  // ms
+    static QSize last_window, last_view;
+    static QElapsedTimer since;
+    if (!since.isValid() || window != last_window || view != last_view) {
+        last_window = window;
+        last_view = view;
+        since.start();
+    }
+    return since.elapsed() >= a_while;
+}
+
 // The main window follows the view: the bars around it have sizes of their own, which settle after
-// some events.
+// some events. Before, a window may seem to be too small.
 Outcome setViewSize(const Command& command) {
     const QStringList parts = command.word(0).split('x');
     const QSize wanted(parts.value(0).toInt(), parts.value(1).toInt());
@@ -42,11 +56,13 @@ Outcome setViewSize(const Command& command) {
     if (area->size() == wanted) return Outcome::Done;
     const QSize needed = window->size() + wanted - area->size();
     if (needed.width() < window->minimumSizeHint().width() ||
-        needed.height() < window->minimumSizeHint().height())
+        needed.height() < window->minimumSizeHint().height()) {
+        if (!stoodStill(window->size(), area->size())) return Outcome::Retry;
         throw CommandError(
             QString("MeshLab's window does not get so small; at least %1x%2")
                 .arg(window->minimumSizeHint().width() - window->width() + area->width())
                 .arg(window->minimumSizeHint().height() - window->height() + area->height()));
+    }
     window->setGeometry(QRect(QPoint(0, 0), needed));
     return Outcome::Retry;
 }
