@@ -15,17 +15,24 @@ namespace {
 constexpr double kLargestFloat = 1e38;
 constexpr double kSmoothed = 0.3;  // of the time
 
-/// S(u,u), S(u,v), S(v,v), smoothed where there is a fit.
+/// S(u,u), S(u,v), S(v,v) of a vertex.
+Eigen::Vector3d entries_of(const CurvedVertex& v) {
+    const Eigen::Vector3d su = v.shape_operator * v.u, sv = v.shape_operator * v.v;
+    return {v.u.dot(su), v.u.dot(sv), v.v.dot(sv)};
+}
+
+/// The same of all, smoothed where there is a fit.
 std::vector<Eigen::Vector3d> smooth(const PreparedMesh& mesh, const Field& field,
                                     const TensorFits& fits, const StageProgress& stage) {
     std::vector<Eigen::Vector3d> smoothed = large_array<Eigen::Vector3d>(mesh.size());
-    for_each_element(mesh.size(), [&](std::size_t i) {
-        const CurvedVertex v = curved_vertex(mesh, field, std::uint32_t(i));
-        const Eigen::Vector3d su = v.shape_operator * v.u, sv = v.shape_operator * v.v;
-        smoothed[i] = {v.u.dot(su), v.u.dot(sv), v.v.dot(sv)};
+    std::vector<std::uint8_t> failed(mesh.size(), 1);
+    fits.for_each(kSmoothReach, stage, [&](std::uint32_t v, const TensorFit& fit) {
+        smoothed[v] = fit.value;
+        failed[v] = 0;
     });
-    fits.for_each(kSmoothReach, stage,
-                  [&](std::uint32_t v, const TensorFit& fit) { smoothed[v] = fit.value; });
+    for_each_element(mesh.size(), [&](std::size_t v) {
+        if (failed[v]) smoothed[v] = entries_of(curved_vertex(mesh, field, std::uint32_t(v)));
+    });
     return smoothed;
 }
 
