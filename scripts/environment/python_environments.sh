@@ -3,10 +3,11 @@
 
 require environment/cache environment/messages environment/obstacles environment/packages
 
-# install_python_packages FOLDER PACKAGE...
+# install_python_packages PACKAGE... FOLDER
 install_python_packages() {
-    python3 -m venv "$1" &&
-        "$1/bin/python" -m pip --disable-pip-version-check --no-input install "${@:2}"
+    local folder=${*: -1}
+    python3 -m venv "$folder" &&
+        "$folder/bin/python" -m pip --disable-pip-version-check --no-input install "${@:1:$#-1}"
 }
 
 # ensure_python_environment NAME VERSION SIZE PACKAGE...: one for this Python, of about that size; sets
