@@ -33,7 +33,6 @@ public:
           usable_(without_unusable(mesh)),
           field_(precompute(mesh)),
           extractor_(mesh, field_),
-          visibility_(mesh, field_),
           edges_(sharp_edges(usable_, options.edge_angle)) {}
 
     std::vector<View> views() const { return views_around(usable_, options_.views); }
@@ -43,9 +42,10 @@ public:
         const PictureCamera camera(view, usable_, options_.size);
         const DepthPicture surface(camera, usable_);
         extractor_.extract(view, options_.style, scratch_, lines_);
-        const PixelMask lines = line_pixels(camera, visibility_.visible_parts(view, lines_));
-        const PixelMask outline = surface.outline();
         const double d = field_.scale.diagonal;
+        const PixelMask lines =
+            line_pixels_in_sight(camera, surface, lines_, d, sight_edge(field_));
+        const PixelMask outline = surface.outline();
         const PixelMask edges = edge_pixels(camera, surface, edges_, kSightClearance * d);
         const ViewMeasures result{drawn(outline, lines), strays(surface, lines, d),
                                   drawn(edges, lines), camera.is_perspective()};
@@ -61,7 +61,6 @@ private:
     const TriangleMesh usable_;
     const Field field_;
     const LineExtractor extractor_;
-    const LineVisibility visibility_;
     const std::vector<EdgeEnds> edges_;
     ExtractionScratch scratch_;
     LineSet lines_;

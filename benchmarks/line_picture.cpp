@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "laplacian_lines/line_visibility.h"
+
 namespace benchmarks {
 
 using laplacian_lines::LinePoint;
@@ -64,6 +66,35 @@ Eigen::Vector3d normal(const TriangleMesh& mesh, const EdgeSide& side) {
     return side.forwards ? n : Eigen::Vector3d(-n);
 }
 
+void set_pixel(const Eigen::Vector3d& place, PixelMask& mask) {
+    mask.set(int(std::floor(place.x())), int(std::floor(place.y())));
+}
+
+/// Whether no surface lies nearer than a place by more than `clearance`.
+bool is_in_sight(const DepthPicture& surface, const Eigen::Vector3d& place, double clearance) {
+    const std::int32_t t =
+        surface.triangle_at(int(std::floor(place.x())), int(std::floor(place.y())));
+    return t < 0 || surface.plane_depth(t, place.x(), place.y()) >= place.z() - clearance;
+}
+
+/// Where lines have enough ink and `counts`(line, place).
+template <class Counts>
+PixelMask pixels_with_ink(const PictureCamera& camera, const LineSet& lines, Counts counts) {
+    PixelMask mask(camera.size());
+    for (const Polyline& line : lines.lines)
+        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i) {
+            const LinePoint &a = lines.points[i - 1], &b = lines.points[i];
+            for_each_place(camera, a.position.cast<double>(), b.position.cast<double>(),
+                           [&](double share, const Eigen::Vector3d& p) {
+                               const double weight = (1 - share) * a.weight + share * b.weight;
+                               const double opacity = (1 - share) * a.opacity + share * b.opacity;
+                               if (weight * opacity >= kLeastInk && counts(line, p))
+                                   set_pixel(p, mask);
+                           });
+        }
+    return mask;
+}
+
 }  // namespace
 
 void for_each_place(const PictureCamera& camera, const Eigen::Vector3d& from,
@@ -78,19 +109,15 @@ void for_each_place(const PictureCamera& camera, const Eigen::Vector3d& from,
 }
 
 PixelMask line_pixels(const PictureCamera& camera, const LineSet& lines) {
-    PixelMask mask(camera.size());
-    for (const Polyline& line : lines.lines)
-        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i) {
-            const LinePoint &a = lines.points[i - 1], &b = lines.points[i];
-            for_each_place(camera, a.position.cast<double>(), b.position.cast<double>(),
-                           [&](double share, const Eigen::Vector3d& p) {
-                               const double weight = (1 - share) * a.weight + share * b.weight;
-                               const double opacity = (1 - share) * a.opacity + share * b.opacity;
-                               if (weight * opacity >= kLeastInk)
-                                   mask.set(int(std::floor(p.x())), int(std::floor(p.y())));
-                           });
-        }
-    return mask;
+    return pixels_with_ink(camera, lines,
+                           [](const Polyline&, const Eigen::Vector3d&) { return true; });
+}
+
+PixelMask line_pixels_in_sight(const PictureCamera& camera, const DepthPicture& surface,
+                               const LineSet& lines, double diagonal, double sight_edge) {
+    return pixels_with_ink(camera, lines, [&](const Polyline& line, const Eigen::Vector3d& p) {
+        return is_in_sight(surface, p, sight_clearance(line.kind, diagonal, sight_edge));
+    });
 }
 
 std::vector<EdgeEnds> sharp_edges(const TriangleMesh& mesh, double degrees) {
@@ -114,9 +141,7 @@ PixelMask edge_pixels(const PictureCamera& camera, const DepthPicture& surface,
     PixelMask mask(camera.size());
     for (const EdgeEnds& edge : edges)
         for_each_place(camera, edge.from, edge.to, [&](double, const Eigen::Vector3d& p) {
-            const int x = int(std::floor(p.x())), y = int(std::floor(p.y()));
-            const std::int32_t t = surface.triangle_at(x, y);
-            if (t < 0 || surface.plane_depth(t, p.x(), p.y()) >= p.z() - clearance) mask.set(x, y);
+            if (is_in_sight(surface, p, clearance)) set_pixel(p, mask);
         });
     return mask;
 }

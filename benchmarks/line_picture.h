@@ -24,6 +24,12 @@ void for_each_place(const PictureCamera& camera, const Eigen::Vector3d& from,
 /// The pixels that the middles of lines pass, where there is enough ink.
 PixelMask line_pixels(const PictureCamera& camera, const laplacian_lines::LineSet& lines);
 
+/// The same where a redraw shows them: where no surface lies nearer than a line by more than
+/// sight_clearance() of its kind, of a mesh with this D and `sight_edge`.
+PixelMask line_pixels_in_sight(const PictureCamera& camera, const DepthPicture& surface,
+                               const laplacian_lines::LineSet& lines, double diagonal,
+                               double sight_edge);
+
 struct EdgeEnds {
     Eigen::Vector3d from, to;
 };

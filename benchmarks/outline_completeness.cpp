@@ -19,6 +19,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "command_words.h"
 #include "drawing_report.h"
 #include "laplacian_lines/option_table.h"
 #include "mesh_file.h"
@@ -59,14 +60,7 @@ void set_option(const std::string& text, LineStyle& style) {
 
 Arguments parse(int argc, char** argv) {
     Arguments result;
-    for (int i = 1; i < argc; ++i) {
-        const std::string argument = argv[i];
-        if (argument[0] != '-') {
-            result.files.push_back(argument);
-            continue;
-        }
-        if (++i == argc) throw std::invalid_argument(argument + " needs a value");
-        const std::string value = argv[i];
+    const auto set = [&](const std::string& argument, const std::string& value) {
         if (argument == "--only")
             result.only = value;
         else if (argument == "--set")
@@ -82,8 +76,10 @@ Arguments parse(int argc, char** argv) {
         else if (argument == "--json")
             result.json = value;
         else
-            throw std::invalid_argument("unknown option " + argument);
-    }
+            return false;
+        return true;
+    };
+    result.files = files_among(argc, argv, set);
     return result;
 }
 

@@ -8,11 +8,12 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMap>
-#include <QSaveFile>
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/contact_sheet.h"
+#include "line_drawing/whole_file.h"
 #include "mesh_reading.h"
+#include "say.h"
 
 namespace {
 
@@ -81,10 +82,10 @@ bool CollectionFolder::isUpToDate(const CollectionItem& item) const {
 void CollectionFolder::remember(const CollectionItem& item) const {
     const QJsonObject record{{"mesh", QFileInfo(item.mesh).fileName()},
                              {"key", QString::fromLatin1(item.key)}};
-    QSaveFile file(recordOf(item));
-    if (file.open(QIODevice::WriteOnly)) {
-        file.write(QJsonDocument(record).toJson());
-        file.commit();
+    try {
+        line_drawing::writeWhole(recordOf(item), QJsonDocument(record).toJson());
+    } catch (const laplacian_lines::Error& error) {  // the drawing is there
+        say(stderr, QString::fromUtf8(error.what()) + " It will be drawn again next time.");
     }
 }
 

@@ -43,6 +43,10 @@ const std::map<QString, line_drawing::WallStyle> walls = {
     {"none", line_drawing::WallStyle::None}};
 const std::map<QString, line_drawing::HiddenLines> hidden = {
     {"none", line_drawing::HiddenLines::LeftOut}, {"dashed", line_drawing::HiddenLines::Dashed}};
+const std::map<QString, line_drawing::Weights> weights = {
+    {"illustrator", line_drawing::Weights::Illustrator}, {"iso", line_drawing::Weights::Iso}};
+const std::map<QString, line_drawing::OutlineArea> areas = {
+    {"none", line_drawing::OutlineArea::None}, {"filled", line_drawing::OutlineArea::Filled}};
 const std::map<QString, bool> furniture = {{"all", true}, {"none", false}};
 
 const std::map<QString, QString> formats = {
@@ -108,6 +112,11 @@ CommandLine parseCommandLine(const QStringList& arguments) {
          [&](const QString& o, const QString& v) { options.style.shows = parseKinds(o, v); }},
         {"--hidden",
          [&](const QString& o, const QString& v) { options.hidden = chosen(o, v, hidden); }},
+        {"--weights",
+         [&](const QString& o, const QString& v) {
+             options.pens = line_drawing::pensOf(chosen(o, v, weights));
+         }},
+        {"--area", [&](const QString& o, const QString& v) { options.area = chosen(o, v, areas); }},
         {"--furniture",
          [&](const QString& o, const QString& v) {
              options.has_view_names = options.has_scale_bar = options.has_notes =
@@ -170,6 +179,8 @@ const char* usage() {
            "  --kinds NAMES        of lines, with the outlines: usual, laplacian_lines, ridges,\n"
            "                       apparent_ridges and so on, with commas; a wrong one lists all\n"
            "  --hidden none|dashed outlines and creases behind the surface (none)\n"
+           "  --weights illustrator|iso   outlines widest, or edges as wide as they (illustrator)\n"
+           "  --area none|filled   what the outlines enclose, as an area of its own (none)\n"
            "  --up x|y|z           the axis of the mesh that points up (y)\n"
            "  --unit mm|cm|m|in    the unit of the mesh (mm)\n"
            "  --scale 1:2|fit      drawn to true length; fit: the largest usual one (fit)\n"

@@ -2,6 +2,7 @@
 #include <QGuiApplication>
 #include <QLocale>
 #include <clocale>
+#include <csignal>
 #include <exception>
 #include <new>
 
@@ -43,6 +44,8 @@ int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");  // for fonts; nothing is shown
     int no_arguments = 1;                     // Qt would take some of ours for its own
     qInstallMessageHandler(passOn);
+    for (const int signal : {SIGXFSZ, SIGPIPE})  // where a quota or a pipe ends, writing says so
+        std::signal(signal, SIG_IGN);
     const QGuiApplication application(no_arguments, argv);
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's, and readers of meshes expect points
     QLocale::setDefault(QLocale::C);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "one_drawing.h"
 
-#include <QSaveFile>
-
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/sheet_file.h"
+#include "line_drawing/whole_file.h"
 #include "mesh_reading.h"
 #include "say.h"
 
@@ -52,15 +51,6 @@ laplacian_lines::Field fieldOf(const TriangleMesh& mesh, const QString& file,
     }
 }
 
-void writeView(const line_drawing::Sheet& sheet, const QString& file) {
-    QSaveFile output(file);
-    if (!output.open(QIODevice::WriteOnly) || output.write(line_drawing::packSheet(sheet)) < 0 ||
-        !output.commit())
-        throw laplacian_lines::Error(
-            laplacian_lines::ErrorCode::InvalidOption,
-            QString("\"%1\" cannot be written: %2").arg(file, output.errorString()).toStdString());
-}
-
 }  // namespace
 
 void drawOne(const CommandLine& commands) {
@@ -78,6 +68,9 @@ void drawOne(const CommandLine& commands) {
         objects.push_back({meshes[i], fields[i]});
     const std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
     line_drawing::writeSheet(sheets[0], commands.drawing, commands.dpi);
-    if (has_view) writeView(sheets[1], commands.contact_view);
+    for (const QString& remark : sheets[0].remarks)
+        say(stderr, remark);
+    if (has_view)
+        line_drawing::writeWhole(commands.contact_view, line_drawing::packSheet(sheets[1]));
     say(stdout, "the drawing is " + commands.drawing);
 }

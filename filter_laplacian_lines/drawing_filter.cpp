@@ -85,6 +85,8 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const QString file = QFileInfo(chosen.file).absoluteFilePath();
     const Eigen::Vector3d size = options.mm_per_unit * sizeOf(layers);
     run.say(report(layers, file, sheet, size, options));
+    for (const QString& remark : sheet.remarks)
+        run.say(remark);
     run.results["scale"] = sheet.scale;
     meshlab_host::addResult("paper", {sheet.size.width(), sheet.size.height(), 0}, run.results);
     meshlab_host::addResult("object", size, run.results);

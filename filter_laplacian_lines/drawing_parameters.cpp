@@ -87,6 +87,10 @@ std::vector<AnyRow> makeRows() {
         folded(
             rows::choice<&Parameters::hidden>("hidden", "Hidden Lines", {"None", "Dashed"},
                                               "Outlines, borders and creases behind the surface.")),
+        folded(rows::choice<&Parameters::weights>(
+            "weights", "Line Weights", {"Illustrator", "ISO 128"},
+            "Illustrator: outlines are widest, edges within the form thin. ISO 128: edges that are "
+            "seen are as wide as outlines, other lines half as wide.")),
         folded(rows::boolean<&Parameters::has_furniture>(
             "furniture", "Scale Bar and Notes",
             "Names of views, scale bar, symbol of the projection, notes of scale, size and "

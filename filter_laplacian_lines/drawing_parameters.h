@@ -24,9 +24,10 @@ struct DrawingParameters {
     line_drawing::Arrangement arrangement = line_drawing::Arrangement::FirstAngle;
     line_drawing::StrokeStyle strokes = line_drawing::StrokeStyle::Tapered;
     line_drawing::WallStyle wall = line_drawing::WallStyle::Hatched;
+    line_drawing::Weights weights = line_drawing::Weights::Illustrator;
     bool has_furniture = true;
     line_drawing::HiddenLines hidden = line_drawing::HiddenLines::LeftOut;
-    bool is_of_all_layers = false;  ///< the visible ones
+    bool is_of_all_layers = false;    ///< the visible ones
     int settings = default_settings;  ///< from 2 on, mixtures of lines
 };
 

@@ -68,6 +68,7 @@ SheetOptions sheetOptions(const DrawingParameters& chosen,
     options.strokes = line_drawing::strokesIn(chosen.file, chosen.strokes);
     options.wall = chosen.wall;
     options.hidden = chosen.hidden;
+    options.pens = line_drawing::pensOf(chosen.weights);
     options.title = chosen.title;
     options.has_view_names = options.has_scale_bar = options.has_notes = chosen.has_furniture;
     if (chosen.settings == settings_of_decoration) takeFromDecoration(options);

@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 #include <array>
+#include <optional>
 
 #include "filter_help.h"
 #include "laplacian_lines/error.h"
@@ -44,23 +45,38 @@ struct Source {
     Eigen::Matrix4d layer;
 };
 
-LineSet extract(const Source& source, const laplacian_lines::Field& field, const View& view,
-                const PolylineParameters& chosen, vcg::CallBackPos* progress) {
-    const laplacian_lines::LineVisibility visibility(
-        source.triangles, field, meshlab_host::progressTo(progress, field_share, sight_share));
-    if (view.w != 0 && visibility.encloses(view.eye / view.w))
+using Visibility = std::optional<laplacian_lines::LineVisibility>;
+
+/// None, if it is not asked.
+Visibility visibilityOf(const Source& source, const View& view, const PolylineParameters& chosen,
+                        vcg::CallBackPos* progress) {
+    Visibility visibility;
+    if (!chosen.visible_only && view.w == 0) return visibility;
+    visibility.emplace(source.triangles,
+                       meshlab_host::progressTo(progress, field_share, sight_share));
+    if (view.w != 0 && visibility->encloses(view.eye / view.w))
         throw Error(ErrorCode::InvalidOption,
                     "The viewpoint is inside the surface. Move it outside, or choose an "
                     "orthographic view.");
+    return visibility;
+}
+
+LineSet extract(const Source& source, const laplacian_lines::Field& field, const View& view,
+                const PolylineParameters& chosen, vcg::CallBackPos* progress) {
+    const Visibility visibility = visibilityOf(source, view, chosen, progress);
     const laplacian_lines::LineExtractor extractor(
         source.triangles, field, meshlab_host::progressTo(progress, sight_share, extractor_share));
     meshlab_host::beginStep(progress, extractor_share, "Extracting lines");
     laplacian_lines::ExtractionScratch scratch;
     LineSet lines;
-    extractor.extract(view, chosen.style, scratch, lines);
     if (chosen.visible_only)
-        lines =
-            visibility.visible_parts(view, lines, meshlab_host::progressTo(progress, lines_share));
+        lines = visibility
+                    ->parts(view, {extract_on_surface(extractor, view, chosen.style, scratch)},
+                            {chosen.style.shows, chosen.style.line_smoothing},
+                            meshlab_host::progressTo(progress, lines_share))
+                    .seen;
+    else
+        extractor.extract(view, chosen.style, scratch, lines);
     if (lines.lines.empty())
         throw Error(ErrorCode::InvalidOption,
                     "No lines are seen from there, so no layer was created. Take another view, "

@@ -44,11 +44,12 @@ int main(int argc, char** argv) try {
     const TriangleMesh mesh = read_obj(mesh_file);
     const Field field = precompute(mesh);
     const View view = View::orthographic({0, 0, 1});
+    const LineStyle style;
     ExtractionScratch scratch;
-    LineSet lines;
-    LineExtractor(mesh, field).extract(view, LineStyle(), scratch, lines);
+    const LineSet lines = extract_on_surface(LineExtractor(mesh, field), view, style, scratch);
     std::ofstream line_file(argv[2]);
-    write_obj(LineVisibility(mesh, field).visible_parts(view, lines), line_file);
+    write_obj(LineVisibility(mesh).parts(view, {lines}, {style.shows, style.line_smoothing}).seen,
+              line_file);
     return line_file.flush() ? 0 : 1;
 } catch (const std::exception& error) {
     std::cerr << "lines: " << error.what() << '\n';

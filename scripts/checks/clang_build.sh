@@ -20,7 +20,7 @@ build_with_clang() {
     say "building with clang and the sanitizers $sanitizers"
     build_targets "$checkout" "$@" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \
         "-DCMAKE_CXX_FLAGS=-O1 -gline-tables-only" -DLAPLACIAN_LINES_BUILD_TESTS=ON -DLAPLACIAN_LINES_WERROR=ON \
-        "-DLAPLACIAN_LINES_SANITIZE=$sanitizers"
+        "-DLAPLACIAN_LINES_SANITIZE=$sanitizers" -DLAPLACIAN_LINES_PRECOMPILE=OFF # so that missing includes show
 }
 
 # build_checks CHECKOUT TARGETS...

@@ -7,10 +7,11 @@ LEAST_COVERAGE=95 # percent of the core's lines
 # Tests of accuracy, of many meshes, triangles or options, and of many threads take minutes under sanitizers. Others run
 # the same code.
 SLOW_UNDER_SANITIZERS=('*WithAnyOptions*' '*Converge*' '*Guarantee*' 'RealModel*' 'Models/*' 'Meshes/PlainComparison*'
-    '*TorusLines*' '*Monotone*' '*Large*' '*KindsOnSurface*' 'LineSight.ContoursHaveNoShortGaps*'
+    '*TorusLines*' '*Monotone*' '*Large*' '*KindsOnSurface*' '*ClosedOutlines*' 'PlainSight.*'
     'ExactPointLight.*' 'SummationChoice.FollowsThePredictedCost' 'EndlessSum.*'
     'Borders.CorrectionHelpsMoreOnFinerMeshes' 'Determinism.*' '*.DoNotDependOnTheNumberOfThreads'
-    '*.DoesNotDependOnTheNumberOfThreads' '*FiniteFromAnyEye/book' '*FiniteFromAnyEye/cut_star')
+    '*.DoesNotDependOnTheNumberOfThreads' '*FiniteFromAnyEye/book' '*FiniteFromAnyEye/cut_star'
+    '*FiniteFromAnyEye/triangle_soup')
 
 SHARDS=$((2 * $(nproc))) # more than processors, for some take longer
 

@@ -25,8 +25,8 @@ struct Builder {
 const Builder builders[] = {
     {"LineExtractor", [](const TriangleMesh& mesh, const Field& field,
                          const Progress& progress) { LineExtractor(mesh, field, progress); }},
-    {"LineVisibility", [](const TriangleMesh& mesh, const Field& field,
-                          const Progress& progress) { LineVisibility(mesh, field, progress); }},
+    {"LineVisibility", [](const TriangleMesh& mesh, const Field&,
+                          const Progress& progress) { LineVisibility(mesh, progress); }},
 };
 
 /// 230,400 triangles: more than Eigen's trees have at most.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Includes between rooms go one way: a file of a room includes files of its own room, of those that come before it, and
-# public headers of the core. With -P; needs FOLDER, with a folder for each room, and ROOMS in their order, separated by
-# commas. With SOME, the folder holds other things, too, and files include those beside them without naming the room.
+# public headers of the core and of the library PUBLIC. With -P; needs FOLDER, with a folder for each room, and ROOMS in
+# their order, separated by commas. With SOME, the folder holds other things, too, and files include those beside them without naming the room.
 cmake_minimum_required(VERSION 3.18)
 string(REPLACE "," ";" ROOMS "${ROOMS}")
 file(GLOB entries RELATIVE "${FOLDER}" "${FOLDER}/*")
@@ -15,7 +15,7 @@ endif()
 
 set(includes 0)
 set(errors "")
-set(allowed laplacian_lines) # public headers
+set(allowed laplacian_lines ${PUBLIC}) # public headers
 foreach(room IN LISTS ROOMS)
   list(APPEND allowed ${room})
   file(GLOB_RECURSE sources RELATIVE "${FOLDER}" "${FOLDER}/${room}/*.h" "${FOLDER}/${room}/*.cpp")

@@ -7,6 +7,7 @@
 #include "edges_of_lines.h"
 #include "generators.h"
 #include "helpers.h"
+#include "implicit_head.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_noise.h"
 
@@ -51,6 +52,84 @@ TriangleMesh turned(std::uint32_t sides, const std::vector<std::pair<double, dou
         }
     }
     return mesh;
+}
+
+/// A closed solid along y over a convex polygon of x and z.
+TriangleMesh prism(const std::vector<std::pair<double, double>>& section, double length) {
+    TriangleMesh mesh;
+    const auto n = std::uint32_t(section.size());
+    for (const double y : {0., length})
+        for (const auto& [x, z] : section)
+            mesh.positions.push_back({x, y, z});
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t next = (i + 1) % n;
+        mesh.triangles.push_back({i, n + i, n + next});
+        mesh.triangles.push_back({i, n + next, next});
+        if (i < 2) continue;
+        mesh.triangles.push_back({0, i - 1, i});
+        mesh.triangles.push_back({n, n + i, n + i - 1});
+    }
+    return mesh;
+}
+
+/// A square plate of four trapezes around a hole on either side, and their walls.
+TriangleMesh plate_with_hole(std::uint32_t sides) {
+    TriangleMesh mesh;
+    for (const double z : {0., 0.2}) {
+        for (std::uint32_t i = 0; i < sides; ++i)
+            mesh.positions.push_back(
+                {0.5 * std::cos(kTurn * i / sides), 0.5 * std::sin(kTurn * i / sides), z});
+        for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
+            mesh.positions.push_back({double(x), double(y), z});
+    }
+    const std::uint32_t layer = sides + 4;
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        mesh.triangles.push_back({layer + a, layer + b, layer + c});
+        mesh.triangles.push_back({a, c, b});
+    };
+    const auto wall = [&](std::uint32_t a, std::uint32_t b) {
+        mesh.triangles.push_back({a, b, layer + b});
+        mesh.triangles.push_back({a, layer + b, layer + a});
+    };
+    const auto corner = [&](std::uint32_t i) { return sides + (4 * i + 2) / sides % 4; };
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t next = (i + 1) % sides, here = corner(i), there = corner(i + 1);
+        add(i, here, next);
+        if (here != there) add(next, here, there);
+        if (here != there) wall(here, there);
+        wall(next, i);
+    }
+    return mesh;
+}
+
+/// A box with a truncated pyramid on it: rectangles of these half sides and heights, one on the
+/// other, each face cut along the one diagonal or the other, by bits that repeat after 32 faces.
+TriangleMesh stepped_pyramid(const std::vector<Eigen::Vector3d>& rectangles, unsigned diagonals) {
+    TriangleMesh mesh;
+    for (const Eigen::Vector3d& r : rectangles)
+        for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
+            mesh.positions.push_back({x * r.x(), y * r.y(), r.z()});
+    unsigned face = 0;
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        const bool other = diagonals >> (face++ % 32) & 1;
+        mesh.triangles.push_back({a, b, other ? d : c});
+        mesh.triangles.push_back({other ? b : a, c, d});
+    };
+    const std::uint32_t top = std::uint32_t(mesh.positions.size()) - 4;
+    add(3, 2, 1, 0);
+    add(top, top + 1, top + 2, top + 3);
+    for (std::uint32_t ring = 0; ring < top; ring += 4)
+        for (std::uint32_t i = 0; i < 4; ++i)
+            add(ring + i, ring + (i + 1) % 4, ring + 4 + (i + 1) % 4, ring + 4 + i);
+    return mesh;
+}
+
+/// Edges of a line set that go along the length of prism().
+std::size_t edges_along(const TriangleMesh& mesh, const LineSet& lines) {
+    std::size_t count = 0;
+    for (const Edge& edge : edges_of(mesh, lines))
+        count += mesh.positions[edge.first].y() != mesh.positions[edge.second].y();
+    return count;
 }
 
 /// Edges of a line set that go along the rings of turned().
@@ -123,6 +202,129 @@ TEST(Creases, AreWeakEdgesBetweenFlatterForms) {
         sharper.crease_angle = 45;
         EXPECT_EQ(edges_of(mesh, creases_of(mesh, sharper)).size(), 2 * sides);
     }
+}
+
+/// Facets turn again and again: however coarse, of cylinders, cones and tori.
+TEST(Creases, AreNoFacets) {
+    for (const std::uint32_t sides : {10u, 11u, 16u, 30u, 64u}) {
+        const TriangleMesh cylinder = turned(sides, {{0.5, -1}, {0.5, 1}}),
+                           cone = turned(sides, {{0.5, -1}, {0.1, 0}, {0.1, 1}});
+        EXPECT_EQ(edges_of(cylinder, creases_of(cylinder)).size(), 2 * sides) << sides;
+        EXPECT_EQ(edges_on_rings(cone, creases_of(cone)), edges_of(cone, creases_of(cone)).size());
+    }
+    for (const int columns : {12, 16, 24})
+        EXPECT_TRUE(creases_of(test_meshes::torus(columns, columns).mesh).lines.empty()) << columns;
+}
+
+/// Between flat faces, however low, and beside facets that turn by more.
+TEST(Creases, AreLowEdgesBetweenFlatFaces) {
+    for (const double angle : {4., 5., 10., 20., 35.}) {
+        const double slope = std::tan(angle / 2 / 360 * kTurn);
+        const TriangleMesh mesh = prism({{-1, 0}, {1, 0}, {1, 1}, {0, 1 + slope}, {-1, 1}}, 2);
+        EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 15u) << angle;
+    }
+    for (const std::uint32_t sides : {12u, 24u, 64u}) {  // a chamfer of 45 degrees, and one of 15
+        for (const double width : {0.1, 0.1 / std::tan(kTurn / 24)}) {
+            const TriangleMesh mesh = turned(sides, {{0.5, -1}, {0.5, 0.5}, {0.4, 0.5 + width}});
+            EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 3 * sides) << sides << ' ' << width;
+        }
+    }
+}
+
+/// Faces of two triangles each: no edge between two of them is the diagonal of another quad, and
+/// the face on top is no facet of an arc of three, be its neighbours as wide as it or not.
+TEST(Creases, AreTheLowEdgesOfPyramids) {
+    for (const double top : {0.15, 0.25, 0.4, 0.5})
+        for (const double height : {0.05, 0.1, 0.2})
+            for (const unsigned diagonals : {0u, 0x3ffu, 0x155u, 0x2ccu}) {
+                const TriangleMesh mesh = stepped_pyramid(
+                    {{0.9, 0.6, 0}, {0.9, 0.6, 0.2}, {0.3 + top, top, 0.2 + height}}, diagonals);
+                EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 20u)
+                    << top << ' ' << height << ' ' << diagonals;
+            }
+}
+
+/// Of a fillet, tangent at both ends, neither its ends nor its facets; of a quarter of a circle
+/// that meets its neighbours at angles, its ends.
+TEST(Creases, AreTheEndsOfArcsThatAreNotTangent) {
+    for (const int facets : {3, 4, 6, 12}) {
+        std::vector<std::pair<double, double>> fillet{{-2, -2}, {1, -2}}, bulge{{-2, -2}, {1, -2}};
+        for (int i = 0; i <= facets; ++i) {
+            const double angle = kTurn / 4 * i / facets, low = angle / 2 + kTurn / 16;
+            fillet.push_back({std::cos(angle), std::sin(angle)});
+            bulge.push_back({0.3 + std::cos(low), std::sin(low)});
+        }
+        for (auto* section : {&fillet, &bulge})
+            section->push_back({-2, section->back().second});
+        const TriangleMesh round = prism(fillet, 1), blunt = prism(bulge, 1);
+        EXPECT_EQ(edges_along(round, creases_of(round)), 3u) << facets;
+        EXPECT_EQ(edges_along(blunt, creases_of(blunt)), 5u) << facets;
+    }
+}
+
+/// A plate with a block in its middle, a concave fillet around it and a convex one around its top.
+TriangleMesh filleted_block(int facets, double top_radius, unsigned diagonals) {
+    std::vector<Eigen::Vector3d> rings{{4, 3, -1}, {4, 3, 0}};
+    for (int i = 0; i <= facets; ++i) {
+        const double angle = kTurn / 4 * i / facets, out = 1 - std::sin(angle);
+        rings.push_back({2 + out, 1.2 + out, 1 - std::cos(angle)});
+    }
+    for (int i = 0; i <= (top_radius > 0 ? facets : 0); ++i) {
+        const double angle = kTurn / 4 * i / facets, in = top_radius * (1 - std::cos(angle));
+        rings.push_back({2 - in, 1.2 - in, 3 + top_radius * std::sin(angle)});
+    }
+    return stepped_pyramid(rings, diagonals);
+}
+
+/// Where fillets around a block meet, an edge runs from the block's corner out into the plate, ever
+/// lower, and ends there.
+TEST(Creases, RunOutAlongTheMitresOfFillets) {
+    for (const int facets : {3, 4, 6})
+        for (const unsigned diagonals : {0u, ~0u, 0x55555555u}) {
+            const TriangleMesh mesh = filleted_block(facets, 0, diagonals);
+            EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), std::size_t(20 + 4 * facets))
+                << facets << ' ' << diagonals;
+        }
+}
+
+/// They are not led on along the fillets' facets, although these meet the mitre at its end.
+TEST(Creases, DoNotRunOutAlongFacets) {
+    for (const int facets : {4, 6, 10, 12, 16}) {
+        const TriangleMesh mesh = filleted_block(facets, 0.6, 0);
+        for (const auto& [a, b] : edges_of(mesh, creases_of(mesh))) {
+            const Eigen::Vector3d way = mesh.positions[a] - mesh.positions[b];
+            const double z = std::min(mesh.positions[a].z(), mesh.positions[b].z());
+            EXPECT_TRUE(z <= 0 || std::abs(way.z()) > 0) << facets << ' ' << z;
+        }
+    }
+}
+
+TEST(Creases, AreTheRimsOfHolesInPlates) {
+    for (const std::uint32_t sides : {6u, 12u, 24u, 100u}) {
+        const TriangleMesh mesh = plate_with_hole(sides);
+        EXPECT_EQ(edges_on_rings(mesh, creases_of(mesh)), 2 * sides + 8) << sides;
+    }
+}
+
+/// A saddle of few quads, each cut along a diagonal.
+TEST(Creases, AreNotDiagonalsOfTwistedFaces) {
+    TriangleMesh mesh;
+    const std::uint32_t rows = 7;
+    for (std::uint32_t i = 0; i < rows * rows; ++i) {
+        const double x = i % rows / 3. - 1, y = i / rows / 3. - 1;
+        mesh.positions.push_back({x, y, 0.5 * x * y});
+    }
+    for (std::uint32_t i = 0; i + rows < rows * rows; ++i) {
+        if (i % rows == rows - 1) continue;
+        mesh.triangles.push_back({i, i + 1, i + rows + 1});
+        mesh.triangles.push_back({i, i + rows + 1, i + rows});
+    }
+    EXPECT_TRUE(creases_of(mesh).lines.empty());
+}
+
+/// Steps as high as a voxel are flat and sharp as made parts are.
+TEST(Creases, AreNotTheStepsOfSegmentedVolumes) {
+    EXPECT_TRUE(creases_of(test_meshes::terraced_head(60)).lines.empty());
 }
 
 TEST(Creases, OfASmallerAngleAreMore) {

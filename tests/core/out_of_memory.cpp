@@ -25,11 +25,10 @@ LineSet all_of_it(const TriangleMesh& mesh, const PrecomputeOptions& options,
     const Field field = precompute(mesh, options);
     const LineExtractor extractor(mesh, field);
     const View view = View::perspective(field.scale.diagonal * Eigen::Vector3d(1, 2, 1.5));
-    LineSet lines;
     LineStyle style;
     style.shows[LineKind::Crease] = true;
-    extractor.extract(view, style, scratch, lines);
-    return LineVisibility(mesh, field).visible_parts(view, lines);
+    const LineSet lines = extract_on_surface(extractor, view, style, scratch);
+    return LineVisibility(mesh).parts(view, {lines}, {style.shows}).seen;
 }
 
 int fail(const char* what, long number) {

@@ -124,6 +124,22 @@ bool is_positive(const FieldScale& s) {
            s.mean_edge > 0 && std::isfinite(s.kernel_size) && s.kernel_size > 0;
 }
 
+/// Of what is seen and hidden from there, in space and in the picture.
+std::string look_complaint(const TriangleMesh& mesh, const LineExtractor& extractor,
+                           const View& view, const LineStyle& style) {
+    const LineVisibility visibility(mesh);
+    ExtractionScratch scratch;
+    const LineSet lines = extract_on_surface(extractor, view, style, scratch);
+    std::string found;
+    for (const bool in_picture : {false, true}) {
+        const LineParts parts =
+            visibility.parts(view, {lines}, {style.shows, style.line_smoothing, true, in_picture});
+        if (found.empty()) found = complaint(parts.seen);
+        if (found.empty()) found = complaint(parts.hidden);
+    }
+    return found;
+}
+
 std::string extract_views(const TriangleMesh& mesh, const Field& field, Choices& choices) {
     const LineExtractor extractor(mesh, field);
     ExtractionScratch scratch;
@@ -141,7 +157,7 @@ std::string extract_views(const TriangleMesh& mesh, const Field& field, Choices&
         if (found.empty() && !helpers::same_lines(lines, helpers::extract(extractor, view, style)))
             found = "the same view gives other lines";
         if (found.empty() && choices.one_in(4) && mesh.triangles.size() <= kMostTrianglesForRays)
-            found = complaint(LineVisibility(mesh, field).visible_parts(view, lines));
+            found = look_complaint(mesh, extractor, view, style);
         if (!found.empty()) return found;
     }
     return {};

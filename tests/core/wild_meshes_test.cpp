@@ -103,10 +103,15 @@ TEST_P(WildMesh, LinesAreFiniteFromAnyEye) {
             EXPECT_EQ(wild::complaint(helpers::extract(extractor, view, style)), "")
                 << view.eye.transpose() << ", " << view.w;
     const View view = View::perspective({3 * field.scale.diagonal, 0, 0});
-    const LineVisibility visibility(mesh(), field);
-    EXPECT_EQ(wild::complaint(
-                  visibility.visible_parts(view, helpers::extract(extractor, view, everything))),
-              "");
+    const LineVisibility visibility(mesh());
+    ExtractionScratch scratch;
+    const LineSet on_surface = extract_on_surface(extractor, view, everything, scratch);
+    for (const bool in_picture : {false, true}) {
+        const LineParts parts =
+            visibility.parts(view, {on_surface}, {everything.shows, 1.2, true, in_picture});
+        EXPECT_EQ(wild::complaint(parts.seen), "");
+        EXPECT_EQ(wild::complaint(parts.hidden), "");
+    }
 }
 
 TEST_P(WildMesh, EyesThatAreNotFiniteAreRefused) {

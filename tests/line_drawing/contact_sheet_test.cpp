@@ -5,9 +5,9 @@
 
 #include <QImage>
 
+#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
-#include "sheet_writers.h"
 
 using namespace line_drawing;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve_fitting.h"
+#include "strokes/curve_fitting.h"
 
 #include <gtest/gtest.h>
 

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
-#include "sheet_writers.h"
-#include "strokes.h"
+#include "strokes/strokes.h"
 
 using namespace line_drawing;
 using made_sheets::extentOf;

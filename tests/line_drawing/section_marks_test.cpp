@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "section_marks.h"
+#include "sections/section_marks.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "cutting.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
+#include "planes/cutting.h"
 
 using namespace line_drawing;
 

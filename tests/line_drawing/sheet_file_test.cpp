@@ -7,9 +7,9 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 
+#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
-#include "sheet_writers.h"
 
 using namespace line_drawing;
 

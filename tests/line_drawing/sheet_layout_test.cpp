@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sheet_layout.h"
+#include "sheet/sheet_layout.h"
 
 #include <gtest/gtest.h>
 
 #include "laplacian_lines/error.h"
-#include "sheet_furniture.h"
+#include "sheet/sheet_furniture.h"
 
 using namespace line_drawing;
 

@@ -65,6 +65,8 @@ draw plate.png views=six
 expect_same_as_program plate.png --views six
 draw hidden.svg views=30,40 hidden=1
 expect_same_as_program hidden.svg --views 30,40 --hidden dashed
+draw iso.svg views=30,40 weights=1
+expect_same_as_program iso.svg --views 30,40 --weights iso
 
 # --- layers together
 awk '$1 == "end_header" { body = 1; print; next } body && NF == 3 { print $1 + .9, $2 + .3, $3 - 2; next } 1' \

@@ -57,8 +57,9 @@ struct LineStyle {
     /// sides, whatever the triangles' size, or a quarter of it within 1 %; that it turns as fast
     /// beyond, or on one side only, counts against it. Weaker parts of a ridge go on down to half.
     double ridge_angle = 10;
-    /// Least angle between the normals of the triangles at a crease, degrees. Where the surface on
-    /// both sides is much flatter than the edge, edges of 20 degrees and more count as 40.
+    /// Angle between the normals of two triangles, degrees, from which the edge between them is a
+    /// crease whatever surrounds it. Edges of 3 degrees and more that the faces around do not
+    /// explain as facets count as 40.
     double crease_angle = 40;
     /// The same as ridge_angle for valleys.
     double valley_angle = 10;

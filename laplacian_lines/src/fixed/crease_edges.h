@@ -14,8 +14,8 @@ struct CreaseEdge {
     Eigen::Vector3f positions[2];
     Eigen::Vector3f normals[2];  ///< of the triangles; as one sees them from the same side
     float angle;                 ///< between the normals, degrees
-    /// The largest LineStyle::crease_angle with which it is drawn: its angle, or more where the
-    /// surface around is flat or where it closes a gap of a crease.
+    /// The largest LineStyle::crease_angle with which it is drawn: its angle, or 40 if that is less
+    /// and the faces around do not explain it.
     float shown_up_to;
 
     float length() const { return (positions[1] - positions[0]).norm(); }

@@ -31,10 +31,6 @@ constexpr int kFewEdges = 8;          // too few to tell bending to and fro from
 constexpr float kLong = 0.02f;        // D; edges this long are no noise
 constexpr int kFewTriangles = 4;      // of a side, as large faces have them
 
-// When the surface beside a weak edge is much flatter.
-constexpr float kMuchFlatter = 1 / 3.f;  // of the angle at the edge
-constexpr float kSameWay = 0.4f;         // least cosine of edges that tell of the same bend
-
 float cosine_of(float degrees) {
     return std::cos(degrees / kDegrees);
 }
@@ -120,37 +116,6 @@ private:
     int edges_ = 0, triangles_ = 0;
 };
 
-/// An edge beside the one in question that says that the surface is bent there as well.
-bool bends_alike(const TriangleGraph& graph, const EdgeSide& side, std::uint32_t triangle,
-                 unsigned k) {
-    const Vector3f a = graph.position(triangle, k), b = graph.position(triangle, (k + 1) % 3);
-    const Vector3f way = (a + b) / 2 - side.middle(), edge = b - a;
-    const float along = way.dot(side.direction());
-    return 2 * along * along <= way.squaredNorm() &&
-           std::abs(edge.dot(side.direction())) >= kSameWay * edge.norm();
-}
-
-bool is_flat_beside(const TriangleGraph& graph, const BentEdge& edge, bool beyond) {
-    static const float strong = cosine_of(kEdgeAngle);
-    const float flat = cosine_of(edge.angle * kMuchFlatter);
-    const bool convex = bend_at(graph, edge.triangle, edge.side) > 0;
-    const EdgeSide side(graph, edge, beyond);
-    return side.visit(
-        [&](std::uint32_t t, unsigned k) { return graph.cosine_across(t, k) >= flat; },
-        [](std::uint32_t) { return true; },
-        [&](std::uint32_t t, float sign) {
-            for (unsigned k = 0; k < 3; ++k) {
-                const std::uint32_t next = graph.triangles[t].neighbours[k];
-                if (next == TriangleGraph::kNone || side.is_edge(t, k)) continue;
-                const float cosine = graph.cosine_across(t, k);
-                if (cosine < flat && cosine > strong &&
-                    (sign * bend_at(graph, t, k) > 0) == convex && bends_alike(graph, side, t, k))
-                    return false;
-            }
-            return true;
-        });
-}
-
 }  // namespace
 
 bool is_edge_of_form(const TriangleGraph& graph, const BentEdge& edge) {
@@ -165,10 +130,6 @@ bool is_edge_of_form(const TriangleGraph& graph, const BentEdge& edge) {
     constexpr float whatever = 1e6f;
     return SideSum::differ(SideSum(graph, own, anything, whatever),
                            SideSum(graph, other, anything, whatever), edge.angle);
-}
-
-bool is_bent_alone(const TriangleGraph& graph, const BentEdge& edge) {
-    return is_flat_beside(graph, edge, false) && is_flat_beside(graph, edge, true);
 }
 
 }  // namespace laplacian_lines

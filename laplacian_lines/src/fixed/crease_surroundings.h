@@ -12,16 +12,9 @@ struct BentEdge {
     float angle;             ///< between the normals, degrees
 };
 
-/// Edges that are bent by so much are edges of the form, if what is around agrees; degrees.
-constexpr float kEdgeAngle = 40;
-
 /// Whether the surface on both sides agrees: up to some twenty triangles each, within a few heights
 /// of the one at the edge or within 1 % of D. Their mean normals have to differ about as much as
 /// those at the edge, and the surface must not bend to and fro nearly as much as at the edge.
 bool is_edge_of_form(const TriangleGraph& graph, const BentEdge& edge);
-
-/// Whether the surface beside the edge, on either side up to the next edge of the form, bends much
-/// less than at the edge: so a chamfer's edge, and not the sides of a cylinder of few sides.
-bool is_bent_alone(const TriangleGraph& graph, const BentEdge& edge);
 
 }  // namespace laplacian_lines

@@ -3,7 +3,7 @@
 #include <memory>
 #include <mutex>
 
-#include "fixed/crease_surroundings.h"
+#include "fixed/crease_jump.h"
 #include "fixed/crease_tracing.h"
 #include "fixed/fixed_kinds.h"
 #include "fixed/showing.h"
@@ -75,7 +75,6 @@ public:
 
     void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
-        if (data.is_rough) return;
         const auto traced = trace(data, float(style.crease_angle));
         const float shortest = shortest_line(style);
         const HorizonEdges horizon(eye, style);
@@ -88,7 +87,6 @@ public:
 
     std::shared_ptr<const LineSet> whole(const ExtractorData& data,
                                          const LineStyle& style) const override {
-        if (data.is_rough) return nullptr;
         const auto traced = trace(data, float(style.crease_angle));
         return {traced, &traced->lines};
     }

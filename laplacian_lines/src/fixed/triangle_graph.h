@@ -40,6 +40,13 @@ struct TriangleGraph {
         const Node& node = triangles[triangle];
         return node.sign_across(k) * node.normal.dot(triangles[node.neighbours[k]].normal);
     }
+    /// Whether a neighbour is in one plane with the triangle, by this cosine.
+    bool goes_on_flat(std::uint32_t triangle, float cosine) const {
+        for (unsigned k = 0; k < 3; ++k)
+            if (triangles[triangle].neighbours[k] != kNone && cosine_across(triangle, k) >= cosine)
+                return true;
+        return false;
+    }
 };
 
 /// The number of threads does not matter. The data must outlive the graph.

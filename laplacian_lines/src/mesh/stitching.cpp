@@ -2,28 +2,16 @@
 #include "mesh/stitching.h"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
+#include "mesh/equal_positions.h"
 #include "system/disjoint_sets.h"
+#include "system/equal_elements.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
-namespace {
-
-constexpr std::uint32_t kNobody = 0xffffffffu;
-
-std::uint64_t mixed(std::uint64_t x) {
-    x ^= x >> 31;
-    x *= 0x9e3779b97f4a7c15;
-    x ^= x >> 29;
-    x *= 0xbf58476d1ce4e5b9;
-    return x ^ x >> 32;
-}
-
-}  // namespace
 
 bool is_closed(const std::vector<Triangle>& triangles) {
     std::vector<std::uint64_t> sums(block_count(triangles.size()));
@@ -32,7 +20,7 @@ bool is_closed(const std::vector<Triangle>& triangles) {
         for (std::size_t t = begin; t < end; ++t)
             for (unsigned k = 0; k < 3; ++k) {
                 const std::uint64_t u = triangles[t][k], v = triangles[t][(k + 1) % 3];
-                const std::uint64_t hash = mixed(std::min(u, v) << 32 | std::max(u, v));
+                const std::uint64_t hash = mix_hash(0, std::min(u, v) << 32 | std::max(u, v));
                 sum += u < v ? hash : -hash;
             }
         sums[begin / kBlockElements] = sum;
@@ -42,17 +30,6 @@ bool is_closed(const std::vector<Triangle>& triangles) {
 
 namespace {
 
-std::uint64_t hash_of(const Eigen::Vector3d& position) {
-    std::uint64_t hash = 0;
-    for (double x : position) {
-        x += 0.0;  // no −0
-        std::uint64_t bits;
-        std::memcpy(&bits, &x, sizeof bits);
-        hash = mixed(hash ^ bits);
-    }
-    return hash;
-}
-
 /// Vertices by their coordinates: a place is the first vertex there.
 struct Places {
     std::vector<std::uint32_t> of_vertex;
@@ -60,28 +37,12 @@ struct Places {
     bool any_shared = false;
 };
 Places find_places(const std::vector<Eigen::Vector3d>& positions) {
-    const std::size_t n = positions.size();
-    std::size_t slots = 2;
-    while (slots < 2 * n)
-        slots *= 2;
-    std::vector<std::uint32_t> table = large_array(slots, kNobody);
-    std::vector<std::uint64_t> hashes = large_array<std::uint64_t>(n);
-    for_each_element(n, [&](std::size_t v) { hashes[v] = hash_of(positions[v]); });
-    Places places{large_array<std::uint32_t>(n), large_array(n, std::uint8_t(0))};
-    for (std::uint32_t v = 0; v < n; ++v) {
-        places.of_vertex[v] = v;
-        if (!positions[v].allFinite()) continue;  // NaN equals nothing: each would pass all others
-        std::size_t slot = hashes[v] & (slots - 1);
-        while (table[slot] != kNobody && positions[table[slot]] != positions[v])
-            slot = (slot + 1) & (slots - 1);
-        if (table[slot] == kNobody) {
-            table[slot] = v;
-        } else {
-            places.is_shared[table[slot]] = 1;
+    Places places{first_equal_positions(positions), large_array(positions.size(), std::uint8_t(0))};
+    for (std::uint32_t v = 0; v < positions.size(); ++v)
+        if (places.of_vertex[v] != v) {
+            places.is_shared[places.of_vertex[v]] = 1;
             places.any_shared = true;
         }
-        places.of_vertex[v] = table[slot];
-    }
     return places;
 }
 

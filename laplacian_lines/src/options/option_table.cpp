@@ -143,9 +143,9 @@ std::vector<StyleRow> kind_rows() {
         kind_row<LineKind::Crease>(),
         for_experts(real<&S::crease_angle>(
             "crease_angle", "Crease Angle", 20, 180,
-            "Least angle between two triangles of a crease, in degrees. Up to 40, edges of 20 and "
-            "more between flat surfaces are drawn as well. Larger leaves out softer edges; smaller "
-            "shows facets of round forms of few triangles.")),
+            "Angle in degrees from which an edge of the mesh is a crease whatever is around. Up to "
+            "40, lower edges that are no facets of curved faces are drawn as well. Larger leaves "
+            "out softer edges; smaller shows facets of round forms of few triangles.")),
         kind_row<LineKind::Border>(),
         for_experts(kind_row<LineKind::Valley>()),
         for_experts(real<&S::valley_angle>(

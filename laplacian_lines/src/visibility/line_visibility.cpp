@@ -5,52 +5,87 @@
 
 #include "clusters/coarseness.h"
 #include "laplacian_lines/precompute_options.h"
-#include "system/parallel.h"
-#include "visibility/line_decision.h"
-#include "visibility/line_parts.h"
-#include "visibility/picture_crossings.h"
-#include "visibility/ray_caster.h"
-#include "visibility/sight.h"
+#include "visibility/crease_marks.h"
+#include "visibility/eye_frame.h"
+#include "visibility/picture.h"
+#include "visibility/sight_mesh.h"
+#include "visibility/sight_pieces.h"
+#include "visibility/sight_tracing.h"
+#include "visibility/winding_number.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr double kSidesShare = 0.1;  // of the time
 // In D: where edges are longer on the mean, many triangles are coarse, unless the mesh is rough.
 constexpr double kLargestSmoothMeanEdge = 0.025;
 
-LineSet joined(const std::vector<LineSet>& parts) {
-    LineSet result;
-    for (const LineSet& part : parts) {
-        const auto first = std::uint32_t(result.points.size());
-        result.points.insert(result.points.end(), part.points.begin(), part.points.end());
-        for (Polyline line : part.lines) {
-            line.first += first;
-            result.lines.push_back(line);
-        }
+void append(const LineSet& from, const Polyline& line, LineSet& to) {
+    Polyline result = line;
+    result.first = std::uint32_t(to.points.size());
+    const auto first = from.points.begin() + line.first;
+    to.points.insert(to.points.end(), first, first + line.count);
+    to.lines.push_back(result);
+}
+
+void append(const SightLine& line, double diagonal, LineSet& to) {
+    Polyline result;
+    result.first = std::uint32_t(to.points.size());
+    result.count = std::uint32_t(line.points.size());
+    result.kind = line.kind;
+    result.closed = line.closed;
+    result.strength = line.strength;
+    result.slope = line.slope;
+    const SightPoint* before = nullptr;
+    for (const SightPoint& p : line.points) {
+        to.points.push_back({p.position.cast<float>(), p.weight, p.gradient, p.opacity});
+        if (before) result.length += float((p.position - before->position).norm() / diagonal);
+        before = &p;
     }
-    return result;
+    to.lines.push_back(result);
 }
 
-std::vector<SightLengths> lengths_of(const std::vector<const Field*>& fields) {
-    std::vector<SightLengths> lengths;
-    for (const Field* field : fields)
-        lengths.push_back({field->scale.diagonal, field->scale.mean_edge, sight_edge(*field)});
-    return lengths;
+/// The lines that an eye sees of a mesh which is before it.
+std::vector<SightLine> look_at(const SightMesh& mesh, const CreaseMarker& creases,
+                               const EyeFrame& frame, const std::vector<LineSet>& lines,
+                               const SightOptions& options, const StageProgress& stage) {
+    stage.report(0);
+    const Picture picture(mesh, frame, stage.part(0, 0.3));
+    const SightSegments segments = find_sight_segments(picture, creases.mark(lines), lines);
+    stage.report(0.4);
+    const auto crossings = find_crossings(segments, stage.part(0.4, 0.6));
+    const auto pieces = find_sight_pieces(segments, crossings, stage.part(0.6, 0.95));
+    std::vector<SightLine> traced;
+    trace_edges(segments, pieces, options, traced);
+    trace_surface_lines(segments, pieces, lines, options, traced);
+    stage.report(1);
+    return traced;
 }
 
-double largest_diagonal(const std::vector<SightLengths>& lengths) {
-    double largest = 0;
-    for (const SightLengths& l : lengths)
-        largest = std::max(largest, l.diagonal);
-    return largest;
+/// The same of the part of a mesh that is before an eye among it.
+void look_through(const SightMesh& mesh, const EyeFrame& frame, const std::vector<LineSet>& lines,
+                  const SightOptions& options, const StageProgress& stage,
+                  std::vector<SightLine>& seen) {
+    const SightMesh before =
+        build_sight_mesh(part_before_eye(mesh, frame), mesh, stage.part(0, 0.5));
+    std::uint32_t first_node = 0;  // nodes of the two halves differ
+    for (const SightLine& line : seen)
+        for (const SightPoint& point : line.points)
+            first_node = std::max(first_node, point.node + 1);
+    for (SightLine& line :
+         look_at(before, CreaseMarker(before), frame, lines, options, stage.part(0.5, 1))) {
+        for (SightPoint& point : line.points)
+            if (point.node != kNoSightNode) point.node += first_node;
+        seen.push_back(std::move(line));
+    }
 }
 
 }  // namespace
 
 struct LineVisibility::Data {
-    RayCaster caster;
-    std::vector<SightLengths> lengths;  // of each surface
+    explicit Data(SightMesh found) : mesh(std::move(found)) {}
+
+    const SightMesh mesh;
+    const CreaseMarker creases{mesh};
 };
 
 double sight_edge(const Field& field) {
@@ -60,66 +95,55 @@ double sight_edge(const Field& field) {
     return std::max(scale.mean_edge, scale.normal_sigma / automatic_normal_sigma(0));
 }
 
-LineVisibility::LineVisibility(const TriangleMesh& mesh, const Field& field,
-                               const Progress& progress)
-    : LineVisibility(mesh, std::vector<const Field*>{&field}, progress) {}
-LineVisibility::LineVisibility(const TriangleMesh& mesh, const std::vector<const Field*>& fields,
-                               const Progress& progress)
-    : data_(std::make_unique<const Data>(Data{
-          RayCaster(mesh, {progress, 0, 1, "Preparing what hides lines"}), lengths_of(fields)})) {}
+LineSet extract_on_surface(const LineExtractor& extractor, const View& view, const LineStyle& style,
+                           ExtractionScratch& scratch) {
+    LineStyle unsmoothed = style;
+    unsmoothed.line_smoothing = 0;
+    unsmoothed.contour_clearance = 0;  // their contours are not those that are drawn
+    LineSet all, result;
+    extractor.extract(view, unsmoothed, scratch, all);
+    for (const Polyline& line : all.lines)
+        if (!is_edge_kind(line.kind)) append(all, line, result);
+    if (!style.shows[LineKind::Crease]) return result;
+    unsmoothed.shows = {};  // without contours, which would take creases on the horizon away
+    unsmoothed.shows[LineKind::Crease] = true;
+    extractor.extract(view, unsmoothed, scratch, all);
+    for (const Polyline& line : all.lines)
+        append(all, line, result);
+    return result;
+}
+
+LineVisibility::LineVisibility(const TriangleMesh& mesh, const Progress& progress)
+    : data_(std::make_unique<const Data>(
+          build_sight_mesh(mesh, {progress, 0, 1, "Preparing what hides lines"}))) {}
 LineVisibility::~LineVisibility() = default;
 LineVisibility::LineVisibility(LineVisibility&&) noexcept = default;
 LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;
 
 bool LineVisibility::encloses(const Eigen::Vector3d& point) const {
-    return data_->caster.winding_number(point) > 0.5;
+    return winding_number(data_->mesh, data_->mesh.local(point)) > 0.5;
 }
 
-LineSet LineVisibility::visible_parts(const View& view, const LineSet& lines,
-                                      const Progress& progress) const {
-    return parts(view, lines, progress).seen;
-}
-
-LineParts LineVisibility::parts(const View& view, const LineSet& lines,
-                                const Progress& progress) const {
-    return parts_of(view, lines, std::vector<std::size_t>(lines.lines.size()), progress);
+std::vector<SightLine> LineVisibility::look(const View& view, const std::vector<LineSet>& lines,
+                                            const SightOptions& options,
+                                            const Progress& progress) const {
+    const StageProgress stage(progress, 0, 1, "Finding what is seen");
+    const EyeFrame frame(data_->mesh, view);
+    if (is_before_eye(data_->mesh, frame))
+        return look_at(data_->mesh, data_->creases, frame, lines, options, stage);
+    std::vector<SightLine> seen;
+    for (const bool looks_away : {false, true})
+        look_through(data_->mesh, EyeFrame(data_->mesh, view, looks_away), lines, options,
+                     stage.part(looks_away ? 0.5 : 0, looks_away ? 1 : 0.5), seen);
+    return seen;
 }
 
 LineParts LineVisibility::parts(const View& view, const std::vector<LineSet>& lines,
-                                const Progress& progress) const {
-    std::vector<std::size_t> surfaces;
-    for (std::size_t surface = 0; surface < lines.size(); ++surface)
-        surfaces.insert(surfaces.end(), lines[surface].lines.size(), surface);
-    return parts_of(view, joined(lines), surfaces, progress);
-}
-
-LineParts LineVisibility::parts_of(const View& view, const LineSet& lines,
-                                   const std::vector<std::size_t>& surfaces,
-                                   const Progress& progress) const {
-    const StageProgress stage(progress, 0, 1, "Finding what is seen");
-    stage.report(0);
-    const auto lengths_at = [&](std::size_t i) -> const SightLengths& {
-        return data_->lengths.at(surfaces[i]);
-    };
-    const std::size_t count = lines.lines.size();
-    std::vector<int> free_sides(count);
-    parallel_for<NoScratch>(count, stage.part(0, kSidesShare), [&](std::size_t i, NoScratch&) {
-        Sight sight(data_->caster, view);
-        free_sides[i] = free_side(lines, lines.lines[i], lengths_at(i), sight);
-    });
-    const PictureCrossings crossings(lines, view, free_sides, largest_diagonal(data_->lengths));
-    std::vector<LineSet> seen(count), hidden(count);
-    parallel_for<NoScratch>(count, stage.part(kSidesShare, 1), [&](std::size_t i, NoScratch&) {
-        const Polyline& line = lines.lines[i];
-        const SightLengths& lengths = lengths_at(i);
-        Sight sight(data_->caster, view);
-        const LineDecision decision = decide(lines, line, free_sides[i], crossings, lengths, sight);
-        for (const LinePart& part : decision.seen)
-            append_part(lines, line, part, lengths.diagonal, seen[i]);
-        for (const LinePart& part : decision.hidden)
-            append_part(lines, line, part, lengths.diagonal, hidden[i]);
-    });
-    return {joined(seen), joined(hidden)};
+                                const SightOptions& options, const Progress& progress) const {
+    LineParts parts;
+    for (const SightLine& line : look(view, lines, options, progress))
+        append(line, data_->mesh.size, line.is_hidden ? parts.hidden : parts.seen);
+    return parts;
 }
 
 }  // namespace laplacian_lines

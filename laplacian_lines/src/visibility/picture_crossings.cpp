@@ -4,126 +4,132 @@
 #include <algorithm>
 #include <cmath>
 
+#include "visibility/box_levels.h"
+
 namespace laplacian_lines {
 namespace {
 
-using Eigen::Vector2d;
 using Eigen::Vector3d;
+using Box = BoxLevels<2>::Box;
 
-constexpr double kNearer = 1e-4;      // in D: an outline that is nearer to the eye by as much hides
-constexpr double kLeastDepth = 1e-3;  // of the farthest point; before it there is no picture
+constexpr double kRounding = 4;  // precisions: what a line may seem to be before its own surface
 
-double cross(const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
+double height_over(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
+    return std::abs((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()));
 }
 
-Vector3d middle_of(const LineSet& lines) {
-    Eigen::AlignedBox3d box;
-    for (const LinePoint& point : lines.points)
-        box.extend(point.position.cast<double>());
-    return box.isEmpty() ? Vector3d(Vector3d::Zero()) : Vector3d(box.center());
+/// Where the way from a to b passes the line through c and d, which are on different sides of it.
+double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
+    const double before = height_over(c, d, a), after = height_over(c, d, b);
+    return before + after > 0 ? before / (before + after) : 0.5;
 }
 
-BoxTree::Box box_of(const Vector2d& a, const Vector2d& b) {
-    return BoxTree::Box(Vector3d(a.x(), a.y(), 0)).extend(Vector3d(b.x(), b.y(), 0));
-}
-
-}  // namespace
-
-/// Finds the outlines that a segment crosses.
-class PictureCrossings::Query {
+class CrossingFinder {
 public:
-    Query(const PictureCrossings& all, std::uint32_t first, std::uint32_t segment,
-          std::vector<Passage>& found)
-        : all_(all),
-          point_(first + segment),
-          segment_(segment),
-          begin_(all.places_[point_]),
-          way_(all.places_[point_ + 1] - begin_),
-          box_(box_of(begin_, all.places_[point_ + 1])),
-          found_(found) {}
+    explicit CrossingFinder(const SightSegments& all) : all_(all) {
+        for (std::uint32_t i = 0; i < all.segments.size(); ++i)
+            (all.segments[i].divides ? dividing_ : others_).push_back(i);
+        dividing_levels_ = levels_of(dividing_);
+        other_levels_ = levels_of(others_);
+    }
 
-    bool intersectVolume(const BoxTree::Box& box) const { return box.intersects(box_); }
-    bool intersectObject(int number) {
-        const Outline& outline = all_.outlines_[std::size_t(number)];
-        const Vector2d& a = all_.places_[outline.point];
-        const Vector2d way = all_.places_[outline.point + 1] - a;
-        const double sine = cross(way_, way);
-        if (sine == 0) return false;
-        const double t = cross(a - begin_, way) / sine, u = cross(a - begin_, way_) / sine;
-        if (!(t >= 0 && t < 1 && u >= 0 && u < 1)) return false;
-        const double distance = all_.depth(point_, t) - all_.depth(outline.point, u);
-        if (!(distance > all_.nearer_)) return false;
-        // the free side is to the right of an outline, where ways of a positive sine lead
-        const bool goes_free = outline.free_side * sine > 0;
-        const bool knows = outline.free_side != 0;
-        found_.push_back({{segment_, all_.share(point_, t)},
-                          !knows || !goes_free,
-                          !knows || goes_free,
-                          distance});
-        return false;
+    std::vector<PictureCrossing> find(const StageProgress& stage) const {
+        const std::size_t count = dividing_.size() + others_.size();
+        std::vector<std::vector<PictureCrossing>> found((count + kBlock - 1) / kBlock);
+        parallel_for<NoScratch>(
+            found.size(), stage,
+            [&](std::size_t block, NoScratch&) {
+                for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
+                    i < dividing_.size()
+                        ? find_from_dividing(std::uint32_t(i), found[block])
+                        : find_from_other(std::uint32_t(i - dividing_.size()), found[block]);
+            },
+            1);
+        std::vector<PictureCrossing> crossings;
+        for (const auto& of_block : found)
+            crossings.insert(crossings.end(), of_block.begin(), of_block.end());
+        return crossings;
     }
 
 private:
-    const PictureCrossings& all_;
-    const std::uint32_t point_, segment_;
-    const Vector2d begin_, way_;
-    const BoxTree::Box box_;
-    std::vector<Passage>& found_;
+    static constexpr std::size_t kBlock = 512;
+    using Numbers = std::vector<std::uint32_t>;
+
+    Box box_of(std::uint32_t segment) const {
+        const SightSegment& s = all_.segments[segment];
+        Box box(all_.place(s.points[0]).head<2>().cast<float>().eval());
+        box.extend(all_.place(s.points[1]).head<2>().cast<float>().eval());
+        const auto rounding = [](const Eigen::Vector2f& corner) {
+            return Eigen::Vector2f(2e-7f * corner.array().abs() + 1e-12f);
+        };
+        return {box.min() - rounding(box.min()), box.max() + rounding(box.max())};
+    }
+
+    BoxLevels<2> levels_of(const Numbers& numbers) const {
+        return {numbers.size(), [&](std::uint32_t i) { return box_of(numbers[i]); }};
+    }
+
+    /// With dividing ones of its own level, once a pair, and of larger ones, and with larger
+    /// others.
+    void find_from_dividing(std::uint32_t i, std::vector<PictureCrossing>& found) const {
+        const Box box = box_of(dividing_[i]);
+        const int level = dividing_levels_.level_of(box);
+        dividing_levels_.visit(
+            box,
+            [&](std::uint32_t k, const Box& other) {
+                if (k > i || dividing_levels_.level_of(other) > level)
+                    test(dividing_[i], dividing_[k], found);
+            },
+            level);
+        other_levels_.visit(
+            box,
+            [&](std::uint32_t k, const Box& other) {
+                if (dividing_levels_.level_of(other) > level) test(others_[k], dividing_[i], found);
+            },
+            other_levels_.level_of(box));
+    }
+
+    void find_from_other(std::uint32_t i, std::vector<PictureCrossing>& found) const {
+        const Box box = box_of(others_[i]);
+        dividing_levels_.visit(
+            box, [&](std::uint32_t k, const Box&) { test(others_[i], dividing_[k], found); },
+            dividing_levels_.level_of(box));
+    }
+
+    void test(std::uint32_t i, std::uint32_t k, std::vector<PictureCrossing>& found) const {
+        const SightSegment &s = all_.segments[i], &d = all_.segments[k];
+        for (const std::uint32_t p : s.points)
+            if (p == d.points[0] || p == d.points[1]) return;
+        const Vector3d &a = all_.place(s.points[0]), &b = all_.place(s.points[1]),
+                       &c = all_.place(d.points[0]), &e = all_.place(d.points[1]);
+        const double room =
+            all_.picture.rise_of(std::max(kRounding * all_.picture.mesh().line_precision,
+                                          reach_of(all_.picture.mesh(), s)),
+                                 std::max(a.z(), b.z()));
+        // with surface on both sides of each, sight changes only where they meet in space
+        const bool must_meet = !describe(s.kind).is_outline && !describe(d.kind).is_outline;
+        if (must_meet && (std::min(a.z(), b.z()) > std::max(c.z(), e.z()) + room ||
+                          std::min(c.z(), e.z()) > std::max(a.z(), b.z()) + room))
+            return;
+        if (Picture::turn(c, e, a) == Picture::turn(c, e, b) ||
+            Picture::turn(a, b, c) == Picture::turn(a, b, e))
+            return;
+        const double t = share_of(a, b, c, e), u = share_of(c, e, a, b);
+        const double before = a.z() + t * (b.z() - a.z()) - c.z() - u * (e.z() - c.z());
+        if (s.edge == SightSegment::kNone && before > room) return;
+        if (must_meet && std::abs(before) > room) return;
+        found.push_back({{i, k}, {t, u}});
+    }
+
+    const SightSegments& all_;
+    Numbers dividing_, others_;
+    BoxLevels<2> dividing_levels_, other_levels_;
 };
 
-PictureCrossings::PictureCrossings(const LineSet& lines, const View& view,
-                                   const std::vector<int>& free_sides, double diagonal)
-    : has_perspective_(view.w != 0), nearer_(kNearer * diagonal) {
-    const Vector3d middle = middle_of(lines);
-    const Vector3d to_eye = (view.eye - view.w * middle).stableNormalized();
-    const Vector3d right = to_eye.unitOrthogonal(), up = to_eye.cross(right);
-    double farthest = 0, nearest = 1;
-    for (const LinePoint& point : lines.points) {
-        const Vector3d p = point.position.cast<double>();
-        // from the eye if it is somewhere, else from the middle
-        const Vector3d from =
-            has_perspective_ ? Vector3d(p - view.eye / view.w) : Vector3d(p - middle);
-        const double depth = -to_eye.dot(from), scale = has_perspective_ ? 1 / depth : 1;
-        places_.emplace_back(scale * right.dot(from), scale * up.dot(from));
-        depths_.push_back(depth);
-        farthest = std::max(farthest, depth);
-        nearest = std::min(nearest, depth);
-    }
-    are_known_ = !has_perspective_ || nearest > kLeastDepth * farthest;
-    if (!are_known_) return;
-    std::vector<BoxTree::Box> boxes;
-    for (std::size_t l = 0; l < lines.lines.size(); ++l) {
-        const Polyline& line = lines.lines[l];
-        if (!describe(line.kind).is_outline) continue;
-        for (std::uint32_t i = line.first; i + 1 < line.first + line.count; ++i) {
-            outlines_.push_back({i, free_sides[l]});
-            boxes.push_back(box_of(places_[i], places_[i + 1]));
-        }
-    }
-    tree_ = BoxTree(boxes, {{}, 0, 1, ""});
-}
+}  // namespace
 
-double PictureCrossings::depth(std::uint32_t point, double t) const {
-    const double a = depths_[point], b = depths_[point + 1];
-    return has_perspective_ ? 1 / ((1 - t) / a + t / b) : (1 - t) * a + t * b;
-}
-
-double PictureCrossings::share(std::uint32_t point, double t) const {
-    return has_perspective_ ? t * depth(point, t) / depths_[point + 1] : t;
-}
-
-std::vector<Passage> PictureCrossings::along(const Polyline& line) const {
-    std::vector<Passage> found;
-    if (outlines_.empty()) return found;
-    for (std::uint32_t segment = 0; segment + 1 < line.count; ++segment) {
-        const std::size_t before = found.size();
-        Query query(*this, line.first, segment, found);
-        tree_.visit(query);
-        std::sort(found.begin() + std::ptrdiff_t(before), found.end(),
-                  [](const Passage& a, const Passage& b) { return a.place.t < b.place.t; });
-    }
-    return found;
+std::vector<PictureCrossing> find_crossings(const SightSegments& all, const StageProgress& stage) {
+    return CrossingFinder(all).find(stage);
 }
 
 }  // namespace laplacian_lines

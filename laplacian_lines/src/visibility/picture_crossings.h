@@ -1,55 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "laplacian_lines/line_set.h"
-#include "laplacian_lines/view.h"
-#include "visibility/box_tree.h"
-#include "visibility/line_parts.h"
+#include "visibility/sight_segments.h"
 
 namespace laplacian_lines {
 
-/// Where a line passes behind an outline in the picture, and so may go out of sight or come into
-/// it.
-struct Passage {
-    LinePlace place;
-    bool may_hide = true, may_show = true;  ///< on the way along the line
-    double distance = 0;                    ///< of the outline before it
+/// Where two segments cross each other in the picture.
+struct PictureCrossing {
+    std::uint32_t segments[2];
+    double shares[2];  ///< of the way along each, in the picture
 };
 
-/// Outlines of one view as they lie in the picture.
-class PictureCrossings {
-public:
-    /// `free_sides` has a sign for each line: of a contour, on which side of it its own surface is
-    /// not; 0 if that is not known, as of borders.
-    PictureCrossings(const LineSet& lines, const View& view, const std::vector<int>& free_sides,
-                     double diagonal);
-
-    /// Whether crossings are known: not where the eye is among the lines.
-    bool are_known() const { return are_known_; }
-
-    /// Those of one of the lines, in its order. Thread-safe.
-    std::vector<Passage> along(const Polyline& line) const;
-
-private:
-    struct Outline {
-        std::uint32_t point;  ///< its segment begins here
-        int free_side;
-    };
-    class Query;
-
-    /// At a share of the way from a point to the next one in the picture.
-    double depth(std::uint32_t point, double t) const;
-    /// The same share in space.
-    double share(std::uint32_t point, double t) const;
-
-    std::vector<Eigen::Vector2d> places_;  ///< in the picture, by point
-    std::vector<double> depths_;           ///< away from the eye
-    std::vector<Outline> outlines_;
-    BoxTree tree_;
-    bool are_known_ = false, has_perspective_;
-    double nearer_;
-};
+/// All crossings of segments of which one divides; lines on the surface are crossed only by what is
+/// before them, and segments that have surface on both sides only by each other in space. Whether
+/// segments cross is decided by the turns of their four ends, each of which is found alike wherever
+/// it is asked for: so a chain of segments that passes over another one crosses it once, also at a
+/// vertex. In an order that does not depend on the number of threads.
+std::vector<PictureCrossing> find_crossings(const SightSegments& all, const StageProgress& stage);
 
 }  // namespace laplacian_lines

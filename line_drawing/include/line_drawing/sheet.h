@@ -5,6 +5,7 @@
 #include <QPointF>
 #include <QSizeF>
 #include <QString>
+#include <QStringList>
 #include <vector>
 
 namespace line_drawing {
@@ -17,6 +18,7 @@ struct SheetPath {
     QPainterPath path;
     double pen_width = 0;
     double dash = 0;  ///< length of dashes, with gaps of half of it; 0: unbroken
+    double tone = 0;  ///< of areas: 0 black, 1 white
 };
 
 struct SheetText {
@@ -45,7 +47,8 @@ struct Sheet {
     QSizeF size;
     QString title;
     std::vector<SheetGroup> groups;
-    double scale = 1;  ///< drawn length over true length; 0: all views are in perspective
+    double scale = 1;          ///< drawn length over true length; 0: all views are in perspective
+    QStringList remarks = {};  ///< what is to be said of the drawing besides
 };
 
 }  // namespace line_drawing

@@ -9,9 +9,8 @@
 namespace line_drawing {
 
 /// Writes a sheet as SVG, PDF, DXF or PNG, by the ending of the file's name, so that a millimetre
-/// of the sheet is one of the file. The file appears at once and whole or, after an error, not at
-/// all. The same sheet gives the same bytes. PNG has `dpi` dots per inch. PDF and PNG need a
-/// QGuiApplication, for its fonts.
+/// of the sheet is one of the file, as writeWhole() does. The same sheet gives the same bytes. PNG
+/// has `dpi` dots per inch. PDF and PNG need a QGuiApplication, for its fonts.
 /// @throws laplacian_lines::Error(InvalidOption): unknown ending, or the file cannot be written.
 void writeSheet(const Sheet& sheet, const QString& file, double dpi = 300);
 

@@ -24,18 +24,35 @@ enum class StrokeStyle { Tapered, Plain };
 /// How what a section cuts is drawn: with hatching, black, or as its outline alone.
 enum class WallStyle { Hatched, Filled, None };
 
+/// Widths of lines. As illustrators have them: the outline of all is wider than contours within it,
+/// these wider than edges. Or as ISO 128 has them for technical drawings: all edges that are seen
+/// as wide as outlines, other lines half as wide.
+enum class Weights { Illustrator, Iso };
+
+/// What is done with the area within the outline: nothing, or it is there as an area of its own,
+/// its holes left out.
+enum class OutlineArea { None, Filled };
+
 /// What is done with outlines, borders and creases that the surface hides.
 enum class HiddenLines { LeftOut, Dashed };
 
 /// Classes of lines by what they show.
 enum class LineClass {
-    Outline,  ///< contours and borders
-    Inner,    ///< creases, ridges and clear Laplacian lines
+    Outline,  ///< contours and borders before nothing: the edge of the drawing, closed lines
+    Contour,  ///< contours and borders before a farther part of the surface
+    Edge,     ///< creases: edges of the form between two faces that are seen
+    Inner,    ///< ridges, clear Laplacian lines and other lines within a face
     Fine,     ///< faint Laplacian lines, hatching
     Section,  ///< where a section cuts the surface
     Hidden    ///< outlines, borders and creases behind the surface, dashed
 };
-constexpr std::size_t line_class_count = 5;
+constexpr std::size_t line_class_count = 7;
+
+/// Widths in mm, by LineClass.
+constexpr std::array<double, line_class_count> pensOf(Weights weights) {
+    if (weights == Weights::Iso) return {0.5, 0.5, 0.5, 0.25, 0.25, 0.5, 0.25};
+    return {0.5, 0.35, 0.25, 0.25, 0.13, 0.35, 0.18};
+}
 
 struct SheetOptions {
     std::vector<ViewFrame> views;
@@ -52,7 +69,8 @@ struct SheetOptions {
     WallStyle wall = WallStyle::Hatched;
     HiddenLines hidden = HiddenLines::LeftOut;
     /// Widths in mm, by LineClass.
-    std::array<double, line_class_count> pens = {0.5, 0.25, 0.13, 0.35, 0.18};
+    std::array<double, line_class_count> pens = pensOf(Weights::Illustrator);
+    OutlineArea area = OutlineArea::None;
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
     double tolerance = 0.02;     ///< of curves against the lines, mm on paper
     QString title;               ///< empty: none

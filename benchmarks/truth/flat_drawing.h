@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/sheet.h"
+#include "plane_lines.h"
+
+namespace benchmarks {
+
+/// A line of a measured drawing.
+struct DrawnPath {
+    PlaneLine points;
+    bool is_outline = false;  ///< it is on the layer of outlines
+    bool is_closed = false;
+};
+using DrawnPaths = std::vector<DrawnPath>;
+
+PlaneLines lines_of(const DrawnPaths& paths);
+
+/// How a mesh is drawn: at 1:1, as plain strokes.
+struct DrawingManner {
+    double mm_per_unit = 1;
+    Eigen::Vector3d origin = {0, 0, 0};  ///< of the pictures' coordinates, in those of the mesh
+};
+
+/// What makeSheets() draws of a mesh by its contours, borders and creases, a drawing for each
+/// frame, in the frame's coordinates. @throws laplacian_lines::Error
+std::vector<DrawnPaths> drawings_of(const laplacian_lines::TriangleMesh& mesh,
+                                    const std::vector<PlaneFrame>& frames,
+                                    const DrawingManner& manner = {});
+
+/// The lines of a view on a sheet, flattened to .002 mm, in the sheet's own coordinates, y down.
+DrawnPaths flattened(const line_drawing::SheetGroup& view);
+
+}  // namespace benchmarks

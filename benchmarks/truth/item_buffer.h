@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "flat_drawing.h"
+
+namespace benchmarks {
+
+constexpr double item_pixels_per_mm = 20;
+
+/// What a mesh covers of a picture: for each pixel the number of the triangle in front.
+class ItemBuffer {
+public:
+    /// In the coordinates of drawings_of().
+    /// @throws std::runtime_error if the picture has more than 1e8 pixels
+    ItemBuffer(const laplacian_lines::TriangleMesh& mesh, const PlaneFrame& frame,
+               const DrawingManner& manner);
+
+    /// Places between neighbouring pixels of which one is background.
+    PlaneLine border() const;
+    /// Places between neighbouring pixels where depth jumps by more than `least` mm.
+    /// None beside a triangle that is seen from its edge.
+    PlaneLine jumps(double least) const;
+
+    /// Places between neighbouring pixels of triangles that turn by more than `least` degrees, or
+    /// of which one is seen from its edge.
+    PlaneLine edges(double least) const;
+
+    bool is_covered(int x, int y) const { return items_[index(x, y)] != nothing; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    PlanePoint place(double x, double y) const;  ///< of a pixel's middle
+
+private:
+    static constexpr std::uint32_t nothing = 0xffffffff;
+    /// Depth over a triangle, towards the viewer: in the middle of pixel (0, 0), and a pixel on.
+    struct Plane {
+        double at_origin = 0, by_x = 0, by_y = 0;
+        bool is_known = false;  ///< not of what is seen from its edge
+        Eigen::Vector3d normal() const { return Eigen::Vector3d(-by_x, -by_y, 1).normalized(); }
+        double at(double x, double y) const { return at_origin + by_x * x + by_y * y; }
+    };
+
+    std::size_t index(int x, int y) const {
+        return std::size_t(y) * std::size_t(width_) + std::size_t(x);
+    }
+    void fill(std::uint32_t item, const Eigen::Matrix3d& corners);
+    void trace(std::uint32_t item, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+    void cover(std::uint32_t item, int x, int y, double depth);
+    bool is_jump(int x, int y, int right, int up, double least) const;
+    bool is_edge(int x, int y, int right, int up, double most_cosine) const;
+    template <class Test>
+    PlaneLine between_pixels(Test test) const;
+
+    PlanePoint corner_;
+    int width_ = 0, height_ = 0;
+    std::vector<std::uint32_t> items_;
+    std::vector<float> depths_;
+    std::vector<Plane> planes_;  ///< by triangle
+};
+
+}  // namespace benchmarks

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <array>
+
+#include "laplacian_lines/triangle_mesh.h"
+#include "plane_lines.h"
+
+namespace benchmarks {
+
+/// Where a part is seen from, see directions.py.
+enum class DirectionClass { Faces, Edges, Corners, AsideByAHair, AsideByADegree, Generic };
+inline constexpr std::array direction_class_names = {"faces",      "edges",          "corners",
+                                                     "1e-6 aside", "1 degree aside", "generic"};
+
+struct PartMesh {
+    double linear = 0, angular = 0;  ///< deflections, mm and rad
+    laplacian_lines::TriangleMesh mesh;
+};
+
+/// Exact lines of a part from one direction.
+struct ExactView {
+    std::string name;
+    DirectionClass direction_class = DirectionClass::Faces;
+    PlaneFrame frame;
+    PlaneLines demanded;  ///< have to be drawn
+    PlaneLines allowed;   ///< tangent edges, which may be drawn
+};
+
+/// A CAD part as make_parts.py writes it.
+struct CadPart {
+    std::string name;
+    std::vector<PartMesh> meshes;
+    std::vector<ExactView> views;
+};
+
+/// @throws std::runtime_error with the file's name
+CadPart read_part(const QString& file);
+
+}  // namespace benchmarks

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "laplacian_lines/triangle_mesh.h"
+
+namespace benchmarks {
+
+struct SilhouetteMesh {
+    std::string name;
+    std::function<laplacian_lines::TriangleMesh()> make;
+};
+
+/// Meshes of every kind: those of the tests, wild ones that can be drawn, primitives, soups,
+/// cracks, mirrored, tiny, huge and far ones.
+std::vector<SilhouetteMesh> silhouette_meshes();
+
+/// A mesh from a file; and the same beside its mirror image.
+std::vector<SilhouetteMesh> scans_of(const std::string& file);
+
+}  // namespace benchmarks

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixed/crease_jump.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace laplacian_lines {
+namespace {
+
+constexpr int kMostTriangles = 40;  // of a walk: farther away nothing belongs to this edge
+// Shares of the edge's angle: what bends less is within a facet, half of it tells a curvature.
+constexpr float kWithinFacet = 0.25f, kTelling = 0.5f;
+// Facets of one face are alike: curvatures and widths from one to the next differ less.
+constexpr float kAlike = 3;
+// Three facets between two edges are an arc if they turn so much, degrees; flanks of teeth, drawn
+// as a few straight pieces, turn less, and tessellators' tolerances leave arcs more facets then.
+constexpr float kArcOfThree = 12;
+constexpr float kAcross = 0.5f;  // sine between the way and an edge that ends an arc, not its side
+
+bool are_alike(float a, float b) {
+    return a <= kAlike * b && b <= kAlike * a;
+}
+
+/// Whether three faces meet at an end of an edge, the corner `end` of the side's triangle, at edges
+/// of at least this angle, and not both others of them are edges of the form whatever is around.
+bool is_corner(const TriangleGraph& graph, const TriangleSide& side, unsigned end, float least) {
+    const Eigen::Vector3f corner = graph.position(side.triangle, end);
+    int edges = 0, sharp = 0;
+    TriangleSide at = side;
+    for (int i = 0; i < kMostTriangles; ++i) {
+        const unsigned after = (at.k + 1) % 3;  // the other side there is this or the next
+        at.k = graph.position(at.triangle, after) == corner ? after : (after + 1) % 3;
+        const std::uint32_t next = graph.triangles[at.triangle].neighbours[at.k];
+        if (next == TriangleGraph::kNone || graph.triangles[next].normal.isZero(0)) return false;
+        const float angle = std::abs(signed_angle(graph, at));
+        edges += angle >= least;
+        sharp += angle >= kEdgeAngle;
+        at = side_beyond(graph, at);
+        if (at.triangle == side.triangle) return edges == 3 && sharp < 2;
+    }
+    return false;
+}
+
+/// Whether an edge may be between facets of an arc that has but three. Those are strips, which end
+/// at edges of the form, at borders or in more strips: not in such corners at both ends.
+bool may_be_of_three(const TriangleGraph& graph, const TriangleSide& side, float angle) {
+    const float least = kWithinFacet * std::abs(angle);
+    return !is_corner(graph, side, side.k, least) ||
+           !is_corner(graph, side, (side.k + 1) % 3, least);
+}
+
+/// Triangles in one plane, nearly.
+struct Facet {
+    float centre, end;  // along the way
+    float turn;         // at its end, degrees, positive as the edge in question
+    bool is_flat;       // of several triangles, on the way or beside it
+};
+
+/// The facets on one side, up to an edge of the form, a border, or where the surface bends back.
+class FacetWalk {
+public:
+    FacetWalk(const TriangleGraph& graph, const TriangleSide& from, float angle)
+        : walk_(graph, from),
+          sign_(angle > 0 ? 1.f : -1.f),
+          least_(kWithinFacet * std::abs(angle)) {}
+
+    enum class End { None, Edge, Back };
+    End end() const { return end_; }
+    /// Whether it ends at an edge that goes about the way that the one in question does.
+    bool ends_across() const { return end_ != End::Edge || walk_.slant() >= kAcross; }
+
+    /// The next one; false if there is none.
+    bool next(Facet& facet) {
+        if (is_over_) return false;
+        float area = 0, moment = 0;
+        const float begin = walk_.begin();
+        facet = {0, 0, 0, false};
+        for (;;) {
+            area += walk_.area();
+            moment += walk_.area() * walk_.centre();
+            facet.is_flat = facet.is_flat || walk_.goes_on_flat(least_);
+            ++count_;
+            if (ends_facet(facet)) break;
+            walk_.go_on();
+        }
+        facet.centre = moment / area;
+        facet.end = walk_.end();
+        // between its bends the way may pass only a corner of a long facet
+        if (facet.turn > 0 && !(facet.centre > begin && facet.centre < facet.end))
+            facet.centre = (begin + facet.end) / 2;
+        if (!is_over_) walk_.go_on();
+        return true;
+    }
+
+private:
+    bool ends_facet(Facet& facet) {
+        const float turn = sign_ * walk_.turn();
+        if (walk_.is_at_border() || std::abs(walk_.angle()) >= kEdgeAngle)
+            end_ = End::Edge;
+        else if (turn <= -least_)
+            end_ = End::Back;
+        is_over_ = end_ != End::None || count_ == kMostTriangles;
+        if (is_over_) return true;
+        facet.turn = turn >= least_ ? turn : 0;
+        return turn >= least_;
+    }
+
+    SurfaceWalk walk_;
+    const float sign_, least_;
+    int count_ = 0;
+    bool is_over_ = false;
+    End end_ = End::None;
+};
+
+/// What one side tells.
+class FacetSide {
+public:
+    FacetSide(const TriangleGraph& graph, const TriangleSide& from, float angle, bool of_three)
+        : walk_(graph, from, angle), telling_(kTelling * std::abs(angle)), of_three_(of_three) {
+        Facet facet;
+        if (!walk_.next(facet)) return;
+        half_ = facet.centre;
+        is_flat_ = facet.is_flat || walk_.end() == FacetWalk::End::Edge;
+        float turn = 0;
+        if (!go_on(facet, turn)) return;
+        curvature_ = turn / least_distance(facet.centre - half_);
+        const float edge = last_end_;
+        judge_beyond(facet, turn, edge, std::abs(angle));
+    }
+
+    float half() const { return half_; }            ///< from the edge to the first facet's centre
+    float curvature() const { return curvature_; }  ///< beyond the first facet; 0: none
+    bool is_arc() const { return is_arc_; }         ///< goes on being curved like this
+    /// Of an arc that ends at the first facet's far edge, tangent to what is beyond; 0: is none.
+    float last_curvature() const { return last_curvature_; }
+    bool is_clear() const { return is_flat_ || is_arc_ || last_curvature_ > 0; }
+
+private:
+    static float least_distance(float distance) { return std::max(distance, 1e-12f); }
+
+    /// On to the first facet before which the surface has turned enough to tell a curvature.
+    bool go_on(Facet& facet, float& turn) {
+        while (turn < telling_) {
+            if (!(facet.turn > 0)) return false;
+            turn += facet.turn;
+            last_end_ = facet.end;
+            if (!walk_.next(facet)) return false;
+        }
+        return true;
+    }
+
+    void judge_beyond(Facet facet, float turn, float edge, float angle) {
+        const Facet second = facet;
+        float more = 0;
+        bool goes_back = false;
+        if (go_on(facet, more)) {
+            const float beyond = more / least_distance(facet.centre - second.centre);
+            is_arc_ = are_alike(beyond, curvature_);
+            goes_back = is_arc_ || beyond > curvature_;
+        } else {
+            const float width = second.centre - edge, own = edge - half_;
+            is_arc_ = of_three_ && walk_.end() != FacetWalk::End::None &&
+                      (angle >= kArcOfThree || !walk_.ends_across()) && are_alike(width, own);
+            goes_back = width <= kAlike * own;
+        }
+        if (!goes_back) last_curvature_ = turn / least_distance(edge - half_);
+    }
+
+    FacetWalk walk_;
+    const float telling_;
+    const bool of_three_;  // whether it may be an arc of three facets
+    float half_ = 0, curvature_ = 0, last_curvature_ = 0, last_end_ = 0;
+    bool is_arc_ = false, is_flat_ = false;
+};
+
+/// By how much the edge would turn if it were one between facets, degrees.
+float explained(const FacetSide& a, const FacetSide& b) {
+    if (a.is_arc() && b.is_arc()) return a.curvature() * a.half() + b.curvature() * b.half();
+    if (a.is_arc() || b.is_arc()) {
+        const FacetSide& arc = a.is_arc() ? a : b;
+        const FacetSide& other = a.is_arc() ? b : a;
+        const float own = arc.curvature() * arc.half();
+        if (other.curvature() > 0 && are_alike(other.curvature(), arc.curvature()))
+            return own + other.curvature() * other.half();
+        // The last facet of the arc, if it is no wider than others of it.
+        return other.half() <= kAlike * arc.half() ? own + arc.curvature() * other.half() : own;
+    }
+    // Two facets in all: a fillet, tangent at both ends.
+    if (a.last_curvature() > 0 && b.last_curvature() > 0 &&
+        are_alike(a.last_curvature(), b.last_curvature()))
+        return a.last_curvature() * a.half() + b.last_curvature() * b.half();
+    return 0;
+}
+
+}  // namespace
+
+CreaseJump crease_jump(const TriangleGraph& graph, const TriangleSide& side, float angle) {
+    const float sign = graph.triangles[side.triangle].sign_across(side.k);
+    const bool of_three = may_be_of_three(graph, side, angle);
+    const FacetSide here(graph, side, angle, of_three),
+        there(graph, side_beyond(graph, side), sign * angle, of_three);
+    return {std::abs(angle) - explained(here, there), here.is_clear() && there.is_clear()};
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixed/crease_support.h"
+
+#include <unordered_map>
+
+#include "system/disjoint_sets.h"
+
+namespace laplacian_lines {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr float kGoesOn = 0.5f;  // least cosine between two edges of a chain
+// Cosine of 10 degrees: what leaves a certain edge at less is a side of a sliver along it.
+constexpr float kSliver = 0.985f;
+constexpr float kLeastStrong = 0.5f;  // of the length
+
+class SupportedCreases {
+public:
+    explicit SupportedCreases(const std::vector<PossibleCrease>& edges)
+        : edges_(edges), kept_(edges.size(), 1), runs_out_(edges.size(), 0) {
+        for (std::uint32_t i = 0; i < edges.size(); ++i)
+            for (int end = 0; end < 2; ++end)
+                at_[place_of(edges[i].vertices[end])].push_back(i);
+    }
+
+    std::vector<std::uint8_t> run(bool is_made) {
+        if (is_made) find_running_out();
+        drop_loose();
+        drop_doubtful();
+        return std::move(kept_);
+    }
+
+private:
+    std::uint32_t place_of(std::uint32_t vertex) {
+        const auto [place, is_new] = places_.try_emplace(vertex, std::uint32_t(at_.size()));
+        if (is_new) at_.emplace_back();
+        return place->second;
+    }
+
+    /// Calls visit(number, cosine) for each other edge at an end of one; 1: it goes straight on.
+    template <class Visit>
+    void for_each_at(std::uint32_t i, int end, const Visit& visit) {
+        const PossibleCrease& edge = edges_[i];
+        const Vector3f& here = edge.positions[end];
+        const Vector3f way = (here - edge.positions[1 - end]).normalized();
+        for (const std::uint32_t o : at_[places_[edge.vertices[end]]]) {
+            if (o == i) continue;
+            const PossibleCrease& other = edges_[o];
+            const int begin = other.vertices[0] == edge.vertices[end] ? 0 : 1;
+            visit(o, way.dot((other.positions[1 - begin] - here).normalized()));
+        }
+    }
+
+    /// From certain edges on those of ever smaller angles, each the only strong one that goes on
+    /// there; after strong ones also weak ones which nothing else meets.
+    void find_running_out() {
+        std::vector<std::uint32_t> open;
+        for (std::uint32_t i = 0; i < edges_.size(); ++i)
+            if (edges_[i].is_certain) open.push_back(i);
+        while (!open.empty()) {
+            const std::uint32_t i = open.back();
+            open.pop_back();
+            for (int end = 0; end < 2; ++end) {
+                const bool is_only_strong = strong_others(i, end) == 1;
+                const bool is_only = at_[places_[edges_[i].vertices[end]]].size() == 2;
+                for_each_at(i, end, [&](std::uint32_t o, float cosine) {
+                    const PossibleCrease& other = edges_[o];
+                    if (runs_out_[o] || other.is_certain || other.angle >= edges_[i].angle) return;
+                    const bool leads_on =
+                        other.is_strong ? is_only_strong : is_only && !edges_[i].is_certain;
+                    if (!leads_on || cosine < kGoesOn) return;
+                    runs_out_[o] = 1;
+                    open.push_back(o);
+                });
+            }
+        }
+    }
+
+    int strong_others(std::uint32_t i, int end) {
+        int count = 0;
+        for_each_at(i, end, [&](std::uint32_t o, float) {
+            count += edges_[o].is_certain || edges_[o].is_strong;
+        });
+        return count;
+    }
+
+    /// Edges with a loose end, and again those that lose theirs by that.
+    void drop_loose() {
+        std::vector<std::uint32_t> open;
+        for (std::uint32_t i = 0; i < edges_.size(); ++i)
+            open.push_back(i);
+        while (!open.empty()) {
+            const std::uint32_t i = open.back();
+            open.pop_back();
+            if (!kept_[i] || edges_[i].is_certain || is_held(i)) continue;
+            kept_[i] = 0;
+            for (const std::uint32_t vertex : edges_[i].vertices)
+                for (const std::uint32_t other : at_[places_[vertex]])
+                    open.push_back(other);
+        }
+    }
+
+    /// What is at an end of an edge.
+    struct Around {
+        int others = 0;
+        bool certain = false, sliver = false, ahead = false;
+        bool holds() const { return !sliver && (certain || ahead || others > 1); }
+    };
+
+    Around look_around(std::uint32_t i, int end) {
+        Around around;
+        for_each_at(i, end, [&](std::uint32_t o, float cosine) {
+            if (!kept_[o]) return;
+            ++around.others;
+            around.certain = around.certain || edges_[o].is_certain;
+            around.sliver = around.sliver || (edges_[o].is_certain && cosine < -kSliver);
+            around.ahead = around.ahead || cosine >= kGoesOn;
+        });
+        return around;
+    }
+
+    /// Whether both ends are where a crease goes on, where three meet or at an edge that is
+    /// certain, or the edge is one at which a crease runs out.
+    bool is_held(std::uint32_t i) {
+        const Around a = look_around(i, 0), b = look_around(i, 1);
+        return (a.holds() && b.holds()) || (runs_out_[i] && !a.sliver && !b.sliver);
+    }
+
+    void drop_doubtful() {
+        DisjointSets nets(at_.size());
+        const auto is_open = [&](std::uint32_t i) {
+            return kept_[i] && !edges_[i].is_certain && !runs_out_[i];
+        };
+        for (std::uint32_t i = 0; i < edges_.size(); ++i)
+            if (is_open(i))
+                nets.unite(places_[edges_[i].vertices[0]], places_[edges_[i].vertices[1]]);
+        std::vector<float> all(at_.size()), strong(at_.size());
+        const auto net_of = [&](std::uint32_t i) {
+            return nets.root(places_[edges_[i].vertices[0]]);
+        };
+        for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+            if (!is_open(i)) continue;
+            all[net_of(i)] += edges_[i].length();
+            if (edges_[i].is_strong) strong[net_of(i)] += edges_[i].length();
+        }
+        for (std::uint32_t i = 0; i < edges_.size(); ++i)
+            if (is_open(i) && strong[net_of(i)] < kLeastStrong * all[net_of(i)]) kept_[i] = 0;
+    }
+
+    const std::vector<PossibleCrease>& edges_;
+    std::vector<std::uint8_t> kept_, runs_out_;
+    std::unordered_map<std::uint32_t, std::uint32_t> places_;  // by vertex
+    std::vector<std::vector<std::uint32_t>> at_;               // edges, by place
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> find_supported(const std::vector<PossibleCrease>& edges, bool is_made) {
+    return SupportedCreases(edges).run(is_made);
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "visibility/edge_on_walls.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace laplacian_lines {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+EdgeOnWalls::EdgeOnWalls(const Picture& picture) : picture_(picture), mesh_(picture.mesh()) {
+    find_walls();
+    if (is_wall_.empty()) return;
+    join_faces();
+    note_folds();
+}
+
+void EdgeOnWalls::find_walls() {
+    // the eye as it was asked for is within one turn, the one turned the other way within two
+    const double least = 2 * EyeFrame::turn();
+    is_wall_.resize(mesh_.triangles.size());
+    for_each_element(is_wall_.size(), [&](std::size_t t) {
+        const Triangle& corners = mesh_.triangles[t];
+        const Vector3d to_eye = picture_.frame().towards_eye(mesh_.positions[corners[0]]);
+        is_wall_[t] = std::abs(mesh_.normal(std::uint32_t(t)).dot(to_eye)) < least;
+    });
+    if (std::find(is_wall_.begin(), is_wall_.end(), 1) == is_wall_.end()) is_wall_.clear();
+}
+
+void EdgeOnWalls::join_faces() {
+    DisjointSets faces(mesh_.triangles.size());
+    for (std::uint32_t e = 0; e < mesh_.edge_count(); ++e) {
+        if (mesh_.side_count(e) != 2) continue;
+        const std::uint32_t a = mesh_.sides_of(e)[0].triangle, b = mesh_.sides_of(e)[1].triangle;
+        if (is_wall(a) && is_wall(b) &&
+            mesh_.normal(a).cross(mesh_.normal(b)).norm() < EyeFrame::turn())
+            faces.unite(a, b);
+    }
+    face_of_ = faces.take_roots();
+}
+
+void EdgeOnWalls::note_folds() {
+    for (std::uint32_t e = 0; e < mesh_.edge_count(); ++e) {
+        const SightMesh::Side* sides = mesh_.sides_of(e);
+        if (!picture_.is_fold(e)) continue;
+        for (std::size_t i = 0; i < mesh_.side_count(e); ++i)
+            if (is_wall(sides[i].triangle)) folds_[face_of_[sides[i].triangle]].push_back(e);
+    }
+}
+
+bool EdgeOnWalls::drop_at(std::uint32_t edge) const {
+    const SightMesh::Side* sides = mesh_.sides_of(edge);
+    if (mesh_.side_count(edge) != 2 || is_wall(sides[0].triangle) == is_wall(sides[1].triangle))
+        return false;
+    const std::uint32_t wall = sides[is_wall(sides[0].triangle) ? 0 : 1].triangle;
+    if (!recedes(edge, wall)) return false;
+    const auto folds = folds_.find(face_of_[wall]);
+    return folds == folds_.end() ||
+           std::none_of(folds->second.begin(), folds->second.end(),
+                        [&](std::uint32_t fold) { return overlap(edge, fold); });
+}
+
+/// Whether a triangle gets farther from the eye away from its edge.
+bool EdgeOnWalls::recedes(std::uint32_t edge, std::uint32_t triangle) const {
+    const auto& ends = mesh_.edges[edge].vertices;
+    const Vector3d &a = picture_.vertex(ends[0]), way = picture_.vertex(ends[1]) - a;
+    const Vector3d normal = way.cross(Vector3d::UnitZ()).cross(way);  // to the eye, off the edge
+    const Triangle& t = mesh_.triangles[triangle];
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+        return v == ends[0] || v == ends[1] || normal.dot(picture_.vertex(v) - a) < 0;
+    });
+}
+
+/// Whether two edges of one face, which is a line in the picture, lie beside each other there.
+bool EdgeOnWalls::overlap(std::uint32_t edge, std::uint32_t other) const {
+    const auto at = [&](std::uint32_t e, int end) -> Vector2d {
+        return picture_.vertex(mesh_.edges[e].vertices[end]).head<2>();
+    };
+    const Vector2d a = at(edge, 0), way = at(edge, 1) - a;
+    const auto [low, high] = std::minmax({way.dot(at(other, 0) - a), way.dot(at(other, 1) - a)});
+    const double touch = EyeFrame::turn() * way.norm();  // what is so short may be seen end-on
+    return high > touch && low < way.squaredNorm() - touch;
+}
+
+}  // namespace laplacian_lines

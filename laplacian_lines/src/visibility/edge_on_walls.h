@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "system/disjoint_sets.h"
+#include "visibility/picture.h"
+
+namespace laplacian_lines {
+
+/// Faces that the eye sees along their planes, within what it is turned by: whether one faces it is
+/// chance. One that faces away has a contour before it. One that faces the eye and is tangent to
+/// its neighbours has none, and yet the surface drops there: its near edge is a contour as well.
+class EdgeOnWalls {
+public:
+    explicit EdgeOnWalls(const Picture& picture);
+
+    /// Whether an edge of two triangles that is no fold is the near edge of such a face, and none
+    /// of the face's other edges is a fold there.
+    bool drop_at(std::uint32_t edge) const;
+
+private:
+    bool is_wall(std::uint32_t triangle) const { return !is_wall_.empty() && is_wall_[triangle]; }
+    void find_walls();
+    void join_faces();
+    void note_folds();
+    bool recedes(std::uint32_t edge, std::uint32_t triangle) const;
+    bool overlap(std::uint32_t edge, std::uint32_t other) const;
+
+    const Picture& picture_;
+    const SightMesh& mesh_;
+    std::vector<std::uint8_t> is_wall_;  // by triangle; empty: none is
+    std::vector<std::uint32_t> face_of_;
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> folds_;  // edges, by face
+};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "visibility/picture.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace laplacian_lines {
+namespace {
+
+using Eigen::Vector3d;
+
+double cross(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+bool is_less(const Vector3d& a, const Vector3d& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
+}
+
+BoxLevels<2>::Box flat_box(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c).head<2>(),
+                          high = a.cwiseMax(b).cwiseMax(c).head<2>();
+    // outwards by more than floats round
+    const auto wider = [](const Eigen::Vector2d& corner, float sign) {
+        const Eigen::Vector2f f = corner.cast<float>();
+        return Eigen::Vector2f(f.array() + sign * (2e-7f * f.array().abs() + 1e-12f));
+    };
+    return {wider(low, -1), wider(high, 1)};
+}
+
+}  // namespace
+
+Picture::Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgress& stage)
+    : mesh_(mesh), frame_(frame) {
+    stage.report(0);
+    places_.resize(mesh.positions.size());
+    for_each_element(places_.size(),
+                     [&](std::size_t v) { places_[v] = frame.place(mesh.positions[v]); });
+    facing_.resize(mesh.triangles.size());
+    const auto corner = [&](std::size_t t, std::size_t k) -> const Vector3d& {
+        return places_[mesh.triangles[t][k]];
+    };
+    for_each_element(facing_.size(), [&](std::size_t t) {
+        facing_[t] = std::int8_t(turn(corner(t, 0), corner(t, 1), corner(t, 2)));
+    });
+    stage.report(0.4);
+    levels_ = {mesh.triangles.size(),
+               [&](std::uint32_t t) { return flat_box(corner(t, 0), corner(t, 1), corner(t, 2)); }};
+    stage.report(1);
+}
+
+bool Picture::is_fold(std::uint32_t edge) const {
+    const SightMesh::Side* sides = mesh_.sides_of(edge);
+    return std::all_of(sides, sides + mesh_.side_count(edge), [&](const SightMesh::Side& side) {
+        return side_of(side) == side_of(sides[0]);
+    });
+}
+
+int Picture::turn(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    return is_less(a, b) ? (cross(a, b, c) >= 0 ? 1 : -1) : (cross(b, a, c) >= 0 ? -1 : 1);
+}
+
+bool Picture::covers(std::uint32_t triangle, const Vector3d& place) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    for (std::size_t k = 0; k < 3; ++k)
+        if (turn(places_[t[k]], places_[t[(k + 1) % 3]], place) != facing_[triangle]) return false;
+    return true;
+}
+
+Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::size_t own_count,
+                      double precision) const {
+    const Vector3d at = frame_.place(point), to_eye = frame_.towards_eye(point);
+    const auto is_own = [&](std::uint32_t triangle) {
+        const auto place = std::lower_bound(
+            own, own + own_count, triangle,
+            [](const SightMesh::Side& side, std::uint32_t t) { return side.triangle < t; });
+        return place != own + own_count && place->triangle == triangle;
+    };
+    Backing result;
+    levels_.visit(BoxLevels<2>::Box(at.head<2>().cast<float>().eval()),
+                  [&](std::uint32_t triangle, const BoxLevels<2>::Box&) {
+                      if (result.is_hidden || is_own(triangle) || !covers(triangle, at)) return;
+                      const Vector3d& corner = mesh_.positions[mesh_.triangles[triangle][0]];
+                      const Vector3d normal = facing_[triangle] * mesh_.normal(triangle);
+                      const double height = normal.dot(point - corner);  // above it for the eye
+                      result.is_hidden = height < -precision;
+                      result.gap = std::min(result.gap, std::max(height, 0.) / normal.dot(to_eye));
+                  });
+    return result;
+}
+
+}  // namespace laplacian_lines

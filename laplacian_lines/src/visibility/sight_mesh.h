@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "laplacian_lines/triangle_mesh.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+
+/// A surface with all its edges, as sight needs it, whatever its topology and winding: vertices at
+/// one place are one, triangles without height are gone, and an edge on which vertices of others
+/// lie is cut there, so that surfaces which touch share edges. Where triangles run through each
+/// other there are edges, too, which both have on both sides. In local coordinates
+/// x' = (x − centre) / size.
+struct SightMesh {
+    /// A side of a triangle, or a part of one between vertices that lie on it. A triangle that goes
+    /// on to both sides of an edge has two, of both directions.
+    struct Side {
+        std::uint32_t triangle;
+        bool is_reversed;  ///< the triangle goes from the edge's second vertex to its first
+    };
+    struct Edge {
+        std::uint32_t vertices[2];  ///< ascending
+        std::uint32_t first_side;   ///< in `sides`, up to that of the next edge
+    };
+
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double size = 1;            ///< D, mesh units
+    double precision = 0;       ///< local: what is as near as that is at one place
+    double line_precision = 0;  ///< the same of points of lines, which are floats
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<Triangle> triangles;
+    std::vector<Edge> edges;  ///< and one more, behind the last
+    std::vector<Side> sides;
+
+    std::size_t edge_count() const { return edges.empty() ? 0 : edges.size() - 1; }
+    std::size_t side_count(std::uint32_t edge) const {
+        return edges[edge + 1].first_side - edges[edge].first_side;
+    }
+    const Side* sides_of(std::uint32_t edge) const { return &sides[edges[edge].first_side]; }
+    bool is_border(std::uint32_t edge) const { return side_count(edge) == 1; }
+
+    Eigen::Vector3d local(const Eigen::Vector3d& point) const { return (point - centre) / size; }
+    Eigen::Vector3d in_mesh(const Eigen::Vector3d& local) const { return centre + size * local; }
+    /// Unit normal of a triangle.
+    Eigen::Vector3d normal(std::uint32_t triangle) const;
+};
+
+/// Triangles with corners that are not finite are left out.
+/// @throws Error: InvalidMesh if a triangle names a vertex that does not exist, Cancelled.
+SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage);
+/// Of a part of another mesh, in whose local coordinates it is and stays.
+SightMesh build_sight_mesh(TriangleMesh part, const SightMesh& whole, const StageProgress& stage);
+
+}  // namespace laplacian_lines

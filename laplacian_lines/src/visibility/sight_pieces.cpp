@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "visibility/sight_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace laplacian_lines {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The crossings on each segment, in its direction.
+class Divisions {
+public:
+    struct Division {
+        double share;
+        std::uint32_t crossing;
+    };
+
+    Divisions(std::size_t segments, const std::vector<PictureCrossing>& crossings)
+        : begins_(segments + 2, 0), all_(2 * crossings.size()) {
+        for (const PictureCrossing& crossing : crossings)
+            for (const std::uint32_t segment : crossing.segments)
+                ++begins_[segment + 2];
+        for (std::size_t s = 2; s < begins_.size(); ++s)
+            begins_[s] += begins_[s - 1];
+        for (std::uint32_t c = 0; c < crossings.size(); ++c)
+            for (int i = 0; i < 2; ++i)
+                all_[begins_[crossings[c].segments[i] + 1]++] = {crossings[c].shares[i], c};
+        for_each_element(segments, [&](std::size_t s) {
+            std::sort(all_.begin() + begins_[s], all_.begin() + begins_[s + 1],
+                      [](const Division& a, const Division& b) {
+                          return a.share != b.share ? a.share < b.share : a.crossing < b.crossing;
+                      });
+        });
+    }
+
+    const Division* begin(std::uint32_t segment) const { return all_.data() + begins_[segment]; }
+    const Division* end(std::uint32_t segment) const { return all_.data() + begins_[segment + 1]; }
+
+private:
+    std::vector<std::uint32_t> begins_;
+    std::vector<Division> all_;
+};
+
+Eigen::Vector2d middle_of(const SightSegments& all, const SightPiece& piece) {
+    const SightSegment& segment = all.segments[piece.segment];
+    const double t = (piece.shares[0] + piece.shares[1]) / 2;
+    const Vector3d &a = all.place(segment.points[0]), &b = all.place(segment.points[1]);
+    return (a + t * (b - a)).head<2>();
+}
+
+/// Looks at the middle of a piece.
+void decide(const SightSegments& all, SightPiece& piece) {
+    const SightSegment& segment = all.segments[piece.segment];
+    const SightMesh& mesh = all.picture.mesh();
+    const double t = (piece.shares[0] + piece.shares[1]) / 2;
+    const double share =
+        all.picture.share_in_space(all.place(segment.points[0]), all.place(segment.points[1]), t);
+    const Vector3d &a = all.position(segment.points[0]), &b = all.position(segment.points[1]);
+    const bool is_edge = segment.edge != SightSegment::kNone;
+    const Backing backing =
+        all.picture.look(a + share * (b - a), is_edge ? mesh.sides_of(segment.edge) : nullptr,
+                         is_edge ? mesh.side_count(segment.edge) : 0, reach_of(mesh, segment));
+    piece.is_hidden = backing.is_hidden;
+    piece.gap = float(backing.gap);
+    piece.is_outline = !backing.is_hidden && std::isinf(backing.gap) && segment.divides &&
+                       describe(segment.kind).is_outline;
+}
+
+// Local: points that lie on the surface as well as that are seen as it is there.
+constexpr double kOnSurface = 1e-5;
+
+/// Whether a piece goes on with the one before as a line on the surface that nothing has crossed.
+/// Crest lines and those of coarse coordinates are beside the surface, which can hide them for a
+/// while.
+bool goes_on(const SightSegments& all, std::uint32_t first_crossing, const SightPiece& before,
+             const SightPiece& piece) {
+    const SightSegment &from = all.segments[before.segment], &to = all.segments[piece.segment];
+    return to.edge == SightSegment::kNone && from.line == to.line &&
+           reach_of(all.picture.mesh(), to) < kOnSurface && before.nodes[1] == piece.nodes[0] &&
+           piece.nodes[0] < first_crossing;
+}
+
+/// Where runs of pieces begin that are seen as a whole, or not, and the end of the last.
+std::vector<std::size_t> runs_of(const SightSegments& all, std::uint32_t first_crossing,
+                                 const std::vector<SightPiece>& pieces) {
+    std::vector<std::size_t> begins;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (i == 0 || !goes_on(all, first_crossing, pieces[i - 1], pieces[i])) begins.push_back(i);
+    begins.push_back(pieces.size());
+    return begins;
+}
+
+/// By places in the picture, along a curve that fills it (Morton): rays that follow each other then
+/// read the same memory.
+std::vector<std::uint32_t> order_in_picture(const std::vector<Eigen::Vector2d>& places) {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& place : places)
+        box.extend(place);
+    const Eigen::Array2d scale = 65535 / box.sizes().array().max(1e-300);
+    const auto spread = [](std::uint32_t x) {
+        x = (x | x << 8) & 0x00ff00ffu;
+        x = (x | x << 4) & 0x0f0f0f0fu;
+        x = (x | x << 2) & 0x33333333u;
+        return (x | x << 1) & 0x55555555u;
+    };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> order(places.size());
+    for_each_element(places.size(), [&](std::size_t i) {
+        const Eigen::Array2d at = (places[i] - box.min()).array() * scale;
+        order[i] = {spread(std::uint32_t(at.x())) | spread(std::uint32_t(at.y())) << 1,
+                    std::uint32_t(i)};
+    });
+    std::sort(order.begin(), order.end());
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(order.size());
+    for (const auto& [place, number] : order)
+        numbers.push_back(number);
+    return numbers;
+}
+
+/// Looks at one piece of each run.
+void decide_runs(const SightSegments& all, const std::vector<std::size_t>& runs,
+                 const StageProgress& stage, std::vector<SightPiece>& pieces) {
+    const auto chosen = [&](std::size_t run) -> SightPiece& {
+        return pieces[(runs[run] + runs[run + 1]) / 2];
+    };
+    std::vector<Eigen::Vector2d> places(runs.size() - 1);
+    for_each_element(places.size(),
+                     [&](std::size_t run) { places[run] = middle_of(all, chosen(run)); });
+    const std::vector<std::uint32_t> order = order_in_picture(places);
+    parallel_for<NoScratch>(
+        order.size(), stage,
+        [&](std::size_t i, NoScratch&) {
+            const std::uint32_t run = order[i];
+            decide(all, chosen(run));
+            for (std::size_t k = runs[run]; k < runs[run + 1]; ++k)
+                pieces[k].is_hidden = chosen(run).is_hidden;
+        },
+        256);
+}
+
+}  // namespace
+
+std::uint32_t first_crossing_node(const SightSegments& all) {
+    return std::uint32_t(all.picture.mesh().positions.size() + all.line_points.size());
+}
+
+std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
+                                          const std::vector<PictureCrossing>& crossings,
+                                          const StageProgress& stage) {
+    const Divisions divisions(all.segments.size(), crossings);
+    const std::uint32_t first_crossing = first_crossing_node(all);
+    std::vector<SightPiece> pieces;
+    for (std::uint32_t s = 0; s < all.segments.size(); ++s) {
+        const SightSegment& segment = all.segments[s];
+        if (!segment.is_drawn) continue;
+        SightPiece piece{s, {segment.points[0], 0}, {0, 0}, false, false, 0};
+        const auto end_at = [&](std::uint32_t node, double share) {
+            piece.nodes[1] = node;
+            piece.shares[1] = share;
+            pieces.push_back(piece);
+            piece.nodes[0] = node;
+            piece.shares[0] = share;
+        };
+        for (auto d = divisions.begin(s); d != divisions.end(s); ++d)
+            end_at(first_crossing + d->crossing, d->share);
+        end_at(segment.points[1], 1);
+    }
+    decide_runs(all, runs_of(all, first_crossing, pieces), stage, pieces);
+    return pieces;
+}
+
+}  // namespace laplacian_lines

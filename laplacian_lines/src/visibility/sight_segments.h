@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "laplacian_lines/line_set.h"
+#include "visibility/crease_marks.h"
+#include "visibility/picture.h"
+
+namespace laplacian_lines {
+
+/// A straight piece of what may be drawn of a view, or of what may hide: a contour, border, crease
+/// or cut, each an edge of the mesh, or a segment of a line on the surface.
+struct SightSegment {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    std::uint32_t points[2] = {0, 0};  ///< of SightSegments
+    std::uint32_t edge = kNone;        ///< of the mesh
+    std::uint32_t line = kNone;        ///< of the lines on the surface
+    LineKind kind = LineKind::Contour;
+    bool is_drawn = true;
+    bool is_exact = true;  ///< an edge of the form, or its end; others only stand for a smooth line
+    bool divides = false;  ///< sight may change where something crosses it in the picture
+};
+
+/// All of them in one view. Points are the mesh's vertices and, behind these, those of lines.
+struct SightSegments {
+    const Picture& picture;
+    std::vector<SightSegment> segments;
+    std::vector<Eigen::Vector3d> line_points, line_places;  ///< local; in the picture
+
+    const Eigen::Vector3d& position(std::uint32_t point) const {
+        const auto& vertices = picture.mesh().positions;
+        return point < vertices.size() ? vertices[point] : line_points[point - vertices.size()];
+    }
+    const Eigen::Vector3d& place(std::uint32_t point) const {
+        const std::size_t vertices = picture.mesh().positions.size();
+        return point < vertices ? picture.vertex(point) : line_places[point - vertices];
+    }
+};
+
+/// The mesh's edges, and the segments of those of the lines that lie on the surface, in their
+/// order: not its edges, which are contours, borders and creases.
+SightSegments find_sight_segments(const Picture& picture, const CreaseMarks& creases,
+                                  const std::vector<LineSet>& lines);
+
+/// How far from a triangle's plane a point of a segment may be that is on it, local: crest lines
+/// pass the edges of the mesh up to .06 % of D beside it.
+double reach_of(const SightMesh& mesh, const SightSegment& segment);
+
+/// Whether lines of a kind are edges of the mesh.
+bool is_edge_kind(LineKind kind);
+
+}  // namespace laplacian_lines

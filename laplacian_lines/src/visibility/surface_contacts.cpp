@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// T. Möller, "A Fast Triangle-Triangle Intersection Test", 1997: the plane of each of two triangles
+// cuts the other one in an interval of the line that the planes have in common.
+#include "visibility/surface_contacts.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "system/large_array.h"
+#include "visibility/near_pairs.h"
+#include "visibility/vertex_places.h"
+
+namespace laplacian_lines {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Where a side of a triangle meets the plane of another: a corner, if both are the same, or a
+/// place between two, ascending.
+struct CutEnd {
+    std::array<std::uint32_t, 2> side;
+    std::uint32_t pierced = 0;  // the other triangle; 0 for corners
+    Vector3d position = Vector3d::Zero();
+};
+
+struct FoundCut {
+    CutEnd ends[2];
+    std::uint32_t triangles[2];
+};
+
+bool has_corner(const Triangle& t, std::uint32_t vertex) {
+    return vertex == t[0] || vertex == t[1] || vertex == t[2];
+}
+
+/// A triangle's corners over the plane of another one.
+struct Heights {
+    double over[3];
+    int signs[3];  // 0: as near as the precision
+
+    Heights(const SightMesh& mesh, const Triangle& corners, const Vector3d& normal,
+            const Vector3d& origin) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            over[k] = normal.dot(mesh.positions[corners[k]] - origin);
+            signs[k] = over[k] > mesh.precision ? 1 : over[k] < -mesh.precision ? -1 : 0;
+        }
+    }
+
+    /// Whether the corners but those that the other triangle has, too, are all on one side.
+    bool are_beside(double reach, const Triangle& corners, const Triangle& other) const {
+        bool are_over = true, are_under = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (has_corner(other, corners[k])) continue;
+            are_over = are_over && over[k] > reach;
+            are_under = are_under && over[k] < -reach;
+        }
+        return are_over || are_under;
+    }
+    bool are_on_both_sides() const {
+        return std::max({signs[0], signs[1], signs[2]}) > 0 &&
+               std::min({signs[0], signs[1], signs[2]}) < 0;
+    }
+    /// The corner that is not in the plane, of triangles with just one; else 3.
+    std::size_t single_corner() const {
+        if (std::abs(signs[0]) + std::abs(signs[1]) + std::abs(signs[2]) != 1) return 3;
+        return signs[0] != 0 ? 0 : signs[1] != 0 ? 1 : 2;
+    }
+    /// Whether the triangle meets the plane in a piece of a line.
+    bool reach_across() const { return are_on_both_sides() || single_corner() != 3; }
+};
+
+/// Where an edge lies in the plane of a triangle, of one of the triangles at the edge.
+struct CutAlongEdge {
+    std::array<std::uint32_t, 2> edge;  // ascending
+    int side;                           // of the plane, on which the triangle at the edge lies
+    FoundCut cut;                       // of twice the triangle that has the edge in its plane
+};
+
+/// What is found by one thread.
+struct Found {
+    std::vector<FoundCut> cuts;
+    std::vector<CutAlongEdge> along_edges;
+    std::vector<SurfaceContacts::OnEdge> on_edges;
+};
+
+int common_corners(const Triangle& a, const Triangle& b) {
+    int count = 0;
+    for (const std::uint32_t v : a)
+        count += has_corner(b, v);
+    return count;
+}
+
+/// Finds out how two triangles meet.
+class PairJudge {
+public:
+    explicit PairJudge(const SightMesh& mesh)
+        : mesh_(mesh),
+          normals_(large_array<Vector3d>(mesh.triangles.size())),
+          on_border_(mesh.positions.size()) {
+        for_each_element(normals_.size(),
+                         [&](std::size_t t) { normals_[t] = mesh.normal(std::uint32_t(t)); });
+        for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
+            if (mesh.is_border(e))
+                for (const std::uint32_t v : mesh.edges[e].vertices)
+                    on_border_[v] = true;
+    }
+
+    /// Within which triangles can meet.
+    double reach() const { return std::max(kCrack, mesh_.precision); }
+
+    void judge(std::uint32_t t, std::uint32_t other, Found& found) const {
+        const Triangle &a = mesh_.triangles[t], &b = mesh_.triangles[other];
+        if (common_corners(a, b) > 1) return;
+        const Vector3d& m = normals_[other];
+        const Heights of_t(mesh_, a, m, mesh_.positions[b[0]]);
+        if (of_t.are_beside(reach(), a, b)) return;
+        const Vector3d& n = normals_[t];
+        const Heights of_other(mesh_, b, n, mesh_.positions[a[0]]);
+        if (of_other.are_beside(reach(), b, a)) return;
+        find_touching(a, of_t, b, found);
+        find_touching(b, of_other, a, found);
+        FoundCut cut;
+        if (!of_t.reach_across() || !of_other.reach_across() ||
+            !find_cut(t, of_t, other, of_other, n.cross(m), cut))
+            return;
+        if (of_t.are_on_both_sides() && of_other.are_on_both_sides())
+            found.cuts.push_back(cut);
+        else if (of_other.are_on_both_sides())
+            add_along_edge(a, of_t, other, cut, found);
+        else if (of_t.are_on_both_sides())
+            add_along_edge(b, of_other, t, cut, found);
+    }
+
+private:
+    void find_touching(const Triangle& corners, const Heights& heights, const Triangle& sides,
+                       Found& found) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (std::abs(heights.over[k]) > reach() || has_corner(sides, corners[k])) continue;
+            for (std::size_t s = 0; s < 3; ++s)
+                if (lies_on(corners[k], sides[s], sides[(s + 1) % 3]))
+                    found.on_edges.push_back({{std::min(sides[s], sides[(s + 1) % 3]),
+                                               std::max(sides[s], sides[(s + 1) % 3])},
+                                              corners[k]});
+        }
+    }
+
+    /// Whether a vertex is on the way between two others.
+    bool lies_on(std::uint32_t vertex, std::uint32_t from, std::uint32_t to) const {
+        const bool are_borders = on_border_[vertex] && on_border_[from] && on_border_[to];
+        return lies_between(mesh_, vertex, from, to, are_borders ? reach() : mesh_.precision);
+    }
+
+    static void add_along_edge(const Triangle& corners, const Heights& heights,
+                               std::uint32_t in_plane, FoundCut cut, Found& found) {
+        const std::size_t k = heights.single_corner();
+        if (k == 3) return;
+        cut.triangles[0] = cut.triangles[1] = in_plane;
+        const auto [first, second] = std::minmax(corners[(k + 1) % 3], corners[(k + 2) % 3]);
+        found.along_edges.push_back({{first, second}, heights.signs[k], cut});
+    }
+
+    bool find_cut(std::uint32_t t, const Heights& of_t, std::uint32_t other,
+                  const Heights& of_other, const Vector3d& way, FoundCut& cut) const {
+        std::array<CutEnd, 2> ends_of_t, ends_of_other;
+        if (!find_ends(t, of_t, other, ends_of_t) || !find_ends(other, of_other, t, ends_of_other))
+            return false;
+        const auto along = [&](const CutEnd& end) { return way.dot(end.position); };
+        for (auto* ends : {&ends_of_t, &ends_of_other})
+            if (along((*ends)[0]) > along((*ends)[1])) std::swap((*ends)[0], (*ends)[1]);
+        const CutEnd& begin =
+            along(ends_of_t[0]) > along(ends_of_other[0]) ? ends_of_t[0] : ends_of_other[0];
+        const CutEnd& end =
+            along(ends_of_t[1]) < along(ends_of_other[1]) ? ends_of_t[1] : ends_of_other[1];
+        cut = {{begin, end}, {t, other}};
+        return along(end) > along(begin) &&
+               (end.position - begin.position).norm() > mesh_.precision;
+    }
+
+    /// Where the sides of a triangle meet a plane, if they do at two places.
+    bool find_ends(std::uint32_t t, const Heights& heights, std::uint32_t other,
+                   std::array<CutEnd, 2>& ends) const {
+        const Triangle& corners = mesh_.triangles[t];
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            if (heights.signs[k] == 0)
+                ends[count++] = {{corners[k], corners[k]}, 0, mesh_.positions[corners[k]]};
+            if (heights.signs[k] * heights.signs[next] < 0)
+                ends[count++] =
+                    piercing(corners[k], corners[next], heights.over[k], heights.over[next], other);
+        }
+        return count == 2;
+    }
+
+    /// The same for both triangles of a side, to the bit.
+    CutEnd piercing(std::uint32_t a, std::uint32_t b, double height_a, double height_b,
+                    std::uint32_t other) const {
+        if (a > b) std::swap(a, b), std::swap(height_a, height_b);
+        const double t = height_a / (height_a - height_b);
+        return {{a, b}, other, mesh_.positions[a] + t * (mesh_.positions[b] - mesh_.positions[a])};
+    }
+
+    const SightMesh& mesh_;
+    std::vector<Vector3d> normals_;  // of triangles, unit
+    std::vector<bool> on_border_;
+};
+
+NearPairs::Box box_of(const SightMesh& mesh, std::uint32_t triangle, double reach) {
+    NearPairs::Box box;
+    for (const std::uint32_t v : mesh.triangles[triangle])
+        box.extend(mesh.positions[v].cast<float>().eval());
+    const Eigen::Vector3f room = Eigen::Vector3f::Constant(float(reach) + 1e-7f);
+    return {box.min() - room, box.max() + room};
+}
+
+Found find_pairs(const SightMesh& mesh, const StageProgress& stage) {
+    const PairJudge judge(mesh);
+    const double reach = judge.reach() / 2;
+    const NearPairs pairs(mesh.triangles.size(),
+                          [&](std::uint32_t t) { return box_of(mesh, t, reach); });
+    stage.report(0.3);
+    constexpr std::size_t groups = 2048;  // worked on by one thread at a time
+    std::vector<Found> found((pairs.group_count() + groups - 1) / groups);
+    const auto find_in = [&](std::size_t part, NoScratch&) {
+        const auto end = std::min(pairs.group_count(), (part + 1) * groups);
+        for (std::size_t group = part * groups; group < end; ++group)
+            pairs.visit_pairs(group, [&](std::uint32_t t, std::uint32_t other) {
+                judge.judge(t, other, found[part]);
+            });
+    };
+    parallel_for<NoScratch>(found.size(), stage.part(0.3, 1), find_in, 1);
+    Found all;
+    for (const Found& of_block : found) {
+        all.cuts.insert(all.cuts.end(), of_block.cuts.begin(), of_block.cuts.end());
+        all.along_edges.insert(all.along_edges.end(), of_block.along_edges.begin(),
+                               of_block.along_edges.end());
+        all.on_edges.insert(all.on_edges.end(), of_block.on_edges.begin(), of_block.on_edges.end());
+    }
+    return all;
+}
+
+/// A surface with an edge in the plane of a triangle runs through it if it has triangles on both
+/// sides: one alone cannot tell. All at an edge are asked together, so that they agree.
+void add_cuts_along_edges(Found& found) {
+    const auto key = [](const CutAlongEdge& c) {
+        return std::tie(c.edge, c.cut.triangles[0], c.side);
+    };
+    std::sort(found.along_edges.begin(), found.along_edges.end(),
+              [&](const CutAlongEdge& a, const CutAlongEdge& b) { return key(a) < key(b); });
+    for (std::size_t i = 1; i < found.along_edges.size(); ++i) {
+        const CutAlongEdge &below = found.along_edges[i - 1], &above = found.along_edges[i];
+        if (below.edge == above.edge && below.cut.triangles[0] == above.cut.triangles[0] &&
+            below.side != above.side)
+            found.cuts.push_back(above.cut);
+    }
+}
+
+}  // namespace
+
+SurfaceContacts find_surface_contacts(SightMesh& mesh, const StageProgress& stage) {
+    Found found = find_pairs(mesh, stage);
+    add_cuts_along_edges(found);
+    SurfaceContacts contacts{{}, std::move(found.on_edges)};
+    using Key = std::pair<std::array<std::uint32_t, 2>, std::uint32_t>;
+    std::map<Key, std::uint32_t> vertices;
+    const auto vertex_of = [&](const CutEnd& end) {
+        if (end.side[0] == end.side[1]) return end.side[0];
+        const auto number = std::uint32_t(mesh.positions.size());
+        const auto [place, is_new] = vertices.try_emplace({end.side, end.pierced}, number);
+        if (is_new) {
+            mesh.positions.push_back(end.position);
+            contacts.on_edges.push_back({end.side, number});
+        }
+        return place->second;
+    };
+    for (const FoundCut& cut : found.cuts) {
+        const std::uint32_t begin = vertex_of(cut.ends[0]), end = vertex_of(cut.ends[1]);
+        if (begin != end)
+            contacts.cuts.push_back({{std::min(begin, end), std::max(begin, end)},
+                                     {cut.triangles[0], cut.triangles[1]}});
+    }
+    std::sort(contacts.on_edges.begin(), contacts.on_edges.end(),
+              [](const SurfaceContacts::OnEdge& a, const SurfaceContacts::OnEdge& b) {
+                  return a.edge != b.edge ? a.edge < b.edge : a.vertex < b.vertex;
+              });
+    return contacts;
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "visibility/box_levels.h"
+#include "visibility/sight_mesh.h"
+
+namespace laplacian_lines {
+
+/// A box around a straight way, with room of `reach` and for the rounding of floats.
+BoxLevels<3>::Box box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reach);
+
+/// Those that edges have, by vertex.
+std::vector<bool> vertices_of_edges(const SightMesh& mesh);
+
+/// Whether a vertex is within a distance of the way between two others, and not that near to them.
+bool lies_between(const SightMesh& mesh, std::uint32_t vertex, std::uint32_t from, std::uint32_t to,
+                  double within);
+
+/// Vertices of a mesh by place.
+class VertexPlaces {
+public:
+    /// Of those that are `wanted`.
+    VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted);
+
+    /// Calls visit(vertex) for all vertices within `reach` of a straight way, some of them more
+    /// than once.
+    template <class Visit>
+    void visit_along(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double reach,
+                     Visit visit) const {
+        const double pieces = std::max(1., std::ceil((to - from).norm() / step_));
+        for (double i = 0; i < pieces; ++i) {
+            const auto box = box_around(from + i / pieces * (to - from),
+                                        from + (i + 1) / pieces * (to - from), reach);
+            levels_.visit(box, [&](std::uint32_t vertex, const BoxLevels<3>::Box& at) {
+                if (box.contains(at.center())) visit(vertex);
+            });
+        }
+    }
+
+private:
+    double step_;
+    BoxLevels<3> levels_;
+};
+
+}  // namespace laplacian_lines

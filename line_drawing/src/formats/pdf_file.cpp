@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QBuffer>
+#include <QPainter>
+#include <QPdfWriter>
+
+#include "formats/sheet_painting.h"
+#include "formats/sheet_writers.h"
+
+namespace line_drawing {
+namespace {
+
+constexpr int dots_per_inch = 1200;
+
+/// The writer notes the time, by which equal drawings would differ.
+void forgetTime(QByteArray& pdf) {
+    const QByteArray key = "/CreationDate (D:";
+    const int place = pdf.indexOf(key) + key.size();
+    if (place < key.size()) return;
+    const QByteArray date = "20000101000000";
+    if (pdf.indexOf(')', place) >= place + date.size()) pdf.replace(place, date.size(), date);
+}
+
+}  // namespace
+
+QByteArray writePdf(const Sheet& sheet) {
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter writer(&buffer);
+        writer.setCreator("Laplacian Lines");
+        writer.setTitle(sheet.title);
+        writer.setResolution(dots_per_inch);
+        writer.setPageSize(
+            QPageSize(sheet.size, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
+        writer.setPageMargins({0, 0, 0, 0});
+        QPainter painter(&writer);
+        painter.scale(dots_per_inch / mm_per_inch, dots_per_inch / mm_per_inch);
+        paint(sheet, painter);
+    }
+    QByteArray pdf = buffer.data();
+    forgetTime(pdf);
+    return pdf;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planes/cutting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using laplacian_lines::Triangle;
+using laplacian_lines::TriangleMesh;
+using Place = std::array<double, 3>;
+
+Place placeOf(const Vector3d& p) {
+    return {p.x(), p.y(), p.z()};
+}
+
+/// The same from either triangle of an edge.
+Vector3d crossingOf(Vector3d a, Vector3d b, int axis, double height) {
+    if (placeOf(b) < placeOf(a)) std::swap(a, b);
+    const double t = (height - a[axis]) / (b[axis] - a[axis]);
+    Vector3d crossing = a + t * (b - a);
+    crossing[axis] = height;
+    return crossing;
+}
+
+struct Piece {
+    Vector3d begin, end;
+    bool used = false;
+};
+
+std::vector<Piece> piecesOf(const TriangleMesh& mesh, int axis, double height) {
+    std::vector<Piece> pieces;
+    for (const Triangle& t : mesh.triangles) {
+        std::array<Vector3d, 3> p;
+        std::array<bool, 3> above{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            p[k] = mesh.positions.at(t[k]);
+            above[k] = p[k][axis] >= height;
+        }
+        Piece piece;
+        int found = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            if (above[k] == above[next]) continue;
+            // from a side that rises to one that falls: neighbours agree
+            (above[next] ? piece.begin : piece.end) = crossingOf(p[k], p[next], axis, height);
+            ++found;
+        }
+        if (found == 2 && piece.begin.allFinite() && piece.end.allFinite() &&
+            piece.begin != piece.end)
+            pieces.push_back(piece);
+    }
+    return pieces;
+}
+
+/// Where a way through loops crosses the line of hatching at `offset`, along it.
+std::vector<double> crossingsAt(const std::vector<std::vector<Vector2d>>& loops,
+                                const Vector2d& way, double offset) {
+    const Vector2d across(-way.y(), way.x());
+    std::vector<double> crossings;
+    for (const auto& loop : loops)
+        for (std::size_t i = 1; i < loop.size(); ++i) {
+            const double a = across.dot(loop[i - 1]) - offset, b = across.dot(loop[i]) - offset;
+            if ((a < 0) == (b < 0)) continue;
+            crossings.push_back(way.dot(loop[i - 1] + (loop[i] - loop[i - 1]) * (a / (a - b))));
+        }
+    std::sort(crossings.begin(), crossings.end());
+    return crossings;
+}
+
+}  // namespace
+
+std::vector<Cut> cutMesh(const TriangleMesh& mesh, int axis, double height) {
+    std::vector<Piece> pieces = piecesOf(mesh, axis, height);
+    std::multimap<Place, std::size_t> beginning;
+    std::map<Place, int> ending;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        beginning.emplace(placeOf(pieces[i].begin), i);
+        ++ending[placeOf(pieces[i].end)];
+    }
+    std::vector<Cut> cuts;
+    const auto follow = [&](std::size_t i) {
+        Cut cut = {pieces[i].begin};
+        for (std::size_t next = i; next < pieces.size();) {
+            pieces[next].used = true;
+            cut.push_back(pieces[next].end);
+            const auto [first, last] = beginning.equal_range(placeOf(cut.back()));
+            const auto on = std::find_if(
+                first, last, [&](const auto& entry) { return !pieces[entry.second].used; });
+            next = on == last ? pieces.size() : on->second;
+        }
+        cuts.push_back(std::move(cut));
+    };
+    // open lines from their ends first
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (!pieces[i].used && ending.count(placeOf(pieces[i].begin)) == 0) follow(i);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (!pieces[i].used) follow(i);
+    return cuts;
+}
+
+std::vector<std::vector<Vector2d>> hatch(const std::vector<std::vector<Vector2d>>& loops,
+                                         const Vector2d& way, double spacing) {
+    const Vector2d across(-way.y(), way.x());
+    double low = 0, high = 0;
+    bool any = false;
+    for (const auto& loop : loops)
+        for (const Vector2d& p : loop) {
+            const double at = across.dot(p);
+            low = any ? std::min(low, at) : at;
+            high = any ? std::max(high, at) : at;
+            any = true;
+        }
+    std::vector<std::vector<Vector2d>> lines;
+    for (double at = (std::floor(low / spacing) + 0.5) * spacing; any && at < high; at += spacing) {
+        const std::vector<double> crossings = crossingsAt(loops, way, at);
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+            lines.push_back(
+                {at * across + crossings[i] * way, at * across + crossings[i + 1] * way});
+    }
+    return lines;
+}
+
+}  // namespace line_drawing

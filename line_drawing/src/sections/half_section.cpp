@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sections/half_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sections/axis_finding.h"
+#include "sections/wall_area.h"
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double level_share = 0.003;  // of the height: what counts as the level of rim or base
+constexpr double least_span = 0.1;     // of the height: a round base is no line
+
+int axisAlong(const Vector3d& direction) {
+    int axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
+    return axis;
+}
+
+DrawnLine lineOf(const Vector2d& begin, const Vector2d& end) {
+    return {LineClass::Inner, false, {{begin, 1}, {end, 1}}};
+}
+
+/// Of the points near the height of the highest one (`sign` 1) or the lowest one (−1): the
+/// outermost ones.
+struct Level {
+    Vector2d left, right;
+};
+Level levelOf(const std::vector<Vector2d>& points, double sign, double reach) {
+    double height = -INFINITY;
+    for (const Vector2d& p : points)
+        height = std::max(height, sign * p.y());
+    Level level{{INFINITY, 0}, {-INFINITY, 0}};
+    for (const Vector2d& p : points) {
+        if (sign * p.y() < height - reach) continue;
+        if (p.x() < level.left.x()) level.left = p;
+        if (p.x() > level.right.x()) level.right = p;
+    }
+    return level;
+}
+
+}  // namespace
+
+HalfSection::HalfSection(const Objects& objects, const laplacian_lines::TriangleMesh& all,
+                         const ViewFrame& frame)
+    : objects_(objects),
+      axis_(findAxis(all, axisAlong(frame.up))),
+      behind_{-frame.towards_viewer, -frame.towards_viewer.dot(axis_)},
+      right_{frame.right, frame.right.dot(axis_)} {}
+
+void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) const {
+    const int across = axisAlong(behind_.normal);
+    const Projection projection(drawn.frame, middle);
+    const auto flat = [&](const Cut& cut) { return positionsOf(project(cut, projection, unit)); };
+    std::vector<Vector2d> points;
+    std::vector<Cut> cut_lines;
+    for (const Object& object : objects_) {
+        Wall& wall = drawn.walls.emplace_back();
+        for (Cut& cut : cutMesh(object.mesh, across, axis_[across])) {
+            const std::vector<Vector2d> line = flat(cut);
+            points.insert(points.end(), line.begin(), line.end());
+            if (cut.front() == cut.back()) wall.push_back(flat(clipLoop(cut, left())));
+            cut_lines.push_back(std::move(cut));
+        }
+        drawn.lines = withoutPartsIn(WallArea(wall), std::move(drawn.lines));
+    }
+    if (points.empty()) return;
+    for (const Cut& cut : clip(cut_lines, left()))
+        drawn.lines.push_back(project(cut, projection, unit));
+    const double height = drawn.bounds.sizes().y(), at = unit * right_.depth(middle);
+    const Level rim = levelOf(points, 1, level_share * height),
+                base = levelOf(points, -1, level_share * height);
+    for (const Level& level : {rim, base})
+        if (level.right.x() - level.left.x() > least_span * height)
+            drawn.lines.push_back(lineOf(level.left, level.right));
+    drawn.lines.push_back(lineOf({-at, rim.left.y()}, {-at, base.left.y()}));
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sections/section_marks.h"
+
+#include <cmath>
+
+#include "sections/place_on_axis.h"
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector2d;
+
+// mm on the sheet
+constexpr double mark_gap = 1, mark_length = 4, shaft_length = 3.5, head_length = 2,
+                 head_width = 1.2, letter_height = 3.5, letter_distance = 2.2;
+constexpr double capital_height = 0.72;  // of a font's height
+
+QPointF pointOf(const Vector2d& p) {
+    return {p.x(), p.y()};
+}
+
+SheetPath lineOf(const Vector2d& begin, const Vector2d& end, double pen) {
+    SheetPath line{{}, pen};
+    line.path.moveTo(pointOf(begin));
+    line.path.lineTo(pointOf(end));
+    return line;
+}
+
+SheetPath arrowHead(const Vector2d& tip, const Vector2d& way) {
+    const Vector2d across(-way.y(), way.x()), base = tip - head_length * way;
+    SheetPath head;
+    head.path.setFillRule(Qt::WindingFill);
+    head.path.moveTo(pointOf(tip));
+    head.path.lineTo(pointOf(base + head_width / 2 * across));
+    head.path.lineTo(pointOf(base - head_width / 2 * across));
+    head.path.closeSubpath();
+    return head;
+}
+
+/// How far along `way` a rectangle reaches from `from`.
+double reachOf(const QRectF& place, const Vector2d& from, const Vector2d& way) {
+    double reach = 0;
+    for (const QPointF& p :
+         {place.topLeft(), place.topRight(), place.bottomLeft(), place.bottomRight()})
+        reach = std::max(reach, way.dot(Vector2d(p.x(), p.y()) - from));
+    return reach;
+}
+
+/// Of a direction in a view, whose y points up.
+Vector2d onSheet(const Vector2d& way) {
+    return {way.x(), -way.y()};
+}
+
+/// The end of a mark towards `way`, all in the sheet's coordinates.
+void addEnd(const Vector2d& surface_end, const Vector2d& way, const Vector2d& looking,
+            const QString& letter, const SheetOptions& options, SheetLayer& layer) {
+    const Vector2d begin = surface_end + mark_gap * way, end = begin + mark_length * way;
+    const Vector2d foot = end - way * options.pens[std::size_t(LineClass::Outline)] / 2;
+    const Vector2d tip = foot + shaft_length * looking;
+    layer.paths.push_back(lineOf(begin, end, options.pens[std::size_t(LineClass::Outline)]));
+    layer.paths.push_back(
+        lineOf(foot, tip - head_length / 2 * looking, options.pens[std::size_t(LineClass::Inner)]));
+    layer.paths.push_back(arrowHead(tip, looking));
+    const Vector2d middle = end + letter_distance * way;
+    layer.texts.push_back({{middle.x(), middle.y() + capital_height * letter_height / 2},
+                           letter_height,
+                           Qt::AlignHCenter,
+                           letter});
+}
+
+}  // namespace
+
+std::vector<SectionMark> marksOf(const ViewFrame& frame, const SheetOptions& options,
+                                 const Eigen::AlignedBox3d& box) {
+    constexpr double on_edge = 1e-9;
+    std::vector<SectionMark> marks;
+    if (frame.eye) return marks;  // sees hardly a plane from its edge
+    for (std::size_t i = 0; i < options.sections.size(); ++i) {
+        const Section& section = options.sections[i];
+        if (std::abs(frame.towards_viewer[section.axis]) > on_edge) continue;
+        const Vector2d across(frame.right[section.axis], frame.up[section.axis]);
+        const Eigen::Vector3d sight = -frameOfSection(section, options.up).towards_viewer;
+        const double offset = placeOnAxis(section, box) - box.center()[section.axis];
+        marks.push_back({letterOf(i),
+                         options.mm_per_unit * offset * across,
+                         {across.y(), -across.x()},
+                         {frame.right.dot(sight), frame.up.dot(sight)}});
+    }
+    return marks;
+}
+
+Vector2d roomOfMarks(const DrawnView& view) {
+    Vector2d room(0, 0);
+    for (const SectionMark& mark : view.marks)
+        room = room.cwiseMax(mark_reach * mark.along.cwiseAbs());
+    return room;
+}
+
+SheetLayer drawMarks(const DrawnView& view, const Placement& placement, const QRectF& place,
+                     const SheetOptions& options) {
+    SheetLayer layer{"marks", "Marks of sections", {}, {}};
+    for (const SectionMark& mark : view.marks) {
+        const Vector2d at = placement.onSheet(mark.point), looking = onSheet(mark.looking);
+        for (const Vector2d& way : {onSheet(mark.along), Vector2d(-onSheet(mark.along))})
+            addEnd(at + reachOf(place, at, way) * way, way, looking, mark.letter, options, layer);
+    }
+    return layer;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QRectF>
+
+#include "line_drawing/sheet.h"
+#include "views/drawn_view.h"
+
+namespace line_drawing {
+
+/// How far marks stand out from the surface on a sheet, mm.
+constexpr double mark_reach = 9;
+
+/// Marks of the sections whose planes are seen from their edges. `box` is that of the mesh.
+std::vector<SectionMark> marksOf(const ViewFrame& frame, const SheetOptions& options,
+                                 const Eigen::AlignedBox3d& box);
+
+/// What marks need beside and below the surface, mm on the sheet.
+Eigen::Vector2d roomOfMarks(const DrawnView& view);
+
+/// Short thick ends of each plane's line with an arrow in the direction of sight and a letter
+/// (ISO 128-3). `place` is the surface's on the sheet.
+SheetLayer drawMarks(const DrawnView& view, const Placement& placement, const QRectF& place,
+                     const SheetOptions& options);
+
+}  // namespace line_drawing

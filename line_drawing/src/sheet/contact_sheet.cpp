@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/contact_sheet.h"
+
+#include <QTransform>
+#include <algorithm>
+#include <cmath>
+
+#include "sheet/sheet_furniture.h"
+#include "sheet/sheet_layout.h"
+#include "views/drawn_view.h"
+
+namespace line_drawing {
+namespace {
+
+// mm
+constexpr double view_size = 85, cell_gap = 5, least_cell = 35, name_height = 2.6,
+                 size_height = 2.2, title_height = 4;
+constexpr double caption_height = 2 * name_height + 1.5 * size_height;
+constexpr double letter_width = 0.6;  // of a font's height, on average
+
+/// The cells of a page in a grid.
+struct Grid {
+    QSizeF paper;
+    int columns = 1;
+    double cell = 0;  // a square, above its caption
+
+    double rowHeight() const { return cell + caption_height + cell_gap; }
+};
+
+double roomBelow(const QString& title) {
+    return title.isEmpty() ? 0 : 2 * title_height;
+}
+
+/// The one with the largest cells in the fewest rows.
+Grid fillPaper(const QSizeF& paper, int count, double title_room) {
+    const double width = paper.width() - 2 * sheet_margin,
+                 height = paper.height() - 2 * sheet_margin - title_room;
+    Grid best{paper, 1, 0};
+    for (int columns = 1; columns <= count; ++columns) {
+        const int rows = (count + columns - 1) / columns;
+        const double cell = std::min({view_size, (width + cell_gap) / columns - cell_gap,
+                                      (height + cell_gap) / rows - cell_gap - caption_height});
+        if (cell >= best.cell) best = {paper, columns, cell};
+    }
+    return best;
+}
+
+/// On the smallest paper with room enough, from A4 on.
+Grid chooseGrid(int count, double title_room) {
+    const QSizeF papers[] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
+    Grid grid;
+    for (const QSizeF& paper : papers) {
+        const Grid upright = fillPaper(paper, count, title_room),
+                   lying = fillPaper(paper.transposed(), count, title_room);
+        grid = lying.cell > upright.cell ? lying : upright;
+        if (grid.cell >= least_cell) break;
+    }
+    return grid;
+}
+
+SheetText caption(const QString& text, double height, double base, const QRectF& cell) {
+    const auto letters = int(cell.width() / (letter_width * height));
+    const QString shown = text.size() <= letters ? text : text.left(letters - 1) + "…";
+    return {{cell.center().x(), base}, height, Qt::AlignHCenter, shown};
+}
+
+QRectF extentOf(const Sheet& sheet) {
+    QRectF extent;
+    for (const SheetGroup& group : sheet.groups)
+        for (const SheetLayer& layer : group.layers)
+            for (const SheetPath& path : layer.paths)
+                extent = extent.united(path.path.boundingRect());
+    return extent;
+}
+
+SheetGroup placeIn(const QRectF& cell, const ContactEntry& entry, int number) {
+    const double scale = cell.width() / view_size;
+    const QPointF shift = cell.center() - scale * extentOf(entry.view).center();
+    const QTransform transform(scale, 0, 0, scale, shift.x(), shift.y());
+    SheetGroup result{QString("object-%1").arg(number), entry.name, {}};
+    for (const SheetGroup& group : entry.view.groups)
+        for (SheetLayer layer : group.layers) {
+            for (SheetPath& path : layer.paths) {
+                path.path = transform.map(path.path);
+                path.pen_width *= scale;
+            }
+            result.layers.push_back(std::move(layer));
+        }
+    const double base = cell.bottom() + 1.5 * name_height;
+    result.layers.push_back(
+        {"names",
+         "Names",
+         {},
+         {caption(entry.name, name_height, base, cell),
+          caption(entry.view.title, size_height, base + 1.5 * size_height, cell)}});
+    return result;
+}
+
+}  // namespace
+
+SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh,
+                            const SheetOptions& options) {
+    SheetOptions result = options;
+    result.views = {options.views.empty() ? frameOfSide(Side::Front, options.up)
+                                          : options.views.front()};
+    result.sections.clear();
+    result.paper = "fit";
+    result.has_view_names = result.has_scale_bar = result.has_notes = false;
+    const Eigen::Vector2d size =
+        Projection(result.views[0], Eigen::Vector3d::Zero()).boundsOf(mesh).sizes();
+    const double longest = options.mm_per_unit * size.maxCoeff();
+    result.title = sizeInWords(options.mm_per_unit * boundsOf(mesh).sizes());
+    result.scale = longest > 0 ? view_size / longest : 1;
+    result.pens = {0.35, 0.25, 0.18, 0.18, 0.13, 0.25, 0.13};
+    return result;
+}
+
+Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const QString& title) {
+    const Grid grid = chooseGrid(std::max(1, int(entries.size())), roomBelow(title));
+    Sheet sheet{grid.paper, title, {}, 1};
+    const double left = (grid.paper.width() - grid.columns * (grid.cell + cell_gap) + cell_gap) / 2;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const int column = int(i) % grid.columns, row = int(i) / grid.columns;
+        const QRectF cell(left + column * (grid.cell + cell_gap),
+                          sheet_margin + row * grid.rowHeight(), grid.cell, grid.cell);
+        sheet.groups.push_back(placeIn(cell, entries[i], int(i) + 1));
+    }
+    if (title.isEmpty()) return sheet;
+    const SheetText text{
+        {sheet_margin, grid.paper.height() - sheet_margin}, title_height, Qt::AlignLeft, title};
+    sheet.groups.push_back({"sheet", "Sheet", {{"title", "Title", {}, {text}}}});
+    return sheet;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/make_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "options/progress_part.h"
+#include "options/words.h"
+#include "sheet/sheet_furniture.h"
+#include "sheet/view_drawing.h"
+#include "sight/observer.h"
+
+namespace line_drawing {
+namespace {
+
+using laplacian_lines::Progress;
+using laplacian_lines::TriangleMesh;
+
+constexpr double check_pixel = 0.25;  // mm on the sheet
+constexpr double sight_share = 0.4;   // of the work: what is done before the first view
+
+void check(const SheetOptions& options) {
+    if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
+    if (!(options.mm_per_unit > 0) || !std::isfinite(options.mm_per_unit))
+        refuse("The unit of the mesh has to be a positive length.");
+    if (!(options.tolerance >= 0.001 && options.tolerance <= 10))
+        refuse("The tolerance of curves has to be between 0.001 and 10 mm.");
+    if (!(options.shortest_line >= 0)) refuse("The shortest line has to be 0 mm or more.");
+    for (const double pen : options.pens)
+        if (!(pen > 0 && pen <= 10))
+            refuse("The width of a pen has to be more than 0, up to 10 mm.");
+}
+
+/// As their marks, if any view has these.
+void nameSections(std::vector<DrawnView>& views) {
+    const bool has_marks = std::any_of(views.begin(), views.end(),
+                                       [](const DrawnView& view) { return !view.marks.empty(); });
+    std::size_t number = 0;
+    for (DrawnView& view : views)
+        if (view.is_section && has_marks) {
+            const QString letter = letterOf(number++);
+            view.frame.name = letter + "–" + letter;
+        }
+}
+
+QString remarkOn(const DrawnView& view, double missing) {
+    return QString(
+               "%1: %2 mm of the outline were missing and are drawn from the mesh's edges. "
+               "Please report this with the mesh.")
+        .arg(view.frame.name)
+        .arg(missing, 0, 'f', 1);
+}
+
+Sheet drawSheet(Observer& observer, const SheetOptions& options, const Progress& progress) {
+    std::vector<DrawnView> views;
+    for (const ViewFrame& frame : options.views)
+        views.push_back(observer.stand(frame, options));
+    for (const Section& section : options.sections)
+        views.push_back(observer.cut(section, options));
+    nameSections(views);
+    const SheetLayout layout = layOut(views, options);  // before much work, since it may refuse
+    const auto share = [&](std::size_t views_done) {
+        const double all = std::max<double>(1, double(options.views.size()));
+        return double(views_done) / all;
+    };
+    Sheet sheet{layout.size, options.title, {}, layout.scale};
+    for (std::size_t i = 0; i < options.views.size(); ++i) {  // sections have their lines
+        observer.look(views[i], options, part(progress, share(i), share(i + 1)));
+        const double missing =
+            observer.checkOutlines(views[i], options, check_pixel / layout.placements[i].scale);
+        if (missing > 0) sheet.remarks << remarkOn(views[i], missing);
+    }
+    for (std::size_t i = 0; i < views.size(); ++i)
+        sheet.groups.push_back(
+            drawView(views[i], i + 1, layout.placements[i], layout.places[i], options));
+    SheetGroup furniture =
+        drawFurniture(views, layout, options.mm_per_unit * observer.objectSize(), options);
+    if (!furniture.layers.empty()) sheet.groups.push_back(std::move(furniture));
+    return sheet;
+}
+
+}  // namespace
+
+std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOptions>& options,
+                              const Progress& progress) {
+    if (objects.empty()) refuse("A drawing needs an object.");
+    for (const SheetOptions& o : options)
+        check(o);
+    Observer observer(objects, part(progress, 0, sight_share));
+    const double share = (1 - sight_share) / std::max<double>(1, double(options.size()));
+    std::vector<Sheet> sheets;
+    for (const SheetOptions& o : options) {
+        const double begin = sight_share + share * double(sheets.size());
+        const bool is_last = sheets.size() + 1 == options.size();
+        sheets.push_back(
+            drawSheet(observer, o, part(progress, begin, is_last ? 1 : begin + share)));
+    }
+    return sheets;
+}
+
+Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
+                const SheetOptions& options, const Progress& progress) {
+    return makeSheets({{mesh, field}}, {options}, progress).front();
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet/sheet_layout.h"
+
+#include <QRectF>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "options/words.h"
+#include "sections/section_marks.h"
+
+namespace line_drawing {
+namespace {
+
+/// The usual ones of drawings, largest first: 1:2 is 0.5.
+std::vector<double> usualScales() {
+    std::vector<double> scales;
+    for (const double tens : {1000., 100., 10., 1.})
+        for (const double first : {5., 4., 2., 1.})
+            if (first != 4. || tens == 1.) scales.push_back(first * tens);
+    for (const double tens : {1., 10., 100., 1000., 10000.})
+        for (const double first : {2., 2.5, 3., 4., 5., 10.})
+            if (first != 2.5 || tens > 1) scales.push_back(1 / (first * tens));
+    return scales;
+}
+
+struct Paper {
+    const char* name;
+    double width, height;  // mm, upright
+};
+constexpr Paper papers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420},
+                            {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
+
+/// Upright. None: as large as the drawing.
+std::optional<QSizeF> paperSize(const QString& name) {
+    if (name.compare("fit", Qt::CaseInsensitive) == 0) return {};
+    for (const Paper& paper : papers)
+        if (name.compare(paper.name, Qt::CaseInsensitive) == 0)
+            return QSizeF(paper.width, paper.height);
+    refuse(QString("There is no paper \"%1\". Papers are a5, a4, a3, a2, a1, a0, or fit: as large "
+                   "as the drawing.")
+               .arg(name));
+}
+
+struct Cell {
+    int row, column;
+};
+
+/// Of the views of an object's sides around its front view, in first angle.
+Cell cellOf(Side side) {
+    switch (side) {
+        case Side::Back:
+            return {0, 2};
+        case Side::Left:
+            return {0, 1};
+        case Side::Right:
+            return {0, -1};
+        case Side::Top:
+            return {1, 0};
+        case Side::Bottom:
+            return {-1, 0};
+        default:
+            return {0, 0};
+    }
+}
+
+/// Sections, and views whose cell is taken: upright ones on the right in the front view's row,
+/// those from above below in its column.
+void placeBesideTheFront(const std::vector<DrawnView>& views, UpAxis up, std::vector<Cell>& cells) {
+    std::vector<bool> is_placed(views.size());
+    int last_row = 0, last_column = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const auto is_taken = [&](std::size_t k) {
+            return cells[k].row == cells[i].row && cells[k].column == cells[i].column;
+        };
+        is_placed[i] = !views[i].is_section;
+        for (std::size_t k = 0; k < i; ++k)
+            if (is_placed[k] && is_taken(k)) is_placed[i] = false;
+        if (!is_placed[i]) continue;
+        last_row = std::max(last_row, cells[i].row);
+        last_column = std::max(last_column, cells[i].column);
+    }
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (is_placed[i]) continue;
+        const bool is_from_above = std::abs(views[i].frame.towards_viewer[int(up)]) > 0.5;
+        cells[i] = is_from_above ? Cell{++last_row, 0} : Cell{0, ++last_column};
+    }
+}
+
+std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, const SheetOptions& options) {
+    const Arrangement arrangement = options.arrangement;
+    constexpr int in_a_row = 4;
+    std::vector<Cell> cells;
+    int left = 0;
+    for (const DrawnView& view : views) {
+        Cell cell = cellOf(view.frame.side);
+        if (arrangement == Arrangement::ThirdAngle && view.frame.side != Side::Back)
+            cell = {-cell.row, -cell.column};
+        left = std::min(left, cell.column);
+        cells.push_back(cell);
+    }
+    int others = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (views[i].frame.side != Side::Other || views[i].is_section) continue;
+        cells[i] = {2 + others / in_a_row, left + others % in_a_row};
+        ++others;
+    }
+    placeBesideTheFront(views, options.up, cells);
+    return cells;
+}
+
+/// A row or a column: what its views take before and behind their middles, in mm of the object.
+struct Band {
+    double before = 0, behind = 0;
+    double room = 0;    // for marks at both ends, mm on the sheet
+    double middle = 0;  // on the sheet, mm, once it is placed
+
+    void hold(double b, double a, double r) {
+        before = std::max(before, b);
+        behind = std::max(behind, a);
+        room = std::max(room, r);
+    }
+};
+using Bands = std::map<int, Band>;
+
+/// Sets the middles from `start` on and returns where the last one ends.
+double place(Bands& bands, double start, double scale, double gap) {
+    double end = start;
+    for (auto& [number, band] : bands) {
+        if (end != start) end += gap;
+        band.middle = end + band.room + scale * band.before;
+        end = band.middle + scale * band.behind + band.room;
+    }
+    return end;
+}
+
+class Layout {
+public:
+    Layout(const std::vector<DrawnView>& views, const SheetOptions& options)
+        : views_(views), options_(options), cells_(cellsOf(views, options)) {
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const auto& box = views[i].bounds;
+            const Eigen::Vector2d room = roomOfMarks(views[i]);
+            columns_[cells_[i].column].hold(-box.min().x(), box.max().x(), room.x());
+            rows_[cells_[i].row].hold(box.max().y(), -box.min().y(), room.y());
+        }
+    }
+
+    /// Of the views alone.
+    QSizeF sizeAt(double scale) {
+        const double below = options_.has_view_names ? 2 * view_name_height : 0;
+        return {place(columns_, 0, scale, view_gap),
+                place(rows_, 0, scale, view_gap + below) + below};
+    }
+
+    SheetLayout layOut(double scale, const QSizeF& paper) {
+        const QSizeF size = sizeAt(scale);
+        const double left = (paper.width() - size.width()) / 2;
+        const double top =
+            sheet_margin + (paper.height() - 2 * sheet_margin - strip_height - size.height()) / 2;
+        SheetLayout layout{paper, scale, {}, {}};
+        for (std::size_t i = 0; i < views_.size(); ++i) {
+            const Placement placement{
+                scale,
+                {left + columns_[cells_[i].column].middle, top + rows_[cells_[i].row].middle}};
+            const Eigen::Vector2d a = placement.onSheet(views_[i].bounds.min());
+            const Eigen::Vector2d b = placement.onSheet(views_[i].bounds.max());
+            layout.placements.push_back(placement);
+            layout.places.emplace_back(QPointF(a.x(), b.y()), QPointF(b.x(), a.y()));
+        }
+        return layout;
+    }
+
+private:
+    const std::vector<DrawnView>& views_;
+    const SheetOptions& options_;
+    const std::vector<Cell> cells_;
+    Bands rows_, columns_;
+};
+
+QSizeF room(const QSizeF& paper) {
+    return {paper.width() - 2 * sheet_margin, paper.height() - 2 * sheet_margin - strip_height};
+}
+
+bool fits(const QSizeF& size, const QSizeF& paper) {
+    return size.width() <= room(paper).width() && size.height() <= room(paper).height();
+}
+
+std::optional<double> largestScale(Layout& layout, const QSizeF& paper) {
+    for (const double scale : usualScales())
+        if (fits(layout.sizeAt(scale), paper)) return scale;
+    return {};
+}
+
+/// Of a paper that is as large as the drawing.
+SheetLayout layOutFreely(Layout& layout, double scale) {
+    constexpr double least_width = 90;  // of the strip below the drawing
+    const QSizeF size = layout.sizeAt(scale);
+    return layout.layOut(scale, {std::max(least_width, size.width()) + 2 * sheet_margin,
+                                 size.height() + 2 * sheet_margin + strip_height});
+}
+
+/// The scale at which views just fit, since lengths between them stay as they are.
+double fillingScale(Layout& layout, const QSizeF& paper) {
+    const QSizeF fixed = layout.sizeAt(0), growing = layout.sizeAt(1) - fixed;
+    const QSizeF left = room(paper) - fixed;
+    return std::min(left.width() / growing.width(), left.height() / growing.height());
+}
+
+/// Views that have no scale: as large as the paper takes them, A4 if that may be any.
+SheetLayout layOutFilling(Layout& layout, const std::optional<QSizeF>& paper) {
+    const QSizeF upright = paper.value_or(QSizeF(papers[1].width, papers[1].height));
+    const QSizeF lying = upright.transposed();
+    const double a = fillingScale(layout, upright), b = fillingScale(layout, lying);
+    if (!(std::max(a, b) > 0) || !std::isfinite(std::max(a, b)))
+        refuse("Nothing of the object is in sight, or the paper has no room for so many views.");
+    SheetLayout result = !paper  ? layOutFreely(layout, std::max(a, b))
+                         : b > a ? layout.layOut(b, lying)
+                                 : layout.layOut(a, upright);
+    result.scale = 0;
+    return result;
+}
+
+/// Upright or lying, whichever takes the drawing larger.
+SheetLayout layOutLargest(Layout& layout, const QSizeF& upright) {
+    const QSizeF lying = upright.transposed();
+    const auto a = largestScale(layout, upright), b = largestScale(layout, lying);
+    if (!a && !b) refuse("The object is too large for any scale. Is the unit of the mesh right?");
+    return b.value_or(0) > a.value_or(0) ? layout.layOut(*b, lying) : layout.layOut(*a, upright);
+}
+
+SheetLayout layOutAt(Layout& layout, double scale, const QSizeF& upright, const QString& name) {
+    const QSizeF size = layout.sizeAt(scale);
+    for (const QSizeF& paper : {upright, upright.transposed()})
+        if (fits(size, paper)) return layout.layOut(scale, paper);
+    const auto best = std::max(largestScale(layout, upright).value_or(0),
+                               largestScale(layout, upright.transposed()).value_or(0));
+    refuse(QString("At the scale %1 the views take %2 x %3 mm, and %4 paper has room for %5 x %6. "
+                   "Take the scale %7, a larger paper, or the paper \"fit\".")
+               .arg(scaleInWords(scale))
+               .arg(std::ceil(size.width()))
+               .arg(std::ceil(size.height()))
+               .arg(name.toUpper())
+               .arg(room(upright).width())
+               .arg(room(upright).height())
+               .arg(scaleInWords(best)));
+}
+
+}  // namespace
+
+std::vector<const char*> paperNames() {
+    std::vector<const char*> names;
+    for (const Paper& paper : papers)
+        names.push_back(paper.name);
+    return names;
+}
+
+bool areInPerspective(const std::vector<DrawnView>& views) {
+    return std::all_of(views.begin(), views.end(),
+                       [](const DrawnView& view) { return view.frame.eye.has_value(); });
+}
+
+SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {
+    Layout layout(views, options);
+    const std::optional<QSizeF> paper = paperSize(options.paper);
+    if (areInPerspective(views)) return layOutFilling(layout, paper);
+    if (!paper) return layOutFreely(layout, options.scale > 0 ? options.scale : 1);
+    if (options.scale > 0) return layOutAt(layout, options.scale, *paper, options.paper);
+    return layOutLargest(layout, *paper);
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet/view_drawing.h"
+
+#include "planes/cutting.h"
+#include "sections/section_marks.h"
+#include "strokes/line_easing.h"
+#include "strokes/overlaps.h"
+#include "strokes/slight_lines.h"
+#include "strokes/strokes.h"
+
+namespace line_drawing {
+namespace {
+
+/// Within which a line doubles another, of the width of outlines: then they would merge in print.
+constexpr double double_reach = 0.4;
+constexpr double area_tone = 0.9;
+constexpr double eased_share = 0.24;  // of the width of outlines, by which contours may move
+constexpr double hatch_spacing = 1.5, hatch_width = 0.5;  // mm; share of an inner line's width
+
+struct LayerName {
+    const char *key, *name;
+};
+/// By LineClass.
+constexpr LayerName layer_names[line_class_count] = {
+    {"outline", "Outlines"},   {"contour", "Contours"}, {"edge", "Edges"},
+    {"inner", "Inner lines"},  {"fine", "Fine lines"},  {"section", "Sections"},
+    {"hidden", "Hidden lines"}};
+
+std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& placement) {
+    for (DrawnLine& line : lines) {
+        line.jump *= placement.scale;
+        for (DrawnPoint& point : line.points)
+            point.position = placement.onSheet(point.position);
+    }
+    return lines;
+}
+
+std::vector<Wall> place(std::vector<Wall> walls, const Placement& placement) {
+    for (Wall& wall : walls)
+        for (auto& loop : wall)
+            for (Eigen::Vector2d& p : loop)
+                p = placement.onSheet(p);
+    return walls;
+}
+
+/// One object rising to the right, the next to the left (ISO 128-3 on adjacent parts).
+void addHatching(const std::vector<Wall>& walls, std::vector<DrawnLine>& lines) {
+    double rise = -1;
+    for (const Wall& wall : walls) {
+        for (const auto& ends : hatch(wall, Eigen::Vector2d(1, rise).normalized(), hatch_spacing))
+            lines.push_back(
+                {LineClass::Fine, false, {{ends[0], hatch_width}, {ends[1], hatch_width}}});
+        rise = -rise;
+    }
+}
+
+SheetPath filled(const Wall& loops, double tone = 0) {
+    SheetPath area;
+    area.tone = tone;
+    area.path.setFillRule(Qt::OddEvenFill);
+    for (const auto& loop : loops) {
+        area.path.moveTo(loop[0].x(), loop[0].y());
+        for (const Eigen::Vector2d& p : loop)
+            area.path.lineTo(p.x(), p.y());
+        area.path.closeSubpath();
+    }
+    return area;
+}
+
+/// What the outlines enclose.
+SheetLayer areaOf(const std::vector<DrawnLine>& lines) {
+    Wall loops;
+    for (const DrawnLine& line : lines)
+        if (line.line_class == LineClass::Outline && line.closed)
+            loops.push_back(positionsOf(line));
+    return {"area", "Area", {filled(loops, area_tone)}, {}};
+}
+
+}  // namespace
+
+SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
+                    const QRectF& surface_place, const SheetOptions& options) {
+    const bool has_name = view.frame.side != Side::Other;
+    const QString key = has_name ? view.frame.name.toLower() : QString("view-%1").arg(number);
+    SheetGroup group{key, view.frame.name, {}};
+    const double pen = options.pens[std::size_t(LineClass::Outline)];
+    std::vector<DrawnLine> lines = place(view.lines, placement);
+    lines = withoutSlightLines(std::move(lines), options);
+    easeLines(lines, eased_share * pen);
+    lines = withoutDoubles(std::move(lines), double_reach * pen);
+    const std::vector<Wall> walls = place(view.walls, placement);
+    if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
+    if (options.area == OutlineArea::Filled) group.layers.push_back(areaOf(lines));
+    for (std::size_t c = line_class_count; c-- > 0;) {
+        SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
+        if (c == std::size_t(LineClass::Section) && options.wall == WallStyle::Filled)
+            for (const Wall& wall : walls)
+                if (!wall.empty()) layer.paths.push_back(filled(wall));
+        for (const DrawnLine& line : lines)
+            if (std::size_t(line.line_class) == c)
+                if (auto stroke = drawStroke(line, options))
+                    layer.paths.push_back(std::move(*stroke));
+        group.layers.push_back(std::move(layer));
+    }
+    if (!view.marks.empty())
+        group.layers.push_back(drawMarks(view, placement, surface_place, options));
+    return group;
+}
+
+}  // namespace line_drawing

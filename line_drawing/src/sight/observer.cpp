@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sight/observer.h"
+
+#include <algorithm>
+
+#include "options/progress_part.h"
+#include "options/words.h"
+#include "planes/cutting.h"
+#include "sections/half_section.h"
+#include "sections/place_on_axis.h"
+#include "sections/section_marks.h"
+#include "sight/outline_check.h"
+
+namespace line_drawing {
+
+using laplacian_lines::Progress;
+using laplacian_lines::TriangleMesh;
+
+namespace {
+
+std::vector<laplacian_lines::LineExtractor> extractorsOf(const Objects& objects,
+                                                         const Progress& progress) {
+    const auto count = double(objects.size());
+    std::vector<laplacian_lines::LineExtractor> extractors;
+    for (const Object& object : objects) {
+        const auto done = double(extractors.size());
+        extractors.emplace_back(object.mesh, object.field,
+                                part(progress, done / count, (done + 1) / count));
+    }
+    return extractors;
+}
+
+std::vector<laplacian_lines::LineSet> clipEach(std::vector<laplacian_lines::LineSet> lines,
+                                               const HalfSpace& inside) {
+    for (laplacian_lines::LineSet& set : lines)
+        set = clip(set, inside);
+    return lines;
+}
+
+laplacian_lines::SightOptions sightOf(const SheetOptions& options) {
+    return {options.style.shows, options.style.line_smoothing,
+            options.hidden != HiddenLines::LeftOut, true};
+}
+
+}  // namespace
+
+Observer::Observer(const Objects& objects, const Progress& progress)
+    : objects_(objects),
+      surface_(objects),
+      box_(boundsOf(surface_.mesh())),
+      extractors_(extractorsOf(objects, part(progress, 0, 0.75))),
+      visibility_(surface_.mesh(), part(progress, 0.75, 1)) {}
+
+DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) const {
+    const double unit = options.mm_per_unit;
+    const Eigen::AlignedBox2d bounds = Projection(frame, box_.center()).boundsOf(surface_.mesh());
+    if (frame.eye && bounds.isEmpty())
+        refuse("All of the object is behind the eye of a view in perspective.");
+    return {frame, {unit * bounds.min(), unit * bounds.max()},
+            {},    false,
+            {},    marksOf(frame, options, box_)};
+}
+
+void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progress& progress) {
+    laplacian_lines::View view = Projection(drawn.frame, box_.center()).view();
+    if (drawn.frame.eye && visibility_.encloses(*drawn.frame.eye))
+        refuse(
+            "The eye of a view in perspective is inside the surface. Move it outside, or take a "
+            "view without perspective.");
+    if (options.light) view.light = inMesh(*options.light, drawn.frame);
+    std::vector<laplacian_lines::LineSet> lines;
+    for (const laplacian_lines::LineExtractor& extractor : extractors_)
+        lines.push_back(
+            laplacian_lines::extract_on_surface(extractor, view, options.style, scratch_));
+    if (drawn.frame.is_half_section) return lookHalf(drawn, view, lines, options, progress);
+    drawn.lines =
+        draw(visibility_.look(view, lines, sightOf(options), progress), drawn.frame, options);
+}
+
+std::vector<DrawnLine> Observer::draw(const SightLines& lines, const ViewFrame& frame,
+                                      const SheetOptions& options) const {
+    const Projection projection(frame, box_.center());
+    return project(projection.inSight(lines), projection, options.mm_per_unit);
+}
+
+void Observer::lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
+                        const std::vector<laplacian_lines::LineSet>& lines,
+                        const SheetOptions& options, const Progress& progress) const {
+    const HalfSection half(objects_, surface_.mesh(), drawn.frame);
+    const laplacian_lines::LineVisibility visibility(clip(surface_.mesh(), half.behind()),
+                                                     part(progress, 0, 0.3));
+    const SightLines inside = visibility.look(view, clipEach(lines, half.behind()),
+                                              sightOf(options), part(progress, 0.3, 0.6));
+    drawn.lines = draw(clip(inside, half.left()), drawn.frame, options);
+    for (DrawnLine& line : drawn.lines)  // the outline of this half is the section's
+        if (line.line_class == LineClass::Outline) line.line_class = LineClass::Contour;
+    half.draw(drawn, box_.center(), options.mm_per_unit);
+    const SightLines all = visibility_.look(view, lines, sightOf(options), part(progress, 0.6, 1));
+    const std::vector<DrawnLine> outside = draw(clip(all, half.right()), drawn.frame, options);
+    drawn.lines.insert(drawn.lines.end(), outside.begin(), outside.end());
+}
+
+double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, double pixel) const {
+    // of perspective views, some of the surface may be out of the picture or behind the eye
+    const auto& shows = options.style.shows;
+    if (drawn.frame.is_half_section || drawn.frame.eye ||
+        !shows[laplacian_lines::LineKind::Contour] || !shows[laplacian_lines::LineKind::Border])
+        return 0;
+    const Projection projection(drawn.frame, box_.center());
+    const auto missing =
+        borderWithoutOutline(surface_.mesh(), projection, options.mm_per_unit, drawn.lines, pixel);
+    if (missing.empty()) return 0;
+    laplacian_lines::SightOptions all = sightOf(options);
+    all.has_hidden = true;
+    const SightLines edges = visibility_.look(projection.view(), {}, all);
+    for (DrawnLine& line : linesAt(missing, draw(edges, drawn.frame, options), pixel))
+        drawn.lines.push_back(std::move(line));
+    return pixel * double(missing.size());
+}
+
+DrawnView Observer::cut(const Section& section, const SheetOptions& options) const {
+    DrawnView drawn = stand(frameOfSection(section, options.up), options);
+    drawn.is_section = true;
+    drawn.marks.clear();
+    const Projection projection(drawn.frame, box_.center());
+    for (const Object& object : objects_) {
+        Wall& wall = drawn.walls.emplace_back();
+        for (const Cut& cut : cutMesh(object.mesh, section.axis, placeOnAxis(section, box_))) {
+            drawn.lines.push_back(project(cut, projection, options.mm_per_unit));
+            if (drawn.lines.back().closed) wall.push_back(positionsOf(drawn.lines.back()));
+        }
+    }
+    return drawn;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/progress.h"
+#include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/sheet_options.h"
+#include "views/drawn_view.h"
+#include "views/joined_surface.h"
+
+namespace line_drawing {
+
+/// Looks at objects from all sides. They have to outlive it.
+class Observer {
+public:
+    /// @throws laplacian_lines::Error: InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
+    Observer(const Objects& objects, const laplacian_lines::Progress& progress);
+
+    /// A view without its lines.
+    DrawnView stand(const ViewFrame& frame, const SheetOptions& options) const;
+    /// Adds the lines that are seen.
+    void look(DrawnView& drawn, const SheetOptions& options,
+              const laplacian_lines::Progress& progress);
+    /// Holds the outlines against what the surface covers, in pixels of this size, mm of the
+    /// object, and adds lines where there is none. Returns how long what was missing is, in mm.
+    double checkOutlines(DrawnView& drawn, const SheetOptions& options, double pixel) const;
+    /// What a section cuts, without what lies behind it.
+    DrawnView cut(const Section& section, const SheetOptions& options) const;
+    /// In units of the mesh.
+    Eigen::Vector3d objectSize() const { return box_.sizes(); }
+
+private:
+    using SightLines = std::vector<laplacian_lines::SightLine>;
+
+    void lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
+                  const std::vector<laplacian_lines::LineSet>& lines, const SheetOptions& options,
+                  const laplacian_lines::Progress& progress) const;
+
+    std::vector<DrawnLine> draw(const SightLines& lines, const ViewFrame& frame,
+                                const SheetOptions& options) const;
+
+    const Objects objects_;
+    const JoinedSurface surface_;
+    const Eigen::AlignedBox3d box_;
+    const std::vector<laplacian_lines::LineExtractor> extractors_;
+    const laplacian_lines::LineVisibility visibility_;
+    laplacian_lines::ExtractionScratch scratch_;
+};
+
+}  // namespace line_drawing

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "strokes/drawn_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double least_cosine = 0.94;  // of 20°
+constexpr double end_share = 0.5;      // of a piece of a line: beyond its end is not beside it
+
+Vector2d nearestTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
+    const Vector2d way = end - begin;
+    return begin + std::clamp(way.dot(p - begin) / way.squaredNorm(), 0., 1.) * way;
+}
+
+double distanceTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
+    return (nearestTo(begin, end, p) - p).norm();
+}
+
+}  // namespace
+
+std::int64_t DrawnLines::squareOf(double coordinate) const {
+    return std::int64_t(std::floor(coordinate / (2 * reach_)));
+}
+
+DrawnLines::Cell DrawnLines::cell(std::int64_t x, std::int64_t y) {
+    return Cell(std::uint32_t(x)) << 32 | Cell(std::uint32_t(y));
+}
+
+void DrawnLines::add(const std::vector<Vector2d>& line, std::size_t number) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Vector2d way = line[i] - line[i - 1];
+        const double steps = std::ceil(way.norm() / reach_);
+        for (double s = 0; s < steps; ++s) {  // pieces so short that each is in one square
+            const Piece piece = {line[i - 1] + way * (s / steps),
+                                 line[i - 1] + way * ((s + 1) / steps), number};
+            const Vector2d middle = (piece.begin + piece.end) / 2;
+            pieces_[cell(squareOf(middle.x()), squareOf(middle.y()))].push_back(piece);
+        }
+    }
+}
+
+template <class Visit>
+void DrawnLines::forEachPieceNear(const Vector2d& point, Visit visit) const {
+    const std::int64_t x = squareOf(point.x()), y = squareOf(point.y());
+    for (const int dx : {-1, 0, 1})
+        for (const int dy : {-1, 0, 1}) {
+            const auto found = pieces_.find(cell(x + dx, y + dy));
+            if (found == pieces_.end()) continue;
+            for (const Piece& piece : found->second)
+                visit(piece);
+        }
+}
+
+double DrawnLines::distanceAlong(const Vector2d& point, const Vector2d& way) const {
+    double least = reach_;
+    forEachPieceNear(point, [&](const Piece& piece) {
+        const Vector2d along = (piece.end - piece.begin).normalized();
+        if (std::abs(along.dot(way)) >= least_cosine)
+            least = std::min(least, distanceTo(piece.begin, piece.end, point));
+    });
+    return least;
+}
+
+bool DrawnLines::isBeside(const Vector2d& point, double within) const {
+    bool is_beside = false;
+    forEachPieceNear(point, [&](const Piece& piece) {
+        const Vector2d way = piece.end - piece.begin;
+        const double t = way.dot(point - piece.begin) / way.squaredNorm();
+        const bool is_past = t < -end_share || t > 1 + end_share;
+        is_beside |= !is_past && distanceTo(piece.begin, piece.end, point) < within;
+    });
+    return is_beside;
+}
+
+std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, std::size_t except,
+                                                       double within) const {
+    std::optional<Place> nearest;
+    forEachPieceNear(point, [&](const Piece& piece) {
+        if (piece.line == except) return;
+        const Vector2d place = nearestTo(piece.begin, piece.end, point);
+        const double distance = (place - point).norm();
+        if (distance > within) return;
+        within = distance;
+        nearest = Place{place, piece.line};
+    });
+    return nearest;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace line_drawing {
+
+/// Nearer than this, in reaches of what doubles a line, nothing white is left beside it.
+constexpr double beside_reach = 1.4;
+/// In reaches: what is so near a line is at one place with it.
+constexpr double same_reach = 0.1;
+/// Cosine of the least turn by which a line runs back along itself: 120°.
+constexpr double reversal = -0.5;
+
+/// Lines on paper that are there already, to be asked whether another one would only double them.
+/// Millimetres.
+class DrawnLines {
+public:
+    /// Lines nearer than `reach` that run along one are doubles of it.
+    explicit DrawnLines(double reach) : reach_(reach) {}
+
+    /// `number` tells lines apart.
+    void add(const std::vector<Eigen::Vector2d>& line, std::size_t number = 0);
+
+    /// How far `point` is from a line that runs along the unit direction `way`, within 20°; the
+    /// reach if none is nearer.
+    double distanceAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way) const;
+
+    /// Whether `point` is within this distance, 1.4 reaches at most, beside a line, whichever way
+    /// that runs, not beyond its end.
+    bool isBeside(const Eigen::Vector2d& point, double within) const;
+
+    /// The nearest place on another line than that of a number, within the distance, 1.4 reaches at
+    /// most, and the number of that line.
+    struct Place {
+        Eigen::Vector2d position;
+        std::size_t line;
+    };
+    std::optional<Place> nearestOn(const Eigen::Vector2d& point, std::size_t except,
+                                   double within) const;
+
+private:
+    struct Piece {
+        Eigen::Vector2d begin, end;
+        std::size_t line;
+    };
+    using Cell = std::uint64_t;
+
+    std::int64_t squareOf(double coordinate) const;
+    static Cell cell(std::int64_t x, std::int64_t y);
+    template <class Visit>
+    void forEachPieceNear(const Eigen::Vector2d& point, Visit visit) const;
+
+    const double reach_;
+    std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares of twice the reach
+};
+
+}  // namespace line_drawing

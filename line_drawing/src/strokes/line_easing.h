@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "views/drawn_view.h"
+
+namespace line_drawing {
+
+/// Takes the triangles' edges out of contours of curved surfaces: between points that are exact,
+/// lines turn less, but stay within `reach` of where they were, on the sheet. Lines that end at
+/// them follow.
+void easeLines(std::vector<DrawnLine>& lines, double reach);
+
+}  // namespace line_drawing

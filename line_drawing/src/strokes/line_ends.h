@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "views/drawn_view.h"
+
+namespace line_drawing {
+
+/// Joins ends of lines that are in nothing since what they met was left out: by short lines that
+/// were `left_out` and lead on to another line, else by a straight piece to what is beside them. No
+/// end is moved, as others may meet the line there. `reach`: of what doubles a line.
+void joinLooseEnds(std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& left_out,
+                   double reach);
+
+}  // namespace line_drawing

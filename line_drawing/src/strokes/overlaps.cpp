@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "strokes/overlaps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "strokes/drawn_lines.h"
+#include "strokes/line_ends.h"
+#include "strokes/refining.h"
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double shortest_double = 4;  // reaches; where lines meet they are near for a while
+constexpr double step_share = 0.25;    // of the reach: between the places of a line looked at
+constexpr int overlap = 5;             // of these places, a little more than a reach
+// Of the length of a line of at most two shortest doubles: the share beside others from which it
+// adds nothing.
+constexpr double most_beside = 0.8;
+
+double lengthOf(const DrawnLine& line) {
+    double length = 0;
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+        length += (line.points[i].position - line.points[i - 1].position).norm();
+    return length;
+}
+
+/// Sections are what a drawing with sections is about.
+int rankOf(LineClass line_class) {
+    return line_class == LineClass::Section ? -1 : int(line_class);
+}
+
+/// Takes the jogs out of a line, where it runs back along itself and then on: on paper they would
+/// be knots of its stroke.
+class JogRemoval {
+public:
+    JogRemoval(const DrawnLine& line, double reach)
+        : line_(line), points_(refine(line.points, step_share * reach)), reach_(reach) {}
+
+    DrawnLine result() const {
+        DrawnLine straight{line_.line_class, line_.closed, {}};
+        for (std::size_t i = 0; i < points_.size(); i = nextAfter(i))
+            straight.points.push_back(points_[i]);
+        return straight.points.size() == points_.size() ? line_ : straight;
+    }
+
+private:
+    const Vector2d& at(std::size_t i) const { return points_[i].position; }
+
+    /// The direction in which the line runs for a short way before a point, or after it.
+    Vector2d way(std::size_t i, bool after) const {
+        std::size_t k = i;
+        const std::size_t end = after ? points_.size() - 1 : 0;
+        while (k != end && (at(k) - at(i)).norm() < step_share * reach_)
+            after ? ++k : --k;
+        return ((after ? 1 : -1) * (at(k) - at(i))).stableNormalized();
+    }
+
+    /// The point with which the line goes on, past the jog that begins here, if one does.
+    std::size_t nextAfter(std::size_t i) const {
+        if (i == 0 || i + 1 == points_.size()) return i + 1;
+        const Vector2d before = way(i, false);
+        if ((at(i + 1) - at(i)).normalized().dot(before) > reversal) return i + 1;
+        double length = 0;
+        for (std::size_t k = i + 1; k + 1 < points_.size(); ++k) {
+            length += (at(k) - at(k - 1)).norm();
+            const Vector2d aside = at(k) - at(i);
+            if (length > shortest_double * reach_) break;
+            if (aside.norm() < reach_ && aside.dot(before) > 0 && way(k, true).dot(before) > 0)
+                return k;
+        }
+        return i + 1;
+    }
+
+    const DrawnLine& line_;
+    const std::vector<DrawnPoint> points_;
+    const double reach_;
+};
+
+/// Cuts one line where it doubles others.
+class LineCutter {
+public:
+    LineCutter(const DrawnLine& line, const DrawnLines& there, double reach)
+        : line_(line),
+          points_(refine(line.points, step_share * reach)),
+          is_double_(points_.size()) {
+        std::vector<bool> is_same(points_.size());
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const double distance = there.distanceAlong(points_[i].position, wayAt(i));
+            is_double_[i] = distance < reach;
+            is_same[i] = distance < same_reach * reach;
+        }
+        forgetShortRuns(is_double_, shortest_double * reach);
+        forgetShortRuns(is_same, step_share * reach / 2);
+        for (int i = 0; i < overlap; ++i)
+            shortenRuns();
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            if (is_same[i]) is_double_[i] = true;
+    }
+
+    void appendRest(std::vector<DrawnLine>& rest) const {
+        if (std::find(is_double_.begin(), is_double_.end(), true) == is_double_.end()) {
+            rest.push_back(line_);
+            return;
+        }
+        DrawnLine part{line_.line_class, false, {}};
+        for (std::size_t i = 0; i <= points_.size(); ++i) {
+            if (i < points_.size() && !is_double_[i]) {
+                part.points.push_back(points_[i]);
+            } else {
+                if (part.points.size() > 1) rest.push_back(part);
+                part.points.clear();
+            }
+        }
+    }
+
+private:
+    Vector2d wayAt(std::size_t i) const {
+        const std::size_t last = points_.size() - 1;
+        return (points_[std::min(i + 1, last)].position - points_[i == 0 ? 0 : i - 1].position)
+            .stableNormalized();
+    }
+
+    void forgetShortRuns(std::vector<bool>& is_in, double shortest) const {
+        for (std::size_t begin = 0; begin < is_in.size();) {
+            std::size_t end = begin;
+            while (end < is_in.size() && is_in[end] == is_in[begin])
+                ++end;
+            const double length = (points_[end - 1].position - points_[begin].position).norm();
+            if (is_in[begin] && length < shortest)
+                std::fill(is_in.begin() + std::ptrdiff_t(begin),
+                          is_in.begin() + std::ptrdiff_t(end), false);
+            begin = end;
+        }
+    }
+
+    /// What is left ends beside the line that it doubled, so that there is no gap.
+    void shortenRuns() {
+        const std::vector<bool> before = is_double_;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const bool has_rest_beside =
+                (i > 0 && !before[i - 1]) || (i + 1 < before.size() && !before[i + 1]);
+            if (has_rest_beside) is_double_[i] = false;
+        }
+    }
+
+    const DrawnLine& line_;
+    const std::vector<DrawnPoint> points_;
+    std::vector<bool> is_double_;
+};
+
+/// Whether a line is short, ends within the reach of others and is beside them nearly all along.
+bool addsNothing(const DrawnLine& line, const DrawnLines& there, double reach) {
+    if (lengthOf(line) > 2 * shortest_double * reach) return false;
+    for (const DrawnPoint& end : {line.points.front(), line.points.back()})
+        if (!there.isBeside(end.position, reach)) return false;  // another line may end there
+    const std::vector<DrawnPoint> points = refine(line.points, step_share * reach);
+    const auto beside = std::count_if(points.begin(), points.end(), [&](const DrawnPoint& point) {
+        return there.isBeside(point.position, beside_reach * reach);
+    });
+    return double(beside) >= most_beside * double(points.size());
+}
+
+/// Whether a line is at one place with others all along.
+bool liesOn(const DrawnLines& there, const DrawnLine& line, double reach) {
+    const std::vector<DrawnPoint> points = refine(line.points, step_share * reach);
+    return std::all_of(points.begin(), points.end(), [&](const DrawnPoint& point) {
+        return there.isBeside(point.position, same_reach * reach);
+    });
+}
+
+/// Joined ends may have made lines equal: of these the longest stays.
+std::vector<DrawnLine> withoutEqual(const std::vector<DrawnLine>& lines, double reach) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        order.emplace_back(-lengthOf(lines[i]), i);
+    std::sort(order.begin(), order.end());
+    DrawnLines there(reach);
+    std::vector<bool> is_kept(lines.size());
+    for (const auto& [length, i] : order) {
+        is_kept[i] = lines[i].line_class == LineClass::Outline || !liesOn(there, lines[i], reach);
+        if (is_kept[i]) there.add(positionsOf(lines[i]));
+    }
+    std::vector<DrawnLine> rest;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (is_kept[i]) rest.push_back(lines[i]);
+    return rest;
+}
+
+}  // namespace
+
+std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach) {
+    for (DrawnLine& line : lines)
+        if (line.points.size() > 2 && line.line_class != LineClass::Outline)
+            line = JogRemoval(line, reach).result();
+    std::vector<std::pair<double, std::size_t>> order;  // -length, so that the longest come first
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        order.emplace_back(-lengthOf(lines[i]), i);
+    std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
+        const int of_a = rankOf(lines[a.second].line_class),
+                  of_b = rankOf(lines[b.second].line_class);
+        return of_a != of_b ? of_a < of_b : a < b;
+    });
+    DrawnLines there(reach);
+    std::vector<DrawnLine> rest, left_out, parts;
+    for (const auto& [length, i] : order) {
+        if (lines[i].line_class == LineClass::Outline) {  // whole, whatever is beside them
+            rest.push_back(lines[i]);
+            there.add(positionsOf(lines[i]));
+            continue;
+        }
+        parts.clear();
+        if (lines[i].points.size() > 1) LineCutter(lines[i], there, reach).appendRest(parts);
+        const auto slight = std::stable_partition(
+            parts.begin(), parts.end(),
+            [&](const DrawnLine& part) { return !addsNothing(part, there, reach); });
+        for (auto part = parts.begin(); part != slight; ++part)
+            there.add(positionsOf(*part));
+        rest.insert(rest.end(), parts.begin(), slight);
+        left_out.insert(left_out.end(), slight, parts.end());
+    }
+    joinLooseEnds(rest, left_out, reach);
+    return withoutEqual(rest, reach);
+}
+
+}  // namespace line_drawing

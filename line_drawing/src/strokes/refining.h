@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include "views/drawn_view.h"
+
+namespace line_drawing {
+
+inline const Eigen::Vector2d& positionOf(const Eigen::Vector2d& point) {
+    return point;
+}
+inline const Eigen::Vector2d& positionOf(const DrawnPoint& point) {
+    return point.position;
+}
+inline Eigen::Vector2d between(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double t) {
+    return a + t * (b - a);
+}
+inline DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
+    return {between(a.position, b.position, t), a.weight + t * (b.weight - a.weight)};
+}
+
+/// The same line with points at most `step` apart, no two of one place in a row: a line has no
+/// direction between these.
+template <class Point>
+std::vector<Point> refine(const std::vector<Point>& points, double step) {
+    std::vector<Point> result;
+    for (const Point& p : points) {
+        if (!result.empty()) {
+            const Point from = result.back();
+            const double pieces = std::ceil((positionOf(p) - positionOf(from)).norm() / step);
+            if (!(pieces > 0)) continue;
+            for (double i = 1; i < pieces; ++i)
+                result.push_back(between(from, p, i / pieces));
+        }
+        result.push_back(p);
+    }
+    return result;
+}
+
+}  // namespace line_drawing

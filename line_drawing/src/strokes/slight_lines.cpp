@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "strokes/slight_lines.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace line_drawing {
+namespace {
+
+double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin, std::size_t end) {
+    double length = 0;
+    for (std::size_t i = begin + 1; i <= end; ++i)
+        length += (points[i].position - points[i - 1].position).norm();
+    return length;
+}
+
+// Of the shortest line: ends of contours of curved surfaces, which the roughness of a scan makes.
+constexpr double shortest_contour_end = 3;
+
+bool isCurvedContour(const DrawnLine& line) {
+    return line.line_class == LineClass::Contour &&
+           std::any_of(line.points.begin(), line.points.end(),
+                       [](const DrawnPoint& point) { return !point.is_exact; });
+}
+
+bool isSlight(const DrawnLine& line, const SheetOptions& options) {
+    return isCurvedContour(line) && line.jump < options.pens[std::size_t(LineClass::Inner)];
+}
+
+/// How many lines there are at each node.
+class Nodes {
+public:
+    explicit Nodes(const std::vector<DrawnLine>& lines) {
+        for (const DrawnLine& line : lines)
+            for (std::size_t i = line.closed ? 1 : 0; i < line.points.size(); ++i)
+                if (line.points[i].node != laplacian_lines::kNoSightNode)
+                    ++lines_[line.points[i].node];
+    }
+
+    bool isJunction(const DrawnPoint& point) const {
+        const auto found = lines_.find(point.node);
+        return found != lines_.end() && found->second > 1;
+    }
+
+private:
+    std::unordered_map<std::uint32_t, int> lines_;
+};
+
+/// Cuts off what is shorter than `shortest` between an end in nothing and the next junction.
+void trimEnd(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& points) {
+    if (points.size() < 2 || nodes.isJunction(points.back())) return;
+    std::size_t last = points.size() - 1;
+    while (last > 0 && !nodes.isJunction(points[last]))
+        --last;
+    if (lengthOf(points, last, points.size() - 1) < shortest) points.resize(last + 1);
+}
+
+/// A loop that is filled by its own stroke is a dot, which says nothing of the form.
+bool isDot(const DrawnLine& line, double shortest) {
+    Eigen::AlignedBox2d box;
+    for (const DrawnPoint& point : line.points)
+        box.extend(point.position);
+    return box.sizes().maxCoeff() < shortest / 2 ||
+           lengthOf(line.points, 0, line.points.size() - 1) < shortest;
+}
+
+void trim(const Nodes& nodes, double shortest, DrawnLine& line) {
+    if (line.closed) {
+        if (isDot(line, shortest)) line.points.clear();
+        return;
+    }
+    trimEnd(nodes, shortest, line.points);
+    std::reverse(line.points.begin(), line.points.end());
+    trimEnd(nodes, shortest, line.points);
+    std::reverse(line.points.begin(), line.points.end());
+}
+
+}  // namespace
+
+std::vector<DrawnLine> withoutSlightLines(std::vector<DrawnLine> lines,
+                                          const SheetOptions& options) {
+    lines.erase(std::remove_if(lines.begin(), lines.end(),
+                               [&](const DrawnLine& line) { return isSlight(line, options); }),
+                lines.end());
+    const Nodes nodes(lines);
+    for (DrawnLine& line : lines) {
+        const double shares = isCurvedContour(line) ? shortest_contour_end : 1;
+        if (line.line_class != LineClass::Outline)
+            trim(nodes, shares * options.shortest_line, line);
+    }
+    lines.erase(std::remove_if(lines.begin(), lines.end(),
+                               [](const DrawnLine& line) { return line.points.size() < 2; }),
+                lines.end());
+    return lines;
+}
+
+}  // namespace line_drawing

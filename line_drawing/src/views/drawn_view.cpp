@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/drawn_view.h"
+
+namespace line_drawing {
+namespace {
+
+using laplacian_lines::LineKind;
+using laplacian_lines::SightLine;
+using laplacian_lines::SightPoint;
+using laplacian_lines::TriangleMesh;
+
+constexpr double faintest_inner_line = 0.5;  // mean share of the full width
+
+double widthOf(const SightPoint& point) {
+    return double(point.weight) * double(point.opacity);
+}
+
+double meanWidth(const SightLine& line) {
+    double sum = 0;
+    for (const SightPoint& point : line.points)
+        sum += widthOf(point);
+    return sum / double(line.points.size());
+}
+
+LineClass classOf(const SightLine& line) {
+    if (line.is_hidden) return LineClass::Hidden;
+    if (line.is_outline) return LineClass::Outline;
+    if (laplacian_lines::describe(line.kind).is_outline) return LineClass::Contour;
+    if (line.kind == LineKind::Crease) return LineClass::Edge;
+    const bool is_faint = line.kind == LineKind::Laplacian && meanWidth(line) < faintest_inner_line;
+    return is_faint ? LineClass::Fine : LineClass::Inner;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line) {
+    std::vector<Eigen::Vector2d> positions;
+    for (const DrawnPoint& point : line.points)
+        positions.push_back(point.position);
+    return positions;
+}
+
+Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {
+    Eigen::AlignedBox3d box;
+    for (const laplacian_lines::Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t)
+            if (v < mesh.positions.size() && mesh.positions[v].allFinite())
+                box.extend(mesh.positions[v]);
+    return box;
+}
+
+DrawnLine project(const std::vector<Eigen::Vector3d>& section, const Projection& projection,
+                  double unit) {
+    DrawnLine drawn{
+        LineClass::Section, section.size() > 3 && section.front() == section.back(), {}};
+    for (const Eigen::Vector3d& p : section)
+        drawn.points.push_back({unit * projection(p), 1});
+    return drawn;
+}
+
+std::vector<DrawnLine> project(const std::vector<SightLine>& lines, const Projection& projection,
+                               double unit) {
+    std::vector<DrawnLine> drawn;
+    for (const SightLine& line : lines) {
+        drawn.push_back({classOf(line), line.closed, {}, unit * double(line.jump)});
+        drawn.back().points.reserve(line.points.size());
+        for (const SightPoint& point : line.points)
+            drawn.back().points.push_back(
+                {unit * projection(point.position), widthOf(point), point.node, point.is_exact});
+    }
+    return drawn;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/bounds.h"
+#include "line_drawing/sheet_options.h"
+#include "views/projection.h"
+
+namespace line_drawing {
+
+struct DrawnPoint {
+    Eigen::Vector2d position;
+    double weight = 1;  ///< 0..1, share of the full width
+    /// Lines that meet have points of equal numbers there.
+    std::uint32_t node = laplacian_lines::kNoSightNode;
+    bool is_exact = true;  ///< to be kept where it is when lines are smoothed
+};
+
+struct DrawnLine {
+    LineClass line_class;
+    bool closed;  ///< ends with a copy of its first point
+    std::vector<DrawnPoint> points;
+    double jump = 0;  ///< of contours: the largest distance of what is behind them, in mm
+};
+
+std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
+
+/// Loops around what a section cuts of one object (even-odd); none where it cuts nothing.
+using Wall = std::vector<std::vector<Eigen::Vector2d>>;
+
+/// A plane of a section that a view shows as a line. In the coordinates of the view.
+struct SectionMark {
+    QString letter;
+    Eigen::Vector2d point, along, looking;  ///< on the line; unit directions of the line, of sight
+};
+
+/// A view of a mesh in millimetres of the object, x right, y up, with the middle of its bounding
+/// box at (0, 0).
+struct DrawnView {
+    ViewFrame frame;
+    Eigen::AlignedBox2d bounds;  ///< of the surface
+    std::vector<DrawnLine> lines;
+    bool is_section = false;
+    std::vector<Wall> walls = {};  ///< by object
+    std::vector<SectionMark> marks = {};
+};
+
+/// Where a view is on its sheet.
+struct Placement {
+    double scale;            ///< millimetres of the sheet in one of the object
+    Eigen::Vector2d middle;  ///< of the view, in the sheet's coordinates
+
+    Eigen::Vector2d onSheet(const Eigen::Vector2d& p) const {
+        return {middle.x() + scale * p.x(), middle.y() - scale * p.y()};
+    }
+};
+
+/// Lines in mesh coordinates as they look in a view, times `unit`.
+DrawnLine project(const std::vector<Eigen::Vector3d>& section, const Projection& projection,
+                  double unit);
+std::vector<DrawnLine> project(const std::vector<laplacian_lines::SightLine>& lines,
+                               const Projection& projection, double unit);
+
+}  // namespace line_drawing

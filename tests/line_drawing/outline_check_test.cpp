@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outlines are closed and whole, and what is missing of them is found by another way.
+#include "sight/outline_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "made_sheets.h"
+#include "thrown_vessel.h"
+
+using namespace line_drawing;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using made_sheets::cubeOf100;
+using made_sheets::layerOf;
+using made_sheets::plainViews;
+
+namespace {
+
+constexpr double pixel = 0.25;
+
+/// The border of the cube's front view, from one corner to the next `sides` times.
+DrawnLine squareOutline(int sides) {
+    DrawnLine line{LineClass::Outline, sides == 4, {}};
+    const Vector2d corners[] = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}, {-50, -50}};
+    for (int i = 0; i <= sides; ++i)
+        line.points.push_back({corners[i]});
+    return line;
+}
+
+std::vector<Vector2d> missingOf(const std::vector<DrawnLine>& lines) {
+    const ViewFrame front = frameOfSide(Side::Front, UpAxis::Z);
+    const Projection projection(front, Vector3d::Zero());
+    return borderWithoutOutline(cubeOf100(), projection, 1, lines, pixel);
+}
+
+TEST(OutlineCheck, HasNothingToSayOfAWholeOutline) {
+    EXPECT_TRUE(missingOf({squareOutline(4)}).empty());
+}
+
+TEST(OutlineCheck, FindsTheSideThatIsMissing) {
+    const std::vector<Vector2d> missing = missingOf({squareOutline(3)});
+    EXPECT_NEAR(pixel * double(missing.size()), 100, 2);
+    for (const Vector2d& p : missing)
+        EXPECT_NEAR(p.x(), -50, 2 * pixel);
+}
+
+/// Other classes do not count.
+TEST(OutlineCheck, WantsOutlines) {
+    DrawnLine contour = squareOutline(4);
+    contour.line_class = LineClass::Contour;
+    EXPECT_NEAR(pixel * double(missingOf({contour}).size()), 400, 4);
+}
+
+TEST(OutlineCheck, TakesOfOtherLinesWhatIsThere) {
+    const std::vector<Vector2d> missing = missingOf({squareOutline(3)});
+    DrawnLine hidden = squareOutline(4);
+    hidden.line_class = LineClass::Hidden;
+    hidden.points.push_back({{30, 30}});
+    const std::vector<DrawnLine> found = linesAt(missing, {hidden}, pixel);
+    ASSERT_FALSE(found.empty());
+    for (const DrawnLine& line : found)
+        EXPECT_EQ(line.line_class, LineClass::Outline);
+    std::vector<DrawnLine> mended = found;
+    mended.push_back(squareOutline(3));
+    EXPECT_TRUE(missingOf(mended).empty());
+}
+
+void expectClosedOutlines(const laplacian_lines::TriangleMesh& mesh, const char* views) {
+    SheetOptions options = plainViews(views);
+    options.views = parseViews(views, UpAxis::Y);
+    options.paper = "fit";
+    const Sheet sheet = made_sheets::sheetOf(mesh, options);
+    EXPECT_TRUE(sheet.remarks.isEmpty()) << sheet.remarks.join(" ").toStdString();
+    for (const SheetGroup& group : sheet.groups) {
+        if (group.key == "sheet") continue;
+        const auto& outlines = layerOf(group, "outline").paths;
+        EXPECT_FALSE(outlines.empty()) << group.key.toStdString();
+        for (const SheetPath& path : outlines) {
+            const QPointF begin = path.path.elementAt(0);
+            EXPECT_LT(QLineF(begin, path.path.currentPosition()).length(), 1e-6);
+        }
+    }
+}
+
+/// Exact side views, in which faces are seen along their planes.
+TEST(Outlines, AreClosedInExactSideViews) {
+    expectClosedOutlines(cubeOf100(), "six");
+    laplacian_lines::TriangleMesh torus = test_meshes::torus(60, 30).mesh;
+    for (Vector3d& p : torus.positions)
+        p *= 30;
+    expectClosedOutlines(torus, "six");
+    expectClosedOutlines(torus, "45,0,30,35");
+    expectClosedOutlines(test_meshes::thrown_vessel({}), "front,top,20,30");
+}
+
+TEST(Outlines, AreAnAreaIfWanted) {
+    SheetOptions options = plainViews("front");
+    const auto area = [&] {
+        const Sheet sheet = made_sheets::sheetOf(cubeOf100(), options);
+        for (const SheetLayer& layer : sheet.groups[0].layers)
+            if (layer.key == "area") return layer.paths.size();
+        return std::size_t(0);
+    };
+    EXPECT_EQ(area(), 0u);
+    options.area = OutlineArea::Filled;
+    ASSERT_EQ(area(), 1u);
+    const Sheet sheet = made_sheets::sheetOf(cubeOf100(), options);
+    const SheetPath& path = layerOf(sheet.groups[0], "area").paths[0];
+    EXPECT_EQ(path.pen_width, 0);
+    EXPECT_GT(path.tone, 0.5);
+    double sum = 0;
+    for (const QPolygonF& polygon : path.path.toSubpathPolygons())
+        for (int i = 1; i < polygon.size(); ++i)
+            sum += (polygon[i - 1].x() * polygon[i].y() - polygon[i - 1].y() * polygon[i].x()) / 2;
+    EXPECT_NEAR(std::abs(sum), 100 * 100, 10);
+}
+
+/// A line changes its pen only where it changes what it is.
+TEST(Weights, OfIsoAreTwoToOne) {
+    SheetOptions options = plainViews("30,35");
+    options.hidden = HiddenLines::Dashed;
+    options.pens = pensOf(Weights::Iso);
+    const SheetGroup view = made_sheets::sheetOf(cubeOf100(), options).groups[0];
+    for (const char* key : {"outline", "edge"}) {
+        EXPECT_FALSE(layerOf(view, key).paths.empty()) << key;
+        for (const SheetPath& path : layerOf(view, key).paths)
+            EXPECT_EQ(path.pen_width, 0.5) << key;
+    }
+    EXPECT_FALSE(layerOf(view, "hidden").paths.empty());
+    for (const SheetPath& path : layerOf(view, "hidden").paths)
+        EXPECT_EQ(path.pen_width, 0.25);
+}
+
+}  // namespace

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files where the disk, a quota or a pipe ends, and those that are no regular ones.
+#include "line_drawing/whole_file.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <csignal>
+#include <string>
+
+#include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
+#include "made_sheets.h"
+
+using namespace line_drawing;
+
+namespace {
+
+/// Files end after so many bytes, as where the disk is full.
+class FullDisk {
+public:
+    explicit FullDisk(std::size_t bytes) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit now{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &now);
+    }
+    ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+private:
+    rlimit before_;
+};
+
+QByteArray contentOf(const QString& file) {
+    QFile input(file);
+    EXPECT_TRUE(input.open(QIODevice::ReadOnly)) << file.toStdString();
+    return input.readAll();
+}
+
+/// What is said when a work is refused; empty if it is not.
+template <class Work>
+std::string complaintOf(Work work) {
+    try {
+        work();
+    } catch (const laplacian_lines::Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+void expectOldFile(const QTemporaryDir& folder, const QString& file) {
+    EXPECT_EQ(contentOf(file), "old");
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+}
+
+const Sheet& sheet() {
+    static const Sheet made =
+        made_sheets::sheetOf(made_sheets::cubeOf100(), made_sheets::plainViews("front", "a4"));
+    return made;
+}
+
+class WholeFile : public testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override { writeWhole(file(), "old"); }
+
+    QString file() const { return folder_.filePath(QString("sheet.") + GetParam()); }
+
+    /// With room for as many bytes as these.
+    void expectNothingLost(std::size_t bytes) {
+        std::string complaint;
+        {
+            const FullDisk disk(bytes);
+            complaint = complaintOf([&] { writeSheet(sheet(), file(), 20); });
+        }
+        EXPECT_NE(complaint.find("sheet."), std::string::npos) << bytes << ": " << complaint;
+        EXPECT_NE(complaint.find("File too large"), std::string::npos) << bytes << complaint;
+        expectOldFile(folder_, file());
+    }
+
+    QTemporaryDir folder_;
+};
+
+TEST_P(WholeFile, OldOneStaysWhereverTheDiskEnds) {
+    const QString other = folder_.filePath(QString("other.") + GetParam());
+    writeSheet(sheet(), other, 20);
+    const auto size = std::size_t(contentOf(other).size());
+    QFile::remove(other);
+    for (std::size_t bytes = 0; bytes < size; bytes += std::max<std::size_t>(1, size / 200))
+        expectNothingLost(bytes);
+    expectNothingLost(size - 1);
+    const FullDisk disk(size);
+    writeSheet(sheet(), file(), 20);
+    EXPECT_EQ(std::size_t(contentOf(file()).size()), size);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, WholeFile, testing::Values("svg", "pdf", "dxf", "png"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(WholeFiles, EndAtAnyByte) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("sheet.svg");
+    writeWhole(file, "old");
+    const QByteArray data(2000, 'x');
+    for (std::size_t bytes = 0; bytes < 2000; ++bytes) {
+        const FullDisk disk(bytes);
+        EXPECT_NE(complaintOf([&] { writeWhole(file, data); }), "") << bytes;
+    }
+    expectOldFile(folder, file);
+}
+
+TEST(WholeFiles, LinksAreFollowed) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("real.svg"), link = folder.filePath("link.svg");
+    writeWhole(file, "old");
+    ASSERT_TRUE(QFile::link(file, link));
+    writeWhole(link, "new");
+    EXPECT_EQ(contentOf(file), "new");
+    EXPECT_TRUE(QFileInfo(link).isSymLink());
+}
+
+TEST(WholeFiles, DevicesAreWrittenIntoAndStay) {
+    const QTemporaryDir folder;
+    const QString link = folder.filePath("null.svg"), full = folder.filePath("full.svg");
+    ASSERT_TRUE(QFile::link("/dev/null", link) && QFile::link("/dev/full", full));
+    checkSheetFile(link);
+    writeWhole(link, "new");
+    EXPECT_TRUE(QFileInfo(link).isSymLink());
+    const std::string complaint = complaintOf([&] { writeWhole(full, "new"); });
+    EXPECT_NE(complaint.find("No space left on device"), std::string::npos) << complaint;
+    struct stat null = {};
+    ASSERT_EQ(stat("/dev/null", &null), 0);
+    EXPECT_TRUE(S_ISCHR(null.st_mode));
+}
+
+TEST(WholeFiles, PipesGetAll) {
+    const QTemporaryDir folder;
+    const QByteArray pipe = folder.filePath("pipe.svg").toLocal8Bit();
+    ASSERT_EQ(mkfifo(pipe.constData(), 0600), 0);
+    const int reader = open(pipe.constData(), O_RDONLY | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    checkWritable(pipe);
+    writeWhole(pipe, "new");
+    char read_back[8] = {};
+    EXPECT_EQ(read(reader, read_back, sizeof read_back), 3);
+    EXPECT_STREQ(read_back, "new");
+    close(reader);
+    struct stat still = {};
+    ASSERT_EQ(stat(pipe.constData(), &still), 0);
+    EXPECT_TRUE(S_ISFIFO(still.st_mode));
+}
+
+TEST(WholeFiles, FoldersAreRefusedBefore) {
+    const QTemporaryDir folder;
+    ASSERT_TRUE(QDir(folder.path()).mkdir("sheet.svg"));
+    const QString file = folder.filePath("sheet.svg");
+    EXPECT_NE(complaintOf([&] { checkSheetFile(file); }).find("folder"), std::string::npos);
+    EXPECT_NE(complaintOf([&] { checkWritable(folder.filePath("none/sheet.svg")); }), "");
+}
+
+}  // namespace
