@@ -96,6 +96,9 @@ TEST(LineVisibility, KeepsWhatNothingHides) {
         EXPECT_EQ(seen.lines[i].closed, all.lines[i].closed);
         EXPECT_EQ(seen.lines[i].kind, all.lines[i].kind);
         EXPECT_EQ(seen.lines[i].strength, all.lines[i].strength);
+        const std::uint32_t first = seen.lines[i].first, last = first + seen.lines[i].count - 1;
+        EXPECT_TRUE(!seen.lines[i].closed ||
+                    seen.points[first].position == seen.points[last].position);
     }
     ASSERT_EQ(seen.points.size(), all.points.size());
     for (std::size_t i = 0; i < all.points.size(); ++i) {
@@ -320,6 +323,58 @@ TEST(LineVisibility, DoesNotDependOnWhichSideTrianglesFace) {
         EXPECT_NEAR(total_length(flipped.seen), total_length(outside.seen), 1e-4f);
         EXPECT_NEAR(total_length(flipped.hidden), total_length(outside.hidden), 1e-4f);
     }
+}
+
+/// A Laplacian line around the origin. Weights say which point is where: i / points.
+LineSet ring(double radius, double begin, int points) {
+    LineSet lines;
+    for (int i = 0; i <= points; ++i) {
+        const double angle = begin + 2 * kPi * (i % points) / points;
+        lines.points.push_back(
+            {(radius * Vector3d(std::cos(angle), std::sin(angle), 0)).cast<float>(),
+             float(i % points) / float(points), 0, 1});
+    }
+    Polyline line;
+    line.count = std::uint32_t(points) + 1;
+    line.kind = LineKind::Laplacian;
+    line.closed = true;
+    line.length = float(2 * kPi * radius / std::sqrt(12.0));
+    lines.lines = {line};
+    return lines;
+}
+
+LineSet seen_ring(const LineSet& ring, const View& view) {
+    return LineVisibility(test_meshes::sphere(3).mesh)
+        .parts(view, {ring}, {helpers::all_laplacian_lines().shows, 0, true})
+        .seen;
+}
+
+TEST(LineVisibility, ClosedLinesEndExactlyWhereTheyBegin) {
+    for (int begin = 0; begin < 50; ++begin) {
+        const LineSet seen = seen_ring(ring(1.1, begin, 20), View::orthographic(Vector3d::UnitZ()));
+        ASSERT_EQ(seen.lines.size(), 1u);
+        EXPECT_TRUE(seen.lines[0].closed);
+        EXPECT_EQ(seen.points.front().position, seen.points.back().position) << begin;
+    }
+}
+
+/// A ring on a sphere from within: what is abreast of the eye is left out of it, and the ring is
+/// open there.
+TEST(LineVisibility, RingsAroundTheEyeAreOpenAbreastOfIt) {
+    constexpr double kRadius = 0.99, kBegin = 0.04;
+    const LineSet all = ring(kRadius, kBegin, 80);
+    const LineSet seen = seen_ring(all, View::perspective({0.3, 0, 0}));
+    EXPECT_EQ(seen.lines.size(), 3u);  // it begins in the middle of the half before the eye
+    for (const Polyline& part : seen.lines) {
+        EXPECT_FALSE(part.closed);
+        for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
+            const LinePoint& p = seen.points[i];
+            const double angle = kBegin + 2 * kPi * double(p.weight);
+            EXPECT_NEAR(kRadius * std::cos(angle), p.position.x(), 1e-3);
+            EXPECT_NEAR(kRadius * std::sin(angle), p.position.y(), 1e-3);
+        }
+    }
+    EXPECT_NEAR(total_length(seen), total_length(all), 0.1f * total_length(all));
 }
 
 /// From behind, a half of a torus shows its inside and its contours there.

@@ -12,10 +12,13 @@ using Eigen::Vector3d;
 
 constexpr double kShortestGap = 0.001, kShortestPart = 0.003;  // in D of the line's own surface
 
-/// The pieces of one line, successive in `all`.
+/// Successive pieces of one line: all, or those of a part between places that are not before the
+/// eye.
 struct LinePieces {
     const SightPiece* begin;
     const SightPiece* end;
+    std::uint32_t first_node;  // of the line's first point
+    bool is_whole;
 };
 
 class SurfaceLineTracer {
@@ -27,7 +30,8 @@ public:
           line_(line),
           pieces_(pieces),
           passes_(smoothing_passes),
-          first_crossing_(first_crossing_node(all)) {}
+          first_crossing_(first_crossing_node(all)),
+          closed_(line.closed && pieces.is_whole) {}
 
     void trace(std::vector<SightLine>& traced) const {
         std::vector<bool> is_seen;
@@ -38,8 +42,8 @@ public:
         turn_short_runs(true, kShortestPart * diagonal, is_seen);
         const std::size_t n = is_seen.size();
         const auto hidden = std::find(is_seen.begin(), is_seen.end(), false);
-        if (hidden == is_seen.end()) return traced.push_back(part(0, n, line_.closed));
-        const auto first = line_.closed ? std::size_t(hidden - is_seen.begin()) : 0;
+        if (hidden == is_seen.end()) return traced.push_back(part(0, n, closed_));
+        const auto first = closed_ ? std::size_t(hidden - is_seen.begin()) : 0;
         for (std::size_t i = 0, end; i < n; i = end) {
             for (end = i; end < n && is_seen[(first + end) % n]; ++end) {
             }
@@ -54,7 +58,7 @@ private:
     }
 
     std::uint32_t place_of(const SightPiece& piece) const {
-        return piece.segment - pieces_.begin->segment;
+        return all_.segments[piece.segment].points[0] - pieces_.first_node;
     }
 
     /// Of the way along the segment.
@@ -73,8 +77,9 @@ private:
     /// D of the surface that the line is on, local: the line's length is known in D.
     double own_diagonal() const {
         double sum = 0;
-        for (const SightPiece* piece = pieces_.begin; piece != pieces_.end; ++piece)
-            sum += length(*piece);
+        for (std::uint32_t node = pieces_.first_node + 1; node < pieces_.first_node + line_.count;
+             ++node)
+            sum += (all_.position(node) - all_.position(node - 1)).norm();
         return line_.length > 0 ? sum / double(line_.length) : 0;
     }
 
@@ -83,13 +88,13 @@ private:
         const std::size_t n = values.size();
         const auto other = std::find(values.begin(), values.end(), !value);
         if (other == values.end()) return;
-        const auto first = line_.closed ? std::size_t(other - values.begin()) : 0;
+        const auto first = closed_ ? std::size_t(other - values.begin()) : 0;
         for (std::size_t i = 0, end; i < n; i = end) {
             double sum = 0;
             for (end = i; end < n && values[(first + end) % n] == value; ++end)
                 sum += length(piece(first + end));
             // a gap at an open end is none
-            const bool is_between = line_.closed || (i > 0 && end < n) || value;
+            const bool is_between = closed_ || (i > 0 && end < n) || value;
             if (end > i && is_between && sum < shortest)
                 for (std::size_t k = i; k < end; ++k)
                     values[(first + k) % n] = !value;
@@ -101,9 +106,9 @@ private:
         const LinePoint& a = lines_.points[line_.first + place_of(piece)];
         const LinePoint& b = lines_.points[line_.first + place_of(piece) + 1];
         const auto t = float(share(piece, end));
-        return {a.position + t * (b.position - a.position), a.weight + t * (b.weight - a.weight),
-                a.gradient + t * (b.gradient - a.gradient),
-                a.opacity + t * (b.opacity - a.opacity)};
+        const float rest = 1 - t;  // so that lines end exactly at their points
+        return {rest * a.position + t * b.position, rest * a.weight + t * b.weight,
+                rest * a.gradient + t * b.gradient, rest * a.opacity + t * b.opacity};
     }
 
     SightLine part(std::size_t begin, std::size_t end, bool closed) const {
@@ -132,7 +137,19 @@ private:
     const LinePieces pieces_;
     const int passes_;
     const std::uint32_t first_crossing_;
+    const bool closed_;
 };
+
+/// From `begin` on until the next piece does not go on, or `end`.
+LinePieces successive_pieces(const SightPiece* begin, const SightPiece* end,
+                             std::uint32_t first_node, std::uint32_t points) {
+    const SightPiece* stop = begin + 1;
+    while (stop != end && stop[-1].nodes[1] == stop->nodes[0])
+        ++stop;
+    const bool is_whole =
+        begin->nodes[0] == first_node && stop[-1].nodes[1] == first_node + points - 1;
+    return {begin, stop, first_node, is_whole};
+}
 
 }  // namespace
 
@@ -145,13 +162,18 @@ void trace_surface_lines(const SightSegments& all, const std::vector<SightPiece>
     while (next != end && all.segments[next->segment].line == SightSegment::kNone)
         ++next;
     std::uint32_t number = 0;
+    auto first_node = std::uint32_t(all.picture.mesh().positions.size());
     for (const LineSet& set : lines)
         for (const Polyline& line : set.lines) {
-            const SightPiece* const begin = next;
+            const SightPiece* part = next;
             while (next != end && all.segments[next->segment].line == number)
                 ++next;
-            if (next != begin)
-                SurfaceLineTracer(all, set, line, {begin, next}, passes).trace(traced);
+            while (part != next) {
+                const auto found = successive_pieces(part, next, first_node, line.count);
+                SurfaceLineTracer(all, set, line, found, passes).trace(traced);
+                part = found.end;
+            }
+            if (!is_edge_kind(line.kind)) first_node += line.count;
             ++number;
         }
 }
