@@ -46,7 +46,9 @@ const std::map<QString, line_drawing::HiddenLines> hidden = {
 const std::map<QString, line_drawing::Weights> weights = {
     {"illustrator", line_drawing::Weights::Illustrator}, {"iso", line_drawing::Weights::Iso}};
 const std::map<QString, line_drawing::OutlineArea> areas = {
-    {"none", line_drawing::OutlineArea::None}, {"filled", line_drawing::OutlineArea::Filled}};
+    {"none", line_drawing::OutlineArea::None},
+    {"filled", line_drawing::OutlineArea::Filled},
+    {"objects", line_drawing::OutlineArea::Objects}};
 const std::map<QString, bool> furniture = {{"all", true}, {"none", false}};
 
 const std::map<QString, QString> formats = {
@@ -180,7 +182,8 @@ const char* usage() {
            "                       apparent_ridges and so on, with commas; a wrong one lists all\n"
            "  --hidden none|dashed outlines and creases behind the surface (none)\n"
            "  --weights illustrator|iso   outlines widest, or edges as wide as they (illustrator)\n"
-           "  --area none|filled   what the outlines enclose, as an area of its own (none)\n"
+           "  --area none|filled|objects  what the outline of all, or of each object alone,\n"
+           "                       encloses, as areas besides (none)\n"
            "  --up x|y|z           the axis of the mesh that points up (y)\n"
            "  --unit mm|cm|m|in    the unit of the mesh (mm)\n"
            "  --scale 1:2|fit      drawn to true length; fit: the largest usual one (fit)\n"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPolygonF>
 #include <QRectF>
+#include <cmath>
 #include <stdexcept>
 
 #include "generators.h"
@@ -46,6 +48,23 @@ inline QRectF extentOf(const line_drawing::SheetGroup& group) {
         for (const line_drawing::SheetPath& path : layer.paths)
             extent = extent.united(path.path.boundingRect());
     return extent;
+}
+
+/// Of closed loops that do not cross, without the holes in them.
+inline double areaOf(const line_drawing::SheetPath& path) {
+    const auto loops = path.path.toSubpathPolygons();
+    double sum = 0;
+    for (const QPolygonF& loop : loops) {
+        double twice = 0;
+        for (int i = 1; i < loop.size(); ++i)
+            twice += loop[i - 1].x() * loop[i].y() - loop[i - 1].y() * loop[i].x();
+        bool is_hole = false;
+        for (const QPolygonF& other : loops)
+            if (&other != &loop && other.containsPoint(loop[0], Qt::OddEvenFill))
+                is_hole = !is_hole;
+        sum += (is_hole ? -0.5 : 0.5) * std::abs(twice);
+    }
+    return sum;
 }
 
 }  // namespace made_sheets

@@ -110,11 +110,7 @@ TEST(Outlines, AreAnAreaIfWanted) {
     const SheetPath& path = layerOf(sheet.groups[0], "area").paths[0];
     EXPECT_EQ(path.pen_width, 0);
     EXPECT_GT(path.tone, 0.5);
-    double sum = 0;
-    for (const QPolygonF& polygon : path.path.toSubpathPolygons())
-        for (int i = 1; i < polygon.size(); ++i)
-            sum += (polygon[i - 1].x() * polygon[i].y() - polygon[i - 1].y() * polygon[i].x()) / 2;
-    EXPECT_NEAR(std::abs(sum), 100 * 100, 10);
+    EXPECT_NEAR(made_sheets::areaOf(path), 100 * 100, 10);
 }
 
 /// A line changes its pen only where it changes what it is.

@@ -125,6 +125,29 @@ TEST(SeveralObjects, EachHasItsOwnWallInSections) {
     EXPECT_EQ(areas, 2);
 }
 
+/// Also of what others hide of it, and of a hole through it.
+TEST(SeveralObjects, EachHasItsOwnAreaIfWanted) {
+    SheetOptions options = plainViews("top");
+    options.area = OutlineArea::Objects;
+    TriangleMesh frame;
+    for (const double half : {80.0, 60.0})
+        for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
+            frame.positions.push_back({half * x, half * y, -80});
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const std::uint32_t next = (i + 1) % 4;
+        frame.triangles.push_back({i, next, i + 4});
+        frame.triangles.push_back({next, next + 4, i + 4});
+    }
+    const Sheet sheet = sheetOfAll({moved(cubeOf100(), {70, 0, 0}), frame}, options);
+    const SheetLayer& layer = layerOf(sheet.groups[0], "area");
+    ASSERT_EQ(layer.paths.size(), 2u);
+    EXPECT_NEAR(made_sheets::areaOf(layer.paths[0]), 100 * 100, 10);
+    EXPECT_NEAR(made_sheets::areaOf(layer.paths[1]), 160 * 160 - 120 * 120, 15);
+    options.area = OutlineArea::Filled;
+    const Sheet together = sheetOfAll({moved(cubeOf100(), {70, 0, 0}), frame}, options);
+    ASSERT_EQ(layerOf(together.groups[0], "area").paths.size(), 1u);
+}
+
 TEST(SeveralObjects, AreTheSameOnAnyNumberOfThreads) {
     const auto bumpy = moved(test_meshes::bumpy_sphere(4).mesh, {30, 0, -200}, 60);
     const auto draw = [&](int threads) {

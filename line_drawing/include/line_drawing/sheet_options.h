@@ -29,9 +29,9 @@ enum class WallStyle { Hatched, Filled, None };
 /// as wide as outlines, other lines half as wide.
 enum class Weights { Illustrator, Iso };
 
-/// What is done with the area within the outline: nothing, or it is there as an area of its own,
-/// its holes left out.
-enum class OutlineArea { None, Filled };
+/// Which outlines are there as areas besides, their holes left out: that of the drawing, or that of
+/// each object as if it were alone.
+enum class OutlineArea { None, Filled, Objects };
 
 /// What is done with outlines, borders and creases that the surface hides.
 enum class HiddenLines { LeftOut, Dashed };

@@ -67,13 +67,26 @@ SheetPath filled(const Wall& loops, double tone = 0) {
     return area;
 }
 
-/// What the outlines enclose.
-SheetLayer areaOf(const std::vector<DrawnLine>& lines) {
+/// What the outlines among lines enclose.
+SheetPath areaOf(const std::vector<DrawnLine>& lines) {
     Wall loops;
     for (const DrawnLine& line : lines)
         if (line.line_class == LineClass::Outline && line.closed)
             loops.push_back(positionsOf(line));
-    return {"area", "Area", {filled(loops, area_tone)}, {}};
+    return filled(loops, area_tone);
+}
+
+/// What the outlines of the drawing, or of each object, enclose.
+SheetLayer areas(const DrawnView& view, const std::vector<DrawnLine>& lines,
+                 const Placement& placement, double reach) {
+    SheetLayer layer{"area", "Area", {}, {}};
+    for (const auto& silhouette : view.silhouettes) {
+        std::vector<DrawnLine> placed = place(silhouette, placement);
+        easeLines(placed, reach);
+        layer.paths.push_back(areaOf(placed));
+    }
+    if (view.silhouettes.empty()) layer.paths.push_back(areaOf(lines));
+    return layer;
 }
 
 }  // namespace
@@ -90,7 +103,8 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     lines = withoutDoubles(std::move(lines), double_reach * pen);
     const std::vector<Wall> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
-    if (options.area == OutlineArea::Filled) group.layers.push_back(areaOf(lines));
+    if (options.area != OutlineArea::None)
+        group.layers.push_back(areas(view, lines, placement, eased_share * pen));
     for (std::size_t c = line_class_count; c-- > 0;) {
         SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
         if (c == std::size_t(LineClass::Section) && options.wall == WallStyle::Filled)

@@ -56,9 +56,9 @@ DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) c
     const Eigen::AlignedBox2d bounds = Projection(frame, box_.center()).boundsOf(surface_.mesh());
     if (frame.eye && bounds.isEmpty())
         refuse("All of the object is behind the eye of a view in perspective.");
-    return {frame, {unit * bounds.min(), unit * bounds.max()},
-            {},    false,
-            {},    marksOf(frame, options, box_)};
+    DrawnView drawn{frame, {unit * bounds.min(), unit * bounds.max()}};
+    drawn.marks = marksOf(frame, options, box_);
+    return drawn;
 }
 
 void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progress& progress) {
@@ -75,6 +75,20 @@ void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progres
     if (drawn.frame.is_half_section) return lookHalf(drawn, view, lines, options, progress);
     drawn.lines =
         draw(visibility_.look(view, lines, sightOf(options), progress), drawn.frame, options);
+    if (options.area != OutlineArea::Objects) return;
+    for (const Object& object : objects_)
+        drawn.silhouettes.push_back(silhouetteOf(object, drawn.frame, options));
+}
+
+std::vector<DrawnLine> Observer::silhouetteOf(const Object& object, const ViewFrame& frame,
+                                              const SheetOptions& options) const {
+    laplacian_lines::SightOptions outlines = sightOf(options);
+    outlines.has_hidden = false;
+    outlines.shows = {};
+    outlines.shows[laplacian_lines::LineKind::Contour] = true;
+    outlines.shows[laplacian_lines::LineKind::Border] = true;
+    const laplacian_lines::LineVisibility alone(object.mesh);
+    return draw(alone.look(Projection(frame, box_.center()).view(), {}, outlines), frame, options);
 }
 
 std::vector<DrawnLine> Observer::draw(const SightLines& lines, const ViewFrame& frame,

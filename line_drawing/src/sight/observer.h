@@ -37,6 +37,8 @@ private:
                   const std::vector<laplacian_lines::LineSet>& lines, const SheetOptions& options,
                   const laplacian_lines::Progress& progress) const;
 
+    std::vector<DrawnLine> silhouetteOf(const Object& object, const ViewFrame& frame,
+                                        const SheetOptions& options) const;
     std::vector<DrawnLine> draw(const SightLines& lines, const ViewFrame& frame,
                                 const SheetOptions& options) const;
 

@@ -43,7 +43,9 @@ struct SectionMark {
 struct DrawnView {
     ViewFrame frame;
     Eigen::AlignedBox2d bounds;  ///< of the surface
-    std::vector<DrawnLine> lines;
+    std::vector<DrawnLine> lines = {};
+    /// The outline of each object alone, where these are wanted.
+    std::vector<std::vector<DrawnLine>> silhouettes = {};
     bool is_section = false;
     std::vector<Wall> walls = {};  ///< by object
     std::vector<SectionMark> marks = {};
