@@ -55,6 +55,16 @@ Points circle(int n, double radius) {
     return points;
 }
 
+/// There and back: what is seen from its edge.
+TEST(CurveFitting, ReachesTheEndsOfFlatLoops) {
+    for (const double height : {0.0, 0.001, 0.05}) {
+        const Points points = {{0, 0}, {70, 0}, {70, height}, {0, height}, {0, 0}};
+        QPainterPath path;
+        fitCurve(points, true, tolerance, path);
+        EXPECT_LT(largestDistance(points, path), 1.1 * tolerance) << height;
+    }
+}
+
 TEST(CurveFitting, OfACircleTakesFewCurvesAndStaysWithinTheTolerance) {
     const Points points = circle(500, 20);
     QPainterPath path;

@@ -14,7 +14,7 @@ namespace {
 /// Within which a line doubles another, of the width of outlines: then they would merge in print.
 constexpr double double_reach = 0.4;
 constexpr double area_tone = 0.9;
-constexpr double eased_share = 0.24;  // of the width of outlines, by which contours may move
+constexpr double eased_share = 0.16;  // of the width of outlines, by which contours may move
 constexpr double hatch_spacing = 1.5, hatch_width = 0.5;  // mm; share of an inner line's width
 
 struct LayerName {

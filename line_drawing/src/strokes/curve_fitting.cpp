@@ -69,12 +69,13 @@ public:
 
 private:
     bool isStraight(std::size_t first, std::size_t last) const {
-        const Vector2d way = (points_[last] - points_[first]).stableNormalized();
+        const Vector2d whole = points_[last] - points_[first], way = whole.stableNormalized();
         if (way.isZero()) return false;
         for (std::size_t i = first + 1; i < last; ++i) {
             const Vector2d off = points_[i] - points_[first];
-            const double across = way.x() * off.y() - way.y() * off.x();
-            if (across * across > squared_tolerance_ / 400) return false;
+            const double along = way.dot(off), across = way.x() * off.y() - way.y() * off.x();
+            const double beyond = std::max({-along, along - whole.norm(), std::abs(across)});
+            if (beyond * beyond > squared_tolerance_ / 400) return false;
         }
         return true;
     }

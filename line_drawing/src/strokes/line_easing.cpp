@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double step_share = 1.5;  // of the reach, between the places that are moved
-constexpr int rounds = 20;          // with the steps, a deviation of some four reaches
+constexpr int rounds = 100;         // with the steps, a deviation of some nine reaches
 
 /// A stretch of a line whose ends stay, and all points of which are to be eased.
 class EasedStretch {
