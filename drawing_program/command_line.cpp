@@ -49,6 +49,7 @@ const std::map<QString, line_drawing::OutlineArea> areas = {
     {"none", line_drawing::OutlineArea::None},
     {"filled", line_drawing::OutlineArea::Filled},
     {"objects", line_drawing::OutlineArea::Objects}};
+const std::map<QString, Damaged> damaged = {{"refuse", Damaged::Refused}, {"draw", Damaged::Drawn}};
 const std::map<QString, bool> furniture = {{"all", true}, {"none", false}};
 
 const std::map<QString, QString> formats = {
@@ -124,6 +125,8 @@ CommandLine parseCommandLine(const QStringList& arguments) {
              options.has_view_names = options.has_scale_bar = options.has_notes =
                  chosen(o, v, furniture);
          }},
+        {"--damaged",
+         [&](const QString& o, const QString& v) { result.damaged = chosen(o, v, damaged); }},
         {"--format",
          [&](const QString& o, const QString& v) { result.format = chosen(o, v, formats); }},
         {"--dpi", [&](const QString& o, const QString& v) { result.dpi = parseDpi(o, v); }},
@@ -138,6 +141,9 @@ CommandLine parseCommandLine(const QStringList& arguments) {
             const QString value = takeValue(rest, word);
             reader->second(word, value);
             result.words << word << value;
+        } else if (word == "--") {
+            names << rest;
+            rest.clear();
         } else if (word.startsWith("--")) {
             refuse("unknown option " + word + "; see --help.");
         } else {
@@ -151,12 +157,9 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     if (views.isEmpty() && options.sections.empty()) views = "front";
     if (!views.isEmpty()) options.views = line_drawing::parseViews(views, up);
     if (result.is_collection) return result;
-    QStringList files, mesh_names;
-    for (const QString& mesh : result.meshes) {
-        files << QFileInfo(mesh).fileName();
+    QStringList mesh_names;
+    for (const QString& mesh : result.meshes)
         mesh_names << QFileInfo(mesh).completeBaseName();
-    }
-    options.source = files.join(", ");
     options.title.replace("{name}", mesh_names.join(", "));
     options.strokes = line_drawing::strokesIn(result.drawing, options.strokes);
     return result;
@@ -190,6 +193,9 @@ const char* usage() {
            "  --paper a5..a0|fit   fit: as large as the drawing (a4)\n"
            "  --arrangement first|third   of the views: first or third angle (first)\n"
            "  --strokes tapered|plain     lines that swell and taper, or of even width (tapered)\n"
+           "  --damaged refuse|draw       files that are not whole; what is drawn of them is "
+           "called\n"
+           "                       incomplete on the sheet (refuse)\n"
            "  --title TEXT         above the note of scale, size and file; {name}: the mesh's\n"
            "  --furniture all|none names of views, scale bar, projection symbol, notes (all)\n"
            "  --dpi 20..2400       of PNG files (300)\n"

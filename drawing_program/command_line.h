@@ -4,11 +4,13 @@
 #include <QStringList>
 
 #include "line_drawing/sheet_options.h"
+#include "mesh_reading.h"
 
 struct CommandLine {
     bool help = false;
     QString drawing;     ///< the file to write, or of a collection the folder to write into
     QStringList meshes;  ///< or folders of them; in a file, all are drawn together
+    Damaged damaged = Damaged::Refused;
     bool is_collection = false;
     QString format = "pdf";  ///< of a collection
     double dpi = 300;        ///< of PNG

@@ -9,6 +9,14 @@
 /// @throws laplacian_lines::Error(InvalidOption) if there is none in a folder.
 QStringList meshesOf(const QStringList& named);
 
-/// Reads a mesh as MeshLab does: PLY, OBJ, STL, OFF. Polygons become triangles.
+/// What is done with a file that is not as its format has it.
+enum class Damaged { Refused, Drawn };
+
+struct ReadMesh {
+    laplacian_lines::TriangleMesh mesh;
+    QString defect;  ///< of a damaged file: why the mesh is not whole
+};
+
+/// Reads a mesh of a PLY, OBJ, STL or OFF file. Polygons become triangles.
 /// @throws laplacian_lines::Error(InvalidMesh) with a sentence that names the file.
-laplacian_lines::TriangleMesh readMesh(const QString& file);
+ReadMesh readMesh(const QString& name, Damaged damaged);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "one_drawing.h"
 
+#include <QFileInfo>
+
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/bounds.h"
@@ -33,10 +35,20 @@ void saySize(const std::vector<TriangleMesh>& meshes, double unit) {
                     .arg(advice));
 }
 
-std::vector<TriangleMesh> readMeshes(const QStringList& files) {
+/// Of damaged files the sheet says so, too.
+std::vector<TriangleMesh> readMeshes(const CommandLine& commands,
+                                     line_drawing::SheetOptions& options) {
     std::vector<TriangleMesh> meshes;
-    for (const QString& file : files)
-        meshes.push_back(readMesh(file));
+    QStringList sources;
+    for (const QString& file : commands.meshes) {
+        ReadMesh read = readMesh(file, commands.damaged);
+        meshes.push_back(std::move(read.mesh));
+        sources << QFileInfo(file).fileName();
+        if (read.defect.isEmpty()) continue;
+        say(stderr, QString("%1 is drawn incomplete: %2").arg(file, read.defect));
+        sources.last() += " (incomplete)";
+    }
+    options.source = sources.join(", ");
     return meshes;
 }
 
@@ -55,11 +67,11 @@ laplacian_lines::Field fieldOf(const TriangleMesh& mesh, const QString& file,
 
 void drawOne(const CommandLine& commands) {
     line_drawing::checkSheetFile(commands.drawing);
-    const std::vector<TriangleMesh> meshes = readMeshes(commands.meshes);
-    saySize(meshes, commands.options.mm_per_unit);
     std::vector<line_drawing::SheetOptions> options = {commands.options};
+    const std::vector<TriangleMesh> meshes = readMeshes(commands, options[0]);
+    saySize(meshes, commands.options.mm_per_unit);
     const bool has_view = !commands.contact_view.isEmpty();
-    if (has_view) options.push_back(line_drawing::contactOptions(meshes.front(), commands.options));
+    if (has_view) options.push_back(line_drawing::contactOptions(meshes.front(), options[0]));
     std::vector<laplacian_lines::Field> fields;
     for (std::size_t i = 0; i < meshes.size(); ++i)
         fields.push_back(fieldOf(meshes[i], commands.meshes[int(i)], commands.options.style));

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fuzzing of the core: inputs made up by libFuzzer, from all registered meshes on.
+# Fuzzing of the core and of the readers of meshes: inputs made up by libFuzzer, from all registered meshes on, and from
+# small files of all formats.
 
 require checks/clang_build environment/in_parallel environment/messages
 
 FUZZ_PARTS=(precompute extract)
+FUZZ_FORMATS=(ply stl obj off) # for a fifth of the seconds: a hundred times as many inputs go into one
 FUZZ_SECONDS=150
 
 # fuzz_part CHECKOUT SECONDS CORPUS PART: new inputs of interest go to CORPUS/PART
@@ -32,7 +34,8 @@ fuzz() {
     LLVM_PROFILE_FILE=/dev/null "$(checks_folder "$1")/tests/fuzz/write_seeds" "$seeds" ||
         fail "the fuzzers' seeds could not be written"
     say "fuzzing for $2 seconds"
-    in_parallel fuzz_part "$1" "$2" "$3" -- "${FUZZ_PARTS[@]}" ||
+    { in_parallel fuzz_part "$1" "$2" "$3" -- "${FUZZ_PARTS[@]}" &&
+        in_parallel fuzz_part "$1" "$(($2 / 5))" "$3" -- "${FUZZ_FORMATS[@]}"; } ||
         fail "an input did harm: copy the file named above to tests/fuzz/found, where a test runs it, and mend the code"
 }
 
@@ -47,6 +50,6 @@ check_by_fuzzing() {
 
 # fuzz_alone CHECKOUT SECONDS: what it learns is kept in the build folder for the next time
 fuzz_alone() {
-    build_checks "$1" fuzz_precompute fuzz_extract write_seeds
+    build_checks "$1" "${FUZZ_PARTS[@]/#/fuzz_}" "${FUZZ_FORMATS[@]/#/fuzz_}" write_seeds
     fuzz "$1" "$2" "$(checks_folder "$1")/fuzz/corpus"
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The core's tests under sanitizers, and which of its lines they run.
+# The tests of the core and of the readers of meshes under sanitizers, and which of its lines they run.
 
 require checks/clang_build environment/in_parallel environment/messages
 
@@ -38,9 +38,20 @@ run_out_of_memory() {
     }
 }
 
-# run_sanitized CHECKOUT PART: a shard's number, or memory
+run_files() {
+    local folder
+    folder=$(checks_folder "$1")
+    LLVM_PROFILE_FILE=/dev/null quietly "$folder/shard-files.log" "$folder/tests/mesh_files/mesh_files_tests" \
+        --gtest_brief=1
+}
+
+# run_sanitized CHECKOUT PART: a shard's number, memory, or files
 run_sanitized() {
-    if [[ $2 == memory ]]; then run_out_of_memory "$1"; else run_shard "$@"; fi
+    case $2 in
+    memory) run_out_of_memory "$1" ;;
+    files) run_files "$1" ;;
+    *) run_shard "$@" ;;
+    esac
 }
 
 check_sanitized() {
@@ -49,7 +60,7 @@ check_sanitized() {
     rm -rf "$folder/profile"
     say "running the core's tests under sanitizers"
     rm -f "$folder"/shard*.log
-    in_parallel run_sanitized "$1" -- memory $(seq 0 $((SHARDS - 1))) ||
+    in_parallel run_sanitized "$1" -- memory files $(seq 0 $((SHARDS - 1))) ||
         fail "a test failed under sanitizers; the logs are $folder/shard*.log"
     awk '/test suites? ran/ { sum += $2 } END { print sum + 1 " tests" }' "$folder"/shard*.log
 }

@@ -4,7 +4,7 @@
 require environment/messages
 
 BUILD_PACKAGES=(meshlab g++ make cmake dpkg-dev xz-utils qtbase5-dev libqt5opengl5-dev libglew-dev
-    libeigen3-dev libtinyobjloader-dev libgl-dev libglu1-mesa-dev libgl1-mesa-dri)
+    libeigen3-dev libgl-dev libglu1-mesa-dev libgl1-mesa-dri)
 DISPLAY_PACKAGES=(xvfb xauth libgl1-mesa-dri fonts-dejavu-core)
 CORE_PACKAGES=(g++ make cmake libeigen3-dev) # enough for the core alone
 PACKAGING_PACKAGES=(file) # CPack asks it what is a library

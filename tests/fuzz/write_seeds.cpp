@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // write_seeds FOLDER: files from which the fuzzers start, FOLDER/precompute/* and FOLDER/extract/*:
-// the registered meshes, and random bytes.
+// the registered meshes, and random bytes; FOLDER/ply/* and so on: small files of the formats.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "registry.h"
+#include "sample_files.h"
 #include "wild_case.h"
 
 namespace {
@@ -31,6 +32,9 @@ void write_seeds(const std::filesystem::path& folder) {
         for (const char* part : {"precompute", "extract"})
             write(folder / part / ("random_" + std::to_string(seed)),
                   test_meshes::random_bytes(seed, 20 * seed));
+    for (const sample_files::Sample& sample : sample_files::tetrahedra())
+        write(folder / mesh_files::endings().at(std::size_t(sample.format)) / sample.name,
+              {sample.bytes.begin(), sample.bytes.end()});
 }
 
 }  // namespace

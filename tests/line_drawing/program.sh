@@ -50,6 +50,8 @@ printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >points.off
 refused "no faces" plate.svg points.off
 : >empty.ply
 refused "empty.ply: the mesh cannot be read" plate.svg empty.ply
+printf 'nonsense' >nonsense.stl
+refused "nonsense.stl: the mesh cannot be read: it ends in its head." plate.svg nonsense.stl
 sed -E '3,10s/.*/nan nan nan/' cube.off >nowhere.off
 refused "no triangle with an area" plate.svg nowhere.off
 refused "cannot be written" /proc/plate.svg cube.off
@@ -63,6 +65,32 @@ awk 'NR > 2 && NR < 11 { print $1 / 1e5, $2 / 1e5, $3 / 1e5; next } { print }' c
 grep -q "1 x 1 x 1 mm large" out || fail "1 mm in metres: $(cat out)"
 "$PROGRAM" metres.svg "${bare[@]}" metres.off >out
 grep -q "if it is in metres, say --unit m" out || fail "no advice: $(cat out)"
+
+# a damaged file is refused, or drawn and called incomplete
+cat >cut.stl <<'END'
+solid cut
+facet normal 0 0 1
+ outer loop
+  vertex 0 0 0
+  vertex 100 0 0
+  vertex 0 100 0
+ endloop
+endfacet
+facet normal 0 0 1
+ outer loop
+  vertex 100 0 0
+  vertex 100 100
+END
+refused "cut.stl: the file is damaged: line 12: it ends without \"endsolid\". With --damaged draw, the 1 triangles" \
+    plate.svg cut.stl
+"$PROGRAM" incomplete.svg --views top --up z --damaged draw cut.stl >out 2>error
+grep -q "cut.stl is drawn incomplete: line 12" error || fail "nothing says that it is incomplete: $(cat error)"
+grep -q "cut.stl (incomplete)" incomplete.svg || fail "the sheet does not say that it is incomplete"
+head -n 12 cube.off >half.off
+refused "half.off: " plate.svg half.off
+mkdir dash
+cp cube.off dash/--dash.off
+(cd dash && "$PROGRAM" dash.svg "${bare[@]}" -- --dash.off >/dev/null) || fail "a name after -- is none"
 
 # --- several meshes in a file are one drawing
 

@@ -7,9 +7,8 @@
 
 namespace test_meshes {
 
-/// Reads an OBJ or PLY file (ASCII or little-endian, faces or triangle strips), or either packed
-/// with gzip (.gz; needs the program gzip). Polygons become fans; only x, y, z are read of a
-/// vertex. @throws std::runtime_error
+/// Reads a PLY, STL, OBJ or OFF file that is whole, or one packed with gzip (.gz; needs the program
+/// gzip). @throws std::runtime_error
 laplacian_lines::TriangleMesh read_mesh(const std::string& path);
 
 /// The name of the file without folder and endings.

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Wavefront's OBJ: vertices and faces; of all else that it may hold, whether the format has it.
+#include <algorithm>
+#include <iterator>
+
+#include "readers.h"
+#include "text.h"
+
+namespace mesh_files {
+namespace {
+
+// Wavefront, Advanced Visualizer manual, appendix B.
+constexpr std::string_view kOtherStatements[] = {
+    "bevel", "bmat",   "bsp",    "bzp",        "call",  "c_interp", "cdc",  "cdp",  "con",
+    "csh",   "cstype", "ctech",  "curv",       "curv2", "d_interp", "deg",  "end",  "g",
+    "hole",  "l",      "lod",    "maplib",     "mg",    "mtllib",   "o",    "p",    "parm",
+    "res",   "s",      "scrv",   "shadow_obj", "sp",    "stech",    "step", "surf", "trace_obj",
+    "trim",  "usemap", "usemtl", "vn",         "vp",    "vt"};
+
+class ObjReader {
+public:
+    ObjReader(Text& text, MeshBuilder& mesh) : text_(text), mesh_(mesh) {}
+
+    void read() {
+        for (std::string_view line; next(line);) {
+            const std::string_view statement = take_word(line);
+            if (statement == "v")
+                read_vertex(line);
+            else if (statement == "f" || statement == "fo")
+                read_face(line);
+            else if (!is_other(statement))
+                throw Defect{quoted(statement) + " is no statement of OBJ files"};
+        }
+    }
+
+private:
+    /// A backslash at the end of a line says that it goes on with the next one.
+    bool next(std::string_view& line) {
+        if (!text_.next_line(line)) return false;
+        if (!goes_on(line)) return true;
+        joined_.clear();
+        do {
+            joined_.append(line.substr(0, line.size() - 1));
+            joined_ += ' ';
+            if (!text_.next_line(line)) throw Defect{"it ends in the middle of a line"};
+        } while (goes_on(line));
+        joined_.append(line);
+        line = joined_;
+        return true;
+    }
+    static bool goes_on(std::string_view line) { return !line.empty() && line.back() == '\\'; }
+
+    static bool is_other(std::string_view statement) {
+        if (statement.empty() || statement[0] == '#') return true;
+        return std::find(std::begin(kOtherStatements), std::end(kOtherStatements), statement) !=
+               std::end(kOtherStatements);
+    }
+
+    /// Behind the coordinates may be a weight, or a colour of three or four numbers.
+    void read_vertex(std::string_view line) {
+        mesh_.add(coordinates_in(line));
+        const std::size_t more = words_in(line);
+        if (more == 2 || more > 4)
+            throw Defect{"a vertex has " + std::to_string(3 + more) + " numbers"};
+    }
+
+    void read_face(std::string_view line) {
+        corners_.clear();
+        for (std::string_view word; !(word = take_word(line)).empty() && word[0] != '#';) {
+            const std::int64_t number = integer_in(word.substr(0, word.find('/')));
+            // from 1, or back from the last vertex
+            const std::int64_t vertex =
+                number < 0 ? std::int64_t(mesh_.vertex_count()) + number : number - 1;
+            if (number == 0 || vertex < 0) throw Defect{"a face names vertex " + quoted(word)};
+            corners_.push_back(vertex);
+        }
+        mesh_.add(corners_);
+    }
+
+    Text& text_;
+    MeshBuilder& mesh_;
+    std::string joined_;
+    std::vector<std::int64_t> corners_;
+};
+
+}  // namespace
+
+void read_obj(std::string_view bytes, MeshBuilder& mesh) {
+    Text text(bytes);
+    read_lines(text, [&] { ObjReader(text, mesh).read(); });
+}
+
+}  // namespace mesh_files

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PLY of Stanford (Turk 1994): vertices with faces or with strips of triangles.
+#include <algorithm>
+#include <cmath>
+
+#include "binary.h"
+#include "ply_header.h"
+#include "readers.h"
+
+namespace mesh_files {
+namespace {
+
+class TextValues {
+public:
+    explicit TextValues(Text& text) : text_(text) {}
+
+    double next(PlyType type) {
+        const std::string_view word = text_.next_word();
+        if (word.empty()) throw Defect{"it ends"};
+        if (type < PlyType::Float32) return double(integer_in(word));
+        const double number = number_in(word);
+        return type == PlyType::Float32 ? double(float(number)) : number;  // as binary files do
+    }
+    bool is_at_end() const {
+        std::string_view rest = text_.rest();
+        return take_word(rest).empty();
+    }
+
+private:
+    Text& text_;
+};
+
+template <bool big>
+class BinaryValues {
+public:
+    explicit BinaryValues(std::string_view bytes) : bytes_(bytes) {}
+
+    double next(PlyType type) {
+        if (bytes_.size() < size_of(type)) throw Defect{"it ends"};
+        const char* at = bytes_.data();
+        bytes_.remove_prefix(size_of(type));
+        switch (type) {
+            case PlyType::Int8:
+                return double(number<std::int8_t>(at));
+            case PlyType::Uint8:
+                return double(number<std::uint8_t>(at));
+            case PlyType::Int16:
+                return double(number<std::int16_t>(at));
+            case PlyType::Uint16:
+                return double(number<std::uint16_t>(at));
+            case PlyType::Int32:
+                return double(number<std::int32_t>(at));
+            case PlyType::Uint32:
+                return double(number<std::uint32_t>(at));
+            case PlyType::Float32:
+                return double(number<float>(at));
+            case PlyType::Float64:
+                break;
+        }
+        return number<double>(at);
+    }
+    bool is_at_end() const {
+        std::string_view rest = bytes_;
+        return take_word(rest).empty();
+    }
+
+private:
+    template <class Number>
+    static Number number(const char* at) {
+        return big ? big_endian<Number>(at) : little_endian<Number>(at);
+    }
+
+    std::string_view bytes_;
+};
+
+/// A list of the corners of a face, as files name it.
+bool is_corners(const PlyProperty& property) {
+    return property.count_type &&
+           (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+template <class Values>
+class PlyReader {
+public:
+    PlyReader(Values values, MeshBuilder& mesh) : values_(std::move(values)), mesh_(mesh) {}
+
+    void read(const PlyElement& element) {
+        for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+            try {
+                read_item(element);
+            } catch (const Defect& defect) {
+                throw Defect{defect.what + ", in " + element.name + ' ' + std::to_string(i + 1) +
+                             " of " + std::to_string(element.count)};
+            }
+        }
+    }
+
+    void expect_end() const {
+        if (!values_.is_at_end()) throw Defect{"there is more than the file says in its head"};
+    }
+
+private:
+    void read_item(const PlyElement& element) {
+        const bool is_vertex = element.name == "vertex";
+        Eigen::Vector3d position(NAN, NAN, NAN);
+        for (const PlyProperty& property : element.properties) {
+            if (property.count_type) {
+                read_list(property);
+                if (is_corners(property) && element.name == "face") mesh_.add(list_);
+                if (is_corners(property) && element.name == "tristrips") add_strips();
+                continue;
+            }
+            const double value = values_.next(property.type);
+            if (is_vertex && property.name.size() == 1 && property.name[0] >= 'x' &&
+                property.name[0] <= 'z')
+                position[property.name[0] - 'x'] = value;
+        }
+        if (is_vertex) mesh_.add(position);
+    }
+
+    void read_list(const PlyProperty& property) {
+        const double count = values_.next(*property.count_type);
+        if (count < 0) throw Defect{"a list has fewer than no entries"};
+        list_.clear();
+        for (double k = 0; k < count; ++k) {
+            const double value = values_.next(property.type);
+            // what is no index is found when it is used as one
+            list_.push_back(std::abs(value) < 1e18 ? std::int64_t(value) : -2);
+        }
+    }
+
+    /// -1 ends a strip; every second triangle of a strip is turned round.
+    void add_strips() {
+        std::size_t first = 0;
+        for (std::size_t k = 0; k < list_.size(); ++k) {
+            if (list_[k] == -1) first = k + 1;
+            if (k < first + 2) continue;
+            const bool odd = (k - first) % 2 == 1;
+            mesh_.add_triangle(list_[k - 2 + odd], list_[k - 1 - odd], list_[k]);
+        }
+    }
+
+    Values values_;
+    MeshBuilder& mesh_;
+    std::vector<std::int64_t> list_;
+};
+
+void expect_coordinates(const PlyElement& vertices) {
+    for (const char* name : {"x", "y", "z"})
+        if (std::none_of(vertices.properties.begin(), vertices.properties.end(),
+                         [&](const PlyProperty& p) { return p.name == name && !p.count_type; }))
+            throw Defect{std::string("its vertices have no ") + name};
+}
+
+/// Not more than the bytes can hold.
+void reserve(const PlyHeader& header, std::size_t bytes, MeshBuilder& mesh) {
+    const bool is_text = header.encoding == PlyHeader::Encoding::Text;
+    for (const PlyElement& element : header.elements) {
+        if (element.properties.empty()) continue;
+        const auto most = std::size_t(
+            std::min<std::uint64_t>(element.count, bytes / element.least_size(is_text)));
+        if (element.name == "vertex") mesh.reserve_vertices(most);
+        if (element.name == "face") mesh.reserve_triangles(std::min(most, bytes / 3));
+    }
+}
+
+template <class Values>
+void read_elements(const PlyHeader& header, Values values, MeshBuilder& mesh) {
+    PlyReader<Values> reader(std::move(values), mesh);
+    for (const PlyElement& element : header.elements)
+        reader.read(element);
+    reader.expect_end();
+}
+
+}  // namespace
+
+void read_ply(std::string_view bytes, MeshBuilder& mesh) {
+    Text text(bytes);
+    PlyHeader header;
+    read_lines(text, [&] {
+        header = read_ply_header(text);
+        for (const PlyElement& element : header.elements)
+            if (element.name == "vertex") expect_coordinates(element);
+    });
+    reserve(header, text.rest().size(), mesh);
+    if (header.encoding == PlyHeader::Encoding::Text)
+        read_lines(text, [&] { read_elements(header, TextValues(text), mesh); });
+    else if (header.encoding == PlyHeader::Encoding::LittleEndian)
+        read_elements(header, BinaryValues<false>(text.rest()), mesh);
+    else
+        read_elements(header, BinaryValues<true>(text.rest()), mesh);
+}
+
+}  // namespace mesh_files

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample_files.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+
+namespace sample_files {
+namespace {
+
+using mesh_files::Format;
+
+constexpr std::array<std::array<int, 3>, 4> kCorners = {
+    {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}}};
+constexpr std::array<std::array<int, 3>, 4> kFaces = {{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+
+std::string words(const std::array<int, 3>& numbers, int plus = 0) {
+    std::string text;
+    for (const int number : numbers)
+        text += ' ' + std::to_string(number + plus);
+    return text;
+}
+
+std::string obj() {
+    std::string text = "# of a test\nmtllib none.mtl\n";
+    for (const auto& corner : kCorners)
+        text += "v" + words(corner) + "\n";
+    text += "vn 0 0 1\nusemtl a\n";
+    for (const auto& face : kFaces)
+        text += "f" + words(face, 1) + "\n";
+    return text;
+}
+
+std::string off(const std::string& head, const std::string& behind) {
+    std::string text = head;
+    for (const auto& corner : kCorners)
+        text += words(corner).substr(1) + behind + "\n";
+    for (const auto& face : kFaces)
+        text += "3 " + words(face) + "\n";
+    return text;
+}
+
+std::string stl_text() {
+    std::string text = "solid of a test\n";
+    for (const auto& face : kFaces) {
+        text += " facet normal 0 0 nan\n  outer loop\n";
+        for (const int corner : face)
+            text += "   vertex" + words(kCorners[std::size_t(corner)]) + "\n";
+        text += "  endloop\n endfacet\n";
+    }
+    return text + "endsolid of a test\n";
+}
+
+std::string stl_binary(const std::string& head) {
+    std::string bytes = head + std::string(80 - head.size(), ' ') + packed(std::uint32_t(4));
+    for (const auto& face : kFaces) {
+        bytes += std::string(12, '\0');
+        for (const int corner : face)
+            for (const int coordinate : kCorners[std::size_t(corner)])
+                bytes += packed(float(coordinate));
+        bytes += std::string(2, '\0');
+    }
+    return bytes;
+}
+
+std::string ply_head(const std::string& format, const std::string& faces_are) {
+    return "ply\nformat " + format +
+           " 1.0\ncomment of a test\nelement vertex 4\nproperty float x\nproperty double y\n"
+           "property uchar red\nproperty float z\n" +
+           faces_are + "end_header\n";
+}
+const std::string kFaceLists =
+    "element face 4\nproperty list uchar float texcoord\nproperty list uchar int vertex_indices\n"
+    "property short flags\n";
+
+std::string ply_text() {
+    std::string text = ply_head("ascii", kFaceLists);
+    for (const auto& c : kCorners)
+        text += std::to_string(c[0]) + ' ' + std::to_string(c[1]) + " 255 " + std::to_string(c[2]) +
+                '\n';
+    for (const auto& face : kFaces)
+        text += "2 0.5 1 3" + words(face) + " -7\n";
+    return text;
+}
+
+std::string ply_binary(bool big) {
+    std::string bytes = ply_head(big ? "binary_big_endian" : "binary_little_endian", kFaceLists);
+    for (const auto& c : kCorners)
+        bytes += packed(float(c[0]), big) + packed(double(c[1]), big) + '\xff' +
+                 packed(float(c[2]), big);
+    for (const auto& face : kFaces) {
+        bytes += packed(std::uint8_t(1)) + packed(0.5f, big) + packed(std::uint8_t(3));
+        for (const int corner : face)
+            bytes += packed(std::int32_t(corner), big);
+        bytes += packed(std::int16_t(-7), big);
+    }
+    return bytes;
+}
+
+/// Two strips: 0 2 1 3 is 0 2 1 and 1 2 3.
+std::string ply_strips() {
+    return ply_head("ascii", "element tristrips 1\nproperty list int int vertex_indices\n") +
+           "0 0 255 0\n2 0 255 0\n0 3 255 0\n0 0 255 4\n12 0 2 1 3 -1 0 1 3 -1 0 3 2\n";
+}
+
+}  // namespace
+
+const std::vector<Sample>& tetrahedra() {
+    static const std::vector<Sample> all = {
+        {"obj", Format::Obj, obj()},
+        {"off", Format::Off, off("OFF\n# of a test\n4 4 6\n", "")},
+        {"off without a word", Format::Off, off("4 4\n\n", "")},
+        {"off with colours", Format::Off, off("COFF 4 4 0\n", " 255 128 0 255")},
+        {"stl", Format::Stl, stl_text()},
+        {"binary stl", Format::Stl, stl_binary("of a test")},
+        {"binary stl of a solid", Format::Stl, stl_binary("solid of a test")},
+        {"ply", Format::Ply, ply_text()},
+        {"little ply", Format::Ply, ply_binary(false)},
+        {"big ply", Format::Ply, ply_binary(true)},
+        {"ply of strips", Format::Ply, ply_strips()}};
+    return all;
+}
+
+double volume(const laplacian_lines::TriangleMesh& mesh) {
+    double sum = 0;
+    for (const laplacian_lines::Triangle& t : mesh.triangles)
+        sum += mesh.positions[t[0]].dot(mesh.positions[t[1]].cross(mesh.positions[t[2]])) / 6;
+    return sum;
+}
+
+bool is_sound(const laplacian_lines::TriangleMesh& mesh) {
+    return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
+        return std::all_of(triangle.begin(), triangle.end(),
+                           [&](std::uint32_t v) { return v < mesh.positions.size(); });
+    });
+}
+
+}  // namespace sample_files
