@@ -5,7 +5,20 @@
 # PART: bash would hand on the script's own arguments.
 # Parts are read inside a function: what they declare has to be global (declare -g).
 
+# What scripts match and sort is the same everywhere (in Turkish, [A-Z] has no I); all else stays the user's.
+sort_as_c() {
+    local category
+    if [[ -n ${LC_ALL:-} ]]; then
+        for category in LC_CTYPE LC_NUMERIC LC_TIME LC_MONETARY LC_MESSAGES; do
+            export "$category=$LC_ALL"
+        done
+        unset LC_ALL
+    fi
+    export LC_COLLATE=C
+}
+
 if ! declare -F require >/dev/null; then
+    sort_as_c
     SCRIPTS=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
     declare -A REQUIRED_PARTS=()
 

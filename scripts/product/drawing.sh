@@ -8,6 +8,7 @@ DRAWING_PACKAGES=(fonts-dejavu-core)
 # build_drawing_program CHECKOUT
 build_drawing_program() {
     ensure_toolchain "${DRAWING_PACKAGES[@]}"
+    [[ -e $(build_folder "$1")/bin/laplacian_lines_drawing ]] || say "building the program of drawings, for some minutes"
     build_targets "$1" laplacian_lines_drawing
 }
 
@@ -40,6 +41,10 @@ run_drawing() {
         -h | --help)
             "$program" --help
             return
+            ;;
+        --)
+            files+=("${@:2}")
+            break
             ;;
         --*)
             arguments+=("${@:1:2}")

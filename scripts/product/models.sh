@@ -83,10 +83,14 @@ prepare_mesh() {
     if [[ -z $1 ]]; then
         default_mesh
     elif [[ $1 == *.gz ]]; then
-        MESH=$2/$(basename "$1" .gz)
-        gunzip -c "$1" >"$MESH" || fail "the mesh $1 cannot be unpacked"
+        MESH=$2/$(basename -- "$1" .gz)
+        gunzip -c -- "$1" >"$MESH" || fail "the mesh $1 cannot be unpacked"
     else
-        MESH=$(readlink -f "$1")
+        MESH=$(readlink -f -- "$1")
+    fi
+    if [[ $MESH == *[[:cntrl:]]* ]]; then # would be commands to MeshLab's driver
+        ln -s "$MESH" "$2/mesh.${MESH##*.}"
+        MESH=$2/mesh.${MESH##*.}
     fi
     say "mesh: $MESH"
 }

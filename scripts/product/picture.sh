@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # MeshLab with Laplacian lines switched on, in a window or on a picture. The GUI driver does the clicking.
 
-require environment/messages product/comparison product/display product/models product/private_home
+require environment/messages environment/whole_files product/comparison product/display product/models product/private_home
 
 readonly LINES_ACTION="Laplacian Lines"
 readonly SHEET_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf # of DISPLAY_PACKAGES
@@ -96,6 +96,7 @@ open_window() {
 
 check_picture() {
     [[ $1 == *.png ]] || fail "the picture has to be a .png file, not $1"
+    [[ ! -d $1 ]] || fail "the picture cannot be $1, which is a folder"
     [[ -d $(dirname "$1") && -w $(dirname "$1") ]] || fail "cannot write into the folder of $1"
 }
 
@@ -203,11 +204,18 @@ prepare_meshes() {
     done
 }
 
+# plain_label TEXT: for ImageMagick, to which %, \ and a first @ say something
+plain_label() {
+    local text=${1//[[:cntrl:]]/?}
+    text=${text//\\/\\\\}
+    printf '%s' "${text//%/%%}" | sed 's/^@/\\@/'
+}
+
 # label_of ROW VIEW COLUMN
 label_of() {
-    local view=${PICTURE_VIEWS[$2]} label blur=
+    local view=${PICTURE_VIEWS[$2]} name=${MESH_NAMES[$1]%, with noise} label blur=
     [[ $view != *,* ]] || view="${view/,/°, }°"
-    label="$(basename "${MESH_FILES[$1]}")${view:+ $view}"
+    label="$(plain_label "$(basename "${name%.gz}")")${view:+ $view}"
     [[ -z ${MESH_NOISES[$1]} ]] || label+=", noise of ${MESH_NOISES[$1]} mean edges, seed $NOISE_SEED"
     [[ ${COLUMN_DETECTORS[$3]} == - ]] || blur=", σ = $(blur_of "$(kernel_file "$1" "$2")") px"
     printf '%s%s%s' "$label" "${COLUMN_LABELS[$3]:+\n${COLUMN_LABELS[$3]}}" "$blur"
@@ -248,9 +256,11 @@ put_together() {
     ((${#sheet[@]})) || fail "no picture was written"
     ((rows == 1 || ${#COLUMN_LABELS[@]} == 1)) || tiles=(-tile "${#COLUMN_LABELS[@]}x")
     if ((${#MESH_FILES[@]} + ${#FAILED_MESHES[@]} == 1 && ${#sheet[@]} == 3)); then
-        mv "${sheet[2]}" "$target"
+        put_file "${sheet[2]}" "$target"
     else
-        montage -font "$SHEET_FONT" -pointsize 18 "${sheet[@]}" "${tiles[@]}" -geometry +8+8 "$target" || fail "ImageMagick's montage could not put the sheet together"
+        montage -font "$SHEET_FONT" -pointsize 18 "${sheet[@]}" "${tiles[@]}" -geometry +8+8 "$DRAWINGS/sheet.png" ||
+            fail "ImageMagick's montage could not put the sheet together"
+        put_file "$DRAWINGS/sheet.png" "$target"
     fi
     say "the picture is $target"
 }

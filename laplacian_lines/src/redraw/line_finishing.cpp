@@ -71,6 +71,12 @@ void collect_points(const TracedLines& traced, const TracedLines::Line& line,
     }
 }
 
+/// Where a line crosses an edge, both triangles say; in meshes that are wild they differ.
+void close_line(std::uint32_t count, const LineColumns& c) {
+    for (float* column : {c.x, c.y, c.z})
+        column[count - 1] = column[0];
+}
+
 }  // namespace
 
 void finish_lines(const ExtractorData& data, const TracedLines& traced, FinishingMemory& memory,
@@ -94,6 +100,7 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
         const Polyline& p = line.polyline;
         LineColumns columns = make_columns(memory[std::size_t(omp_get_thread_num())], size);
         collect_points(traced, line, columns);
+        if (p.closed) close_line(p.count, columns);
         simd_functions().finish_line(
             *line.rules, {p.count, p.closed, line.has_exact, p.length, p.strength, p.slope},
             columns, data.centre.data(), data.diagonal,
