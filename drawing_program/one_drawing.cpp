@@ -46,7 +46,7 @@ std::vector<TriangleMesh> readMeshes(const CommandLine& commands,
         sources << QFileInfo(file).fileName();
         if (read.defect.isEmpty()) continue;
         say(stderr, QString("%1 is drawn incomplete: %2").arg(file, read.defect));
-        sources.last() += " (incomplete)";
+        sources.last().prepend("incomplete: ");  // notes may be cut off at their end
     }
     options.source = sources.join(", ");
     return meshes;

@@ -54,6 +54,13 @@ TEST(ContactSheets, ArePackedAndUnpacked) {
     const QByteArray bytes = packSheet(view);
     const Sheet same = unpackSheet(bytes);
     EXPECT_EQ(writeSvg(same), writeSvg(view));
+    Sheet dashed = view;
+    dashed.scale = 0.25;
+    dashed.groups.at(0).layers.at(0).paths = {{QPainterPath(), 0.5, 2, 0.75}};
+    const Sheet unpacked = unpackSheet(packSheet(dashed));
+    EXPECT_EQ(unpacked.scale, 0.25);
+    EXPECT_EQ(unpacked.groups.at(0).layers.at(0).paths.at(0).dash, 2);
+    EXPECT_EQ(unpacked.groups.at(0).layers.at(0).paths.at(0).tone, 0.75);
     EXPECT_THROW(unpackSheet("no sheet"), laplacian_lines::Error);
     EXPECT_THROW(unpackSheet({}), laplacian_lines::Error);
     for (const int size : {6, 40, 200, bytes.size() / 2, bytes.size() - 1})

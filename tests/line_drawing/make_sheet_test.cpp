@@ -11,11 +11,51 @@
 #include "strokes/strokes.h"
 
 using namespace line_drawing;
+using made_sheets::cubeOf100;
 using made_sheets::extentOf;
 using made_sheets::plainViews;
 using made_sheets::sheetOf;
 
 namespace {
+
+/// All texts of the last group, with "|" between.
+std::string furnitureOf(const Sheet& sheet) {
+    QStringList texts;
+    for (const SheetLayer& layer : sheet.groups.back().layers)
+        for (const SheetText& text : layer.texts)
+            texts << text.text;
+    return texts.join("|").toStdString();
+}
+
+/// Their layers' names in SVG are to be unique.
+TEST(MeasuredDrawing, OfOneViewTwiceTellsThemApart) {
+    const Sheet sheet = sheetOf(cubeOf100(), plainViews("front,front,front"));
+    EXPECT_EQ(sheet.groups.at(0).key, "front");
+    EXPECT_EQ(sheet.groups.at(1).key, "front-2");
+    EXPECT_EQ(sheet.groups.at(2).key, "front-3");
+}
+
+/// Names of files may hold what is no text.
+TEST(MeasuredDrawing, HasTextsOfOneLine) {
+    SheetOptions options = plainViews("front");
+    options.title = QString("A\nB") + QChar(1);
+    options.source = "cube\r\n.ply";
+    const Sheet sheet = sheetOf(cubeOf100(), options);
+    EXPECT_EQ(sheet.title, "A B ");
+    EXPECT_NE(furnitureOf(sheet).find("A B "), std::string::npos);
+    EXPECT_NE(furnitureOf(sheet).find("cube  .ply"), std::string::npos);
+}
+
+TEST(MeasuredDrawing, TellsSmallSizes) {
+    laplacian_lines::TriangleMesh cube = cubeOf100();
+    for (Eigen::Vector3d& p : cube.positions)
+        p *= 1.2345e-5;
+    SheetOptions options = plainViews("front");
+    options.scale = 1000;
+    const Sheet sheet = sheetOf(cube, options);
+    EXPECT_NE(furnitureOf(sheet).find("0.00123 × 0.00123 × 0.00123 mm"), std::string::npos)
+        << furnitureOf(sheet);
+}
 
 TEST(MeasuredDrawing, ACubeOf100MillimetresMeasures100At1To1) {
     const Sheet sheet = sheetOf(made_sheets::cubeOf100(), plainViews("six"));

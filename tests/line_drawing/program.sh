@@ -85,7 +85,7 @@ refused "cut.stl: the file is damaged: line 12: it ends without \"endsolid\". Wi
     plate.svg cut.stl
 "$PROGRAM" incomplete.svg --views top --up z --damaged draw cut.stl >out 2>error
 grep -q "cut.stl is drawn incomplete: line 12" error || fail "nothing says that it is incomplete: $(cat error)"
-grep -q "cut.stl (incomplete)" incomplete.svg || fail "the sheet does not say that it is incomplete"
+grep -q "incomplete: cut.stl" incomplete.svg || fail "the sheet does not say that it is incomplete"
 head -n 12 cube.off >half.off
 refused "half.off: " plate.svg half.off
 mkdir dash

@@ -70,6 +70,23 @@ TEST(SheetFiles, DxfPointsUp) {
     EXPECT_TRUE(dxf.contains("1\n30%%d\n"));
 }
 
+/// Whatever is in a text, it is one value of DXF; R12 knows letters of four digits.
+TEST(SheetFiles, OfDxfHaveTextsAsData) {
+    Sheet sheet = smallSheet();
+    SheetText& text = sheet.groups[0].layers[1].texts[0];
+    const QByteArray before = writeDxf(sheet);
+    text.text = QString::fromUtf8("a\n0\nLINE\r8 100 %c \xc3\xbc \xf0\x9f\x98\x80");
+    const QByteArray dxf = writeDxf(sheet);
+    EXPECT_TRUE(dxf.contains("\n1\na 0 LINE 8 100 %%%c \\U+00FC ?\n"));
+    EXPECT_EQ(dxf.count('\n'), before.count('\n'));
+}
+
+TEST(SheetFiles, OfDxfHaveColorsByClasses) {
+    Sheet sheet = smallSheet();
+    sheet.groups[0].layers[0].key = "edge";
+    EXPECT_TRUE(writeDxf(sheet).contains("2\nEDGE\n70\n0\n62\n5\n"));
+}
+
 TEST(SheetFiles, HaveTheSameBytesAgain) {
     const Sheet sheet = smallSheet();
     EXPECT_EQ(writePdf(sheet), writePdf(sheet));

@@ -103,7 +103,8 @@ TEST(SheetLayout, ScalesHaveNames) {
     EXPECT_EQ(scaleInWords(0.5), "1:2");
     EXPECT_EQ(scaleInWords(1), "1:1");
     EXPECT_EQ(scaleInWords(20), "20:1");
-    for (const char* word : {"", "2", "1:0", "-1:2", "1:2:3", "a:b", "nan:1"})
+    for (const char* word :
+         {"", "2", "1:0", "-1:2", "1:2:3", "a:b", "nan:1", "1:inf", "1:1e308", "1e308:1"})
         EXPECT_THROW(parseScale(word), laplacian_lines::Error) << word;
 }
 

@@ -2,6 +2,7 @@
 #include <QPolygonF>
 #include <QSet>
 #include <QTransform>
+#include <map>
 
 #include "formats/sheet_writers.h"
 
@@ -10,6 +11,12 @@ namespace {
 
 // Qt makes polygons of curves to half a unit: to a hundredth of a millimetre.
 constexpr double flattening = 50;
+
+/// So that classes of lines can be told apart on a screen: AutoCAD's numbers of colours, by keys of
+/// layers. 7, black or white, of others.
+const std::map<QString, QByteArray> colors = {{"contour", "3"}, {"edge", "5"},   {"inner", "4"},
+                                              {"fine", "8"},    {"hidden", "2"}, {"section", "1"},
+                                              {"marks", "6"},   {"area", "9"}};
 
 class DxfWriter {
 public:
@@ -64,9 +71,13 @@ private:
 
     void writeLayers() {
         QList<QByteArray> names;
+        std::map<QByteArray, QByteArray> color_of;
         for (const SheetGroup& group : sheet_.groups)
-            for (const SheetLayer& layer : group.layers)
+            for (const SheetLayer& layer : group.layers) {
                 if (!names.contains(nameOf(layer))) names << nameOf(layer);
+                const auto color = colors.find(layer.key);
+                color_of[nameOf(layer)] = color == colors.end() ? "7" : color->second;
+            }
         begin("TABLES");
         write(0, "TABLE");
         write(2, "LTYPE");
@@ -87,7 +98,7 @@ private:
             write(0, "LAYER");
             write(2, name);
             write(70, "0");
-            write(62, "7");
+            write(62, color_of[name]);
             write(6, dashOf(name) > 0 ? "DASHED" : "CONTINUOUS");
         }
         write(0, "ENDTAB");
@@ -140,22 +151,30 @@ private:
         write(8, layer);
     }
 
+    /// Codes of DXF are of up to four digits; letters that take more, such as emoji, are "?".
+    static QByteArray inLetters(const QString& text) {
+        QByteArray letters;
+        for (const uint c : text.toUcs4()) {
+            if (c == '%')
+                letters += "%%%";
+            else if (c < 128)
+                letters += c < ' ' ? ' ' : char(c);
+            else if (c == 0x00b0)
+                letters += "%%d";
+            else if (c < 0x10000)
+                letters += "\\U+" + QByteArray::number(c, 16).rightJustified(4, '0').toUpper();
+            else
+                letters += '?';
+        }
+        return letters;
+    }
+
     void writeText(const SheetText& text, const QByteArray& layer) {
         write(0, "TEXT");
         write(8, layer);
         writePoint(10, text.position);
         write(40, text.height * 0.7);  // of capital letters
-        QByteArray letters;
-        for (const QChar c : text.text) {
-            if (c.unicode() < 128)
-                letters += char(c.unicode());
-            else if (c == QChar(0x00b0))
-                letters += "%%d";
-            else
-                letters +=
-                    "\\U+" + QByteArray::number(c.unicode(), 16).rightJustified(4, '0').toUpper();
-        }
-        write(1, letters);
+        write(1, inLetters(text.text));
         const int alignment = text.alignment == Qt::AlignRight     ? 2
                               : text.alignment == Qt::AlignHCenter ? 1
                                                                    : 0;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/sheet_options.h"
 
-#include <cmath>
-
 #include "options/words.h"
 
 namespace line_drawing {
+namespace {
+
+constexpr double largest_scale = 1e9;  // and one in as many
+
+}  // namespace
 
 double parseScale(const QString& text) {
     if (text.trimmed().compare("fit", Qt::CaseInsensitive) == 0) return 0;
@@ -14,7 +17,8 @@ double parseScale(const QString& text) {
     const double drawn = is_number ? parts[0].toDouble(&is_number) : 0;
     const double real = is_other ? parts[1].toDouble(&is_other) : 0;
     const double scale = drawn / real;
-    if (!is_number || !is_other || !(drawn > 0) || !(real > 0) || !std::isfinite(scale))
+    if (!is_number || !is_other || !(drawn > 0) || !(real > 0) ||
+        !(scale >= 1 / largest_scale && scale <= largest_scale))
         refuse(
             QString("\"%1\" is no scale. A scale is drawn to true length, such as 1:2 or 2:1, or "
                     "fit: the largest usual one.")

@@ -14,6 +14,15 @@ inline QStringList wordsOf(const QString& text) {
     return text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts);
 }
 
+/// Of a text that may hold anything, what fits a line: no line breaks or other signs to programs.
+inline QString oneLine(QString text) {
+    for (QChar& c : text)
+        if (c.category() == QChar::Other_Control || c == QChar::LineSeparator ||
+            c == QChar::ParagraphSeparator)
+            c = ' ';
+    return text;
+}
+
 /// @throws laplacian_lines::Error(InvalidOption), always
 [[noreturn]] inline void refuse(const QString& sentence) {
     throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/make_sheet.h"
 
+#include <QSet>
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +44,17 @@ void nameSections(std::vector<DrawnView>& views) {
         }
 }
 
+/// The same view may have been asked for twice.
+void tellApart(std::vector<SheetGroup>& groups) {
+    QSet<QString> keys;
+    for (SheetGroup& group : groups) {
+        const QString key = group.key;
+        for (int number = 2; keys.contains(group.key); ++number)
+            group.key = QString("%1-%2").arg(key).arg(number);
+        keys << group.key;
+    }
+}
+
 QString remarkOn(const DrawnView& view, double missing) {
     return QString(
                "%1: %2 mm of the outline were missing and are drawn from the mesh's edges. "
@@ -73,6 +85,7 @@ Sheet drawSheet(Observer& observer, const SheetOptions& options, const Progress&
     for (std::size_t i = 0; i < views.size(); ++i)
         sheet.groups.push_back(
             drawView(views[i], i + 1, layout.placements[i], layout.places[i], options));
+    tellApart(sheet.groups);
     SheetGroup furniture =
         drawFurniture(views, layout, options.mm_per_unit * observer.objectSize(), options);
     if (!furniture.layers.empty()) sheet.groups.push_back(std::move(furniture));
@@ -86,10 +99,15 @@ std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOpt
     if (objects.empty()) refuse("A drawing needs an object.");
     for (const SheetOptions& o : options)
         check(o);
+    std::vector<SheetOptions> plain = options;
+    for (SheetOptions& o : plain) {
+        o.title = oneLine(o.title);
+        o.source = oneLine(o.source);
+    }
     Observer observer(objects, part(progress, 0, sight_share));
     const double share = (1 - sight_share) / std::max<double>(1, double(options.size()));
     std::vector<Sheet> sheets;
-    for (const SheetOptions& o : options) {
+    for (const SheetOptions& o : plain) {
         const double begin = sight_share + share * double(sheets.size());
         const bool is_last = sheets.size() + 1 == options.size();
         sheets.push_back(

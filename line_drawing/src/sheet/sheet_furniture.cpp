@@ -28,6 +28,7 @@ SheetPath drawn(const QPainterPath& path) {
 }
 
 QString inMillimetres(double x) {
+    if (x < 0.1) return QString::number(x, 'g', 3);
     return QString::number(x, 'f', x < 10 ? 2 : x < 1000 ? 1 : 0);
 }
 
@@ -94,7 +95,11 @@ void addProjectionSymbol(const QPointF& corner, Arrangement arrangement, SheetLa
 
 QString elided(const QString& text, double height, double width) {
     const auto letters = int(width / (letter_width * height));
-    return text.size() <= letters ? text : text.left(std::max(0, letters - 1)) + "…";
+    if (text.size() <= letters) return text;
+    QString begin = text.left(std::max(0, letters - 1));
+    if (!begin.isEmpty() && begin.at(begin.size() - 1).isHighSurrogate())
+        begin.chop(1);  // half a letter
+    return begin + "…";
 }
 
 QString noteOf(const SheetLayout& layout, const Eigen::Vector3d& size,

@@ -237,14 +237,14 @@ SheetLayout layOutAt(Layout& layout, double scale, const QSizeF& upright, const 
     const auto best = std::max(largestScale(layout, upright).value_or(0),
                                largestScale(layout, upright.transposed()).value_or(0));
     refuse(QString("At the scale %1 the views take %2 x %3 mm, and %4 paper has room for %5 x %6. "
-                   "Take the scale %7, a larger paper, or the paper \"fit\".")
+                   "Take %7a larger paper, or the paper \"fit\".")
                .arg(scaleInWords(scale))
                .arg(std::ceil(size.width()))
                .arg(std::ceil(size.height()))
                .arg(name.toUpper())
                .arg(room(upright).width())
                .arg(room(upright).height())
-               .arg(scaleInWords(best)));
+               .arg(best > 0 ? QString("the scale %1, ").arg(scaleInWords(best)) : QString()));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace line_drawing {
 namespace {
 
-constexpr quint32 magic = 0x4c4c5332;  // "LLS2"
+constexpr quint32 magic = 0x4c4c5333;  // "LLS3"
 
 template <class Item, class Read>
 std::vector<Item> readAll(QDataStream& stream, const Read& read) {
@@ -25,13 +25,13 @@ QByteArray packSheet(const Sheet& sheet) {
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
     stream.setVersion(QDataStream::Qt_5_6);
-    stream << magic << sheet.size << sheet.title << quint32(sheet.groups.size());
+    stream << magic << sheet.size << sheet.title << sheet.scale << quint32(sheet.groups.size());
     for (const SheetGroup& group : sheet.groups) {
         stream << group.key << group.name << quint32(group.layers.size());
         for (const SheetLayer& layer : group.layers) {
             stream << layer.key << layer.name << quint32(layer.paths.size());
             for (const SheetPath& path : layer.paths)
-                stream << path.path << path.pen_width << path.tone;
+                stream << path.path << path.pen_width << path.dash << path.tone;
         }
     }
     return bytes;
@@ -44,7 +44,7 @@ Sheet unpackSheet(const QByteArray& bytes) {
     Sheet sheet;
     stream >> begin;
     if (begin != magic) refuse("This is no packed sheet.");
-    stream >> sheet.size >> sheet.title;
+    stream >> sheet.size >> sheet.title >> sheet.scale;
     sheet.groups = readAll<SheetGroup>(stream, [&] {
         SheetGroup group;
         stream >> group.key >> group.name;
@@ -53,7 +53,7 @@ Sheet unpackSheet(const QByteArray& bytes) {
             stream >> layer.key >> layer.name;
             layer.paths = readAll<SheetPath>(stream, [&] {
                 SheetPath path;
-                stream >> path.path >> path.pen_width >> path.tone;
+                stream >> path.path >> path.pen_width >> path.dash >> path.tone;
                 return path;
             });
             return layer;
