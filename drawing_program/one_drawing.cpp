@@ -18,10 +18,10 @@ namespace {
 using laplacian_lines::TriangleMesh;
 
 /// Scans come in metres, too, and nothing in a file tells.
-void saySize(const std::vector<TriangleMesh>& meshes, double unit) {
+void saySize(const std::vector<ReadMesh>& meshes, double unit) {
     Eigen::AlignedBox3d box;
-    for (const TriangleMesh& mesh : meshes)
-        box.extend(line_drawing::boundsOf(mesh));
+    for (const ReadMesh& read : meshes)
+        box.extend(line_drawing::boundsOf(read.mesh));
     if (box.isEmpty()) return;
     const Eigen::Vector3d size = unit * box.sizes();
     const char* advice =
@@ -35,20 +35,10 @@ void saySize(const std::vector<TriangleMesh>& meshes, double unit) {
                     .arg(advice));
 }
 
-/// Of damaged files the sheet says so, too.
-std::vector<TriangleMesh> readMeshes(const CommandLine& commands,
-                                     line_drawing::SheetOptions& options) {
-    std::vector<TriangleMesh> meshes;
-    QStringList sources;
-    for (const QString& file : commands.meshes) {
-        ReadMesh read = readMesh(file, commands.damaged);
-        meshes.push_back(std::move(read.mesh));
-        sources << QFileInfo(file).fileName();
-        if (read.defect.isEmpty()) continue;
-        say(stderr, QString("%1 is drawn incomplete: %2").arg(file, read.defect));
-        sources.last().prepend("incomplete: ");  // notes may be cut off at their end
-    }
-    options.source = sources.join(", ");
+std::vector<ReadMesh> readMeshes(const CommandLine& commands) {
+    std::vector<ReadMesh> meshes;
+    for (const QString& file : commands.meshes)
+        meshes.push_back(readMesh(file, commands.damaged));
     return meshes;
 }
 
@@ -63,21 +53,47 @@ laplacian_lines::Field fieldOf(const TriangleMesh& mesh, const QString& file,
     }
 }
 
+/// What is not drawn of an object; empty: nothing.
+QString lackOf(const ReadMesh& read, const laplacian_lines::MeshReport& report) {
+    if (!read.defect.isEmpty()) return read.defect;
+    if (report.non_finite_vertices > 0)
+        return QString("%1 of %2 vertices have no finite coordinates")
+            .arg(report.non_finite_vertices)
+            .arg(report.vertices);
+    return {};
+}
+
+/// The names of the files, with a word before those that are not drawn whole: notes may be cut off
+/// at their end.
+QString sourcesOf(const QStringList& files, const std::vector<ReadMesh>& meshes,
+                  const std::vector<laplacian_lines::Field>& fields) {
+    QStringList sources;
+    for (int i = 0; i < files.size(); ++i) {
+        sources << QFileInfo(files[i]).fileName();
+        const QString lack = lackOf(meshes[std::size_t(i)], fields[std::size_t(i)].report);
+        if (lack.isEmpty()) continue;
+        say(stderr, QString("%1 is drawn incomplete: %2").arg(files[i], lack));
+        sources.last().prepend("incomplete: ");
+    }
+    return sources.join(", ");
+}
+
 }  // namespace
 
 void drawOne(const CommandLine& commands) {
     line_drawing::checkSheetFile(commands.drawing);
-    std::vector<line_drawing::SheetOptions> options = {commands.options};
-    const std::vector<TriangleMesh> meshes = readMeshes(commands, options[0]);
+    const std::vector<ReadMesh> meshes = readMeshes(commands);
     saySize(meshes, commands.options.mm_per_unit);
-    const bool has_view = !commands.contact_view.isEmpty();
-    if (has_view) options.push_back(line_drawing::contactOptions(meshes.front(), options[0]));
     std::vector<laplacian_lines::Field> fields;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        fields.push_back(fieldOf(meshes[i], commands.meshes[int(i)], commands.options.style));
+        fields.push_back(fieldOf(meshes[i].mesh, commands.meshes[int(i)], commands.options.style));
+    std::vector<line_drawing::SheetOptions> options = {commands.options};
+    options[0].source = sourcesOf(commands.meshes, meshes, fields);
+    const bool has_view = !commands.contact_view.isEmpty();
+    if (has_view) options.push_back(line_drawing::contactOptions(meshes.front().mesh, options[0]));
     line_drawing::Objects objects;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        objects.push_back({meshes[i], fields[i]});
+        objects.push_back({meshes[i].mesh, fields[i]});
     const std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
     line_drawing::writeSheet(sheets[0], commands.drawing, commands.dpi);
     for (const QString& remark : sheets[0].remarks)

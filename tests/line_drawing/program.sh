@@ -58,7 +58,8 @@ refused "cannot be written" /proc/plate.svg cube.off
 
 # what is not finite is left out, and a size that can hardly be meant gives advice
 sed 's/^100 100 100$/nan nan nan/' cube.off >hole.off
-"$PROGRAM" hole.svg "${bare[@]}" hole.off >out
+"$PROGRAM" hole.svg "${bare[@]}" hole.off >out 2>error
+grep -q "hole.off is drawn incomplete: 1 of 8 vertices" error || fail "nothing says what is left out: $(cat error)"
 grep -q "100 x 100 x 100 mm" out || fail "a vertex that is not finite changes the size: $(cat out)"
 awk 'NR > 2 && NR < 11 { print $1 / 1e5, $2 / 1e5, $3 / 1e5; next } { print }' cube.off >metres.off
 "$PROGRAM" metres.svg --scale 1:1 --unit m "${bare[@]}" metres.off >out

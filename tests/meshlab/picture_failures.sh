@@ -55,6 +55,11 @@ take 1 "$WORK/torus.ply" "$WORK/crash.off" "$WORK/torus.ply"
 expect_drawings 2
 expect_text "$WORK/log" "crash.off: MeshLab('s own reader of .off files has ended MeshLab| cannot read it)"
 
+awk '/^end_header/ { vertices = NR + 2 } NR == vertices { $1 = "1e30" } { print }' "$WORK/torus.ply" >"$WORK/far.ply"
+take 1 "$WORK/far.ply" "$WORK/torus.ply"
+expect_drawings 1
+expect_text "$WORK/log" "far.ply: a few vertices lie so far off that nothing could be seen of the rest; delete them$"
+
 take 1 "$WORK/points.ply"
 [[ ! -e $WORK/sheet.png ]] || fail "there is a picture of points"
 expect_text "$WORK/log" "for a point cloud, reconstruct one first"

@@ -5,6 +5,7 @@
 
 #include <QFile>
 #include <QtMath>
+#include <algorithm>
 #include <cmath>
 
 #include "camera.h"
@@ -20,8 +21,9 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double margin = 0.05;    // of the shorter side
-constexpr double line_pixels = 2;  // an outline lies half outside the form
+constexpr double margin = 0.05;       // of the shorter side
+constexpr double line_pixels = 2;     // an outline lies half outside the form
+constexpr double least_share = 1e-4;  // of the box of all, of what is in its middle
 
 /// Appends the corners of the layer's faces, in the coordinates of the scene.
 void appendCorners(const CMeshO& mesh, Points& points) {
@@ -50,6 +52,21 @@ Eigen::AlignedBox3d boxOf(const Points& points) {
     for (const Eigen::Vector3d& p : points)
         box.extend(p);
     return box;
+}
+
+/// The diagonal of the box of most points, without a hundredth of them to each side.
+double diagonalOfMost(const Points& points) {
+    const std::size_t aside = points.size() / 100 + 1;
+    if (points.size() < 2 * aside + 1) return boxOf(points).diagonal().norm();
+    Eigen::Vector3d sizes;
+    std::vector<double> coordinates(points.size());
+    for (int k = 0; k < 3; ++k) {
+        std::transform(points.begin(), points.end(), coordinates.begin(),
+                       [&](const Eigen::Vector3d& p) { return p[k]; });
+        std::sort(coordinates.begin(), coordinates.end());
+        sizes[k] = coordinates[points.size() - 1 - aside] - coordinates[aside];
+    }
+    return sizes.norm();
 }
 
 /// The points in coordinates of the camera's axes around `origin`.
@@ -124,6 +141,9 @@ void frame(const Command& command) {
     Eigen::AlignedBox3d box = boxOf(points);
     if (box.isEmpty() || box.sizes().isZero(0))
         throw CommandError("there is no surface to look at");
+    if (diagonalOfMost(points) < least_share * box.diagonal().norm())
+        throw CommandError(
+            "a few vertices lie so far off that nothing could be seen of the rest; delete them");
     const Eigen::Vector3d centre = box.center();
     const double diagonal = box.diagonal().norm();
     turn(points, centre, axes);
