@@ -17,7 +17,8 @@ using meshlab_host::PlaceKind;
 using Row = laplacian_lines::OptionDescription<Parameters>;
 namespace rows = laplacian_lines::option_rows;
 
-const QString key_prefix;  // scripts use the keys as they are
+const QString key_prefix;             // scripts use the keys as they are
+constexpr double largest_box = 1e15;  // as the core has it
 
 struct PlaceRow {
     PlaceDescription description;
@@ -201,6 +202,19 @@ void takeFromDecoration(Parameters& parameters) {
     parameters.colors = drawn->colors;
 }
 
+/// MeshLab's own box takes in vertices that the lines leave out: not finite, or far beyond the
+/// rest.
+vcg::Box3d usableBox(const MeshModel& mesh) {
+    vcg::Box3d box = vcg::Box3d::Construct(mesh.cm.bbox);
+    if (box.IsNull() || box.Diag() < largest_box) return box;
+    box.SetNull();
+    for (const CVertexO& vertex : mesh.cm.vert) {
+        const auto p = vcg::Point3d::Construct(vertex.cP());
+        if (!vertex.IsD() && p.Norm() < largest_box) box.Add(p);
+    }
+    return box;
+}
+
 }  // namespace
 
 line_drawing::ViewFrame sideView(ViewChoice choice) {
@@ -215,11 +229,15 @@ PolylineParameters polylineDefaults(const MeshModel* mesh,
         result.view = ViewChoice::CurrentView;
         result.viewpoint = window->eye;
         result.view_direction = result.light_direction = window->towards_viewer;
-    } else if (mesh && !mesh->cm.bbox.IsNull()) {
-        const auto centre = mesh->cm.Tr * mesh->cm.bbox.Center();
-        const double distance = 1.5 * double(mesh->cm.bbox.Diag());
-        result.viewpoint =
-            Eigen::Vector3d(double(centre[0]), double(centre[1]), double(centre[2]) + distance);
+    } else if (mesh) {
+        const vcg::Box3d box = usableBox(*mesh);
+        if (!box.IsNull()) {
+            const auto middle = box.Center();
+            const auto centre =
+                mesh->cm.Tr * Point3m(Scalarm(middle[0]), Scalarm(middle[1]), Scalarm(middle[2]));
+            result.viewpoint = Eigen::Vector3d(double(centre[0]), double(centre[1]),
+                                               double(centre[2]) + 1.5 * box.Diag());
+        }
     }
     return result;
 }

@@ -64,6 +64,13 @@ def expect_view(given, direction, viewpoint=None, words=()):
     assert len(warned) == len(words) and all(w in text for w, text in zip(words, warned)), warned
 
 
+# vertices that are not finite have no part in where one looks from
+for far in (numpy.inf, -numpy.inf, numpy.nan):
+    corners = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [far, 0, 0]], dtype=float)
+    some = pymeshlab.MeshSet()
+    some.add_mesh(pymeshlab.Mesh(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3], [0, 1, 4]]))
+    some.generate_polyline_from_laplacian_lines()
+
 sides = {"Front": (0, 0, 1), "Back": (0, 0, -1), "Left": (-1, 0, 0), "Right": (1, 0, 0), "Top": (0, 1, 0),
          "Bottom": (0, -1, 0)}
 expect_view({}, sides["Front"])
