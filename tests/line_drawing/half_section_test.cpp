@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "laplacian_lines/error.h"
 #include "made_sheets.h"
 #include "sections/axis_finding.h"
 #include "sections/wall_area.h"
@@ -14,6 +16,7 @@
 using namespace line_drawing;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using laplacian_lines::TriangleMesh;
 using made_sheets::layerOf;
 
 namespace {
@@ -93,10 +96,62 @@ TEST(AxisFinding, IsTheAxisOfRevolutionWithAHandle) {
     addHandle(mesh);
     for (Vector3d& p : mesh.positions)
         p += Vector3d(1000, 7, -300);
-    const Vector3d axis = findAxis(mesh, 1);
-    EXPECT_NEAR(axis.x(), 1000, 0.3);
-    EXPECT_NEAR(axis.z(), -300, 0.3);
-    EXPECT_NEAR(findAxis(made_sheets::cubeOf100(), 1).x(), 0, 1e-9);
+    const VesselAxis axis = findAxis(mesh, 1);
+    EXPECT_NEAR(axis.point.x(), 1000, 0.3);
+    EXPECT_NEAR(axis.point.z(), -300, 0.3);
+    EXPECT_GT(axis.round, 0.85);
+    EXPECT_EQ(axis.rim, 1);
+    EXPECT_NEAR(findAxis(made_sheets::cubeOf100(), 1).point.x(), 0, 1e-9);
+}
+
+TriangleMesh turnedAside(TriangleMesh mesh, double degrees) {
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(degrees * M_PI / 180, Vector3d::UnitX()).toRotationMatrix();
+    for (Vector3d& p : mesh.positions)
+        p = rotation * p;
+    return mesh;
+}
+
+/// What is in a sector around the axis.
+TriangleMesh sherdOf(const TriangleMesh& mesh, double degrees) {
+    TriangleMesh part = mesh;
+    part.triangles.clear();
+    for (const auto& t : mesh.triangles) {
+        const Vector3d& p = mesh.positions[t[0]];
+        if (std::abs(std::atan2(p.z(), p.x())) < degrees / 2 * M_PI / 180)
+            part.triangles.push_back(t);
+    }
+    return part;
+}
+
+TEST(AxisFinding, TellsHowMuchSpeaksForIt) {
+    const TriangleMesh jar = smallVessel();
+    EXPECT_GT(findAxis(jar, 1).round, 0.95);
+    for (const double degrees : {0., 1., 4., 20.})
+        EXPECT_NEAR(findAxis(turnedAside(jar, degrees), 1).lean, degrees, 0.05);
+    EXPECT_NEAR(findAxis(sherdOf(turnedAside(jar, 4), 60), 1).lean, 4, 0.1);
+    EXPECT_LT(findAxis(made_sheets::cubeOf100(), 1).round, 0.3);
+    EXPECT_NEAR(findAxis(sherdOf(jar, 270), 1).rim, 0.75, 0.03);
+    EXPECT_NEAR(findAxis(sherdOf(jar, 270), 1).round, 1, 0.05);
+}
+
+TEST(HalfSection, IsRefusedOfWhatIsNoVessel) {
+    const auto draw = [](const TriangleMesh& mesh) {
+        return made_sheets::sheetOf(mesh, vesselOptions());
+    };
+    EXPECT_THROW(draw(made_sheets::cubeOf100()), laplacian_lines::Error);
+    EXPECT_THROW(draw(turnedAside(smallVessel(), 20)), laplacian_lines::Error);
+    EXPECT_THROW(draw(sherdOf(smallVessel(), 60)), laplacian_lines::Error);
+    SheetOptions options = vesselOptions();
+    options.has_notes = true;
+    const Sheet sheet = made_sheets::sheetOf(sherdOf(smallVessel(), 270), options);
+    ASSERT_EQ(sheet.remarks.size(), 1);
+    EXPECT_TRUE(sheet.remarks[0].startsWith("Vessel: rim 7")) << sheet.remarks[0].toStdString();
+    bool is_said = false;
+    for (const SheetLayer& layer : sheet.groups.back().layers)
+        for (const SheetText& text : layer.texts)
+            is_said |= text.text.contains("rim 7");
+    EXPECT_TRUE(is_said);
 }
 
 TEST(HalfSection, DrawsTheWallOnTheLeftAndTheOutsideOnTheRight) {
@@ -161,10 +216,31 @@ TEST(HalfSection, StandsBesideAFrontView) {
 }
 
 /// The rim of a cup from the side: what is behind on the left, hidden by the front on the right.
+/// A closed cylinder along y, as large as the cube.
+TriangleMesh drum() {
+    constexpr std::uint32_t kSides = 64;
+    TriangleMesh mesh;
+    for (const double y : {-50., 50.})
+        for (std::uint32_t i = 0; i < kSides; ++i) {
+            const double angle = 2 * M_PI * i / kSides;
+            mesh.positions.push_back({50 * std::cos(angle), y, -50 * std::sin(angle)});
+        }
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+        const std::uint32_t next = (i + 1) % kSides;
+        mesh.triangles.push_back({i, next, next + kSides});
+        mesh.triangles.push_back({i, next + kSides, i + kSides});
+        if (i > 0 && next > 0) {
+            mesh.triangles.push_back({0, next, i});
+            mesh.triangles.push_back({kSides, i + kSides, next + kSides});
+        }
+    }
+    return mesh;
+}
+
 TEST(HalfSection, ShowsHiddenEdgesIfWanted) {
     SheetOptions options = vesselOptions();
-    auto mesh = made_sheets::cubeOf100();
-    auto block = made_sheets::cubeOf100();  // behind the cube, on both sides of its axis
+    TriangleMesh mesh = drum();
+    auto block = made_sheets::cubeOf100();  // behind the drum, on both sides of its axis
     for (Vector3d& p : block.positions)
         p = Vector3d(0.6 * p.x(), 0.2 * p.y(), 0.2 * p.z() - 100);
     test_meshes::append(mesh, block);
@@ -175,7 +251,7 @@ TEST(HalfSection, ShowsHiddenEdgesIfWanted) {
         const double middle = made_sheets::extentOf(view).center().x();
         for (const SheetPath& path : layerOf(view, "hidden").paths)
             (path.path.boundingRect().center().x() > middle ? right : left) += path.path.length();
-        // the half of the block that is hidden by the cube; on the left it is behind the wall
+        // the half of the block that is hidden by the drum; on the left it is behind the wall
         EXPECT_NEAR(right, wanted ? 2 * 30 + 20 : 0, 1);
         EXPECT_EQ(left, 0);
     }

@@ -48,8 +48,8 @@ draw cut.svg views=top,30,15 sections="x=0.5 y=0.4" scale=10:1 strokes=1 furnitu
 expect_same_as_program cut.svg --views top,30,15 --section x=0.5 --section y=0.4 --scale 10:1 --strokes plain \
     --furniture none --paper fit
 expect_text "$WORK/log" 'scale 10:1 on paper of'
-draw section.svg views=vessel sections=z=0.5 wall=1
-expect_same_as_program section.svg --views vessel --section z=0.5 --wall filled
+draw section.svg views=left sections=z=0.5 wall=1
+expect_same_as_program section.svg --views left --section z=0.5 --wall filled
 draw alone.svg views= sections=z=0.5
 expect_same_as_program alone.svg --section z=0.5
 draw plate.pdf views=front,left title="A plate"

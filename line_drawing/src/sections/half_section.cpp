@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sections/axis_finding.h"
+#include "options/words.h"
 #include "sections/wall_area.h"
 
 namespace line_drawing {
@@ -15,6 +15,14 @@ using Eigen::Vector3d;
 
 constexpr double level_share = 0.003;  // of the height: what counts as the level of rim or base
 constexpr double least_span = 0.1;     // of the height: a round base is no line
+
+// Of VesselAxis. A cube has .25 that is round; a pot of 200 mm that leans by 5 degrees has its
+// section 9 mm beside its axis above and below.
+constexpr double least_round = 0.4, least_rim = 0.5, most_lean = 5;
+
+QString percent(double share) {
+    return QString("%1 %").arg(std::floor(100 * share + 1e-9));
+}
 
 int axisAlong(const Vector3d& direction) {
     int axis = 0;
@@ -49,9 +57,28 @@ Level levelOf(const std::vector<Vector2d>& points, double sign, double reach) {
 HalfSection::HalfSection(const Objects& objects, const laplacian_lines::TriangleMesh& all,
                          const ViewFrame& frame)
     : objects_(objects),
-      axis_(findAxis(all, axisAlong(frame.up))),
-      behind_{-frame.towards_viewer, -frame.towards_viewer.dot(axis_)},
-      right_{frame.right, frame.right.dot(axis_)} {}
+      axis_(findAxis(all, axisAlong(frame.up), frame.up.sum() > 0)),
+      behind_{-frame.towards_viewer, -frame.towards_viewer.dot(axis_.point)},
+      right_{frame.right, frame.right.dot(axis_.point)} {}
+
+void HalfSection::expectVessel() const {
+    const auto say = [](const QString& what) {
+        refuse(what +
+               " Vessel views take a vessel that stands upright, nearly whole. Mend that, or "
+               "take other views and a section.");
+    };
+    if (axis_.round < least_round)
+        say(QString("Of what faces sideways, only %1 is round about one axis.")
+                .arg(percent(axis_.round)));
+    if (axis_.lean > most_lean)
+        say(QString("The vessel's axis leans by %1 degrees.").arg(axis_.lean, 0, 'f', 0));
+    if (axis_.rim < least_rim)
+        say(QString("The rim goes only %1 of the way around the axis.").arg(percent(axis_.rim)));
+}
+
+QString HalfSection::words() const {
+    return QString("rim %1, axis off by %2°").arg(percent(axis_.rim)).arg(axis_.lean, 0, 'f', 1);
+}
 
 void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) const {
     const int across = axisAlong(behind_.normal);
@@ -61,7 +88,7 @@ void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) co
     std::vector<Cut> cut_lines;
     for (const Object& object : objects_) {
         Wall& wall = drawn.walls.emplace_back();
-        for (Cut& cut : cutMesh(object.mesh, across, axis_[across])) {
+        for (Cut& cut : cutMesh(object.mesh, across, axis_.point[across])) {
             const std::vector<Vector2d> line = flat(cut);
             points.insert(points.end(), line.begin(), line.end());
             if (cut.front() == cut.back()) wall.push_back(flat(clipLoop(cut, left())));

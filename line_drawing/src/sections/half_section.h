@@ -3,6 +3,7 @@
 
 #include "line_drawing/object.h"
 #include "planes/clipping.h"
+#include "sections/axis_finding.h"
 #include "views/drawn_view.h"
 
 namespace line_drawing {
@@ -15,6 +16,11 @@ public:
     HalfSection(const Objects& objects, const laplacian_lines::TriangleMesh& all,
                 const ViewFrame& frame);
 
+    /// @throws laplacian_lines::Error(InvalidOption) if the axis found is none of a vessel.
+    void expectVessel() const;
+    /// What speaks for the axis, for notes: "rim 62 %, axis off by 1.5°".
+    QString words() const;
+
     HalfSpace behind() const { return behind_; }
     HalfSpace left() const { return right_.opposite(); }
     HalfSpace right() const { return right_; }
@@ -26,7 +32,7 @@ public:
 
 private:
     const Objects& objects_;
-    const Eigen::Vector3d axis_;
+    const VesselAxis axis_;
     HalfSpace behind_, right_;
 };
 

@@ -63,6 +63,13 @@ QString remarkOn(const DrawnView& view, double missing) {
         .arg(missing, 0, 'f', 1);
 }
 
+QString remarkOn(const QString& note) {
+    return QString(
+               "Vessel: %1. So far does the rim go around the axis, and by so much does the "
+               "vessel lean.")
+        .arg(note);
+}
+
 Sheet drawSheet(Observer& observer, const SheetOptions& options, const Progress& progress) {
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : options.views)
@@ -81,6 +88,7 @@ Sheet drawSheet(Observer& observer, const SheetOptions& options, const Progress&
         const double missing =
             observer.checkOutlines(views[i], options, check_pixel / layout.placements[i].scale);
         if (missing > 0) sheet.remarks << remarkOn(views[i], missing);
+        if (!views[i].note.isEmpty()) sheet.remarks << remarkOn(views[i].note);
     }
     for (std::size_t i = 0; i < views.size(); ++i)
         sheet.groups.push_back(

@@ -102,10 +102,12 @@ QString elided(const QString& text, double height, double width) {
     return begin + "…";
 }
 
-QString noteOf(const SheetLayout& layout, const Eigen::Vector3d& size,
-               const SheetOptions& options) {
+QString noteOf(const std::vector<DrawnView>& views, const SheetLayout& layout,
+               const Eigen::Vector3d& size, const SheetOptions& options) {
     QStringList parts = {layout.scale > 0 ? scaleInWords(layout.scale) : no_scale,
                          sizeInWords(size)};
+    for (const DrawnView& view : views)
+        if (!view.note.isEmpty()) parts << view.note;
     if (!options.source.isEmpty()) parts << options.source;
     return parts.join(" · ");
 }
@@ -164,7 +166,7 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
     }
     if (options.has_notes)
         group.layers.push_back(notes({sheet_margin, bottom}, right - sheet_margin,
-                                     noteOf(layout, object_size, options), options.title));
+                                     noteOf(views, layout, object_size, options), options.title));
     return group;
 }
 

@@ -101,6 +101,8 @@ void Observer::lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
                         const std::vector<laplacian_lines::LineSet>& lines,
                         const SheetOptions& options, const Progress& progress) const {
     const HalfSection half(objects_, surface_.mesh(), drawn.frame);
+    half.expectVessel();
+    drawn.note = half.words();
     const laplacian_lines::LineVisibility visibility(clip(surface_.mesh(), half.behind()),
                                                      part(progress, 0, 0.3));
     const SightLines inside = visibility.look(view, clipEach(lines, half.behind()),

@@ -49,6 +49,7 @@ struct DrawnView {
     bool is_section = false;
     std::vector<Wall> walls = {};  ///< by object
     std::vector<SectionMark> marks = {};
+    QString note = {};  ///< what the sheet has to say of it
 };
 
 /// Where a view is on its sheet.
