@@ -7,8 +7,9 @@ require environment/messages
 # the script that has it, when the last of its programs has ended. Short waits in a loop: a signal ends each of them.
 take_turn() {
     local code=75
-    mkdir -p "$1"
-    exec {TURN}>"$1/.lock"
+    { mkdir -p "$1" && : >>"$1/.lock"; } 2>/dev/null ||
+        fail "$1 cannot be written into, and what is missing is built there: run this as its owner, or copy the checkout to a place of your own"
+    exec {TURN}>>"$1/.lock"
     ! flock --nonblock "$TURN" || return 0
     say "another run is building in $1: waiting until it is done"
     while ((code == 75)); do

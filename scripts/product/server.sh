@@ -17,6 +17,22 @@ stage_server() {
     } | write_program "$stage/bin/meshlabserver"
 }
 
+# expect_outputs BEGUN ARGS...: MeshLab 2020.09's meshlabserver ends with 0, too, when it cannot write; says what is older
+# than the file BEGUN, or not there, of what ARGS name for writing
+expect_outputs() {
+    local begun=$1 word is_output=false missing=0
+    shift
+    for word in "$@"; do
+        if $is_output && [[ ! $word -nt $begun ]]; then
+            say "$word was not written"
+            missing=1
+        fi
+        is_output=false
+        [[ $word != -o ]] || is_output=true
+    done
+    return "$missing"
+}
+
 # blame_reader STAGE ARGS...: MeshLab 2020.09's meshlabserver has ended by a signal, which loses what it has said: says
 # which of the meshes to read does that alone
 blame_reader() {

@@ -31,6 +31,12 @@ await() {
     until test "$@"; do sleep 0.05; done
 }
 
+# a folder of somebody else's, here one that cannot be made
+touch "$work/file"
+! (bash -euc 'source "$1" environment/turns; take_turn "$2/file/build"' bash "$scripts/require.sh" "$work") 2>"$work/log" ||
+    fail "a turn in a folder that cannot be made"
+[[ $(wc -l <"$work/log") == 1 ]] && grep -q "cannot be written into" "$work/log" || fail "it says: $(<"$work/log")"
+
 forever='while :; do sleep 0.1; done'
 begin first "$forever"
 first=$PROCESS

@@ -5,7 +5,7 @@ set -euo pipefail
 
 # shellcheck source=/dev/null
 source "$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")/../../scripts/require.sh" environment/messages \
-    environment/whole_files product/picture
+    environment/whole_files product/picture product/server
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -42,3 +42,9 @@ wait "$!"
 cp new $'mesh\ngrab b.ply'
 prepare_mesh $'mesh\ngrab b.ply' folder 2>/dev/null
 [[ $MESH != *$'\n'* ]] && cmp new "$MESH" || fail "a name of a mesh is a command: $MESH"
+
+touch -d '2001-01-01' older
+touch -d '2001-01-02' begun
+expect_outputs begun -i older -o new -o "$target" || fail "outputs that are there are missed"
+! expect_outputs begun -o new -o older -o nowhere/a.ply 2>log || fail "outputs that were not written are not missed"
+[[ $(<log) == *"older was not written"*"nowhere/a.ply was not written" ]] || fail "it says: $(<log)"
