@@ -67,6 +67,12 @@ grep -q "1 x 1 x 1 mm large" out || fail "1 mm in metres: $(cat out)"
 "$PROGRAM" metres.svg "${bare[@]}" metres.off >out
 grep -q "if it is in metres, say --unit m" out || fail "no advice: $(cat out)"
 
+# texts of PDF can be searched
+"$PROGRAM" searched.pdf --views front --title "Find 17 äöü" cube.off >/dev/null
+pdftotext searched.pdf searched.txt
+grep -q "Find 17 äöü" searched.txt && grep -q "100.0 × 100.0 × 100.0 mm" searched.txt ||
+    fail "the text of a PDF is: $(<searched.txt)"
+
 # a damaged file is refused, or drawn and called incomplete
 cat >cut.stl <<'END'
 solid cut

@@ -2,8 +2,8 @@
 #include "formats/sheet_painting.h"
 
 #include <QFont>
+#include <QFontMetricsF>
 #include <QPen>
-#include <QTransform>
 
 namespace line_drawing {
 
@@ -28,17 +28,19 @@ void paint(const SheetText& text, QPainter& painter) {
     constexpr int pixels = 100;
     QFont font("sans-serif");
     font.setPixelSize(pixels);
-    QPainterPath letters;
-    letters.addText(0, 0, font, text.text);
-    const double width = letters.boundingRect().right();
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.1);  // without ligatures, which searches miss
+    const double width = QFontMetricsF(font).horizontalAdvance(text.text);
     const double shift = text.alignment == Qt::AlignRight     ? width
                          : text.alignment == Qt::AlignHCenter ? width / 2
                                                               : 0;
     const double size = text.height / pixels;
-    painter.fillPath(
-        QTransform(size, 0, 0, size, text.position.x() - size * shift, text.position.y())
-            .map(letters),
-        Qt::black);
+    painter.save();
+    painter.translate(text.position);
+    painter.scale(size, size);
+    painter.setFont(font);
+    painter.setPen(Qt::black);
+    painter.drawText(QPointF(-shift, 0), text.text);  // as letters, that PDF readers find
+    painter.restore();
 }
 
 }  // namespace
