@@ -5,7 +5,9 @@ namespace line_renderer {
 
 // Joints: neighbouring segments meet at the line that halves the angle between them, and each is
 // cut off there. Every pixel of a line is so painted once; overlapping soft edges would add up to
-// hard ones.
+// hard ones. Where a line turns by more than a right angle, such a cut runs along it for more than
+// its width, and what it leaves to the neighbour is missing where that one is shorter or hidden: of
+// a line that turns back, as contours do at a cusp, one half. There both segments have round ends.
 //
 // Depth: a pixel is seen if the middle of its line beside it is, moved towards the eye by a fixed
 // length in eye coordinates, and compared with the depths there and a little to either side. So a
@@ -76,12 +78,12 @@ float depthMoved(vec4 eye, float bias)
     return clip.w > 0.0 ? max(clip.z / clip.w, -1.0) : -1.0;
 }
 
-// Normal of the cut between two segments with a common point, along the line.
+// Normal of the cut between two segments with a common point, along the line; zero: none.
 vec2 cutBetween(vec2 direction, vec2 other)
 {
     float pixels = length(other);
-    vec2 sum = pixels > 1e-4 ? direction + other / pixels : vec2(0.0);
-    return length(sum) > 1e-3 ? sum : vec2(0.0);  // no cut where the line turns back
+    bool is_cut = pixels > 1e-4 && dot(direction, other) >= 0.0;
+    return is_cut ? direction + other / pixels : vec2(0.0);
 }
 
 bool isPoint(vec4 neighbour)
