@@ -15,7 +15,7 @@ namespace line_renderer {
 // surface would hide its inner half; it comes out in front of the very surface it lies on, but
 // stays behind what is clearly in front of it. Where a contour follows an edge of the mesh, nothing
 // of the surface it lies on is beyond it on the screen, so that it needs no such favour: the move
-// is that of a surface of 45 degrees within a pixel, and to the side it is as far as to a pixel
+// is a few pixels long, for surfaces that it stands on, and to the side it is as far as to a pixel
 // whose middle is beyond. What lies just behind the edge, such as a fold of coarse triangles, stays
 // hidden.
 //

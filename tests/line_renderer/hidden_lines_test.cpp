@@ -94,11 +94,13 @@ LineSet contour(bool follows_edge) {
 }
 
 /// A contour on an edge of the mesh has nothing of its own surface beyond it, so that what comes
-/// before it by more than a pixel hides it, as a fold of coarse triangles does.
+/// before it by more than four pixels hides it, as a fold of coarse triangles does.
 TEST_F(HiddenLinesTest, AreHiddenByALittleWhereTheyFollowEdges) {
     LinePlacement placement = Canvas::placement();
-    placement.diagonal = 1000;       // clearance: 3
-    placement.to_eye(2, 3) = -0.75;  // their depth
+    placement.diagonal = 5000;
+    placement.to_eye.topLeftCorner<3, 3>() *= 0.1;  // clearance: 1.5, a pixel: 0.1
+    placement.projection.leftCols<2>() *= 10;
+    placement.to_eye(2, 3) = -0.25;  // their depth
     const auto expect_right_half = [&](bool follows_edge, double z, double width) {
         canvas_.clear();
         canvas_.putDepth(80, 0, 80, Canvas::height, z);
@@ -106,9 +108,9 @@ TEST_F(HiddenLinesTest, AreHiddenByALittleWhereTheyFollowEdges) {
         expectWidths(drawn(contour(follows_edge), appearance, placement), 4, width);
     };
     for (const bool follows_edge : {false, true})
-        expect_right_half(follows_edge, 0.2, 4);
-    expect_right_half(false, 0.3, 4);
-    expect_right_half(true, 0.3, 0);
+        expect_right_half(follows_edge, 0.1, 4);
+    expect_right_half(false, 0.2, 4);
+    expect_right_half(true, 0.2, 0);
 }
 
 /// Beside what they border they have their full width, but a pixel further in they are hidden.
