@@ -19,6 +19,7 @@ LineProgram::LineProgram()
       texel(glGetUniformLocation(id, "texel")),
       pixels(glGetUniformLocation(id, "pixels")),
       to_side(glGetUniformLocation(id, "to_side")),
+      edge_reach(glGetUniformLocation(id, "edge_reach")),
       surface_side(glGetUniformLocation(id, "surface_side")),
       colors(glGetUniformLocation(id, "colors")),
       dash(glGetUniformLocation(id, "dash")) {}

@@ -33,6 +33,7 @@ struct LineProgram {
     GLint texel;          ///< vec2, of surface_depth for a pixel
     GLint pixels;         ///< vec4, middles of the viewport's first and last pixel
     GLint to_side;        ///< float, pixels
+    GLint edge_reach;     ///< vec2, pixels, see line_shaders.cpp
     GLint surface_side;   ///< float: 1 before the surface, -1 behind it
     GLint colors;         ///< vec4[most_looks]
     GLint dash;           ///< vec2, pixels: length of a dash and of a dash with its gap; or 0

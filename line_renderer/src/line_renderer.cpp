@@ -22,6 +22,14 @@ namespace {
 /// width of an outline, which hides what reaches below it.
 constexpr double to_side = 1.5;
 
+/// The same of what follows edges of the mesh: the pixel there then has its middle beyond the edge,
+/// by up to sqrt(2) pixels. And by how many pixels at most such an edge is moved towards the eye:
+/// by that a surface which leans 70 degrees away from the eye rises so far from it, such as the
+/// ground that a body stands on.
+constexpr double edge_side = 0.7072;
+constexpr double edge_move = 4;
+constexpr double unlimited = 1e6;
+
 /// Hidden lines: alpha of faint ones; of dashed ones pixels of a dash, and with the gap after it.
 constexpr double faint_alpha = 0.25;
 constexpr double dash_pixels = 5;
@@ -62,6 +70,15 @@ void setDepthBiases(const LineProgram& program, const LinePlacement& placement, 
     glUniform1fv(program.depth_biases, GLsizei(biases.size()), biases.data());
 }
 
+/// How far from a line depths may let it be seen. Unless edges are seen exactly, it is as far from
+/// those as from other lines.
+void setReach(const LineProgram& program, const LinePlacement& placement, bool is_exact) {
+    const double pixels = to_side * placement.pixel_scale;
+    glUniform1f(program.to_side, float(pixels));
+    glUniform2f(program.edge_reach, is_exact ? float(edge_move) : float(unlimited),
+                float(is_exact ? edge_side : pixels));
+}
+
 /// What is the same for seen and hidden lines.
 void setPlacement(const LineProgram& program, const LinePlacement& placement, double radius) {
     const Eigen::Matrix4f to_eye = placement.to_eye.cast<float>();
@@ -78,7 +95,6 @@ void setPlacement(const LineProgram& program, const LinePlacement& placement, do
     const Eigen::Vector4f view = viewport();
     glUniform4f(program.pixels, view[0] + 0.5f, view[1] + 0.5f, view[0] + view[2] - 0.5f,
                 view[1] + view[3] - 0.5f);
-    glUniform1f(program.to_side, float(to_side * placement.pixel_scale));
     glUniform2fv(program.texel, 1, placement.depths.texel.data());
 }
 
@@ -106,6 +122,7 @@ struct LineRenderer::Pass {
     float surface_side = 1;
     double bias_factor = 1;
     bool is_dashed = false;
+    bool sees_edges_exactly = true;
 };
 
 void LineRenderer::drawPass(const Objects& objects, const LinePlacement& placement,
@@ -114,6 +131,7 @@ void LineRenderer::drawPass(const Objects& objects, const LinePlacement& placeme
     glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
     glUniform1f(program.surface_side, pass.surface_side);
     setDepthBiases(program, placement, pass.bias_factor);
+    setReach(program, placement, pass.sees_edges_exactly);
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
     clock.count(RedrawClock::DrawCalls);
@@ -126,6 +144,7 @@ void LineRenderer::drawHidden(const Objects& objects, const LineAppearance& appe
     Pass hidden;
     hidden.bias_factor = hidden_depth;
     hidden.is_dashed = appearance.hidden == HiddenLines::Dashed;
+    hidden.sees_edges_exactly = false;  // those just behind an outline would only double it
     setColors(objects.program, appearance, hidden.is_dashed ? 1 : faint_alpha);
     hidden.depth_function = GL_ALWAYS;
     hidden.surface_side = -1;

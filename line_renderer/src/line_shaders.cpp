@@ -5,13 +5,19 @@ namespace line_renderer {
 
 // Joints: neighbouring segments meet at the line that halves the angle between them, and each is
 // cut off there. Every pixel of a line is so painted once; overlapping soft edges would add up to
-// hard ones.
+// hard ones. Where a line turns by more than a right angle, such a cut runs along it for more than
+// its width, and what it leaves to the neighbour is missing where that one is shorter or hidden: of
+// a line that turns back, as contours do at a cusp, one half. There both segments have round ends.
 //
 // Depth: a pixel is seen if the middle of its line beside it is, moved towards the eye by a fixed
 // length in eye coordinates, and compared with the depths there and a little to either side. So a
 // line is drawn in its full width or not at all, at any zoom, also along an outline, where the
 // surface would hide its inner half; it comes out in front of the very surface it lies on, but
-// stays behind what is clearly in front of it.
+// stays behind what is clearly in front of it. Where a contour follows an edge of the mesh, nothing
+// of the surface it lies on is beyond it on the screen, so that it needs no such favour: the move
+// is a few pixels long, for surfaces that it stands on, and to the side it is as far as to a pixel
+// whose middle is beyond. What lies just behind the edge, such as a fold of coarse triangles, stays
+// hidden.
 //
 // Where MeshLab draws points or wires, the depths are those of surfaces alone, since such marks are
 // flat on the screen and stand out of a surface that falls away: at d pixels from the horizon of a
@@ -30,9 +36,11 @@ uniform mat4 projection;
 uniform vec2 half_viewport;
 uniform vec4 colors[16];        // of the looks
 uniform float depth_biases[16];
+uniform float to_side;     // pixels
+uniform vec2 edge_reach;  // of what follows edges: greatest move and to the side, pixels
 uniform float mark_reach;  // diameter of the largest ball times pixels to its horizon
 varying vec2 place;  // pixels along and across, from the start of the segment
-varying vec3 shape;  // length, radius at the start, radius at the end; pixels
+varying vec4 shape;  // length, radius at the start, at the end, to the sides of depths; pixels
 varying vec4 cuts;   // normals of the cuts at the start and at the end; zero: a round end
 varying vec2 starts;  // at the start of the segment: opacity, pixels from the start of the line
 varying vec2 ends;
@@ -60,11 +68,16 @@ vec2 toScreen(vec4 eye)
     return clip.xy / clip.w * half_viewport;
 }
 
+// Length of a pixel in eye coordinates.
+float pixelAt(vec4 eye)
+{
+    return (projection * eye).w / (projection[1][1] * half_viewport.y);
+}
+
 // How far marks stand out of the surface at most, length in eye coordinates.
 float markHeight(vec4 eye)
 {
-    float pixel = (projection * eye).w / (projection[1][1] * half_viewport.y);
-    return sqrt(max(mark_reach * pixel, 0.0));
+    return sqrt(max(mark_reach * pixelAt(eye), 0.0));
 }
 
 // Depth in -1..1 of an eye-space point moved towards the viewer.
@@ -76,12 +89,12 @@ float depthMoved(vec4 eye, float bias)
     return clip.w > 0.0 ? max(clip.z / clip.w, -1.0) : -1.0;
 }
 
-// Normal of the cut between two segments with a common point, along the line.
+// Normal of the cut between two segments with a common point, along the line; zero: none.
 vec2 cutBetween(vec2 direction, vec2 other)
 {
     float pixels = length(other);
-    vec2 sum = pixels > 1e-4 ? direction + other / pixels : vec2(0.0);
-    return length(sum) > 1e-3 ? sum : vec2(0.0);  // no cut where the line turns back
+    bool is_cut = pixels > 1e-4 && dot(direction, other) >= 0.0;
+    return is_cut ? direction + other / pixels : vec2(0.0);
 }
 
 bool isPoint(vec4 neighbour)
@@ -93,7 +106,7 @@ void main()
 {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside
     place = vec2(0.0);
-    shape = vec3(0.0);
+    shape = vec4(0.0);
     cuts = vec4(0.0);
     starts = start_look.xz;
     ends = end_look.xz;
@@ -131,14 +144,16 @@ void main()
     vec2 radii = vec2(start.w, end.w);
     float reach = max(radii.x, radii.y) + 1.0;
     place = vec2(corner.x * pixels + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
-    shape = vec3(pixels, radii);
+    bool is_edge = start_look.y > float(look) + 0.125;  // the mark of an edge
+    shape = vec4(pixels, radii, is_edge ? edge_reach.y : to_side);
     cuts = vec4(dot(start_cut, direction), dot(start_cut, across),
                 dot(end_cut, direction), dot(end_cut, across));
     vec2 screen = screen_a + direction * place.x + across * place.y;
     vec4 visible = corner.x < 0.5 ? visible_a : visible_b;
     float bias = depth_biases[look];
-    middle = vec4(direction, 0.5 * depthMoved(visible_a, bias) + 0.5,
-                  0.5 * depthMoved(visible_b, bias) + 0.5);
+    float most = is_edge ? edge_reach.x : 1e6;
+    middle = vec4(direction, 0.5 * depthMoved(visible_a, min(bias, most * pixelAt(visible_a))) + 0.5,
+                  0.5 * depthMoved(visible_b, min(bias, most * pixelAt(visible_b))) + 0.5);
     // w = 1 keeps the interpolation linear on the screen
     gl_Position = vec4(screen / half_viewport,
                        depthMoved(visible, max(bias, markHeight(visible))), 1.0);
@@ -148,7 +163,7 @@ void main()
 const char* const line_fragment_shader = R"(#version 120
 uniform vec2 dash;  // lengths of a dash and of a dash with its gap; zero: no gaps
 varying vec2 place;
-varying vec3 shape;
+varying vec4 shape;
 varying vec4 cuts;
 varying vec2 starts;
 varying vec2 ends;
@@ -157,7 +172,6 @@ varying vec4 middle;
 uniform sampler2D surface_depth;
 uniform vec2 texel;          // of surface_depth for a pixel
 uniform vec4 pixels;         // middles of the viewport's first and last pixel
-uniform float to_side;       // pixels
 uniform float surface_side;  // 1: lines before the surface, -1: those behind it
 
 float depthAt(vec2 pixel)
@@ -170,8 +184,8 @@ bool isOnOtherSide(float along, float part)
 {
     vec2 across = vec2(-middle.y, middle.x);
     vec2 here = gl_FragCoord.xy - (place.x - along) * middle.xy - place.y * across;
-    float farthest = max(depthAt(here), max(depthAt(here + to_side * across),
-                                            depthAt(here - to_side * across)));
+    vec2 beside = shape.w * across;
+    float farthest = max(depthAt(here), max(depthAt(here + beside), depthAt(here - beside)));
     return surface_side * (farthest - mix(middle.z, middle.w, part)) < 0.0;
 }
 

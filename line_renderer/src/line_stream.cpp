@@ -4,10 +4,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "laplacian_lines/line_visibility.h"
 #include "straight_piece.h"
 
 namespace line_renderer {
 
+using laplacian_lines::follows_edge;
 using laplacian_lines::LineKind;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
@@ -86,21 +88,30 @@ private:
         last_ = point;
     }
 
+    /// Begins a piece at the candidate.
+    void putStart(StreamPoint candidate, bool is_edge) {
+        if (is_edge) candidate.look += edge_mark;
+        put(candidate);
+    }
+
     void writePoints(const LinePoint* first, const LinePoint* last, const Polyline& line) {
         const LineOnScreen screen(manner_, line.kind);
         const bool keeps_all = manner_.tolerance.distance <= 0;
         SeenPoint seen = screen.see(*first);
         StreamPoint candidate = at(*first, seen.values[SeenRadius], line.kind, 0);
         float length = 0;
-        put(candidate);
+        bool was_edge = follows_edge(line.kind, *first, first[1]);
+        putStart(candidate, was_edge);
         piece_.begin(seen);
         for (const LinePoint* point = first + 1; point <= last; ++point) {
             const SeenPoint next = screen.see(*point);
-            if (keeps_all ? point > first + 1 : !piece_.takes(next)) {
-                put(candidate);
+            const bool is_edge = follows_edge(line.kind, point[-1], *point);
+            if (keeps_all ? point > first + 1 : is_edge != was_edge || !piece_.takes(next)) {
+                putStart(candidate, is_edge);
                 piece_.begin(seen);
                 piece_.takes(next);
             }
+            was_edge = is_edge;
             if (manner_.is_measured) length += lengthBetween(seen, next);
             candidate = at(*point, next.values[SeenRadius], line.kind, length);
             seen = next;

@@ -38,13 +38,16 @@ struct StreamPoint {
     float position[3];  ///< mesh coordinates
     float radius;       ///< pixels, or one of the marks
     float opacity;
-    float look;   ///< the number of the line's kind
+    float look;   ///< the number of the line's kind, and the mark of what begins here
     float along;  ///< pixels along the line from its start; 0 unless they were asked for
 };
 
 /// Marks instead of a radius. A segment with a marked end is not drawn.
 constexpr float nothing_here = -1;    ///< before and after a line: its ends are round
 constexpr float neighbour_only = -2;  ///< around a closed line: a point to join to
+
+/// Added to the look of a point from which on a contour follows an edge of the mesh.
+constexpr float edge_mark = 0.25f;
 
 /// How many points a line set has as a stream at most: each line stands between two marks.
 std::size_t streamLength(const laplacian_lines::LineSet& lines);

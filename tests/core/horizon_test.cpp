@@ -133,7 +133,7 @@ TEST(Horizon, IsClosedOnClosedMeshes) {
 }
 
 TEST(Horizon, GoesFromEdgesToSmoothContoursAndBack) {
-    const TriangleMesh mesh = test_meshes::rounded_cube(24, 0.3);
+    const TriangleMesh mesh = test_meshes::torus(80, 40).mesh;
     const Field field = precompute(mesh);
     const std::vector<std::uint8_t> coarse = coarse_triangles(mesh, field);
     const auto count = std::count(coarse.begin(), coarse.end(), 1);
@@ -212,6 +212,25 @@ TEST(Coarseness, LeavesOutSmallPatches) {
     EXPECT_EQ(coarse_count(), 0);
     mesh.positions[100] *= 0.8;
     EXPECT_GT(coarse_count(), 0);
+}
+
+/// Where some triangles of such a mesh are fine, contours would go to smooth ones and back.
+TEST(Coarseness, IsOfAllTrianglesWhereMostAreCoarse) {
+    for (const TriangleMesh& mesh :
+         {test_meshes::rounded_cube(24, 0.3), test_meshes::rounded_cube(24, 0.4)}) {
+        const Field field = precompute(mesh);
+        const std::vector<std::uint8_t> coarse = coarse_triangles(mesh, field);
+        EXPECT_EQ(std::count(coarse.begin(), coarse.end(), 0), 0);
+        std::set<Place> vertices;
+        for (const Eigen::Vector3d& p : mesh.positions)
+            vertices.insert(place(p.cast<float>()));
+        const LineExtractor extractor(mesh, field);
+        for (const View& view : helpers::random_views(mesh, 5))
+            for (const LinePoint& p : helpers::extract(extractor, view, outlines()).points) {
+                EXPECT_EQ(vertices.count(place(p.position)), 1u);
+                EXPECT_EQ(p.gradient, 0) << "not told from smooth ones";
+            }
+    }
 }
 
 TEST(Coarseness, GoesByTheSizeOfTheDrawing) {

@@ -86,6 +86,49 @@ TEST_F(HiddenLinesTest, HaveTheirFullWidthAlongAnEdge) {
     EXPECT_EQ(widthUnder(55, Canvas::height - 55), 0);
 }
 
+LineSet contour(bool follows_edge) {
+    LineSet result = line;
+    result.lines[0].kind = LineKind::Contour;
+    if (follows_edge) putOnVertices(result, 0, result.points.size());
+    return result;
+}
+
+/// A contour on an edge of the mesh has nothing of its own surface beyond it, so that what comes
+/// before it by more than four pixels hides it, as a fold of coarse triangles does.
+TEST_F(HiddenLinesTest, AreHiddenByALittleWhereTheyFollowEdges) {
+    LinePlacement placement = Canvas::placement();
+    placement.diagonal = 5000;
+    placement.to_eye.topLeftCorner<3, 3>() *= 0.1;  // clearance: 1.5, a pixel: 0.1
+    placement.projection.leftCols<2>() *= 10;
+    placement.to_eye(2, 3) = -0.25;  // their depth
+    const auto expect_right_half = [&](bool follows_edge, double z, double width) {
+        canvas_.clear();
+        canvas_.putDepth(80, 0, 80, Canvas::height, z);
+        const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
+        expectWidths(drawn(contour(follows_edge), appearance, placement), 4, width);
+    };
+    for (const bool follows_edge : {false, true})
+        expect_right_half(follows_edge, 0.1, 4);
+    expect_right_half(false, 0.2, 4);
+    expect_right_half(true, 0.2, 0);
+}
+
+/// Beside what they border they have their full width, but a pixel further in they are hidden.
+TEST_F(HiddenLinesTest, AreSeenFromNoFurtherAsideThanAPixelWhereTheyFollowEdges) {
+    const auto width_below = [&](int edge, bool follows_edge, double scale) {
+        LinePlacement placement = Canvas::placement();
+        placement.pixel_scale = scale;
+        canvas_.clear();
+        canvas_.putDepth(0, 0, Canvas::width, edge, 0.5);
+        const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
+        return inkOfColumn(drawn(contour(follows_edge), appearance, placement), 80);
+    };
+    for (const int edge : {60, 61})
+        EXPECT_NEAR(width_below(edge, true, 2), 8, 0.05) << edge;
+    EXPECT_EQ(width_below(62, true, 2), 0);
+    EXPECT_NEAR(width_below(62, false, 2), 8, 0.05);
+}
+
 /// Only those that lie deeper than four times what hides a line: no pieces along outlines.
 TEST_F(HiddenLinesTest, AreFaintIfWanted) {
     const LineAppearance appearance = appearanceOf(HiddenLines::Faint);

@@ -114,13 +114,14 @@ TEST_F(LineTest, AreOpaqueWhereThePictureIsNot) {
     EXPECT_EQ(colorAt(picture, 80, 20).alpha(), 0);
 }
 
-/// No pixel of a line is painted twice, which its color would show, neither at joints nor where a
-/// closed line begins.
+/// No pixel of a line is painted twice, which its color would show, neither at joints of up to a
+/// right angle nor where a closed line begins.
 TEST_F(LineTest, AreOfOneTone) {
     LineSet lines;
     addLine(lines, {{20, 20, 0}, {60, 50, 0}, {65, 90, 0}, {95, 95, 0}});
-    addLine(lines, {{110, 30, 0}, {145, 35, 0}, {130, 75, 0}, {110, 30, 0}}, LineKind::Contour,
-            true);
+    addLine(lines,
+            {{112, 38, 0}, {125, 25, 0}, {145, 40, 0}, {145, 55, 0}, {128, 62, 0}, {112, 38, 0}},
+            LineKind::Contour, true);
     LineAppearance appearance;
     appearance.looks.fill({QColor(0, 0, 0, 102), 6});
     const QImage picture = drawn(lines, appearance);
@@ -132,6 +133,20 @@ TEST_F(LineTest, AreOfOneTone) {
     for (const auto& point : lines.points)
         EXPECT_LT(colorAt(picture, int(point.position.x()), int(point.position.y())).greenF(), 0.9)
             << "a gap at " << point.position.transpose();
+}
+
+/// What turns back beside it takes nothing off a line, as far as it goes: each column has all of
+/// the width.
+TEST_F(LineTest, KeepTheirWidthWhereTheyTurnBack) {
+    for (const float aside : {0.f, 0.4f, 1.f, 3.f}) {
+        canvas_.clear();
+        const LineSet line = oneLine({{20, 60.5f, 0}, {140, 60.5f, 0}, {110, 60.5f + aside, 0}});
+        const QImage picture = drawn(line, blackLines(6));
+        for (int x = 30; x < 105; ++x)
+            EXPECT_NEAR(inkOfColumn(picture, x), 6, 0.05) << aside << " aside, column " << x;
+        for (int x = 112; x < 138; ++x)
+            EXPECT_GE(inkOfColumn(picture, x), 5.95) << aside << " aside, column " << x;
+    }
 }
 
 /// Points a tenth of a pixel apart, most of which are not drawn.

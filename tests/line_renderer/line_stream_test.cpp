@@ -104,6 +104,29 @@ TEST(LineStream, HasTheNumberOfTheKindAsLook) {
     }
 }
 
+/// Where both ends are vertices; such a piece never stands for what comes before or after it.
+TEST(LineStream, MarksWhatFollowsEdges) {
+    LineSet lines;
+    for (const LineKind kind : {LineKind::Contour, LineKind::Laplacian}) {
+        addLine(lines, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}, kind);
+        putOnVertices(lines, lines.points.size() - 4, 3);
+    }
+    StreamManner manner;
+    manner.radii = equalRadii(2);
+    manner.tolerance.depth.fill(1);
+    std::vector<StreamPoint> stream(line_renderer::streamLength(lines));
+    stream.resize(line_renderer::writeStream(lines, manner, stream.data()));
+    ASSERT_EQ(stream.size(), 4u + 6) << "the Laplacian line first, of one piece";
+    for (const std::size_t point : {1, 2})
+        EXPECT_EQ(stream[point].look, float(LineKind::Laplacian));
+    const float contour = float(LineKind::Contour);
+    EXPECT_EQ(stream[5].look, contour);
+    EXPECT_EQ(stream[6].look, contour + line_renderer::edge_mark);
+    EXPECT_EQ(stream[7].look, contour);
+    expectPlace(stream[6], {1, 0, 0});
+    expectPlace(stream[7], {3, 0, 0});
+}
+
 TEST(LineStream, TapersWithTheWeight) {
     LineSet lines = oneLine({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
     lines.points[0].weight = 0;

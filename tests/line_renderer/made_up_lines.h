@@ -5,7 +5,8 @@
 
 #include "laplacian_lines/line_set.h"
 
-/// Adds a line of full weight through these points, opaque unless told otherwise.
+/// Adds a line of full weight through these points, opaque unless told otherwise. It follows no
+/// edges of a mesh.
 inline void addLine(laplacian_lines::LineSet& lines, const std::vector<Eigen::Vector3f>& points,
                     laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian,
                     bool closed = false, float opacity = 1) {
@@ -15,8 +16,15 @@ inline void addLine(laplacian_lines::LineSet& lines, const std::vector<Eigen::Ve
     line.kind = kind;
     line.closed = closed;
     for (const Eigen::Vector3f& point : points)
-        lines.points.push_back({point, 1, 0, opacity});
+        lines.points.push_back({point, 1, 1, opacity});
     lines.lines.push_back(line);
+}
+
+/// Has the line set's points from `first` on be vertices of a mesh, between which contours follow
+/// edges.
+inline void putOnVertices(laplacian_lines::LineSet& lines, std::size_t first, std::size_t count) {
+    for (std::size_t i = first; i < first + count; ++i)
+        lines.points[i].gradient = 0;
 }
 
 inline laplacian_lines::LineSet oneLine(const std::vector<Eigen::Vector3f>& points) {

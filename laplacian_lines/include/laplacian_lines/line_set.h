@@ -13,8 +13,8 @@ namespace laplacian_lines {
 struct LinePoint {
     Eigen::Vector3f position;  ///< mesh coordinates
     float weight;              ///< 0..1, share of the full line width
-    float gradient;  ///< ‖∇I‖·D, dimensionless, of contours for the light at the eye; of ridges and
-                     ///< creases an angle, degrees
+    float gradient;  ///< ‖∇I‖·D, dimensionless, of contours for the light at the eye, and 0 at a
+                     ///< vertex whose edges they follow; of ridges and creases an angle, degrees
     float opacity;  ///< 0..1; lines that are about to vanish are nearly transparent
 };
 

@@ -32,6 +32,12 @@ inline double sight_clearance(LineKind kind, double diagonal, double sight_edge)
     return beyond > kSightClearance * diagonal ? beyond : kSightClearance * diagonal;
 }
 
+/// Whether a line of this kind runs along the horizon of the triangles between two of its points,
+/// on an edge of the mesh, whose points have no gradient; other parts of contours are near it only.
+inline bool follows_edge(LineKind kind, const LinePoint& from, const LinePoint& to) {
+    return describe(kind).is_on_horizon && from.gradient == 0 && to.gradient == 0;
+}
+
 /// The lines of a view as they lie on the surface, for LineVisibility to look at: unsmoothed, so
 /// that each of their segments is on a triangle, creases whole, and what is beside contours not
 /// faded. Contours and borders are left out: LineVisibility has the mesh's own.

@@ -99,6 +99,13 @@ void grow_patches(const PreparedMesh& mesh, const Field& field, std::vector<std:
     }
 }
 
+/// Where contours change between edges and smooth curves they are drawn twice or have gaps, since
+/// the two are apart. Of a mesh that is mostly coarse all of them follow edges.
+void unite_majority(std::vector<std::uint8_t>& coarse) {
+    const auto count = std::size_t(std::count(coarse.begin(), coarse.end(), 1));
+    if (2 * count > coarse.size()) std::fill(coarse.begin(), coarse.end(), 1);
+}
+
 }  // namespace
 
 bool is_rough(const MeshReport& report) {
@@ -120,6 +127,7 @@ std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const 
     for (std::size_t i = 0; i < coarse.size(); ++i)
         coarse[i] = coarse[i] && !patches.is_small(i);
     if (has_coarse()) grow_patches(mesh, field, coarse);
+    unite_majority(coarse);
     return coarse;
 }
 
