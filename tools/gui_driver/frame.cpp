@@ -21,9 +21,10 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double margin = 0.05;       // of the shorter side
-constexpr double line_pixels = 2;     // an outline lies half outside the form
-constexpr double least_share = 1e-4;  // of the box of all, of what is in its middle
+constexpr double margin = 0.05;        // of the shorter side
+constexpr double line_pixels = 2;      // an outline lies half outside the form
+constexpr std::size_t few_points = 8;  // each of which may be at a side
+constexpr double least_share = 1e-4;   // of the box of all, of what is in its middle
 
 /// Appends the corners of the layer's faces, in the coordinates of the scene.
 void appendCorners(const CMeshO& mesh, Points& points) {
@@ -57,7 +58,7 @@ Eigen::AlignedBox3d boxOf(const Points& points) {
 /// The diagonal of the box of most points, without a hundredth of them to each side.
 double diagonalOfMost(const Points& points) {
     const std::size_t aside = points.size() / 100 + 1;
-    if (points.size() < 2 * aside + 1) return boxOf(points).diagonal().norm();
+    if (points.size() < few_points) return boxOf(points).diagonal().norm();
     Eigen::Vector3d sizes;
     std::vector<double> coordinates(points.size());
     for (int k = 0; k < 3; ++k) {
