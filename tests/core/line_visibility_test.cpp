@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -401,20 +402,25 @@ float plain_contour_length(const TriangleMesh& mesh, const View& view, double d)
     return float(length / d);
 }
 
-/// A block on a plate: rectangles of these half sides and heights, one on the other.
-TriangleMesh block_on_plate() {
+/// Rectangles of these half sides and heights, one on the other.
+TriangleMesh stacked(const std::vector<Vector3d>& rectangles) {
     TriangleMesh mesh;
-    for (const Vector3d& r : {Vector3d(4, 3, -1), {4, 3, 0}, {2, 1, 0}, {2, 1, 3}})
+    for (const Vector3d& r : rectangles)
         for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
             mesh.positions.push_back({x * r.x(), y * r.y(), r.z()});
-    mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {12, 13, 14}, {12, 14, 15}};
-    for (std::uint32_t ring = 0; ring < 12; ring += 4)
+    const std::uint32_t top = std::uint32_t(mesh.positions.size()) - 4;
+    mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {top, top + 1, top + 2}, {top, top + 2, top + 3}};
+    for (std::uint32_t ring = 0; ring < top; ring += 4)
         for (std::uint32_t i = 0; i < 4; ++i) {
             const std::uint32_t a = ring + i, b = ring + (i + 1) % 4;
             mesh.triangles.push_back({a, b, b + 4});
             mesh.triangles.push_back({a, b + 4, a + 4});
         }
     return mesh;
+}
+
+TriangleMesh block_on_plate() {
+    return stacked({{4, 3, -1}, {4, 3, 0}, {2, 1, 0}, {2, 1, 3}});
 }
 
 double length_from_above(const LineSet& lines) {
@@ -434,6 +440,39 @@ TEST(LineVisibility, WallsSeenAlongTheirPlanesHaveContours) {
         const LineParts parts =
             LineVisibility(mesh).parts(view, {}, {helpers::all_contours().shows, 0, true});
         EXPECT_NEAR(length_from_above(parts.seen), 28 + 12, 0.01) << aside;
+    }
+}
+
+/// Walls between fillets, one of which has a contour along a part of it.
+TEST(LineVisibility, WallsBetweenFilletsHaveContoursOnBothSides) {
+    std::vector<Vector3d> rings = {{8, 6, -1}, {8, 6, 0}};
+    for (int i = 0; i <= 8; ++i) {
+        const double angle = kPi / 2 * i / 8, in = 1 - std::sin(angle), up = 1 - std::cos(angle);
+        rings.push_back({3 + in, 2 + in, up});
+    }
+    for (int i = 0; i <= 8; ++i) {
+        const double angle = kPi / 2 * i / 8, in = 1 - std::cos(angle);
+        rings.push_back({3 - in, 2 - in, 4 + std::sin(angle)});
+    }
+    const TriangleMesh mesh = stacked(rings);
+    for (const double aside : {0., 1e-6, -1e-6}) {
+        const LineParts parts = LineVisibility(mesh).parts(
+            View::orthographic({1, aside, 1}), {}, {helpers::all_contours().shows, 0, true});
+        std::array<std::array<bool, 100>, 2> is_there{};  // along the walls in the picture
+        for (const Polyline& line : parts.seen.lines)
+            for (std::uint32_t i = line.first; i + 1 < line.first + line.count; ++i) {
+                const Eigen::Vector3f &a = parts.seen.points[i].position,
+                                      &b = parts.seen.points[i + 1].position;
+                if (std::abs(std::abs(a.y()) - 2) > 1e-3 || std::abs(a.y() - b.y()) > 1e-3)
+                    continue;
+                const auto [low, high] = std::minmax({a.z() - a.x(), b.z() - b.x()});
+                for (int k = 0; k < 100; ++k)
+                    is_there[a.y() > 0][std::size_t(k)] |=
+                        low < 0.1f * float(k - 40) + 0.05f && 0.1f * float(k - 40) + 0.05f < high;
+            }
+        const auto count = std::count(is_there[0].begin(), is_there[0].end(), true);
+        EXPECT_GT(count, 60) << aside;
+        EXPECT_EQ(is_there[0], is_there[1]) << aside;
     }
 }
 

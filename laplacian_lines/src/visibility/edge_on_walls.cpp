@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace laplacian_lines {
 
@@ -57,9 +58,7 @@ bool EdgeOnWalls::drop_at(std::uint32_t edge) const {
     const std::uint32_t wall = sides[is_wall(sides[0].triangle) ? 0 : 1].triangle;
     if (!recedes(edge, wall)) return false;
     const auto folds = folds_.find(face_of_[wall]);
-    return folds == folds_.end() ||
-           std::none_of(folds->second.begin(), folds->second.end(),
-                        [&](std::uint32_t fold) { return overlap(edge, fold); });
+    return folds == folds_.end() || !cover(folds->second, edge);
 }
 
 /// Whether a triangle gets farther from the eye away from its edge.
@@ -73,15 +72,22 @@ bool EdgeOnWalls::recedes(std::uint32_t edge, std::uint32_t triangle) const {
     });
 }
 
-/// Whether two edges of one face, which is a line in the picture, lie beside each other there.
-bool EdgeOnWalls::overlap(std::uint32_t edge, std::uint32_t other) const {
+/// Whether edges of one face, which is a line in the picture, lie beside another one of it all
+/// along.
+bool EdgeOnWalls::cover(const std::vector<std::uint32_t>& edges, std::uint32_t other) const {
     const auto at = [&](std::uint32_t e, int end) -> Vector2d {
         return picture_.vertex(mesh_.edges[e].vertices[end]).head<2>();
     };
-    const Vector2d a = at(edge, 0), way = at(edge, 1) - a;
-    const auto [low, high] = std::minmax({way.dot(at(other, 0) - a), way.dot(at(other, 1) - a)});
+    const Vector2d a = at(other, 0), way = at(other, 1) - a;
+    std::vector<std::pair<double, double>> parts;  // of the way, from 0 to its squared length
+    for (const std::uint32_t edge : edges)
+        parts.push_back(std::minmax({way.dot(at(edge, 0) - a), way.dot(at(edge, 1) - a)}));
+    std::sort(parts.begin(), parts.end());
     const double touch = EyeFrame::turn() * way.norm();  // what is so short may be seen end-on
-    return high > touch && low < way.squaredNorm() - touch;
+    double covered = 0;
+    for (const auto& [low, high] : parts)
+        if (low <= covered + touch) covered = std::max(covered, high);
+    return covered >= way.squaredNorm() - touch;
 }
 
 }  // namespace laplacian_lines

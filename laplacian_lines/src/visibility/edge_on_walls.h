@@ -17,8 +17,8 @@ class EdgeOnWalls {
 public:
     explicit EdgeOnWalls(const Picture& picture);
 
-    /// Whether an edge of two triangles that is no fold is the near edge of such a face, and none
-    /// of the face's other edges is a fold there.
+    /// Whether an edge of two triangles that is no fold is the near edge of such a face, and other
+    /// edges of the face are no folds beside it all along.
     bool drop_at(std::uint32_t edge) const;
 
 private:
@@ -27,7 +27,7 @@ private:
     void join_faces();
     void note_folds();
     bool recedes(std::uint32_t edge, std::uint32_t triangle) const;
-    bool overlap(std::uint32_t edge, std::uint32_t other) const;
+    bool cover(const std::vector<std::uint32_t>& edges, std::uint32_t other) const;
 
     const Picture& picture_;
     const SightMesh& mesh_;
