@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flat drawings of the lines that the polyline filter makes, as they are seen from its view."""
 
+import io
+import pathlib
 import typing
 
 import numpy
 
 from .tables import KINDS
+from .whole_file import write_whole
 
 
 class Lines(typing.NamedTuple):
@@ -96,4 +99,8 @@ def picture(file, mesh, view, size=8, dpi=150, **style):
     sides = numpy.maximum(size * extent / max(extent.max(), 1e-30), 0.2 * size)
     figure = Figure(figsize=sides, dpi=dpi)
     _draw(figure.add_axes([0.02, 0.02, 0.96, 0.96]), flat, **style)
-    figure.savefig(file)
+    place = pathlib.Path(file)
+    place = place if place.suffix else place.with_suffix(".png")
+    content = io.BytesIO()
+    figure.savefig(content, format=place.suffix[1:])
+    write_whole(place, content.getvalue())

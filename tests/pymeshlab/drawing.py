@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lines in the plane of the picture are where a camera sees them, and are as wide and dark as their attributes say."""
 
+import pathlib
+import resource
+import signal
+import tempfile
 import warnings
 
 import laplacian_lines
@@ -51,3 +55,22 @@ assert numpy.isclose(max(collection.get_linewidths()), 2 * widths.max())
 assert axes.get_aspect() == 1 and not axes.axison
 darkest = numpy.array(collection.get_colors())[-1]
 assert darkest[2] > darkest[0], "not drawn in the color"
+
+# a picture that cannot be written leaves the one that was there
+with tempfile.TemporaryDirectory() as folder:
+    file = pathlib.Path(folder, "lines.png")
+    file.write_bytes(b"old")
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limits[1]))
+    try:
+        laplacian_lines.picture(file, mesh, view)
+        raise AssertionError("a picture was written without room for it")
+    except OSError:
+        pass
+    resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert file.read_bytes() == b"old" and len(list(file.parent.iterdir())) == 1
+    laplacian_lines.picture(file, mesh, view)
+    assert file.read_bytes()[:4] == b"\x89PNG" and len(list(file.parent.iterdir())) == 1
+    laplacian_lines.picture(pathlib.Path(folder, "lines"), mesh, view)
+    assert pathlib.Path(folder, "lines.png").exists() and not pathlib.Path(folder, "lines").exists()

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "redraw/strip_tracing.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "rules/line_acceptance.h"
 #include "system/chains.h"
 
 namespace laplacian_lines {
 namespace {
+
+constexpr float kLargestSlope = std::numeric_limits<float>::max();
 
 class StripTracer {
 public:
@@ -42,7 +47,8 @@ private:
                 p.strength += strip.strength;
                 p.slope += strip.slope;
             });
-        p.slope = p.length > 0 ? p.slope / p.length : 0;
+        // fields that are made up have lines of hardly any length
+        p.slope = p.length > 0 ? std::min(p.slope / p.length, kLargestSlope) : 0;
         line.end_count = std::uint32_t(traced_.ends.size()) - line.first_end;
         if (!accepts(rules_, p)) {
             traced_.ends.resize(line.first_end);
