@@ -9,6 +9,7 @@
 
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
+#include "mesh/equal_positions.h"
 #include "mesh/stitching.h"
 
 namespace {
@@ -187,6 +188,19 @@ TEST(Stitching, MinusZeroIsZero) {
     two.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-0., 0, 0}, {0, 1, -0.}, {-1, 0, 0}};
     two.triangles = {{0, 2, 1}, {3, 4, 5}};
     EXPECT_EQ(sets_in(two), 4u);
+}
+
+/// Faces of CAD parts meet where coordinates are 0 but for rounding.
+TEST(EqualPositions, AreTheSameButForRoundingOfZero) {
+    using Positions = std::vector<Eigen::Vector3d>;
+    const auto firsts = [](const Positions& positions) { return first_equal_positions(positions); };
+    using Firsts = std::vector<std::uint32_t>;
+    EXPECT_EQ(firsts({{15, 0, 1}, {15, -8.9e-16, 1}, {15, 1e-10, 1}, {15, -0.0, 1}}),
+              (Firsts{0, 0, 2, 0}));
+    EXPECT_EQ(firsts({{1e-15, 0, 0}, {2e-15, 0, 0}, {-0.0, 0, 0}, {0, 0, 0}}),
+              (Firsts{0, 1, 2, 2}));
+    EXPECT_EQ(firsts({{NAN, 0, 0}, {NAN, 0, 0}, {0, 0, INFINITY}, {0, 0, 0}}),
+              (Firsts{0, 1, 2, 3}));
 }
 
 }  // namespace

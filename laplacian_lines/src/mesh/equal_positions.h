@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -10,14 +12,23 @@
 
 namespace laplacian_lines {
 
+/// Of the largest coordinate: what is nearer to 0 is 0 but for rounding. CAD programs leave such
+/// differences between faces that meet, and files keep them: they round numbers by digits.
+constexpr double kZeroShare = 0x1p-46;
+
 /// For each position the first one that equals it; those that are not finite equal only themselves.
 inline std::vector<std::uint32_t> first_equal_positions(
     const std::vector<Eigen::Vector3d>& positions) {
+    double largest = 0;
+    for (const Eigen::Vector3d& p : positions)
+        if (p.allFinite()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    const double least = kZeroShare * largest;
+    const auto rounded = [=](double x) { return std::abs(x) <= least ? 0.0 : x; };
     const auto hash_of = [&](std::uint32_t v) {
         if (!positions[v].allFinite()) return mix_hash(0, v);
         std::uint64_t hash = 0;
         for (double x : positions[v]) {
-            x += 0.0;  // no −0
+            x = rounded(x);
             std::uint64_t bits;
             std::memcpy(&bits, &x, sizeof bits);
             hash = mix_hash(hash, bits);
@@ -25,7 +36,9 @@ inline std::vector<std::uint32_t> first_equal_positions(
         return hash;
     };
     return first_equals(positions.size(), hash_of, [&](std::uint32_t a, std::uint32_t b) {
-        return positions[a] == positions[b];
+        const Eigen::Vector3d &p = positions[a], &q = positions[b];
+        return rounded(p.x()) == rounded(q.x()) && rounded(p.y()) == rounded(q.y()) &&
+               rounded(p.z()) == rounded(q.z());
     });
 }
 
