@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QGuiApplication>
 #include <QLocale>
-#include <clocale>
 #include <csignal>
 #include <exception>
 #include <new>
@@ -47,7 +46,6 @@ int main(int argc, char** argv) {
     for (const int signal : {SIGXFSZ, SIGPIPE})  // where a quota or a pipe ends, writing says so
         std::signal(signal, SIG_IGN);
     const QGuiApplication application(no_arguments, argv);
-    std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's, and readers of meshes expect points
     QLocale::setDefault(QLocale::C);
     return runCatchingAll(arguments);
 }

@@ -17,6 +17,11 @@ sort_as_c() {
     export LC_COLLATE=C
 }
 
+# Its numbers have points: they go into meshes, options and tables.
+awk() {
+    LC_NUMERIC=C command awk "$@"
+}
+
 if ! declare -F require >/dev/null; then
     sort_as_c
     SCRIPTS=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")

@@ -73,10 +73,20 @@ private:
     std::string_view bytes_;
 };
 
-/// A list of the corners of a face, as files name it.
-bool is_corners(const PlyProperty& property) {
-    return property.count_type &&
-           (property.name == "vertex_indices" || property.name == "vertex_index");
+/// What a property is read for.
+enum class Role { X, Y, Z, Corners, Strips, Nothing };
+
+Role role_of(const PlyElement& element, const PlyProperty& property) {
+    const std::string& name = property.name;
+    if (property.count_type) {
+        if (name != "vertex_indices" && name != "vertex_index") return Role::Nothing;
+        return element.name == "face"        ? Role::Corners
+               : element.name == "tristrips" ? Role::Strips
+                                             : Role::Nothing;
+    }
+    if (element.name != "vertex" || name.size() != 1 || name[0] < 'x' || name[0] > 'z')
+        return Role::Nothing;
+    return Role(name[0] - 'x');
 }
 
 template <class Values>
@@ -85,9 +95,13 @@ public:
     PlyReader(Values values, MeshBuilder& mesh) : values_(std::move(values)), mesh_(mesh) {}
 
     void read(const PlyElement& element) {
+        roles_.clear();
+        for (const PlyProperty& property : element.properties)
+            roles_.push_back(role_of(element, property));
+        const bool is_vertex = element.name == "vertex";
         for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
             try {
-                read_item(element);
+                read_item(element, is_vertex);
             } catch (const Defect& defect) {
                 throw Defect{defect.what + ", in " + element.name + ' ' + std::to_string(i + 1) +
                              " of " + std::to_string(element.count)};
@@ -100,20 +114,18 @@ public:
     }
 
 private:
-    void read_item(const PlyElement& element) {
-        const bool is_vertex = element.name == "vertex";
+    void read_item(const PlyElement& element, bool is_vertex) {
         Eigen::Vector3d position(NAN, NAN, NAN);
-        for (const PlyProperty& property : element.properties) {
+        for (std::size_t k = 0; k < roles_.size(); ++k) {
+            const PlyProperty& property = element.properties[k];
             if (property.count_type) {
                 read_list(property);
-                if (is_corners(property) && element.name == "face") mesh_.add(list_);
-                if (is_corners(property) && element.name == "tristrips") add_strips();
+                if (roles_[k] == Role::Corners) mesh_.add(list_);
+                if (roles_[k] == Role::Strips) add_strips();
                 continue;
             }
             const double value = values_.next(property.type);
-            if (is_vertex && property.name.size() == 1 && property.name[0] >= 'x' &&
-                property.name[0] <= 'z')
-                position[property.name[0] - 'x'] = value;
+            if (roles_[k] <= Role::Z) position[int(roles_[k])] = value;
         }
         if (is_vertex) mesh_.add(position);
     }
@@ -142,6 +154,7 @@ private:
 
     Values values_;
     MeshBuilder& mesh_;
+    std::vector<Role> roles_;  // by property
     std::vector<std::int64_t> list_;
 };
 

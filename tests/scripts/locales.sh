@@ -16,8 +16,8 @@ for name in C tr_TR de_DE ja_JP; do
     locale=$name
     [[ $name == C ]] || locale=$name.UTF-8
     found=$(LOCPATH=$work LC_ALL=$locale bash -c "source '$require' environment/build
-        cached '$work' CMAKE_HOME_DIRECTORY; printf '%s\n' b C a B | sort; echo \"\$LC_MESSAGES\"")
-    [[ $found == $'/somewhere\nB\nC\na\nb\n'"$locale" ]] || {
+        cached '$work' CMAKE_HOME_DIRECTORY; printf '%s\n' b C a B | sort; awk 'BEGIN { print 1 / 2 }'; echo \"\$LC_MESSAGES\"")
+    [[ $found == $'/somewhere\nB\nC\na\nb\n0.5\n'"$locale" ]] || {
         printf 'in %s: %s\n' "$name" "$found" >&2
         exit 1
     }

@@ -64,8 +64,11 @@ double diagonalOfMost(const Points& points) {
     for (int k = 0; k < 3; ++k) {
         std::transform(points.begin(), points.end(), coordinates.begin(),
                        [&](const Eigen::Vector3d& p) { return p[k]; });
-        std::sort(coordinates.begin(), coordinates.end());
-        sizes[k] = coordinates[points.size() - 1 - aside] - coordinates[aside];
+        const auto low = coordinates.begin() + std::ptrdiff_t(aside),
+                   high = coordinates.end() - 1 - std::ptrdiff_t(aside);
+        std::nth_element(coordinates.begin(), low, coordinates.end());
+        std::nth_element(low, high, coordinates.end());
+        sizes[k] = *high - *low;
     }
     return sizes.norm();
 }

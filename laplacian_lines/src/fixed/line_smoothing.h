@@ -1,28 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <type_traits>
+
 #include "laplacian_lines/line_set.h"
 
 namespace laplacian_lines {
 
-/// Passes of binomial smoothing (1-2-1) over the positions of a line's points. Open ends stay where
-/// they are: what lies beyond is the point before, mirrored in the end. A closed line's first point
-/// and its copy stay equal.
-inline void smooth_positions(const Polyline& line, LinePoint* points, int passes) {
-    const std::uint32_t last = line.count - 1;
+/// Passes of binomial smoothing (1-2-1) over `count` positions, at(i) each, of which those for
+/// which stays(i) stay. At an open end, what lies beyond is the position before, mirrored in the
+/// end. The first position of closed ones and its copy at the end stay equal.
+template <class PositionAt, class Stays>
+void smooth_binomially(std::size_t count, bool closed, int passes, PositionAt at, Stays stays) {
+    using Position = std::decay_t<decltype(at(0))>;
+    const std::size_t last = count - 1;
     for (int pass = 0; pass < passes; ++pass) {
-        const Eigen::Vector3f second = points[1].position;
-        Eigen::Vector3f before = line.closed ? points[last - 1].position
-                                             : Eigen::Vector3f(2 * points[0].position - second);
-        for (std::uint32_t i = 0; i <= last; ++i) {
-            const Eigen::Vector3f here = points[i].position;
-            const Eigen::Vector3f after = i < last      ? points[i + 1].position
-                                          : line.closed ? second
-                                                        : Eigen::Vector3f(2 * here - before);
-            points[i].position = (before + 2 * here + after) / 4;
+        const Position second = at(1);
+        Position before = closed ? at(last - 1) : Position(2 * at(0) - second);
+        for (std::size_t i = 0; i <= last; ++i) {
+            const Position here = at(i);
+            const Position after = i < last ? at(i + 1)
+                                   : closed ? second
+                                            : Position(2 * here - before);
+            if (!stays(i)) at(i) = (before + 2 * here + after) / 4;
             before = here;
         }
     }
+}
+
+/// The same of a line's points, open ends of which stay where they are.
+inline void smooth_positions(const Polyline& line, LinePoint* points, int passes) {
+    smooth_binomially(
+        line.count, line.closed, passes,
+        [&](std::size_t i) -> Eigen::Vector3f& { return points[i].position; },
+        [](std::size_t) { return false; });
 }
 
 }  // namespace laplacian_lines

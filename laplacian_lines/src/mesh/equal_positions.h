@@ -19,9 +19,15 @@ constexpr double kZeroShare = 0x1p-46;
 /// For each position the first one that equals it; those that are not finite equal only themselves.
 inline std::vector<std::uint32_t> first_equal_positions(
     const std::vector<Eigen::Vector3d>& positions) {
-    double largest = 0;
-    for (const Eigen::Vector3d& p : positions)
-        if (p.allFinite()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    const auto largest_of = [&](std::size_t begin, std::size_t end) {
+        double largest = 0;
+        for (std::size_t v = begin; v < end; ++v)
+            if (positions[v].allFinite())
+                largest = std::max(largest, positions[v].cwiseAbs().maxCoeff());
+        return largest;
+    };
+    const double largest = join_blocks(positions.size(), 0., largest_of,
+                                       [](double a, double b) { return std::max(a, b); });
     const double least = kZeroShare * largest;
     const auto rounded = [=](double x) { return std::abs(x) <= least ? 0.0 : x; };
     const auto hash_of = [&](std::uint32_t v) {

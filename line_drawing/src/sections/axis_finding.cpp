@@ -110,9 +110,9 @@ Vector3d directionOfAxis(const TriangleMesh& mesh, const Vector3d& middle, doubl
 }
 
 /// From an end of the surface along `up` downwards, or upwards.
-double shareOfRim(const TriangleMesh& mesh, int up, bool looks_up, const Vector2d& axis) {
+double shareOfRim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up, bool looks_up,
+                  const Vector2d& axis) {
     const int x = (up + 1) % 3, y = (up + 2) % 3;
-    const Eigen::AlignedBox3d box = boundsOf(mesh);
     const double reach = rim_share * box.sizes()[up];
     std::array<bool, directions> is_there{};
     const auto add = [&](const Vector3d& p) {
@@ -148,7 +148,7 @@ VesselAxis findAxis(const TriangleMesh& mesh, int up, bool looks_up) {
     axis.round = shareThatMeets(facets, seen);
     const Vector3d own = directionOfAxis(mesh, box.center(), box.sizes().maxCoeff());
     axis.lean = std::acos(std::min(1.0, std::abs(own[up]))) * 360 / turn;
-    axis.rim = shareOfRim(mesh, up, looks_up, seen);
+    axis.rim = shareOfRim(mesh, box, up, looks_up, seen);
     return axis;
 }
 

@@ -75,20 +75,20 @@ void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progres
     if (drawn.frame.is_half_section) return lookHalf(drawn, view, lines, options, progress);
     drawn.lines =
         draw(visibility_.look(view, lines, sightOf(options), progress), drawn.frame, options);
-    if (options.area != OutlineArea::Objects) return;
-    for (const Object& object : objects_)
-        drawn.silhouettes.push_back(silhouetteOf(object, drawn.frame, options));
+    if (options.area == OutlineArea::Objects) addSilhouettes(drawn, options);
 }
 
-std::vector<DrawnLine> Observer::silhouetteOf(const Object& object, const ViewFrame& frame,
-                                              const SheetOptions& options) const {
+void Observer::addSilhouettes(DrawnView& drawn, const SheetOptions& options) {
     laplacian_lines::SightOptions outlines = sightOf(options);
     outlines.has_hidden = false;
     outlines.shows = {};
     outlines.shows[laplacian_lines::LineKind::Contour] = true;
     outlines.shows[laplacian_lines::LineKind::Border] = true;
-    const laplacian_lines::LineVisibility alone(object.mesh);
-    return draw(alone.look(Projection(frame, box_.center()).view(), {}, outlines), frame, options);
+    const laplacian_lines::View view = Projection(drawn.frame, box_.center()).view();
+    while (alone_.size() < objects_.size())
+        alone_.emplace_back(objects_[alone_.size()].mesh);
+    for (const laplacian_lines::LineVisibility& alone : alone_)
+        drawn.silhouettes.push_back(draw(alone.look(view, {}, outlines), drawn.frame, options));
 }
 
 std::vector<DrawnLine> Observer::draw(const SightLines& lines, const ViewFrame& frame,

@@ -37,8 +37,7 @@ private:
                   const std::vector<laplacian_lines::LineSet>& lines, const SheetOptions& options,
                   const laplacian_lines::Progress& progress) const;
 
-    std::vector<DrawnLine> silhouetteOf(const Object& object, const ViewFrame& frame,
-                                        const SheetOptions& options) const;
+    void addSilhouettes(DrawnView& drawn, const SheetOptions& options);
     std::vector<DrawnLine> draw(const SightLines& lines, const ViewFrame& frame,
                                 const SheetOptions& options) const;
 
@@ -47,6 +46,7 @@ private:
     const Eigen::AlignedBox3d box_;
     const std::vector<laplacian_lines::LineExtractor> extractors_;
     const laplacian_lines::LineVisibility visibility_;
+    std::vector<laplacian_lines::LineVisibility> alone_;  ///< of each object, when first wanted
     laplacian_lines::ExtractionScratch scratch_;
 };
 
