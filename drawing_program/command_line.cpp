@@ -113,6 +113,12 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         {"--wall", [&](const QString& o, const QString& v) { options.wall = chosen(o, v, walls); }},
         {"--kinds",
          [&](const QString& o, const QString& v) { options.style.shows = parseKinds(o, v); }},
+        {"--kernel", [&](const QString&,
+                         const QString& v) { options.kernel = line_drawing::parseDetailSize(v); }},
+        {"--smoothing",
+         [&](const QString&, const QString& v) {
+             options.smoothing = line_drawing::parseDetailSize(v);
+         }},
         {"--hidden",
          [&](const QString& o, const QString& v) { options.hidden = chosen(o, v, hidden); }},
         {"--weights",
@@ -183,6 +189,10 @@ const char* usage() {
            "  --wall hatched|filled|none  what sections cut (hatched)\n"
            "  --kinds NAMES        of lines, with the outlines: usual, laplacian_lines, ridges,\n"
            "                       apparent_ridges and so on, with commas; a wrong one lists all\n"
+           "  --kernel auto|1mm|0.9%      detail of inner lines: a length on paper, or a share of "
+           "the\n"
+           "                       object's diagonal; auto: four pens of inner lines (auto)\n"
+           "  --smoothing auto|0.3mm|0.2% of the surface before lines are found (auto)\n"
            "  --hidden none|dashed outlines and creases behind the surface (none)\n"
            "  --weights illustrator|iso   outlines widest, or edges as wide as they (illustrator)\n"
            "  --area none|filled|objects  what the outline of all, or of each object alone,\n"

@@ -2,9 +2,8 @@
 #include "one_drawing.h"
 
 #include <QFileInfo>
+#include <algorithm>
 
-#include "laplacian_lines/error.h"
-#include "laplacian_lines/precompute.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/make_sheet.h"
@@ -42,35 +41,24 @@ std::vector<ReadMesh> readMeshes(const CommandLine& commands) {
     return meshes;
 }
 
-laplacian_lines::Field fieldOf(const TriangleMesh& mesh, const QString& file,
-                               const laplacian_lines::LineStyle& style) {
-    laplacian_lines::PrecomputeOptions options;
-    options.curvature_derivatives = style.shows.needs_derivatives();
-    try {
-        return laplacian_lines::precompute(mesh, options);
-    } catch (const laplacian_lines::Error& error) {
-        throw laplacian_lines::Error(error.code(), file.toStdString() + ": " + error.what());
-    }
-}
-
 /// What is not drawn of an object; empty: nothing.
-QString lackOf(const ReadMesh& read, const laplacian_lines::MeshReport& report) {
+QString lackOf(const ReadMesh& read) {
     if (!read.defect.isEmpty()) return read.defect;
-    if (report.non_finite_vertices > 0)
-        return QString("%1 of %2 vertices have no finite coordinates")
-            .arg(report.non_finite_vertices)
-            .arg(report.vertices);
+    const auto& all = read.mesh.positions;
+    const auto lacking = std::count_if(all.begin(), all.end(),
+                                       [](const Eigen::Vector3d& p) { return !p.allFinite(); });
+    if (lacking > 0)
+        return QString("%1 of %2 vertices have no finite coordinates").arg(lacking).arg(all.size());
     return {};
 }
 
 /// The names of the files, with a word before those that are not drawn whole: notes may be cut off
 /// at their end.
-QString sourcesOf(const QStringList& files, const std::vector<ReadMesh>& meshes,
-                  const std::vector<laplacian_lines::Field>& fields) {
+QString sourcesOf(const QStringList& files, const std::vector<ReadMesh>& meshes) {
     QStringList sources;
     for (int i = 0; i < files.size(); ++i) {
         sources << QFileInfo(files[i]).fileName();
-        const QString lack = lackOf(meshes[std::size_t(i)], fields[std::size_t(i)].report);
+        const QString lack = lackOf(meshes[std::size_t(i)]);
         if (lack.isEmpty()) continue;
         say(stderr, QString("%1 is drawn incomplete: %2").arg(files[i], lack));
         sources.last().prepend("incomplete: ");
@@ -84,16 +72,13 @@ void drawOne(const CommandLine& commands) {
     line_drawing::checkSheetFile(commands.drawing);
     const std::vector<ReadMesh> meshes = readMeshes(commands);
     saySize(meshes, commands.options.mm_per_unit);
-    std::vector<laplacian_lines::Field> fields;
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-        fields.push_back(fieldOf(meshes[i].mesh, commands.meshes[int(i)], commands.options.style));
     std::vector<line_drawing::SheetOptions> options = {commands.options};
-    options[0].source = sourcesOf(commands.meshes, meshes, fields);
+    options[0].source = sourcesOf(commands.meshes, meshes);
     const bool has_view = !commands.contact_view.isEmpty();
     if (has_view) options.push_back(line_drawing::contactOptions(meshes.front().mesh, options[0]));
     line_drawing::Objects objects;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        objects.push_back({meshes[i].mesh, fields[i]});
+        objects.push_back({meshes[i].mesh, nullptr, commands.meshes[int(i)]});
     const std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
     line_drawing::writeSheet(sheets[0], commands.drawing, commands.dpi);
     for (const QString& remark : sheets[0].remarks)

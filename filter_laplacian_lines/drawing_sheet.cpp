@@ -46,7 +46,7 @@ void takeFromDecoration(SheetOptions& options) {
         refuse(
             "The decoration Laplacian Lines has drawn nothing here. Switch it on in MeshLab's "
             "window first, or set \"Settings\" to 0 (Defaults).");
-    options.style = drawn->style;
+    options.style = line_drawing::styleOnPaper(drawn->style);
     if (drawn->light) options.light = meshlab_host::towardsLight(*drawn->light);
 }
 

@@ -114,7 +114,7 @@ PlacedLayers placeLayers(const LayerChoice& choice, const FilterRun& run, double
 line_drawing::Objects objectsOf(const PlacedLayers& layers) {
     line_drawing::Objects objects;
     for (const PlacedLayer& layer : layers)
-        objects.push_back({layer.mesh, layer.field});
+        objects.push_back({layer.mesh, &layer.field});
     return objects;
 }
 

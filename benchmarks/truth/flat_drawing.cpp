@@ -87,7 +87,7 @@ std::vector<line_drawing::Sheet> sheets_of(const TriangleMesh& mesh,
     std::vector<line_drawing::SheetOptions> options;
     for (const PlaneFrame& frame : frames)
         options.push_back(options_of(frame, mm_per_unit));
-    return line_drawing::makeSheets({{mesh, field}}, options);
+    return line_drawing::makeSheets({{mesh, &field}}, options);
 }
 
 /// A box of that size, its middle at the origin.

@@ -74,7 +74,7 @@ TEST(MeasuredDrawing, OfSeveralSheetsIsThatOfEach) {
     a.views = parseViews("front", UpAxis::Y);
     b.views = parseViews("left,top", UpAxis::Y);
     double last = 0;
-    const auto sheets = makeSheets({{mesh, field}}, {a, b}, [&](double done, const char*) {
+    const auto sheets = makeSheets({{mesh, &field}}, {a, b}, [&](double done, const char*) {
         EXPECT_GE(done, last);
         last = done;
         return true;

@@ -40,7 +40,7 @@ Sheet sheetOfAll(const std::vector<TriangleMesh>& meshes, const SheetOptions& op
         fields.push_back(laplacian_lines::precompute(mesh));
     Objects objects;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        objects.push_back({meshes[i], fields[i]});
+        objects.push_back({meshes[i], &fields[i]});
     return makeSheets(objects, {options}).front();
 }
 

@@ -28,6 +28,11 @@ struct LineStyle {
     /// The slope of a crossing is ‖∇(ΔI)‖ · h_e^1.5, h_e = h + σ²/2 (kernel and normal smoothing).
     double segment_slope = 0.004;  ///< least slope of a segment
     double line_slope = 0.012;     ///< least mean slope of a line
+    /// Laplacian lines are traced whole, and means along them say which parts are drawn: all
+    /// thresholds on crossings and segments, Single Strokes and phantoms. Otherwise each crossing
+    /// and segment is tested by itself, as in the paper, which leaves dashes where detail finer
+    /// than the kernel changes S. See WholeLineRules.
+    bool whole_lines = false;
     double full_slope = 0.25;      ///< slope above segment_slope at which a line has its full width
     double shortest_line = 0.01;   ///< least length of a line, in D
     double least_facing = -0.15;   ///< least n·l/|l| at a crossing

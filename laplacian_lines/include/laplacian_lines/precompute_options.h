@@ -34,6 +34,10 @@ struct PrecomputeOptions {
     /// √h, a length in mesh units (h itself is a squared length; the Gaussian of Eq. 2 has the
     /// standard deviation √2·√h). 0 means automatic: max(2 ē, 0.45 % of D).
     double kernel_size = 0;
+    /// If > 0, the √h, mesh units, that a drawing at a certain size asks for, instead of
+    /// kernel_size. Used as far as the mesh has the detail, at least 2 ē, and up to 4 % of D; an
+    /// automatic normal_sigma is at least a quarter of it then.
+    double drawn_kernel_size = 0;
     /// Adaptive: √h(p) = √h · clamp(ē(p)/ē, 1/4, 4), with ē(p) the mean length of the edges at p,
     /// averaged over one-rings ten times. Normal smoothing scales by the same factor.
     KernelMode kernel_mode = KernelMode::Uniform;

@@ -99,6 +99,7 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     ExtractorData data;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
+    data.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
     data.is_rough = is_rough(field.report);
     ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
     return data;

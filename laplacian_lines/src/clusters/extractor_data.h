@@ -32,6 +32,7 @@ struct ExtractorData {
     std::vector<float> bounds;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     double diagonal = 1;                               ///< D, mesh units
+    float kernel_size = 0;  ///< √h, D
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
 

@@ -10,6 +10,7 @@ constexpr int kSmoothingPasses = 10;
 constexpr double kSmallestRatio = 0.25, kLargestRatio = 4;
 // In D. Beyond, nothing changes any more: no vertex has a neighbour, or all are equally near.
 constexpr double kSmallestKernel = 1e-7, kLargestKernel = 1e4;
+constexpr double kLargestDrawnKernel = 0.04;
 
 /// For each vertex v, the mean of value_of(v, other) over the edges at v, inner ones counted once
 /// per triangle, and of start[v] unless that is empty.
@@ -45,6 +46,9 @@ double automatic_kernel_size(double mean_edge, double diagonal) {
 }
 
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options) {
+    if (options.drawn_kernel_size > 0)
+        return std::max(2 * mesh.mean_edge,
+                        std::min(options.drawn_kernel_size / mesh.diagonal, kLargestDrawnKernel));
     return options.kernel_size > 0
                ? std::clamp(options.kernel_size / mesh.diagonal, kSmallestKernel, kLargestKernel)
                : automatic_kernel_size(mesh.mean_edge, 1);

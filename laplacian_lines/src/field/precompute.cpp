@@ -32,6 +32,8 @@ constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35
 constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6, kLaplacian = 1;
 constexpr double kDerivatives = 0.15;  // of the time that is longer by them
 
+constexpr double kDrawnSigma = 0.25;  // of √h, see PrecomputeOptions::drawn_kernel_size
+
 /// Whether the roughness decides how much normals are smoothed.
 bool smooths_by_roughness(const PrecomputeOptions& options) {
     return options.normal_smoothing != NormalSmoothing::None && options.normal_sigma == 0;
@@ -154,8 +156,11 @@ private:
         normals_ = vertex_normals(mesh_, ranges_, options_.normal_weighting,
                                   stage(kSizes, kNormals, "Computing normals"));
         roughness_ = measure_roughness(mesh_, tree_, relative_sizes_, normals_);
-        if (smooths_by_roughness(options_))
+        if (smooths_by_roughness(options_)) {
             normal_sigma_ = automatic_normal_sigma(roughness_) * mesh_.mean_edge;
+            if (options_.drawn_kernel_size > 0)
+                normal_sigma_ = std::max(normal_sigma_, kDrawnSigma * kernel_size_);
+        }
         smooth_normals(mesh_, tree_, relative_sizes_, normal_sigma_, options_,
                        stage(kNormals, kSmoothNormals, "Smoothing normals"), normals_);
     }

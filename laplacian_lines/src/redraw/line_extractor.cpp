@@ -94,6 +94,7 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     for (unsigned number = 0; number < kStripKindCount; ++number) {
         const StripKind* const kind = strip_kinds()[number];
         LineRules rules = kind->rules(style, task.light_at_eye);
+        rules.kernel_size = data.kernel_size;
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);

@@ -7,13 +7,14 @@
 #include <memory>
 
 #include "redraw/simd/simd_functions.h"
+#include "rules/line_acceptance.h"
 #include "system/affordable_threads.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr std::uint32_t kLeastParallelPoints = 4000;
-constexpr std::size_t kColumns = 7;
+constexpr std::size_t kColumns = 8;
 constexpr std::uint32_t kStripsAhead = 4;
 static_assert(sizeof(LinePoint) == 6 * sizeof(float), "finish_line() writes six floats a point");
 
@@ -24,13 +25,20 @@ std::size_t column_size(std::uint32_t count) {
     return (count + kColumnMargin + 2 * kFloatsOfUnit - 1) / kFloatsOfUnit * kFloatsOfUnit;
 }
 
-LineColumns make_columns(std::vector<float>& memory, std::size_t size) {
-    void* begin = memory.data();
-    std::size_t bytes = memory.size() * sizeof(float);
+LineColumns columns_from(float* memory, std::size_t floats, std::size_t size) {
+    void* begin = memory;
+    std::size_t bytes = floats * sizeof(float);
     std::align(kCacheUnit, kColumns * size * sizeof(float), begin, bytes);
     float* first = static_cast<float*>(begin) + kFloatsOfUnit;
     const auto column = [&](std::size_t i) { return first + i * size; };
-    return {column(0), column(1), column(2), column(3), column(4), column(5), column(6)};
+    return {column(0), column(1), column(2), column(3), column(4), column(5), column(6), column(7)};
+}
+
+LineColumns make_columns(std::vector<float>& memory, std::size_t size) {
+    return columns_from(memory.data(), memory.size() / 2, size);
+}
+LineColumns second_columns(std::vector<float>& memory, std::size_t size) {
+    return columns_from(memory.data() + memory.size() / 2, memory.size() / 2, size);
 }
 
 /// Asks for a strip that will be copied soon: strips of a line come from all over the memory.
@@ -47,6 +55,7 @@ void set_point(const LineColumns& c, std::size_t i, const StripPoint& p, float s
     c.gradient[i] = p.gradient;
     c.opacity[i] = p.opacity;
     c.weight[i] = slope;
+    c.concavity[i] = p.concavity;
 }
 
 /// Copies all strips of a line one behind the other; neighbours share a point.
@@ -77,36 +86,124 @@ void close_line(std::uint32_t count, const LineColumns& c) {
         column[count - 1] = column[0];
 }
 
+void finish(const ExtractorData& data, const LineRules& rules, const Polyline& p, bool has_exact,
+            LineColumns& columns, LinePoint* points) {
+    simd_functions().finish_line(
+        rules, {p.count, p.closed, has_exact, p.length, p.strength, p.slope}, columns,
+        data.centre.data(), data.diagonal, reinterpret_cast<float*>(points));
+}
+
+/// Takes a part of a whole line to columns of its own; weights are mean slopes then.
+void copy_part(const LineRules& rules, const LinePartFinder& finder, const LinePart& part,
+               const LineColumns& from, bool closed, std::uint32_t points, LineColumns& to) {
+    for (std::size_t i = 0; i < part.count; ++i) {
+        const std::size_t k = closed ? (part.begin + i) % (points - 1) : part.begin + i;
+        to.x[i] = from.x[k];
+        to.y[i] = from.y[k];
+        to.z[i] = from.z[k];
+        to.gradient[i] = from.gradient[k];
+        to.weight[i] = finder.slope(k);
+        to.opacity[i] = from.opacity[k];
+        if (rules.concave_only) to.opacity[i] *= concavity_opacity(rules, finder.concavity(k));
+    }
+}
+
+void measure(const LineColumns& c, Polyline& p) {
+    for (std::uint32_t i = 1; i < p.count; ++i) {
+        const Eigen::Vector3f step(c.x[i] - c.x[i - 1], c.y[i] - c.y[i - 1], c.z[i] - c.z[i - 1]);
+        const float length = step.norm();
+        p.length += length;
+        p.strength += (c.gradient[i - 1] + c.gradient[i]) / 2 * length;
+    }
+}
+
+/// The parts of a whole line that are drawn, to the thread's own memory.
+void finish_parts(const ExtractorData& data, const TracedLines& traced,
+                  const TracedLines::Line& line, std::size_t size, FinishingThread& thread) {
+    LineColumns whole = make_columns(thread.columns, size);
+    collect_points(traced, line, whole);
+    const Polyline& p = line.polyline;
+    if (p.closed) close_line(p.count, whole);
+    thread.finder.find(*line.rules, {p.count, p.closed, whole.x, whole.y, whole.z, whole.gradient,
+                                     whole.weight, whole.concavity});
+    for (const LinePart& part : thread.finder.parts()) {
+        LineColumns columns = second_columns(thread.columns, size);
+        copy_part(*line.rules, thread.finder, part, whole, p.closed, p.count, columns);
+        Polyline found;
+        found.first = std::uint32_t(thread.points.size());
+        found.count = std::uint32_t(part.count);
+        found.kind = p.kind;
+        found.closed = part.closed;
+        found.slope = part.slope;
+        measure(columns, found);
+        if (!accepts(*line.rules, found)) continue;
+        thread.points.resize(thread.points.size() + part.count);
+        finish(data, *line.rules, found, false, columns, &thread.points[found.first]);
+        thread.parts.push_back(found);
+    }
+}
+
+void append_parts(const FinishingMemory& memory, LineSet& lines) {
+    for (const FinishedParts& parts : memory.whole) {
+        const FinishingThread& thread = memory.threads[parts.thread];
+        for (std::uint32_t i = parts.first; i < parts.first + parts.count; ++i) {
+            Polyline p = thread.parts[i];
+            const auto begin = thread.points.begin() + p.first;
+            p.first = std::uint32_t(lines.points.size());
+            lines.points.insert(lines.points.end(), begin, begin + p.count);
+            lines.lines.push_back(p);
+        }
+    }
+}
+
+std::uint32_t longest_of(const std::vector<TracedLines::Line>& lines) {
+    std::uint32_t longest = 0;
+    for (const TracedLines::Line& line : lines)
+        longest = std::max(longest, line.polyline.count);
+    return longest;
+}
+
 }  // namespace
 
 void finish_lines(const ExtractorData& data, const TracedLines& traced, FinishingMemory& memory,
                   LineSet& lines) {
     lines.points.resize(traced.point_count);
     lines.lines.resize(traced.lines.size());
-    std::uint32_t longest = 0;
-    for (const TracedLines::Line& line : traced.lines)
-        longest = std::max(longest, line.polyline.count);
-    const std::size_t size = column_size(longest);
-    const int threads =
-        traced.point_count < kLeastParallelPoints ? 1 : affordable_threads(omp_get_max_threads());
-    if (memory.size() < std::size_t(threads)) memory.resize(std::size_t(threads));
-    for (std::vector<float>& columns : memory)
-        if (columns.size() < kColumns * size + kFloatsOfUnit)
-            columns.resize(kColumns * size + kFloatsOfUnit);
-    const auto count = std::int64_t(traced.lines.size());
+    const std::size_t size =
+        column_size(std::max(longest_of(traced.lines), longest_of(traced.whole)));
+    const int threads = traced.point_count < kLeastParallelPoints && traced.whole.empty()
+                            ? 1
+                            : affordable_threads(omp_get_max_threads());
+    if (memory.threads.size() < std::size_t(threads)) memory.threads.resize(std::size_t(threads));
+    memory.whole.resize(traced.whole.size());
+    for (FinishingThread& thread : memory.threads) {
+        const std::size_t needed = 2 * (kColumns * size + kFloatsOfUnit);
+        if (thread.columns.size() < needed) thread.columns.resize(needed);
+        thread.points.clear();
+        thread.parts.clear();
+    }
+    const auto whole = std::int64_t(traced.whole.size());
+    const auto count = whole + std::int64_t(traced.lines.size());
 #pragma omp parallel for schedule(dynamic, 4) num_threads(threads) if (threads > 1)
     for (std::int64_t i = 0; i < count; ++i) {
-        const TracedLines::Line& line = traced.lines[std::size_t(i)];
+        const auto self = std::uint32_t(omp_get_thread_num());
+        FinishingThread& thread = memory.threads[self];
+        if (i < whole) {
+            const auto first = std::uint32_t(thread.parts.size());
+            finish_parts(data, traced, traced.whole[std::size_t(i)], size, thread);
+            memory.whole[std::size_t(i)] = {self, first,
+                                            std::uint32_t(thread.parts.size()) - first};
+            continue;
+        }
+        const TracedLines::Line& line = traced.lines[std::size_t(i - whole)];
         const Polyline& p = line.polyline;
-        LineColumns columns = make_columns(memory[std::size_t(omp_get_thread_num())], size);
+        LineColumns columns = make_columns(thread.columns, size);
         collect_points(traced, line, columns);
         if (p.closed) close_line(p.count, columns);
-        simd_functions().finish_line(
-            *line.rules, {p.count, p.closed, line.has_exact, p.length, p.strength, p.slope},
-            columns, data.centre.data(), data.diagonal,
-            reinterpret_cast<float*>(lines.points.data() + p.first));
-        lines.lines[std::size_t(i)] = p;
+        finish(data, *line.rules, p, line.has_exact, columns, &lines.points[p.first]);
+        lines.lines[std::size_t(i - whole)] = p;
     }
+    append_parts(memory, lines);
 }
 
 }  // namespace laplacian_lines

@@ -3,13 +3,28 @@
 
 #include "clusters/extractor_data.h"
 #include "redraw/strip_tracing.h"
+#include "rules/line_parts.h"
 
 namespace laplacian_lines {
 
-/// Columns of the lines that a thread finishes; keeps its memory.
-using FinishingMemory = std::vector<std::vector<float>>;
+/// What a thread finishes lines in; keeps its memory.
+struct FinishingThread {
+    std::vector<float> columns;
+    LinePartFinder finder;
+    std::vector<LinePoint> points;  ///< of the parts of whole lines
+    std::vector<Polyline> parts;    ///< with their places there
+};
+/// Where the parts of a whole line are.
+struct FinishedParts {
+    std::uint32_t thread, first, count;
+};
+struct FinishingMemory {
+    std::vector<FinishingThread> threads;
+    std::vector<FinishedParts> whole;
+};
 
-/// Replaces `lines` by the traced lines: their points in mesh coordinates, tapered and smoothed.
+/// Replaces `lines` by the traced lines and the parts that are drawn of whole ones: their points in
+/// mesh coordinates, tapered and smoothed.
 void finish_lines(const ExtractorData& data, const TracedLines& traced, FinishingMemory& memory,
                   LineSet& lines);
 

@@ -50,6 +50,10 @@ private:
         // fields that are made up have lines of hardly any length
         p.slope = p.length > 0 ? std::min(p.slope / p.length, kLargestSlope) : 0;
         line.end_count = std::uint32_t(traced_.ends.size()) - line.first_end;
+        if (rules_.whole) {
+            traced_.whole.push_back(line);
+            return;
+        }
         if (!accepts(rules_, p)) {
             traced_.ends.resize(line.first_end);
             return;

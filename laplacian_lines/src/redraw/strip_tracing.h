@@ -19,17 +19,20 @@ struct TracedLines {
         const JoinedStrip* strips;
     };
     std::vector<Line> lines;
+    std::vector<Line> whole;  ///< by LineRules::whole: of which parts are drawn, not counted yet
     std::vector<std::uint32_t> ends;  ///< where strips are entered, see JoinedStrip
     std::uint32_t point_count = 0;
 
     void clear() {
         lines.clear();
+        whole.clear();
         ends.clear();
         point_count = 0;
     }
 };
 
-/// Appends the lines that strips make and that the rules on whole lines accept. Visits all strips.
+/// Appends the lines that strips make and that the rules on whole lines accept, or all of them if
+/// their parts are to be judged. Visits all strips.
 /// Source: Zhang, He, Seah, step 3 (tracing) and Eq. 4 (strength).
 void trace_lines(const LineRules& rules, std::vector<JoinedStrip>& strips, TracedLines& traced);
 

@@ -38,6 +38,9 @@ struct LineRules {
     static constexpr float kNoThinning = std::numeric_limits<float>::max();
     static constexpr float kFlat = 0.1f;  ///< ‖∇I‖·D; where it is less, signs are those of noise
     float fading = 0;                     ///< full opacity at (1 + fading) times a threshold
+    /// Crossings and segments are all kept, and means along lines are tested, see line_parts.h.
+    bool whole = false;
+    float kernel_size = 0;  ///< √h, D: means are over lengths of this order
     int smoothing_passes = 0;             ///< of the positions, each with the weights 1-2-1
     float end_length = 0;                 ///< over which open ends fade, D
     float contour_clearance = 0;          ///< lines nearer to a contour fade out, D in the picture

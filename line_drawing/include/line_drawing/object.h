@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <vector>
 
 #include "laplacian_lines/field.h"
@@ -9,10 +10,12 @@
 namespace line_drawing {
 
 /// One of the things on a drawing: a mesh in the coordinates of the drawing and its field, which
-/// both have to outlive it.
+/// both have to outlive it. Without a field, one is computed whose kernel suits the drawing's
+/// scale.
 struct Object {
     const laplacian_lines::TriangleMesh& mesh;
-    const laplacian_lines::Field& field;
+    const laplacian_lines::Field* field = nullptr;
+    QString name = {};  ///< for messages
 };
 using Objects = std::vector<Object>;
 

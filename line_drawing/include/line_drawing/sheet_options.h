@@ -54,6 +54,19 @@ constexpr std::array<double, line_class_count> pensOf(Weights weights) {
     return {0.5, 0.35, 0.25, 0.25, 0.13, 0.35, 0.18};
 }
 
+/// Lines on paper are traced whole.
+inline laplacian_lines::LineStyle styleOnPaper(laplacian_lines::LineStyle style = {}) {
+    style.whole_lines = true;
+    return style;
+}
+
+/// A length of detail: 0, chosen by the drawing; millimetres on paper; or a share of the diagonal
+/// of the object's bounding box.
+struct DetailSize {
+    double size = 0;
+    bool is_share = false;
+};
+
 struct SheetOptions {
     std::vector<ViewFrame> views;
     std::vector<line_drawing::Section> sections;  ///< drawn after the views
@@ -68,9 +81,14 @@ struct SheetOptions {
     StrokeStyle strokes = StrokeStyle::Tapered;
     WallStyle wall = WallStyle::Hatched;
     HiddenLines hidden = HiddenLines::LeftOut;
-    /// Widths in mm, by LineClass.
+    /// Widths in mm, by LineClass. Drawings of less than 40 mm are drawn with finer ones.
     std::array<double, line_class_count> pens = pensOf(Weights::Illustrator);
     OutlineArea area = OutlineArea::None;
+    /// √h of the inner lines. Chosen: four inner pens, as far as the mesh has the detail.
+    DetailSize kernel;
+    /// Standard deviation of the smoothing of normals. Chosen: by the mesh's roughness, and at
+    /// least a quarter of √h.
+    DetailSize smoothing;
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
     double tolerance = 0.02;     ///< of curves against the lines, mm on paper
     QString title;               ///< empty: none
@@ -78,7 +96,7 @@ struct SheetOptions {
     bool has_view_names = true;  ///< below the views, if there are several
     bool has_scale_bar = true;   ///< with the symbol of the projection
     bool has_notes = true;       ///< title, scale, size of the object, source
-    laplacian_lines::LineStyle style;
+    laplacian_lines::LineStyle style = styleOnPaper();
     /// Towards a distant light, whose shading the Laplacian lines draw, in each view: x right, y
     /// up, z to the viewer. Without one it is at the eye.
     std::optional<Eigen::Vector3d> light;
@@ -90,6 +108,9 @@ std::vector<const char*> paperNames();
 /// A scale from its name, "1:2", "2:1" or "fit" (0).
 /// @throws laplacian_lines::Error(InvalidOption)
 double parseScale(const QString& text);
+/// A length of detail from its name: "auto", "1mm" (on paper), "0.9%".
+/// @throws laplacian_lines::Error(InvalidOption)
+DetailSize parseDetailSize(const QString& text);
 /// "1:2" of 0.5.
 QString scaleInWords(double scale);
 

@@ -26,6 +26,19 @@ double parseScale(const QString& text) {
     return scale;
 }
 
+DetailSize parseDetailSize(const QString& text) {
+    const QString word = text.trimmed().toLower();
+    if (word == "auto") return {};
+    const bool is_share = word.endsWith('%'), is_length = word.endsWith("mm");
+    bool is_number = false;
+    const double size = word.chopped(is_share ? 1 : is_length ? 2 : 0).toDouble(&is_number);
+    if (!is_number || !(is_share || is_length) || !(size >= 1e-3 && size <= 100))
+        refuse(QString("\"%1\" is no size of detail. Say auto, a length on paper such as 1mm, or a "
+                       "share of the object's diagonal such as 0.9%.")
+                   .arg(text));
+    return {is_share ? size / 100 : size, is_share};
+}
+
 QString scaleInWords(double scale) {
     const auto number = [](double x) { return QString::number(x, 'g', 6); };
     return scale < 1 ? "1:" + number(1 / scale) : number(scale) + ":1";

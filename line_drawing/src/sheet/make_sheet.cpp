@@ -3,6 +3,7 @@
 
 #include <QSet>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "options/progress_part.h"
@@ -18,7 +19,8 @@ using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
 constexpr double check_pixel = 0.25;  // mm on the sheet
-constexpr double sight_share = 0.4;   // of the work: what is done before the first view
+// Of the work: what is done before the first view, for all sheets and for one.
+constexpr double sight_share = 0.1, fields_share = 0.3;
 
 void check(const SheetOptions& options) {
     if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
@@ -30,6 +32,26 @@ void check(const SheetOptions& options) {
     for (const double pen : options.pens)
         if (!(pen > 0 && pen <= 10))
             refuse("The width of a pen has to be more than 0, up to 10 mm.");
+}
+
+constexpr std::array<double, 10> pen_series = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4, 2};
+/// mm on paper: smaller drawings are drawn with pens one or two steps finer.
+constexpr double full_size = 40, half_size = 28;
+
+/// Pens of draughtsmen go in steps of √2, as do the sizes of drawings here.
+double finer(double pen, int steps) {
+    const auto place = std::lower_bound(pen_series.begin(), pen_series.end(), pen);
+    return pen_series[std::size_t(std::max<std::ptrdiff_t>(0, place - pen_series.begin() - steps))];
+}
+
+SheetOptions withPensFor(const SheetLayout& layout, SheetOptions options) {
+    double size = 0;
+    for (const QRectF& place : layout.places)
+        size = std::max({size, place.width(), place.height()});
+    const int steps = size >= full_size ? 0 : size >= half_size ? 1 : 2;
+    for (double& pen : options.pens)
+        if (steps > 0 && pen <= pen_series.back()) pen = std::min(pen, finer(pen, steps));
+    return options;
 }
 
 /// As their marks, if any view has these.
@@ -70,17 +92,25 @@ QString remarkOn(const QString& note) {
         .arg(note);
 }
 
-Sheet drawSheet(Observer& observer, const SheetOptions& options, const Progress& progress) {
+std::vector<DrawnView> standAll(Observer& observer, const SheetOptions& options) {
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : options.views)
         views.push_back(observer.stand(frame, options));
     for (const Section& section : options.sections)
         views.push_back(observer.cut(section, options));
     nameSections(views);
-    const SheetLayout layout = layOut(views, options);  // before much work, since it may refuse
+    return views;
+}
+
+Sheet drawSheet(Observer& observer, const SheetOptions& wanted, const Progress& progress) {
+    std::vector<DrawnView> views = standAll(observer, wanted);
+    const SheetLayout layout = layOut(views, wanted);  // before much work, since it may refuse
+    const SheetOptions options = withPensFor(layout, wanted);
+    if (!options.views.empty())
+        observer.makeReady(options, layout.placements[0].scale, part(progress, 0, fields_share));
     const auto share = [&](std::size_t views_done) {
         const double all = std::max<double>(1, double(options.views.size()));
-        return double(views_done) / all;
+        return fields_share + (1 - fields_share) * double(views_done) / all;
     };
     Sheet sheet{layout.size, options.title, {}, layout.scale};
     for (std::size_t i = 0; i < options.views.size(); ++i) {  // sections have their lines
@@ -126,7 +156,7 @@ std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOpt
 
 Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
                 const SheetOptions& options, const Progress& progress) {
-    return makeSheets({{mesh, field}}, {options}, progress).front();
+    return makeSheets({{mesh, &field}}, {options}, progress).front();
 }
 
 }  // namespace line_drawing

@@ -7,6 +7,7 @@
 #include "strokes/overlaps.h"
 #include "strokes/slight_lines.h"
 #include "strokes/strokes.h"
+#include "strokes/thinning.h"
 
 namespace line_drawing {
 namespace {
@@ -101,6 +102,7 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     lines = withoutSlightLines(std::move(lines), options);
     easeLines(lines, eased_share * pen);
     lines = withoutDoubles(std::move(lines), double_reach * pen);
+    lines = thinOut(std::move(lines), options.pens);
     const std::vector<Wall> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
     if (options.area != OutlineArea::None)

@@ -18,18 +18,6 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
-std::vector<laplacian_lines::LineExtractor> extractorsOf(const Objects& objects,
-                                                         const Progress& progress) {
-    const auto count = double(objects.size());
-    std::vector<laplacian_lines::LineExtractor> extractors;
-    for (const Object& object : objects) {
-        const auto done = double(extractors.size());
-        extractors.emplace_back(object.mesh, object.field,
-                                part(progress, done / count, (done + 1) / count));
-    }
-    return extractors;
-}
-
 std::vector<laplacian_lines::LineSet> clipEach(std::vector<laplacian_lines::LineSet> lines,
                                                const HalfSpace& inside) {
     for (laplacian_lines::LineSet& set : lines)
@@ -48,8 +36,8 @@ Observer::Observer(const Objects& objects, const Progress& progress)
     : objects_(objects),
       surface_(objects),
       box_(boundsOf(surface_.mesh())),
-      extractors_(extractorsOf(objects, part(progress, 0, 0.75))),
-      visibility_(surface_.mesh(), part(progress, 0.75, 1)) {}
+      visibility_(surface_.mesh(), progress),
+      lines_(objects_) {}
 
 DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) const {
     const double unit = options.mm_per_unit;
@@ -68,10 +56,7 @@ void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progres
             "The eye of a view in perspective is inside the surface. Move it outside, or take a "
             "view without perspective.");
     if (options.light) view.light = inMesh(*options.light, drawn.frame);
-    std::vector<laplacian_lines::LineSet> lines;
-    for (const laplacian_lines::LineExtractor& extractor : extractors_)
-        lines.push_back(
-            laplacian_lines::extract_on_surface(extractor, view, options.style, scratch_));
+    const std::vector<laplacian_lines::LineSet> lines = lines_.extract(view, options.style);
     if (drawn.frame.is_half_section) return lookHalf(drawn, view, lines, options, progress);
     drawn.lines =
         draw(visibility_.look(view, lines, sightOf(options), progress), drawn.frame, options);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/sheet_options.h"
+#include "sight/object_lines.h"
 #include "views/drawn_view.h"
 #include "views/joined_surface.h"
 
@@ -19,6 +19,13 @@ public:
 
     /// A view without its lines.
     DrawnView stand(const ViewFrame& frame, const SheetOptions& options) const;
+    /// Before lines are looked at: as fine ones as a scale asks for, see ObjectLines.
+    void makeReady(const SheetOptions& options, double scale,
+                   const laplacian_lines::Progress& progress) {
+        lines_.makeReady(options, scale, progress);
+    }
+    /// The largest √h, mesh units.
+    double kernelSize() const { return lines_.kernelSize(); }
     /// Adds the lines that are seen.
     void look(DrawnView& drawn, const SheetOptions& options,
               const laplacian_lines::Progress& progress);
@@ -44,10 +51,9 @@ private:
     const Objects objects_;
     const JoinedSurface surface_;
     const Eigen::AlignedBox3d box_;
-    const std::vector<laplacian_lines::LineExtractor> extractors_;
     const laplacian_lines::LineVisibility visibility_;
+    ObjectLines lines_;
     std::vector<laplacian_lines::LineVisibility> alone_;  ///< of each object, when first wanted
-    laplacian_lines::ExtractionScratch scratch_;
 };
 
 }  // namespace line_drawing

@@ -22,8 +22,18 @@ static inline void subtract_traces(const VertexRecord* records, const Cluster& c
     }
 }
 
+/// The cosine between −∇I and the tangential part w of the light vector l of crossings
+/// [i, i + kLanes): −l·Sl/(‖w‖‖Sl‖), with ∇I = Sl. NaN where there is nothing to see from above.
+static inline Floats concavity_towards(Towards light, const CrossingMemory& m, std::size_t i) {
+    const Floats lit = load(m.lit + i);
+    const Floats tangential = square_root(at_least(light.squared - lit * lit, 0));
+    const Floats product =
+        light.x * load(m.gx + i) + light.y * load(m.gy + i) + light.z * load(m.gz + i);
+    return -product / (tangential * load(m.gradient + i));
+}
+
 /// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
-/// fading near contours, and concavity. `facing` is n·eye.
+/// fading near contours, and concavity. `facing` is n·eye. Of whole lines, facing alone decides.
 static inline void test_laplacian_crossings(const LineRules& rules, const ExtractionTask& task,
                                             const float* facings, CrossingMemory& m,
                                             std::size_t count) {
@@ -31,8 +41,7 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Floats facing = load(facings + i), gradient = load(m.gradient + i);
         const Towards eye = towards(task.eye, m, i);
-        Ints accepted = (gradient >= rules.least_gradient) &
-                        (facing >= rules.least_facing * square_root(eye.squared));
+        Ints accepted = facing >= rules.least_facing * square_root(eye.squared);
         Floats opacity = Floats{} + 1;
         if (rules.contour_clearance > 0) {
             // To first order the contour is I/‖∇I‖ away on the surface, which is seen at half the
@@ -40,18 +49,17 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
             const Floats distance = facing * absolute(facing) / (2 * gradient);
             opacity = clamp01(2 * distance / rules.contour_clearance - 1);
         }
-        if (rules.concave_only) {
-            // The cosine between −∇I and the tangential part w of the light vector l:
-            // −l·Sl/(‖w‖‖Sl‖), with ∇I = Sl.
-            const Towards light = task.light_at_eye ? eye : towards(task.light, m, i);
-            const Floats lit = load(m.lit + i);
-            const Floats tangential = square_root(at_least(light.squared - lit * lit, 0));
-            const Floats product =
-                light.x * load(m.gx + i) + light.y * load(m.gy + i) + light.z * load(m.gz + i);
-            const Floats concavity = -product / (tangential * gradient);
-            if (range > 0) opacity *= clamp01((concavity - least) / range);
-            accepted &= concavity > least;  // not so for NaN: nothing to see from above
+        if (rules.concave_only || rules.whole) {
+            const Floats concavity =
+                concavity_towards(task.light_at_eye ? eye : towards(task.light, m, i), m, i);
+            if (rules.whole) {
+                store(m.concavity + i, at_most(at_least(concavity, -1), 1));
+            } else {
+                if (range > 0) opacity *= clamp01((concavity - least) / range);
+                accepted &= concavity > least;  // not so for NaN
+            }
         }
+        if (!rules.whole) accepted &= gradient >= rules.least_gradient;
         store(m.opacity + i, opacity);
         accept(accepted, m, i);
     }

@@ -129,24 +129,31 @@ static inline void taper(const LineRules& rules, std::size_t count, bool closed,
     }
 }
 
-/// Rows of six numbers, as StripPoint and LinePoint are, to columns and back; four rows at a time,
-/// so that up to three more than `count` are read and columns written.
-static inline void rows_to_columns(const float* rows, std::size_t count, float* const columns[6]) {
-    for (std::size_t i = 0; i < count; i += 4, rows += 24) {
+/// Strips' points to columns, four at a time, so that up to three more than `count` are read and
+/// columns written.
+static void append_points(const StripPoint* points, std::uint32_t count, const LineColumns& c,
+                          std::size_t place) {
+    static_assert(sizeof(StripPoint) == 2 * sizeof(Float4), "two rows a point");
+    const float* rows = points->position;
+    for (std::size_t i = place; i < place + count; i += 4, rows += 32) {
         Float4 first[4], last[4];
         for (unsigned k = 0; k < 4; ++k) {
-            __builtin_memcpy(&first[k], rows + 6 * k, sizeof(Float4));
-            __builtin_memcpy(&last[k], rows + 6 * k + 2, sizeof(Float4));
+            __builtin_memcpy(&first[k], rows + 8 * k, sizeof(Float4));
+            __builtin_memcpy(&last[k], rows + 8 * k + 4, sizeof(Float4));
         }
         transpose(first);
         transpose(last);
-        for (unsigned k = 0; k < 4; ++k)
-            store_row(first[k], columns[k] + i);
-        store_row(last[2], columns[4] + i);
-        store_row(last[3], columns[5] + i);
+        store_row(first[0], c.x + i);
+        store_row(first[1], c.y + i);
+        store_row(first[2], c.z + i);
+        store_row(first[3], c.gradient + i);
+        store_row(last[0], c.weight + i);
+        store_row(last[1], c.opacity + i);
+        store_row(last[2], c.concavity + i);
     }
 }
 
+/// Columns to rows of six numbers, as LinePoint is.
 static inline void columns_to_rows(const float* const columns[6], std::size_t count, float* rows) {
     std::size_t i = 0;
     for (; i + 4 <= count; i += 4, rows += 24) {
@@ -166,13 +173,6 @@ static inline void columns_to_rows(const float* const columns[6], std::size_t co
     for (; i < count; ++i, rows += 6)
         for (unsigned k = 0; k < 6; ++k)
             rows[k] = columns[k][i];
-}
-
-static void append_points(const StripPoint* points, std::uint32_t count, const LineColumns& c,
-                          std::size_t place) {
-    float* const columns[6] = {c.x + place,        c.y + place,      c.z + place,
-                               c.gradient + place, c.weight + place, c.opacity + place};
-    rows_to_columns(points->position, count, columns);
 }
 
 /// Columns to points in mesh coordinates.

@@ -14,9 +14,11 @@ namespace laplacian_lines {
 /// A point of a strip; local position.
 struct StripPoint {
     float position[3];
-    float gradient;  ///< ‖∇I‖
-    float slope;     ///< of the segment that ends here; 0 at the first point
-    float opacity;   ///< less than 1 where the crossing alone asks for fading
+    float gradient;   ///< ‖∇I‖
+    float slope;      ///< of the segment that ends here; 0 at the first point
+    float opacity;    ///< less than 1 where the crossing alone asks for fading
+    float concavity;  ///< of whole lines: the cosine between −∇I and the tangential part of l
+    float unused;
 };
 
 /// Slope of a segment that no smoothing may move.
@@ -102,7 +104,7 @@ struct CrossingMemory {
     alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye, n·light
     alignas(64) float x[kPlaces], y[kPlaces], z[kPlaces];
     alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];
-    alignas(64) float gradient[kPlaces], opacity[kPlaces];
+    alignas(64) float gradient[kPlaces], opacity[kPlaces], concavity[kPlaces];
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
     alignas(64) float points[kPlaces][4];  ///< with ‖∇I‖ in the last place, as in StripPoint
     alignas(64) float gradients[kPlaces][4];

@@ -135,7 +135,7 @@ static inline void collect_corners(const ClusterStore& store, const Batch& batch
 /// What the slope of a segment is: with ∇f of the linear interpolant and the vectors d that a
 /// kind's test leaves in CrossingMemory::gradients,
 enum class SegmentSlope {
-    Scaled,     ///< ‖∇f‖ times slope_scale; phantoms have ∇f·d > 0
+    Scaled,  ///< ‖∇f‖ times slope_scale, of whole lines less than 0 where ∇f·d > 0: phantoms
     Along,      ///< −∇f·d, a change in a squared length, times h_e, to the power 1.5
     AlongOnce,  ///< −∇f·d, a change in a length to the power 3, times h_e^1.5
 };
@@ -168,6 +168,10 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
         }
         const Floats steepness = square_root(x * x + y * y + z * z) / squared;
         const Floats slope = steepness * (load(s.scale + i) / 3);
+        if (rules.whole) {  // nothing of a sliver's NaN
+            store(s.slope + i, slope >= 0 ? (product <= 0 ? slope : -slope) : Floats{});
+            continue;
+        }
         // Not so for a sliver's NaN, too.
         const Ints kept = (slope >= rules.segment_slope) & (product <= largest_product);
         store(s.slope + i, kept ? slope : Floats{} - 1);

@@ -63,6 +63,7 @@ private:
         store_row(load4(crossings_.points[crossing]), point.position);  // and the gradient
         point.slope = slope;
         point.opacity = crossings_.opacity[crossing];
+        point.concavity = crossings_.concavity[crossing];
     }
 
     /// Writes the strip that starts with a segment; returns its number of segments.
@@ -161,7 +162,7 @@ static inline void append_strips(const ClusterStore& store, const ExtractionTask
         if (count == 0) return;
         collect_corners(store, batch, active, Kind::values(batch, kind), m, s, count);
         test_segments<Kind::kSlope>(rules, s, count);
-        count = keep_steep(s, count);
+        if (!rules.whole) count = keep_steep(s, count);
     } else {
         count = keep_all(s, count);
         __builtin_memset(s.slope, 0, whole_vectors(count) * sizeof(float));

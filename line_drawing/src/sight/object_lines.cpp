@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sight/object_lines.h"
+
+#include <algorithm>
+
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/precompute.h"
+#include "line_drawing/bounds.h"
+#include "options/progress_part.h"
+
+namespace line_drawing {
+namespace {
+
+using laplacian_lines::Field;
+using laplacian_lines::PrecomputeOptions;
+using laplacian_lines::Progress;
+
+// Of inner lines' pens: finer detail clots, coarser kernels lose what can be drawn.
+constexpr double pens_of_kernel = 4;
+constexpr double field_share = 0.8;  // of the time
+
+/// In units of the mesh, whose bounding box has this diagonal.
+double lengthOf(const DetailSize& detail, double mm, double diagonal) {
+    return detail.is_share ? detail.size * diagonal : detail.size / mm;
+}
+
+/// `mm`: on paper, of a unit of the mesh.
+PrecomputeOptions fieldOptions(const SheetOptions& options, double mm) {
+    PrecomputeOptions result;
+    result.drawn_kernel_size = pens_of_kernel * options.pens[std::size_t(LineClass::Inner)] / mm;
+    result.curvature_derivatives = options.style.shows.needs_derivatives();
+    return result;
+}
+
+Field computeField(const Object& object, PrecomputeOptions wanted, const SheetOptions& options,
+                   double mm, const Progress& progress) {
+    const double diagonal = boundsOf(object.mesh).diagonal().norm();
+    if (options.kernel.size > 0) {
+        wanted.drawn_kernel_size = 0;
+        wanted.kernel_size = lengthOf(options.kernel, mm, diagonal);
+    }
+    try {
+        if (options.smoothing.size > 0)
+            wanted.normal_sigma = lengthOf(options.smoothing, mm, diagonal) /
+                                  laplacian_lines::measure_scale(object.mesh, wanted).mean_edge;
+        return laplacian_lines::precompute(object.mesh, wanted, progress);
+    } catch (const laplacian_lines::Error& error) {
+        if (object.name.isEmpty()) throw;
+        throw laplacian_lines::Error(error.code(), object.name.toStdString() + ": " + error.what());
+    }
+}
+
+}  // namespace
+
+void ObjectLines::makeReady(const SheetOptions& options, double scale, const Progress& progress) {
+    const double mm = scale * options.mm_per_unit;
+    const PrecomputeOptions wanted = fieldOptions(options, mm);
+    const bool is_there = !extractors_.empty() &&
+                          wanted.drawn_kernel_size == made_.drawn_kernel_size &&
+                          wanted.curvature_derivatives == made_.curvature_derivatives;
+    if (is_there) return;
+    extractors_.clear();
+    kernel_size_ = 0;
+    made_ = wanted;
+    const auto count = double(objects_.size());
+    for (const Object& object : objects_) {
+        const auto done = double(extractors_.size());
+        const Progress own = part(progress, done / count, (done + 1) / count);
+        Field computed;
+        if (!object.field)
+            computed = computeField(object, wanted, options, mm, part(own, 0, field_share));
+        const Field& field = object.field ? *object.field : computed;
+        kernel_size_ = std::max(kernel_size_, field.scale.kernel_size);
+        extractors_.emplace_back(object.mesh, field, part(own, field_share, 1));
+    }
+}
+
+std::vector<laplacian_lines::LineSet> ObjectLines::extract(
+    const laplacian_lines::View& view, const laplacian_lines::LineStyle& style) {
+    std::vector<laplacian_lines::LineSet> lines;
+    for (const laplacian_lines::LineExtractor& extractor : extractors_)
+        lines.push_back(laplacian_lines::extract_on_surface(extractor, view, style, scratch_));
+    return lines;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/precompute_options.h"
+#include "laplacian_lines/progress.h"
+#include "line_drawing/object.h"
+#include "line_drawing/sheet_options.h"
+
+namespace line_drawing {
+
+/// The lines within objects' faces, from fields as fine as a scale asks for. The objects have to
+/// outlive it.
+class ObjectLines {
+public:
+    explicit ObjectLines(const Objects& objects) : objects_(objects) {}
+
+    /// Computes the fields that `scale`, mm on paper in one of the object, asks for, unless they
+    /// are those that are there.
+    /// @throws laplacian_lines::Error, naming the object.
+    void makeReady(const SheetOptions& options, double scale,
+                   const laplacian_lines::Progress& progress);
+
+    /// Of each object, for LineVisibility.
+    std::vector<laplacian_lines::LineSet> extract(const laplacian_lines::View& view,
+                                                  const laplacian_lines::LineStyle& style);
+
+    /// The largest √h, mesh units.
+    double kernelSize() const { return kernel_size_; }
+
+private:
+    const Objects& objects_;
+    laplacian_lines::PrecomputeOptions made_;  ///< of the extractors
+    std::vector<laplacian_lines::LineExtractor> extractors_;
+    double kernel_size_ = 0;
+    laplacian_lines::ExtractionScratch scratch_;
+};
+
+}  // namespace line_drawing

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "strokes/thinning.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "strokes/drawn_lines.h"
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector2d;
+
+// in pens of inner lines
+constexpr double between_lines = 2;  // from middle to middle
+constexpr double least_white = 0.5;  // beside outlines
+constexpr double shortest_stroke = 6;
+constexpr double shortest_loop = 20;
+constexpr double longest_crossing = 5;  // that a line takes to pass another
+constexpr double longest_touch = 3;     // at an end that meets another line
+constexpr double step = 0.5;
+
+bool isInner(const DrawnLine& line) {
+    return line.line_class == LineClass::Inner || line.line_class == LineClass::Fine;
+}
+
+double lengthOf(const std::vector<DrawnPoint>& points) {
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        length += (points[i].position - points[i - 1].position).norm();
+    return length;
+}
+
+/// Mean width times the root of the length.
+double strengthOf(const DrawnLine& line) {
+    double weights = 0;
+    for (const DrawnPoint& point : line.points)
+        weights += point.weight;
+    return weights / double(line.points.size()) * std::sqrt(lengthOf(line.points));
+}
+
+/// With points at most this far apart.
+std::vector<DrawnPoint> refined(const std::vector<DrawnPoint>& points, double distance) {
+    std::vector<DrawnPoint> result = {points.front()};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const DrawnPoint &a = points[i - 1], &b = points[i];
+        const auto pieces = std::max(1., std::ceil((b.position - a.position).norm() / distance));
+        for (double k = 1; k < pieces; ++k) {
+            const double t = k / pieces;
+            DrawnPoint between = b;
+            between.position += (1 - t) * (a.position - b.position);
+            between.weight += (1 - t) * (a.weight - b.weight);
+            between.node = laplacian_lines::kNoSightNode;
+            result.push_back(between);
+        }
+        result.push_back(b);
+    }
+    return result;
+}
+
+class Thinning {
+public:
+    explicit Thinning(const std::array<double, line_class_count>& pens)
+        : pens_(pens), pen_(pens[std::size_t(LineClass::Inner)]), kept_(between_lines * pen_) {
+        for (const double pen : pens)
+            outlines_.emplace_back(whiteBeside(pen));
+    }
+
+    /// A line that is drawn in any case.
+    void addOutline(const DrawnLine& line) {
+        outlines_[std::size_t(line.line_class)].add(positionsOf(line));
+    }
+
+    void addFree(const DrawnLine& line, std::vector<DrawnLine>& result) {
+        if (line.closed && lengthOf(line.points) < shortest_loop * pen_) return;
+        const std::vector<DrawnPoint> points = refined(line.points, step * pen_);
+        std::vector<bool> is_free(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            is_free[i] = isFree(points[i].position);
+        bridge(points, is_free);
+        for (std::size_t begin = 0; begin < points.size();) {
+            std::size_t end = begin;
+            while (end < points.size() && is_free[end])
+                ++end;
+            if (end - begin == points.size())
+                keep(line, result);
+            else if (end > begin + 1)
+                keep({line.line_class,
+                      false,
+                      {points.begin() + std::ptrdiff_t(begin),
+                       points.begin() + std::ptrdiff_t(end)}},
+                     result);
+            begin = std::max(end, begin + 1);
+        }
+    }
+
+private:
+    double whiteBeside(double pen) const { return pen / 2 + (0.5 + least_white) * pen_; }
+
+    bool isFree(const Vector2d& point) const {
+        if (kept_.isBeside(point, between_lines * pen_)) return false;
+        for (std::size_t c = 0; c < line_class_count; ++c)
+            if (outlines_[c].isBeside(point, whiteBeside(pens_[c]))) return false;
+        return true;
+    }
+
+    /// Where lines only cross or meet, nothing is taken away.
+    void bridge(const std::vector<DrawnPoint>& points, std::vector<bool>& is_free) const {
+        for (std::size_t begin = 0; begin < points.size();) {
+            std::size_t end = begin;
+            double length = 0;
+            while (end < points.size() && !is_free[end]) {
+                if (end > begin) length += (points[end].position - points[end - 1].position).norm();
+                ++end;
+            }
+            const bool is_end = begin == 0 || end == points.size();
+            const bool is_all = begin == 0 && end == points.size();
+            if (!is_all && length < (is_end ? longest_touch : longest_crossing) * pen_)
+                std::fill(is_free.begin() + std::ptrdiff_t(begin),
+                          is_free.begin() + std::ptrdiff_t(end), true);
+            begin = std::max(end, begin + 1);
+        }
+    }
+
+    void keep(const DrawnLine& line, std::vector<DrawnLine>& result) {
+        if (lengthOf(line.points) < shortest_stroke * pen_) return;
+        kept_.add(positionsOf(line));
+        result.push_back(line);
+    }
+
+    const std::array<double, line_class_count>& pens_;
+    const double pen_;
+    std::vector<DrawnLines> outlines_;  // by class
+    DrawnLines kept_;
+};
+
+}  // namespace
+
+std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines,
+                               const std::array<double, line_class_count>& pens) {
+    Thinning thinning(pens);
+    std::vector<DrawnLine> result, inner;
+    for (DrawnLine& line : lines) {
+        if (line.line_class != LineClass::Hidden && !isInner(line)) thinning.addOutline(line);
+        (isInner(line) ? inner : result).push_back(std::move(line));
+    }
+    std::stable_sort(inner.begin(), inner.end(), [](const DrawnLine& a, const DrawnLine& b) {
+        return strengthOf(a) > strengthOf(b);
+    });
+    for (const DrawnLine& line : inner)
+        thinning.addFree(line, result);
+    return result;
+}
+
+}  // namespace line_drawing
