@@ -3,6 +3,7 @@
 
 #include "planes/cutting.h"
 #include "sections/section_marks.h"
+#include "strokes/chaining.h"
 #include "strokes/line_easing.h"
 #include "strokes/overlaps.h"
 #include "strokes/slight_lines.h"
@@ -102,7 +103,8 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     lines = withoutSlightLines(std::move(lines), options);
     easeLines(lines, eased_share * pen);
     lines = withoutDoubles(std::move(lines), double_reach * pen);
-    lines = thinOut(std::move(lines), options.pens);
+    const bool is_tapered = options.strokes == StrokeStyle::Tapered;
+    lines = thinOut(chain(std::move(lines), options.pens, is_tapered), options.pens);
     const std::vector<Wall> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
     if (options.area != OutlineArea::None)

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "strokes/chaining.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "strokes/drawn_lines.h"
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector2d;
+
+// in pens of inner lines
+constexpr double longest_gap = 8;
+constexpr double meeting = 2;              // ends so near each other meet
+constexpr double tangent_reach = 3;        // over which the direction of an end is taken
+constexpr double swelling = 4;             // over which widths pass into each other
+constexpr double longest_gap_share = 0.5;  // of the shorter line
+constexpr double gap_cosine = 0.866;       // of 30°
+constexpr double meeting_cosine = 0.766;   // of 40°
+
+double lengthOf(const std::vector<DrawnPoint>& points) {
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        length += (points[i].position - points[i - 1].position).norm();
+    return length;
+}
+
+struct End {
+    std::size_t line;
+    bool is_last;
+    Vector2d position, outwards;
+};
+
+struct Bond {
+    std::size_t ends[2];
+    double gap;
+};
+
+class Chaining {
+public:
+    Chaining(std::vector<DrawnLine> lines, const std::array<double, line_class_count>& pens,
+             bool with_contours)
+        : lines_(std::move(lines)),
+          pens_(pens),
+          pen_(pens[std::size_t(LineClass::Inner)]),
+          all_(longest_gap * pen_) {
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            all_.add(positionsOf(lines_[i]), i);
+            const LineClass c = lines_[i].line_class;
+            const bool is_chained = c == LineClass::Inner || c == LineClass::Fine ||
+                                    (with_contours && c == LineClass::Contour);
+            lengths_.push_back(lengthOf(lines_[i].points));
+            if (!is_chained || lines_[i].closed || lines_[i].points.size() < 2) continue;
+            for (const bool is_last : {false, true})
+                ends_.push_back(endOf(i, is_last));
+        }
+        partners_.assign(ends_.size(), none);
+    }
+
+    std::vector<DrawnLine> run() {
+        for (const Bond& bond : bonds())
+            if (partners_[bond.ends[0]] == none && partners_[bond.ends[1]] == none) {
+                partners_[bond.ends[0]] = bond.ends[1];
+                partners_[bond.ends[1]] = bond.ends[0];
+            }
+        std::vector<DrawnLine> result;
+        std::vector<bool> is_done(lines_.size(), false);
+        for (std::size_t e = 0; e < ends_.size(); ++e)  // from ends where nothing goes on
+            if (partners_[e] == none && !is_done[ends_[e].line])
+                result.push_back(follow(e, is_done));
+        for (std::size_t e = 0; e < ends_.size(); ++e)  // rings
+            if (!is_done[ends_[e].line]) result.push_back(follow(e, is_done));
+        for (std::size_t i = 0; i < lines_.size(); ++i)
+            if (!is_done[i]) result.push_back(std::move(lines_[i]));
+        return result;
+    }
+
+private:
+    static constexpr std::size_t none = std::size_t(-1);
+
+    End endOf(std::size_t i, bool is_last) const {
+        const std::vector<DrawnPoint>& points = lines_[i].points;
+        const auto at = [&](std::size_t k) -> const Vector2d& {
+            return points[is_last ? points.size() - 1 - k : k].position;
+        };
+        std::size_t k = 1;
+        while (k + 1 < points.size() && (at(k) - at(0)).norm() < tangent_reach * pen_)
+            ++k;
+        return {i, is_last, at(0), (at(0) - at(k)).stableNormalized()};
+    }
+
+    bool isContour(const End& end) const {
+        return lines_[end.line].line_class == LineClass::Contour;
+    }
+
+    /// Pairs of ends that go on as each other, those that do best first.
+    std::vector<Bond> bonds() const {
+        std::vector<std::pair<double, Bond>> found;
+        const double cell = longest_gap * pen_;
+        std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
+        const auto place = [&](const Vector2d& p) {
+            return std::pair<int, int>(int(std::floor(p.x() / cell)),
+                                       int(std::floor(p.y() / cell)));
+        };
+        for (std::size_t e = 0; e < ends_.size(); ++e) {
+            const auto [x, y] = place(ends_[e].position);
+            for (int dx = -1; dx <= 1; ++dx)
+                for (int dy = -1; dy <= 1; ++dy)
+                    for (const std::size_t other : cells[{x + dx, y + dy}])
+                        if (const auto cost = costOf(ends_[other], ends_[e]))
+                            found.push_back({*cost, {{other, e}, 0}});
+            cells[{x, y}].push_back(e);
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::vector<Bond> sorted;
+        for (const auto& bond : found)
+            sorted.push_back(bond.second);
+        return sorted;
+    }
+
+    /// The gap, longer by the turn; nothing if lines do not go on there.
+    std::optional<double> costOf(const End& a, const End& b) const {
+        if (a.line == b.line && lengths_[a.line] < longest_gap * pen_) return {};
+        const Vector2d way = b.position - a.position;
+        const double gap = way.norm();
+        const double turn = -a.outwards.dot(b.outwards);
+        const bool meets = gap <= meeting * pen_;
+        if (turn < (meets ? meeting_cosine : gap_cosine)) return {};
+        if (isContour(a) && isContour(b) && !meets) return {};
+        if (!meets) {
+            const double shorter = std::min(lengths_[a.line], lengths_[b.line]);
+            if (isContour(a) || isContour(b) || gap > longest_gap * pen_ ||
+                gap > longest_gap_share * shorter || a.outwards.dot(way) < gap_cosine * gap ||
+                -b.outwards.dot(way) < gap_cosine * gap || isCrossed(a, b))
+                return {};
+        }
+        return gap + (1 - turn) * longest_gap * pen_;
+    }
+
+    bool isCrossed(const End& a, const End& b) const {
+        constexpr int samples = 7;
+        for (int i = 1; i <= samples; ++i) {
+            const double t = double(i) / (samples + 1);
+            const auto near = all_.nearestOn((1 - t) * a.position + t * b.position, none, pen_ / 2);
+            if (near && near->line != a.line && near->line != b.line) return true;
+        }
+        return false;
+    }
+
+    /// From an end through its line and what goes on at the other one.
+    DrawnLine follow(std::size_t first, std::vector<bool>& is_done) {
+        std::vector<std::pair<std::size_t, bool>> way;  // lines; whether from their last point on
+        bool closed = false;
+        for (std::size_t e = first;;) {
+            way.push_back({ends_[e].line, ends_[e].is_last});
+            is_done[ends_[e].line] = true;
+            const std::size_t next = partners_[otherEnd(e)];
+            if (next == none) break;
+            if (is_done[ends_[next].line]) {
+                closed = true;
+                break;
+            }
+            e = next;
+        }
+        if (way.size() == 1 && !closed) return std::move(lines_[way[0].first]);
+        return joined(way, closed);
+    }
+
+    std::size_t otherEnd(std::size_t e) const { return ends_[e].is_last ? e - 1 : e + 1; }
+
+    DrawnLine joined(const std::vector<std::pair<std::size_t, bool>>& way, bool closed) {
+        LineClass widest = LineClass::Fine;
+        for (const auto& [i, backwards] : way)
+            widest = std::min(widest, lines_[i].line_class);
+        DrawnLine result{widest, closed, {}};
+        std::vector<double> seams;
+        for (const auto& [i, backwards] : way) {
+            std::vector<DrawnPoint> points = std::move(lines_[i].points);
+            if (backwards) std::reverse(points.begin(), points.end());
+            const double share = fullWidth(lines_[i].line_class) / fullWidth(widest);
+            for (DrawnPoint& point : points)
+                point.weight *= share;
+            if (!result.points.empty()) seams.push_back(lengthOf(result.points));
+            result.points.insert(result.points.end(), points.begin(), points.end());
+        }
+        if (closed) result.points.push_back(result.points.front());
+        for (const double seam : seams)
+            blend(seam, result.points);
+        return result;
+    }
+
+    /// Faint lines taper from the width of clear ones.
+    double fullWidth(LineClass c) const {
+        return pens_[std::size_t(c == LineClass::Fine ? LineClass::Inner : c)];
+    }
+
+    /// Widths on both sides of a seam are means over the swelling.
+    void blend(double seam, std::vector<DrawnPoint>& points) const {
+        const double reach = swelling * pen_;
+        double at = 0, sums[2] = {0, 0};
+        int counts[2] = {0, 0};
+        std::vector<double> places(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (i > 0) at += (points[i].position - points[i - 1].position).norm();
+            places[i] = at - seam;
+            const int side = places[i] > 0;
+            const double distance = std::abs(places[i]);
+            if (distance < reach / 2 || distance > reach) continue;
+            sums[side] += points[i].weight;
+            ++counts[side];
+        }
+        if (counts[0] == 0 || counts[1] == 0) return;
+        const double before = sums[0] / counts[0], after = sums[1] / counts[1];
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (std::abs(places[i]) < reach / 2)
+                points[i].weight = before + (after - before) * (places[i] / reach + 0.5);
+    }
+
+    std::vector<DrawnLine> lines_;
+    const std::array<double, line_class_count>& pens_;
+    const double pen_;
+    DrawnLines all_;
+    std::vector<double> lengths_;
+    std::vector<End> ends_;
+    std::vector<std::size_t> partners_;  // by end: the one that goes on there
+};
+
+}  // namespace
+
+std::vector<DrawnLine> chain(std::vector<DrawnLine> lines,
+                             const std::array<double, line_class_count>& pens, bool with_contours) {
+    return Chaining(std::move(lines), pens, with_contours).run();
+}
+
+}  // namespace line_drawing
