@@ -51,7 +51,7 @@ void writeContactSheet(const std::vector<CollectionItem>& items, const Collectio
     const QString file = QDir(folder.path).filePath(contact_name + ('.' + folder.format));
     const QString title = commands.options.title.contains("{name}") ? "" : commands.options.title;
     line_drawing::writeSheet(line_drawing::makeContactSheet(entries, title), file, commands.dpi);
-    say(stdout, QString("%1: %2 objects").arg(file).arg(entries.size()));
+    say(stdout, QString("%1: %2 objects").arg(file, QString::number(entries.size())));
 }
 
 }  // namespace

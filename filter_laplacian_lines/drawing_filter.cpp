@@ -39,12 +39,10 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
                "unit of the mesh.")
         .arg(namesOf(layers), file,
              sheet.scale > 0 ? "scale " + line_drawing::scaleInWords(sheet.scale)
-                             : "in perspective and so without a scale")
-        .arg(sheet.size.width())
-        .arg(sheet.size.height())
-        .arg(QString(layers.size() > 1 ? "Together the objects are" : "The object is"),
-             lengths(size))
-        .arg(options.mm_per_unit);
+                             : "in perspective and so without a scale",
+             QString::number(sheet.size.width()), QString::number(sheet.size.height()),
+             QString(layers.size() > 1 ? "Together the objects are" : "The object is"),
+             lengths(size), QString::number(options.mm_per_unit));
 }
 
 }  // namespace

@@ -146,9 +146,8 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     meshlab_host::beginStep(run.progress, 1, "Adding a layer");
     addLayer(lines, source, field, chosen.colors, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")
-                .arg(source.name, kindsInWords(lines))
-                .arg(lines.segment_count())
-                .arg(eye.words));
+                .arg(source.name, kindsInWords(lines), QString::number(lines.segment_count()),
+                     eye.words));
     const QString warning = nearnessWarning(eye, box);
     if (!warning.isEmpty()) run.say(warning);
     addResults(eye, run.results);

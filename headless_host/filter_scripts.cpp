@@ -23,8 +23,8 @@ QDomElement readXml(const QString& file, QDomDocument& xml) {
     QString problem;
     int line = 0;
     if (!xml.setContent(&input, &problem, &line))
-        throw MLException(
-            QString("The script %1 is not XML: line %2, %3").arg(file).arg(line).arg(problem));
+        throw MLException(QString("The script %1 is not XML: line %2, %3")
+                              .arg(file, QString::number(line), problem));
     const QDomElement root = xml.documentElement();
     if (root.tagName() != "FilterScript")
         throw MLException("The script " + file + " is not a MeshLab filter script: its root is <" +

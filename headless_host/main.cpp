@@ -27,9 +27,8 @@ void openAll(const std::vector<Input>& inputs, MeshDocument& document, Report& r
         open(input, document);
         report.sayNewLines(document.Log);
         report.say(QString("opened %1: %2 vertices, %3 faces")
-                       .arg(input.file)
-                       .arg(document.mm()->cm.vn)
-                       .arg(document.mm()->cm.fn));
+                       .arg(input.file, QString::number(document.mm()->cm.vn),
+                            QString::number(document.mm()->cm.fn)));
     }
 }
 

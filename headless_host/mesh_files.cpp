@@ -42,9 +42,7 @@ MeshModel& layerOf(const OutputMesh& output, MeshDocument& document) {
     for (MeshModel& mesh : document.meshIterator())
         if (number++ == wanted) return mesh;
     throw MLException(QString("There is no layer %1 to save as %2; the last one is %3")
-                          .arg(wanted)
-                          .arg(output.file)
-                          .arg(layers - 1));
+                          .arg(QString::number(wanted), output.file, QString::number(layers - 1)));
 }
 
 /// Attributes of vertices are offered as boxes that begin with V(f) or V(3f).

@@ -40,9 +40,7 @@ QString computedLine(const QString& mesh_name, FieldStatus status, const Field& 
     return QString(
                "Laplacian Lines: %1 has %2; computed with the default options in %3 s%4 (to "
                "choose others, run the filter Compute Laplacian Lines)")
-        .arg(mesh_name, describe(status))
-        .arg(seconds, 0, 'f', 2)
-        .arg(specialsOf(field));
+        .arg(mesh_name, describe(status), QString::number(seconds, 'f', 2), specialsOf(field));
 }
 
 }  // namespace

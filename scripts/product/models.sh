@@ -78,7 +78,7 @@ default_mesh() {
     bumpy_torus
 }
 
-# prepare_mesh MESH_OR_EMPTY FOLDER: sets MESH to an absolute name that MeshLab can open; FOLDER takes unpacked copies.
+# prepare_mesh MESH_OR_EMPTY FOLDER: sets MESH to an absolute name; FOLDER takes unpacked copies.
 prepare_mesh() {
     if [[ -z $1 ]]; then
         default_mesh
@@ -87,10 +87,6 @@ prepare_mesh() {
         gunzip -c -- "$1" >"$MESH" || fail "the mesh $1 cannot be unpacked"
     else
         MESH=$(readlink -f -- "$1")
-    fi
-    if [[ $MESH == *[[:cntrl:]]* ]]; then # would be commands to MeshLab's driver
-        ln -s "$MESH" "$2/mesh.${MESH##*.}"
-        MESH=$2/mesh.${MESH##*.}
     fi
     say "mesh: $MESH"
 }

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# MeshLab with Laplacian lines switched on, in a window or on a picture. The GUI driver does the clicking.
+# MeshLab with Laplacian lines switched on, on a picture. The GUI driver does the clicking.
 
 require environment/messages environment/whole_files product/comparison product/display product/models product/private_home
 
-readonly LINES_ACTION="Laplacian Lines"
 readonly SHEET_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf # of DISPLAY_PACKAGES
 readonly MESHLAB_MINUTES=15 # more than a mesh of ten million triangles takes to load and prepare
 readonly DRIVER_ERROR=3     # the exit code of MeshLab when the driver ends it
@@ -55,6 +54,21 @@ picture_option() {
     PICTURE_OPTIONS+=("$option")
 }
 
+# is_odd_name NAME: it would mean something else to the driver, whose lines are UTF-8, or to MeshLab, whose names are of
+# the user's locale
+is_odd_name() (
+    [[ $(locale charmap) == UTF-8 ]] || LC_ALL=C
+    [[ $1 == *[^[:print:]]* ]]
+)
+
+# drivable_mesh MESH_OR_EMPTY FOLDER: as prepare_mesh(), but MESH is a link if its name is an odd one
+drivable_mesh() {
+    prepare_mesh "$@"
+    is_odd_name "$MESH" || return 0
+    ln -s "$MESH" "$2/mesh.${MESH##*.}"
+    MESH=$2/mesh.${MESH##*.}
+}
+
 # run_meshlab STAGE FOLDER: MeshLab with the driver script FOLDER/script; its chatter goes to FOLDER/log.
 run_meshlab() {
     # bash's own remark on a signal goes nowhere
@@ -79,19 +93,6 @@ explain_failure() {
 # user_settings FOLDER: the driver's commands in FOLDER/settings, if there is such a file
 user_settings() {
     [[ ! -e $1/settings ]] || cat "$1/settings"
-}
-
-# open_window STAGE FOLDER: of MESH. MeshLab keeps what was set in its dialogs only if it is told to.
-open_window() {
-    local stage=$1 folder=$2
-    {
-        printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "load $MESH" "check $LINES_ACTION on"
-        user_settings "$folder"
-    } >"$folder/script"
-    say "opening MeshLab; $LINES_ACTION is under Render"
-    local code=0
-    run_meshlab "$stage" "$folder" || code=$?
-    ((code == 0)) || fail "$MESH: $(explain_failure "$folder" "$code")"
 }
 
 check_picture() {
@@ -195,7 +196,7 @@ prepare_meshes() {
     shift
     for mesh in "$@"; do
         mkdir "$folder/${#MESH_FILES[@]}_${#FAILED_MESHES[@]}"
-        if file=$(prepare_mesh "$mesh" "$folder/${#MESH_FILES[@]}_${#FAILED_MESHES[@]}" && printf '%s' "$MESH"); then
+        if file=$(drivable_mesh "$mesh" "$folder/${#MESH_FILES[@]}_${#FAILED_MESHES[@]}" && printf '%s' "$MESH"); then
             add_row "$file" "${mesh:-$(basename "$file")}" ""
             [[ -z $PICTURE_NOISE ]] || add_row "$file" "${mesh:-$(basename "$file")}" "$PICTURE_NOISE"
         else

@@ -40,7 +40,7 @@ wait "$!"
 [[ $(plain_label '@a%w\n') == '\@a%%w\\n' ]] || fail "labels say something to ImageMagick"
 [[ $(plain_label $'a\ngrab b') == 'a?grab b' ]] || fail "labels have several lines"
 cp new $'mesh\ngrab b.ply'
-prepare_mesh $'mesh\ngrab b.ply' folder 2>/dev/null
+drivable_mesh $'mesh\ngrab b.ply' folder 2>/dev/null
 [[ $MESH != *$'\n'* ]] && cmp new "$MESH" || fail "a name of a mesh is a command: $MESH"
 
 touch -d '2001-01-01' older

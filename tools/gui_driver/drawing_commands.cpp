@@ -36,6 +36,17 @@ Outcome load(const Command& command) {
     return Outcome::Done;
 }
 
+/// A project that is not whole is refused with what MeshLab says of it.
+void openProject(const Command& command) {
+    BoxAnswerer boxes;
+    bool opened = false;
+    QMetaObject::invokeMethod(requireMainWindow(), "openProject", Qt::DirectConnection,
+                              Q_RETURN_ARG(bool, opened), Q_ARG(QString, command.rest));
+    const QString said = boxes.takeTexts().join("; ");
+    if (opened && said.isEmpty() && !presentSituation().layers.empty()) return;
+    throw CommandError("MeshLab cannot open the project" + (said.isEmpty() ? "" : ": " + said));
+}
+
 /// Why the decoration has not been drawn, as it says in the log; empty if it does not.
 QString refusal() {
     const MeshModel* layer = presentSituation().current;
@@ -53,6 +64,16 @@ void drawLines(const Command&) {
     throw CommandError(reason.isEmpty() ? "MeshLab does not draw the lines" : reason);
 }
 
+/// MeshLab switches decorations on for one layer at a time. The log says of which there are no
+/// lines.
+void drawAllLines(const Command&) {
+    for (const MeshModel* layer : presentSituation().layers) {
+        makeLayerCurrent(layer);
+        QAction* action = requireAction(decoration);
+        if (!action->isChecked()) action->trigger();
+    }
+}
+
 /// Lines narrower than a pixel would have gaps: small views have those of a window.
 void scaleLines(const Command& command) {
     QGLWidget* area = requireView();
@@ -65,7 +86,9 @@ void scaleLines(const Command& command) {
 
 void addDrawingCommands(CommandTable& table) {
     table.add("load", load, Place::Everywhere);
+    table.addSimple("open-project", openProject, Place::Everywhere);
     table.addSimple("draw-lines", drawLines);
+    table.addSimple("draw-all-lines", drawAllLines);
     table.addSimple("scale-lines", scaleLines);
     table.addSimple("frame", frame);
     table.addSimple("write-kernel", writeKernel);

@@ -35,4 +35,9 @@ Situation presentSituation() {
     return result;
 }
 
+void makeLayerCurrent(const MeshModel* layer) {
+    if (MLSceneGLSharedDataContext* scene = sceneOfView())
+        scene->meshDoc().setCurrentMesh(layer->id());
+}
+
 }  // namespace driver

@@ -17,4 +17,6 @@ struct Situation {
 };
 Situation presentSituation();
 
+void makeLayerCurrent(const MeshModel* layer);  ///< one of the present layers
+
 }  // namespace driver
