@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of several kinds of lines, one column of a sheet each, and of edges that are found in pictures of the shaded
+# Pictures of several kinds of lines, side by side on a sheet, and of edges that are found in pictures of the shaded
 # surface. A program that is built from the decoration's own table knows the kinds, and what the driver has to do for each.
 
 require environment/messages product/image_tools

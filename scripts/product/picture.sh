@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # MeshLab with Laplacian lines switched on, on a picture. The GUI driver does the clicking.
 
-require environment/messages environment/whole_files product/comparison product/display product/models product/private_home
+require environment/messages environment/whole_files product/comparison product/display product/models product/private_home product/sheet
 
-readonly SHEET_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf # of DISPLAY_PACKAGES
 readonly MESHLAB_MINUTES=15 # more than a mesh of ten million triangles takes to load and prepare
 readonly DRIVER_ERROR=3     # the exit code of MeshLab when the driver ends it
 readonly NOISE_SEED=1
@@ -205,13 +204,6 @@ prepare_meshes() {
     done
 }
 
-# plain_label TEXT: for ImageMagick, to which %, \ and a first @ say something
-plain_label() {
-    local text=${1//[[:cntrl:]]/?}
-    text=${text//\\/\\\\}
-    printf '%s' "${text//%/%%}" | sed 's/^@/\\@/'
-}
-
 # label_of ROW VIEW COLUMN
 label_of() {
     local view=${PICTURE_VIEWS[$2]} name=${MESH_NAMES[$1]%, with noise} label blur=
@@ -240,27 +232,26 @@ has_drawings() {
     done
 }
 
-# put_together FILE: the one drawing that there is, or a sheet of all: several kinds in columns, unless there is but one row
+# put_together FILE: the one drawing that there is, or a sheet of all; there, the kinds of a drawing are together, or the
+# views of a mesh
 put_together() {
-    local target=$1 row view column rows=0
-    local -a sheet=() tiles=()
+    local target=$1 row view column together=${#COLUMN_LABELS[@]}
+    local -a cells=()
+    ((together > 1)) || together=${#PICTURE_VIEWS[@]}
     for row in "${!MESH_FILES[@]}"; do
         for view in "${!PICTURE_VIEWS[@]}"; do
             has_drawings "$row" "$view" || continue
             finish_edges "$row" "$view"
-            ((++rows))
             for column in "${!COLUMN_LABELS[@]}"; do
-                sheet+=(-label "$(label_of "$row" "$view" "$column")" "$(drawing "$row" "$view" "$column")")
+                cells+=("$(label_of "$row" "$view" "$column")" "$(drawing "$row" "$view" "$column")")
             done
         done
     done
-    ((${#sheet[@]})) || fail "no picture was written"
-    ((rows == 1 || ${#COLUMN_LABELS[@]} == 1)) || tiles=(-tile "${#COLUMN_LABELS[@]}x")
-    if ((${#MESH_FILES[@]} + ${#FAILED_MESHES[@]} == 1 && ${#sheet[@]} == 3)); then
-        put_file "${sheet[2]}" "$target"
+    ((${#cells[@]})) || fail "no picture was written"
+    if ((${#MESH_FILES[@]} + ${#FAILED_MESHES[@]} == 1 && ${#cells[@]} == 2)); then
+        put_file "${cells[1]}" "$target"
     else
-        montage -font "$SHEET_FONT" -pointsize 18 "${sheet[@]}" "${tiles[@]}" -geometry +8+8 "$DRAWINGS/sheet.png" ||
-            fail "ImageMagick's montage could not put the sheet together"
+        make_sheet "$DRAWINGS/sheet.png" "$PICTURE_SIZE" "$together" "${cells[@]}"
         put_file "$DRAWINGS/sheet.png" "$target"
     fi
     say "the picture is $target"

@@ -43,7 +43,7 @@ write_bumpy_torus 30 20 >"$WORK/odd/$odd"
 latin=odd/$'caf\xe9\n.ply'
 write_bumpy_torus 20 20 >"$WORK/$latin"
 gzip -c "$WORK/torus.ply" >"$WORK/packed.ply.gz"
-cd "$WORK"
+cd "$WORK" || exit
 mapfile -t commands < <(lines_of_layers 4)
 open_and_expect 0 torus.ply "odd/$odd" "$latin" packed.ply.gz -- "${commands[@]}"
 grep -F "Laplacian Lines: $odd has no precomputed attributes" log | grep -qE ' options in [0-9.]+ s' ||
