@@ -35,9 +35,7 @@ deb822_source_entries() {
 
 # write_source_list FOLDER: entries for apt's sourceparts folder.
 write_source_list() {
-    mkdir -p "$1"
-    classic_source_entries >"$1/classic.list"
-    deb822_source_entries >"$1/deb822.sources"
+    mkdir -p "$1" && classic_source_entries >"$1/classic.list" && deb822_source_entries >"$1/deb822.sources"
 }
 
 # write_debian_source_list FOLDER SUITE: the same for another release of Debian, from the mirror of this machine's own.

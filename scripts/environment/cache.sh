@@ -15,14 +15,12 @@ compiled_folder() {
 publish_into() {
     local folder=$1
     shift
-    mkdir -p "$(dirname "$folder")"
     local scratch
-    scratch=$(mktemp -d "$folder.XXXXXX")
+    mkdir -p "$(dirname "$folder")" && scratch=$(mktemp -d "$folder.XXXXXX") || return 1
     if ! "$@" "$scratch"; then
         rm -rf "$scratch"
         return 1
     fi
-    chmod 755 "$scratch" # mktemp makes it private; a shared cache should stay readable
-    rm -rf "$folder"
-    mv -T "$scratch" "$folder"
+    # mktemp makes it private; a shared cache should stay readable
+    chmod 755 "$scratch" && rm -rf "$folder" && mv -T "$scratch" "$folder"
 }

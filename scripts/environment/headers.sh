@@ -10,7 +10,8 @@ source_apt_get() {
     shift
     # -c is read after the system's configuration, the only place where its hooks can be cleared. Lists of a release in
     # the making run out while a mirror lags behind; source packages are none the worse.
-    cat >"$folder/apt.conf" <<-END
+    # Never without all of its lines, or it would be the machine's own lists that apt-get writes.
+    cat >"$folder/apt.conf" <<-END || return 1
 		#clear APT::Update::Post-Invoke;
 		#clear APT::Update::Post-Invoke-Success;
 		Dir::Etc::sourcelist "/dev/null";
@@ -30,7 +31,7 @@ download_source_package() {
     if [[ -n $suite ]]; then
         write_debian_source_list "$folder/sources" "$suite" || return 1
     else
-        write_source_list "$folder/sources"
+        write_source_list "$folder/sources" || return 1
     fi
     mkdir -p "$folder/lists/partial" "$folder/cache"
     # Sources of other vendors often hold no source packages: that alone is no reason to stop.
@@ -40,17 +41,14 @@ download_source_package() {
 
 # unpack_headers PACKAGE [SUITE] FOLDER
 unpack_headers() {
-    local package=$1 folder=${*: -1} suite=${3:+$2} apt tarball
-    apt=$(mktemp -d)
-    if ! download_source_package "$package" "$apt" "$suite"; then
-        rm -rf "$apt"
-        return 1
-    fi
-    tarball=$(find "$apt" -maxdepth 1 -name 'meshlab_*.orig.tar.*' -print -quit)
+    local package=$1 folder=${*: -1} suite=${3:+$2} apt code=0
+    apt=$(mktemp -d) || return 1
     # Wildcards cover vcglib beside src/ (2020.09) and inside it (later).
-    tar -xf "$tarball" -C "$folder" --strip-components=1 --wildcards \
-        '*/ML_VERSION' '*/src/common' '*/vcglib/vcg' '*/vcglib/wrap' || return 1
+    download_source_package "$package" "$apt" "$suite" &&
+        tar -xf "$(find "$apt" -maxdepth 1 -name 'meshlab_*.orig.tar.*' -print -quit)" -C "$folder" \
+            --strip-components=1 --wildcards '*/ML_VERSION' '*/src/common' '*/vcglib/vcg' '*/vcglib/wrap' || code=1
     rm -rf "$apt"
+    return "$code"
 }
 
 # ensure_headers: sets MESHLAB_SOURCE_DIR.

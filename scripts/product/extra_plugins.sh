@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The folder from which MeshLab 2022.02 and later load plugins that a user has added.
 
-require environment/messages environment/packages product/stage
+require environment/messages environment/packages environment/whole_files product/stage
 
 has_extra_plugins() {
     [[ $(meshlab_version) != 2020.* ]]
@@ -47,46 +47,63 @@ make_folders() {
     printf 'folder - %s\n' "$1"
 }
 
-# install_plugins PLUGIN...: into the user's own folder, in place of those installed before
+# is_installed FILE: by install_plugins, and unchanged since
+is_installed() {
+    [[ -e $(install_record) ]] && grep -qxF "file $(checksum "$1") $1" "$(install_record)"
+}
+
+# recorded KIND: its lines of the record
+recorded() {
+    [[ ! -e $(install_record) ]] || grep "^$1 " "$(install_record)" || true
+}
+
+# install_plugins PLUGIN...: into the user's own folder, in place of those installed before. The record has the old and the
+# new ones until all are there.
 install_plugins() {
-    local folder record plugin target
+    local folder plugin target folders old new
     has_extra_plugins || fail "MeshLab $(meshlab_version) loads no plugins from a user's folder; install them for all users: sudo cmake --install build"
     refuse_installed_plugins "$@"
-    record=$(install_record)
-    [[ ! -e $record ]] || remove_recorded
     folder=$(extra_plugins_folder "$(user_data_folder)")
     for plugin in "$@"; do
         target=$folder/$(basename "$plugin")
-        [[ ! -e $target ]] || fail "$target is there already, but ./run has not installed it; remove it first"
+        [[ ! -e $target ]] || is_installed "$target" ||
+            fail "$target is there already, but ./run has not installed it; remove it first"
     done
-    make_folders "$(dirname "$record")" >/dev/null
-    make_folders "$folder" >"$record"
+    make_folders "$(dirname "$(install_record)")" >/dev/null
+    folders=$(recorded folder && make_folders "$folder")
+    old=$(recorded file)
+    new=$(for plugin in "$@"; do printf 'file %s %s\n' "$(checksum "$plugin")" "$folder/$(basename "$plugin")"; done)
+    put_file <(printf '%s\n' "$folders" "$old" "$new") "$(install_record)"
     for plugin in "$@"; do
-        target=$folder/$(basename "$plugin")
-        printf 'file %s %s\n' "$(checksum "$plugin")" "$target" >>"$record"
-        install -m 644 "$plugin" "$target"
+        put_file "$plugin" "$folder/$(basename "$plugin")"
     done
+    { grep -vF " $folder/" <<<"$old" || true; } | remove_recorded # of another version of MeshLab
+    put_file <(printf '%s\n' "$folders" "$new") "$(install_record)"
     say "installed in $folder; ./run --uninstall removes them"
 }
 
 uninstall_plugins() {
-    [[ -e $(install_record) ]] || fail "./run --install has installed nothing here"
-    remove_recorded
-}
-
-remove_recorded() {
-    local record kind sum path
+    local record
     record=$(install_record)
-    while read -r kind sum path; do
-        if [[ $kind == folder ]]; then
-            [[ ! -d $path ]] || rmdir --ignore-fail-on-non-empty "$path"
-        elif [[ -e $path && $(checksum "$path") != "$sum" ]]; then
-            say "left alone, because it is not what ./run has installed: $path"
-        elif [[ -e $path ]]; then
-            rm "$path"
-            say "removed $path"
-        fi
-    done < <(tac "$record")
+    [[ -e $record ]] || fail "./run --install has installed nothing here"
+    tac "$record" | remove_recorded
     rm "$record"
     rmdir --ignore-fail-on-non-empty "$(dirname "$record")"
+}
+
+# remove_recorded: what the lines on stdin tell of
+remove_recorded() {
+    local kind path
+    while read -r kind _ path; do
+        if [[ $kind == folder ]]; then
+            [[ ! -d $path ]] || rmdir --ignore-fail-on-non-empty "$path"
+        elif [[ ! -e $path ]]; then
+            continue
+        elif is_installed "$path"; then
+            rm "$path"
+            say "removed $path"
+        else
+            say "left alone, because it is not what ./run has installed: $path"
+        fi
+    done
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Meshes to show: the user's, or the Stanford dragon, or one of our own making when there is no network.
 
-require environment/cache environment/messages environment/packages
+require environment/cache environment/messages environment/packages environment/whole_files
 
 check_mesh() {
     [[ -e $1 ]] || fail "there is no mesh $1"
@@ -67,8 +67,8 @@ write_bumpy_torus() {
 # bumpy_torus: sets MESH to one of 102,400 triangles
 bumpy_torus() {
     MESH=$(cache_folder)/models/bumpy_torus.ply
-    mkdir -p "$(dirname "$MESH")"
-    write_bumpy_torus 320 160 >"$MESH.part" && mv "$MESH.part" "$MESH"
+    mkdir -p "$(dirname "$MESH")" || fail "cannot write $MESH"
+    put_file <(write_bumpy_torus 320 160) "$MESH"
 }
 
 # default_mesh: sets MESH to the dragon or, failing that, to the torus.

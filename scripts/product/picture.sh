@@ -68,6 +68,11 @@ drivable_mesh() {
     MESH=$2/mesh.${MESH##*.}
 }
 
+# write_driver_script FOLDER TEXT: FOLDER/script. MeshLab without the end of its script would stay open.
+write_driver_script() {
+    printf '%s\n' "$2" >"$1/script" || fail "cannot write $1/script"
+}
+
 # run_meshlab STAGE FOLDER: MeshLab with the driver script FOLDER/script; its chatter goes to FOLDER/log.
 run_meshlab() {
     # bash's own remark on a signal goes nowhere
@@ -163,7 +168,7 @@ first_undrawn() {
 draw_meshes() {
     local stage=$1 folder=$2 first=0 undrawn code
     while ((first < ${#MESH_FILES[@]})); do
-        drawing_script "$first" "$folder" >"$folder/script"
+        write_driver_script "$folder" "$(drawing_script "$first" "$folder")"
         code=0
         (
             use_private_home "$folder/home"

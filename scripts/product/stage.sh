@@ -2,7 +2,7 @@
 # STAGE/bin/meshlab and meshlabserver: the installed MeshLab with our plugins beside its own, and with nothing written
 # outside STAGE. Nothing that is as it should be is touched: another MeshLab may just be starting from there.
 
-require environment/turns product/server
+require environment/turns environment/whole_files product/server
 
 multiarch() {
     dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch
@@ -36,8 +36,8 @@ copy_meshlab() {
     mkdir -p "$folder/bin" "$folder/share"
     for name in meshlab meshlabserver; do
         [[ -e /usr/bin/$name ]] || continue
-        # A running MeshLab may hold the old copy: replace it instead of writing into it.
-        cmp -s "/usr/bin/$name" "$folder/bin/$name" || install "/usr/bin/$name" "$folder/bin/"
+        # A running MeshLab may hold the old copy: it is replaced instead of written into.
+        cmp -s "/usr/bin/$name" "$folder/bin/$name" || put_file "/usr/bin/$name" "$folder/bin/$name" 755
     done
     link_all "$libraries" "$installed"/*.so
     # MeshLab loads both of two plugins with the same decorations and stops at their parameters: ours replaces an
@@ -73,7 +73,5 @@ stage_program() {
 }
 
 write_program() {
-    cat >"$1.new"
-    chmod +x "$1.new"
-    mv "$1.new" "$1"
+    put_file /dev/stdin "$1" 755
 }

@@ -15,7 +15,7 @@ find_opening() {
         ! is_odd_name "$project" || fail "MeshLab cannot be told the name of the project $1: rename it or its folder"
         OPENING="open-project $project"
     else
-        mkdir "$2"
+        mkdir -p "$2"
         drivable_mesh "$1" "$2"
         OPENING="load $MESH"
     fi
@@ -29,10 +29,10 @@ open_window() {
         find_opening "$name" "$folder/${#openings[@]}"
         openings+=("$OPENING")
     done
-    {
+    write_driver_script "$folder" "$(
         printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "${openings[@]}" draw-all-lines
         user_settings "$folder"
-    } >"$folder/script"
+    )"
     say "opening MeshLab; Laplacian Lines is under Render"
     run_meshlab "$stage" "$folder" || code=$?
     ((code == 0)) || fail "$(last_opened "$folder"): $(explain_failure "$folder" "$code")"

@@ -3,15 +3,27 @@
 # The packages: MeshLab shows filters and decoration after the .deb is installed, in a copy of the system, and with the
 # files of the .zip; removing the .deb leaves nothing.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
-require product/extra_plugins
+require product/extra_plugins product/package
 # shellcheck source=/dev/null
 source "$CHECKOUT/tests/meshlab/system_copy.sh"
 
-# CPack would first build all that can be built; it does not for generators without a target "preinstall"
-cpack --config "$LAPLACIAN_LINES_BUILD/CPackConfig.cmake" -D CPACK_CMAKE_GENERATOR=Ninja \
-    -D CPACK_OUTPUT_FILE_PREFIX="$WORK" -B "$WORK" >"$WORK/log" 2>&1 || fail "the packages could not be made"
-deb=$(echo "$WORK"/meshlab-laplacian-lines_*.deb)
-zip=$(echo "$WORK"/meshlab-laplacian-lines-*.zip)
+folder=$WORK/packages
+mkdir "$folder"
+touch "$folder/of_another_version.deb"
+make_packages "$LAPLACIAN_LINES_BUILD" "$folder"
+deb=$(echo "$folder"/meshlab-laplacian-lines_*.deb)
+zip=$(echo "$folder"/meshlab-laplacian-lines-*.zip)
+[[ ! -e $folder/of_another_version.deb ]] || fail "old packages are left"
+
+# without room, the packages that are there stay as they are
+sums=$(cd "$folder" && sha256sum -- *)
+for kilobytes in 50 200 400 800; do
+    ! (ulimit -f "$kilobytes" && make_packages "$LAPLACIAN_LINES_BUILD" "$folder") 2>"$WORK/log" ||
+        fail "$kilobytes kB are enough for the packages"
+    expect_text "$WORK/log" 'the packages could not be made; the whole output is in .*log'
+    [[ $(cd "$folder" && sha256sum -- *) == "$sums" && ! -e $LAPLACIAN_LINES_BUILD/packages.new ]] ||
+        fail "packages without room are $(ls -l "$folder")"
+done
 
 version=$(meshlab_version | grep -oE '^[0-9]+\.[0-9]+')
 dpkg-deb --field "$deb" Depends >"$WORK/depends"

@@ -2,10 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # ./run --set in a window: the lines follow, and the next window has the user's settings again.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
-require product/picture product/settings
+require product/settings product/window
 
 torus "$WORK/torus.ply"
-prepare_mesh "$WORK/torus.ply" "$WORK"
 reds=("Line Color=red" "contour_color=#f00")
 
 # kept_settings FILE: what MeshLab has kept of the decoration's parameters
@@ -19,7 +18,7 @@ in_window() {
     write_settings "$LAPLACIAN_LINES_BUILD" "$WORK/settings" "${@:3}"
     printf '%s\n' "check Show Info Panel off" "check Show Trackball off" "check Laplacian Lines Probe on" "$2" leave \
         >>"$WORK/settings"
-    open_window "$STAGE" "$WORK"
+    open_window "$STAGE" "$WORK" "$WORK/torus.ply"
     kept_settings "$WORK/$1"
 }
 
@@ -32,3 +31,5 @@ diff "$WORK/before" "$WORK/after" || fail "what was set for one window is kept"
 rm -f "$WORK/log"
 ! (write_settings "$LAPLACIAN_LINES_BUILD" "$WORK/settings" Detail=70 Detail=abc) 2>"$WORK/log" || fail "abc is taken"
 expect_text "$WORK/log" '^laplacian-lines: "Detail" is abc. It has to be between 0 and 100.$'
+! (write_settings "$LAPLACIAN_LINES_BUILD" /dev/full Detail=70) 2>"$WORK/log" || fail "half of the settings were taken"
+expect_text "$WORK/log" 'cannot be written: No space left on device'

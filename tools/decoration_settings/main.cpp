@@ -31,10 +31,13 @@ int main(int argc, char** argv) try {
         words << QString::fromLocal8Bit(argv[i]);
     if (words.value(0) == "--kinds") {
         printPictures(words.value(1), words.mid(2));
-        return 0;
+    } else {
+        for (const QString& command : settingCommands(words))
+            print(command + '\n');
     }
-    for (const QString& command : settingCommands(words))
-        print(command + '\n');
+    if (std::fflush(stdout) == 0) return 0;
+    std::perror("what the driver has to do cannot be written");
+    return 1;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
