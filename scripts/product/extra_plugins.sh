@@ -3,6 +3,11 @@
 
 require environment/messages environment/packages environment/whole_files product/stage
 
+# expect_extra_plugins PACKAGES: PACKAGES is where ./run --package puts what is for all users
+expect_extra_plugins() {
+    has_extra_plugins || fail "MeshLab $(meshlab_version) loads no plugins from a user's folder; to have them for all users, run ./run --package and, as root, apt install $1/*.deb"
+}
+
 has_extra_plugins() {
     [[ $(meshlab_version) != 2020.* ]]
 }
@@ -61,7 +66,6 @@ recorded() {
 # new ones until all are there.
 install_plugins() {
     local folder plugin target folders old new
-    has_extra_plugins || fail "MeshLab $(meshlab_version) loads no plugins from a user's folder; install them for all users: sudo cmake --install build"
     refuse_installed_plugins "$@"
     folder=$(extra_plugins_folder "$(user_data_folder)")
     for plugin in "$@"; do
