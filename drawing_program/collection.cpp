@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include "collection_items.h"
+#include "file_names.h"
 #include "laplacian_lines/error.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/sheet_file.h"
@@ -46,7 +47,8 @@ void writeContactSheet(const std::vector<CollectionItem>& items, const Collectio
                        const CommandLine& commands) {
     std::vector<line_drawing::ContactEntry> entries;
     for (const CollectionItem& item : items)
-        if (folder.isUpToDate(item)) entries.push_back({item.name, folder.readView(item)});
+        if (folder.isUpToDate(item))
+            entries.push_back({readable(item.name), folder.readView(item)});
     if (entries.empty()) return;
     const QString file = QDir(folder.path).filePath(contact_name + ('.' + folder.format));
     const QString title = commands.options.title.contains("{name}") ? "" : commands.options.title;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "file_names.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_mixture.h"
 #include "line_drawing/sheet_file.h"
@@ -165,7 +166,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     if (result.is_collection) return result;
     QStringList mesh_names;
     for (const QString& mesh : result.meshes)
-        mesh_names << QFileInfo(mesh).completeBaseName();
+        mesh_names << readable(QFileInfo(mesh).completeBaseName());
     options.title.replace("{name}", mesh_names.join(", "));
     options.strokes = line_drawing::strokesIn(result.drawing, options.strokes);
     return result;

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "collection.h"
+#include "file_names.h"
 #include "one_drawing.h"
 #include "say.h"
 
@@ -37,6 +38,7 @@ void passOn(QtMsgType, const QMessageLogContext&, const QString& message) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    keepFileNames();
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);

@@ -15,22 +15,24 @@ namespace {
                                  QString("%1: %2").arg(file, why).toStdString());
 }
 
+std::optional<mesh_files::Format> formatOf(const QString& file) {
+    return mesh_files::format_of(QFileInfo(file).suffix().toLower().toStdString());
+}
+
 }  // namespace
 
 QStringList meshesOf(const QStringList& named) {
-    QStringList filters, meshes;
-    for (const std::string& ending : mesh_files::endings())
-        filters << "*." + QString::fromStdString(ending);
+    QStringList meshes;
     for (const QString& name : named) {
         if (!QFileInfo(name).isDir()) {
             meshes << name;
             continue;
         }
         const QDir folder(name);
-        const QStringList files = folder.entryList(filters, QDir::Files, QDir::Name);
-        for (const QString& file : files)
-            meshes << folder.filePath(file);
-        if (files.isEmpty())
+        const int before = meshes.size();
+        for (const QString& file : folder.entryList(QDir::Files, QDir::Name))
+            if (formatOf(file)) meshes << folder.filePath(file);
+        if (meshes.size() == before)
             throw laplacian_lines::Error(
                 laplacian_lines::ErrorCode::InvalidOption,
                 QString("there is no mesh in the folder \"%1\".").arg(name).toStdString());
@@ -40,7 +42,7 @@ QStringList meshesOf(const QStringList& named) {
 }
 
 ReadMesh readMesh(const QString& name, Damaged damaged) {
-    const auto format = mesh_files::format_of(QFileInfo(name).suffix().toLower().toStdString());
+    const auto format = formatOf(name);
     QFile file(name);
     if (!QFileInfo(name).isFile() || !file.open(QIODevice::ReadOnly))
         refuse(name, "there is no such file, or it cannot be read.");

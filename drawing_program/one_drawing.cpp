@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "file_names.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/make_sheet.h"
@@ -57,7 +58,7 @@ QString lackOf(const ReadMesh& read) {
 QString sourcesOf(const QStringList& files, const std::vector<ReadMesh>& meshes) {
     QStringList sources;
     for (int i = 0; i < files.size(); ++i) {
-        sources << QFileInfo(files[i]).fileName();
+        sources << readable(QFileInfo(files[i]).fileName());
         const QString lack = lackOf(meshes[std::size_t(i)]);
         if (lack.isEmpty()) continue;
         say(stderr, QString("%1 is drawn incomplete: %2").arg(files[i], lack));

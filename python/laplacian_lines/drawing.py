@@ -2,6 +2,7 @@
 """Flat drawings of the lines that the polyline filter makes, as they are seen from its view."""
 
 import io
+import os
 import pathlib
 import typing
 
@@ -99,7 +100,7 @@ def picture(file, mesh, view, size=8, dpi=150, **style):
     sides = numpy.maximum(size * extent / max(extent.max(), 1e-30), 0.2 * size)
     figure = Figure(figsize=sides, dpi=dpi)
     _draw(figure.add_axes([0.02, 0.02, 0.96, 0.96]), flat, **style)
-    place = pathlib.Path(file)
+    place = pathlib.Path(os.fsdecode(file))
     place = place if place.suffix else place.with_suffix(".png")
     content = io.BytesIO()
     figure.savefig(content, format=place.suffix[1:])

@@ -3,18 +3,22 @@
 
 import html
 import inspect
+import os
+import pathlib
 import re
+import tempfile
 import textwrap
 import warnings
 
 from .tables import filter_row, parameters
+from .whole_file import write_whole
 
 
 def method(name):
     """A method of MeshSet that calls a filter by its name in PyMeshLab."""
 
     def call(self, **given):
-        results = self.apply_filter(name, **with_choices(name, given))
+        results = _apply(self, name, with_choices(name, given))
         if results.get("sees_all") is False:
             warnings.warn("Not all of the mesh is in sight: the viewpoint is within its bounding box or close to it. "
                           'Take one farther away, or one of the sides, such as view="Front".', stacklevel=2)
@@ -24,6 +28,20 @@ def method(name):
     call.__doc__ = _help(name)
     call.__signature__ = _signature(name)
     return call
+
+
+def _apply(meshes, name, given):
+    """The filter's results. Files may be named as in open(); PyMeshLab itself takes names that are UTF-8."""
+    if "file" not in given:
+        return meshes.apply_filter(name, **given)
+    file = os.fsdecode(given["file"])
+    if not any("\ud800" <= c <= "\udfff" for c in file):
+        return meshes.apply_filter(name, **{**given, "file": file})
+    with tempfile.TemporaryDirectory() as folder:
+        drawing = pathlib.Path(folder) / f"drawing{pathlib.Path(file).suffix}"
+        results = meshes.apply_filter(name, **{**given, "file": str(drawing)})
+        write_whole(file, drawing.read_bytes())
+    return results
 
 
 def with_choices(name, given):

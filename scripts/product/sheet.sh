@@ -7,9 +7,10 @@ readonly SHEET_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf # of DISPLAY
 readonly SHEET_WIDTH=3840 SHEET_HEIGHT=16000 # pixels, at most: the widest usual screen; ImageMagick's limit
 readonly SHEET_GAP=8 LABEL_HEIGHT=60         # around a cell; two lines
 
-# plain_label TEXT: for ImageMagick, to which %, \ and a first @ say something
+# plain_label TEXT: for ImageMagick, which reads UTF-8, and to which %, \ and a first @ say something
 plain_label() {
     local text=${1//[[:cntrl:]]/?}
+    iconv -f UTF-8 <<<"$text" >/dev/null 2>&1 || text=$(LC_ALL=C && printf '%s' "${text//[^ -~]/?}")
     text=${text//\\/\\\\}
     printf '%s' "${text//%/%%}" | sed 's/^@/\\@/'
 }

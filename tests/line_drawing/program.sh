@@ -163,6 +163,27 @@ refused "cannot be written" cube.off/plates/ meshes
 refused "20 to 2400" plate.png --dpi 5 cube.off
 refused "is too large" plate.png --dpi 2400 --paper a0 cube.off
 
+# --- names of files are bytes, in locales of ASCII and of UTF-8
+
+mkdir names
+odd=$'caf\xe9 \xff\xc3'
+for locale in C C.UTF-8; do
+    for name in "$odd" "ü 日本 😀"; do
+        cp cube.off "names/$name.off"
+        LC_ALL=$locale "$PROGRAM" "names/$name.svg" --title "{name}" --views front "names/$name.off" >out 2>error ||
+            fail "in $locale, not drawn: $name: $(<error)"
+        [[ -s names/$name.svg && ! -s error ]] && iconv -f UTF-8 "names/$name.svg" >/dev/null || fail "in $locale, of $name: $(<error)"
+        grep -qF "the drawing is names/$name.svg" out || fail "in $locale, it says: $(<out)"
+        LC_ALL=$locale "$PROGRAM" "names/$name/" --format svg names >out 2>error || fail "in $locale, no folder: $(<error)"
+        [[ -s names/$name/$name.svg && -s names/$name/contact_sheet.svg ]] || fail "in $locale: $(ls -R names)"
+        rm -r "names/$name"*
+    done
+    cp cube.off "$odd.off"
+    LC_ALL=$locale "$PROGRAM" note.svg --title "{name}" --views front "$odd.off" >out
+    grep -qF $'caf\xEF\xBF\xBD \xEF\xBF\xBD\xEF\xBF\xBD.off' note.svg && grep -qF $'>caf\xEF\xBF\xBD \xEF\xBF\xBD\xEF\xBF\xBD<' note.svg ||
+        fail "in $locale, the sheet names it: $(grep -a caf note.svg)"
+done
+
 # pens of .5 mm stand out by half their width
 dpi=600 missing=
 for scale in 1:1 1:2; do

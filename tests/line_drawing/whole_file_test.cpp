@@ -114,6 +114,16 @@ TEST(WholeFiles, EndAtAnyByte) {
     expectOldFile(folder, file);
 }
 
+TEST(WholeFiles, NamesAreNotCut) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QString("cut") + QChar(0) + "off.svg");
+    for (const auto& complaint : {complaintOf([&] { checkSheetFile(file); }),
+                                  complaintOf([&] { writeWhole(file, "new"); })})
+        EXPECT_NE(complaint.find("cut\\0off.svg\" cannot be written: no name"), std::string::npos)
+            << complaint;
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
 TEST(WholeFiles, LinksAreFollowed) {
     const QTemporaryDir folder;
     const QString file = folder.filePath("real.svg"), link = folder.filePath("link.svg");

@@ -78,6 +78,17 @@ read -r width height < <(identify -format '%w %h\n' "$WORK/sheet.png")
 ((width == 2 * 516 && height > 416)) || fail "the sheet is ${width}x$height"
 ((2 * ink < 3 * $(dark_pixels "$WORK/sheet.png"))) || fail "the sheet holds less than two drawings"
 
+# names that are no UTF-8, in any locale
+odd=$'caf\xe9 @%w.'
+cp "$WORK/torus.ply" "$WORK/${odd}ply"
+for locale in C C.UTF-8; do
+    LC_ALL=$locale take "$WORK/${odd}png" "$WORK/${odd}ply"
+    expect_same_picture "$WORK/drawing.png" "$WORK/${odd}png" 0
+    LC_ALL=$locale take "$WORK/odd_$locale.png" "$WORK/${odd}ply" --view front --view top
+    rm "$WORK/${odd}png"
+done
+expect_same_picture "$WORK/odd_C.png" "$WORK/odd_C.UTF-8.png" 0
+
 # without perspective, a box shows the two sizes that the view and the axis that is up leave, as large as they fit into
 # 360 pixels: a twentieth of the shorter side is left free
 box "$WORK/box.ply" 4 3 2

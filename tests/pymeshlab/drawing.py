@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lines in the plane of the picture are where a camera sees them, and are as wide and dark as their attributes say."""
 
+import os
 import pathlib
 import resource
 import signal
@@ -74,3 +75,12 @@ with tempfile.TemporaryDirectory() as folder:
     assert file.read_bytes()[:4] == b"\x89PNG" and len(list(file.parent.iterdir())) == 1
     laplacian_lines.picture(pathlib.Path(folder, "lines"), mesh, view)
     assert pathlib.Path(folder, "lines.png").exists() and not pathlib.Path(folder, "lines").exists()
+    odd = os.fsencode(folder) + b"/caf\xe9.png"
+    laplacian_lines.picture(odd, mesh, view)
+    assert os.path.getsize(odd) > 1000
+    try:
+        laplacian_lines.picture(folder + "/cut\0off.png", mesh, view)
+        raise AssertionError("a name was cut")
+    except ValueError as error:
+        assert "null" in str(error), error
+    assert not os.path.exists(folder + "/cut")

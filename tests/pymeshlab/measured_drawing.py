@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measured drawings as a function of Python and by the example script: files, results, errors; the mesh stays as it is."""
 
+import os
 import re
 
 import laplacian_lines
@@ -75,6 +76,17 @@ ms.set_current_mesh(0)
 ms.set_current_mesh_visibility(False)
 expect_error("No visible layer", ms.export_laplacian_lines_drawing, file=str(WORK / "refused.svg"),
              layers="All Visible Layers")
+
+# files are named as in open(), and a name is not cut
+by_bytes = os.fsencode(WORK) + b"/caf\xe9.svg"
+for name in by_bytes, os.fsdecode(by_bytes), WORK / "ü.svg":
+    meshes().export_laplacian_lines_drawing(file=name)
+    with open(name, "rb") as file:
+        assert file.read() == front, name
+    os.unlink(name)
+expect_error(r'null\0off.svg" cannot be written: no name of a file holds a null character',
+             meshes().export_laplacian_lines_drawing, file=str(WORK / "null\0off.svg"))
+assert not list(WORK.glob("null*"))
 
 refused = meshes()
 make = refused.export_laplacian_lines_drawing

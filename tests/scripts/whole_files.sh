@@ -40,6 +40,7 @@ wait "$!"
 
 [[ $(plain_label '@a%w\n') == '\@a%%w\\n' ]] || fail "labels say something to ImageMagick"
 [[ $(plain_label $'a\ngrab b') == 'a?grab b' ]] || fail "labels have several lines"
+[[ $(plain_label $'caf\xe9 ü') == 'caf? ??' && $(plain_label 'ü') == 'ü' ]] || fail "labels are no UTF-8"
 cp new $'mesh\ngrab b.ply'
 drivable_mesh $'mesh\ngrab b.ply' folder 2>/dev/null
 [[ $MESH != *$'\n'* ]] && cmp new "$MESH" || fail "a name of a mesh is a command: $MESH"

@@ -15,6 +15,12 @@ namespace {
     refuse(QString("\"%1\" cannot be written: %2").arg(file, reason));
 }
 
+/// The system would take what comes before it.
+void refuseNull(QString file) {
+    if (!file.contains(QChar::Null)) return;
+    refuseToWrite(file.replace(QChar::Null, "\\0"), "no name of a file holds a null character");
+}
+
 /// A device, a pipe or a link to one.
 bool isSpecial(const QString& file) {
     const QFileInfo info(file);
@@ -39,6 +45,7 @@ void writeAll(QFileDevice& output, const QByteArray& data) {
 }  // namespace
 
 void writeWhole(const QString& file, const QByteArray& data) {
+    refuseNull(file);
     if (isSpecial(file)) {
         QFile output(file);
         open(output);
@@ -51,6 +58,7 @@ void writeWhole(const QString& file, const QByteArray& data) {
 }
 
 void checkWritable(const QString& file) {
+    refuseNull(file);
     if (isSpecial(file)) {
         if (QFileInfo(file).isDir()) refuseToWrite(file, "it is a folder");
         if (!QFileInfo(file).isWritable()) refuseToWrite(file, "it is no file of yours");

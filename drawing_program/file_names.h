@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+/// From now on, Qt takes names of files for UTF-8, also in the locale C, and keeps what is none: a
+/// byte that belongs to no character is half a surrogate pair, U+DC80 to U+DCFF, as in Python.
+/// Other locales have their own characters, and nothing changes there.
+void keepFileNames();
+
+/// The name as people can read it, with a replacement character for each such byte.
+QString readable(const QString& name);
