@@ -3,6 +3,8 @@
 # What ./run takes as options of a picture, and what it says of others, before anything is built.
 set -euo pipefail
 
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 run=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../run")
 
 # refuses REASON ARGS...
@@ -45,6 +47,9 @@ done
 for size in '' 0x10 10 10x 1200X900; do
     refuses '--size needs WIDTHxHEIGHT' --picture picture.png --size "$size"
 done
+touch "$work/scene.mlp"
+refuses 'a project opens in a window; for a picture, name its meshes' "$work/scene.mlp" # there is no display
+refuses 'a project opens in a window' --picture picture.png "$work/scene.mlp"
 for mode in --server --python; do
     refuses '--zoom goes with --picture' --zoom 2 "$mode"
 done
