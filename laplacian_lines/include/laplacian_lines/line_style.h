@@ -32,7 +32,7 @@ struct LineStyle {
     /// thresholds on crossings and segments, Single Strokes and phantoms. Otherwise each crossing
     /// and segment is tested by itself, as in the paper, which leaves dashes where detail finer
     /// than the kernel changes S. See WholeLineRules.
-    bool whole_lines = true;
+    bool whole_lines = false;
     double full_slope = 0.25;      ///< slope above segment_slope at which a line has its full width
     double shortest_line = 0.01;   ///< least length of a line, in D
     double least_facing = -0.15;   ///< least n·l/|l| at a crossing

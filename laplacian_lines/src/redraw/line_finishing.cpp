@@ -4,10 +4,10 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "redraw/simd/simd_functions.h"
-#include "rules/line_acceptance.h"
 #include "system/affordable_threads.h"
 
 namespace laplacian_lines {
@@ -94,8 +94,8 @@ void finish(const ExtractorData& data, const LineRules& rules, const Polyline& p
 }
 
 /// Takes a part of a whole line to columns of its own; weights are mean slopes then.
-void copy_part(const LineRules& rules, const LinePartFinder& finder, const LinePart& part,
-               const LineColumns& from, bool closed, std::uint32_t points, LineColumns& to) {
+void copy_part(const LinePartFinder& finder, const LinePart& part, const LineColumns& from,
+               bool closed, std::uint32_t points, LineColumns& to) {
     for (std::size_t i = 0; i < part.count; ++i) {
         const std::size_t k = closed ? (part.begin + i) % (points - 1) : part.begin + i;
         to.x[i] = from.x[k];
@@ -103,8 +103,7 @@ void copy_part(const LineRules& rules, const LinePartFinder& finder, const LineP
         to.z[i] = from.z[k];
         to.gradient[i] = from.gradient[k];
         to.weight[i] = finder.slope(k);
-        to.opacity[i] = from.opacity[k];
-        if (rules.concave_only) to.opacity[i] *= concavity_opacity(rules, finder.concavity(k));
+        to.opacity[i] = from.opacity[k] * finder.opacity(k);
     }
 }
 
@@ -114,7 +113,9 @@ void measure(const LineColumns& c, Polyline& p) {
         const float length = step.norm();
         p.length += length;
         p.strength += (c.gradient[i - 1] + c.gradient[i]) / 2 * length;
+        p.slope += c.weight[i] * length;
     }
+    p.slope = p.length > 0 ? p.slope / p.length : 0;
 }
 
 /// The parts of a whole line that are drawn, to the thread's own memory.
@@ -128,17 +129,19 @@ void finish_parts(const ExtractorData& data, const TracedLines& traced,
                                      whole.weight, whole.concavity});
     for (const LinePart& part : thread.finder.parts()) {
         LineColumns columns = second_columns(thread.columns, size);
-        copy_part(*line.rules, thread.finder, part, whole, p.closed, p.count, columns);
+        copy_part(thread.finder, part, whole, p.closed, p.count, columns);
         Polyline found;
         found.first = std::uint32_t(thread.points.size());
         found.count = std::uint32_t(part.count);
         found.kind = p.kind;
         found.closed = part.closed;
-        found.slope = part.slope;
         measure(columns, found);
-        if (!accepts(*line.rules, found)) continue;
+        if (found.length < line.rules->least_length || found.strength < line.rules->least_strength)
+            continue;
         thread.points.resize(thread.points.size() + part.count);
-        finish(data, *line.rules, found, false, columns, &thread.points[found.first]);
+        Polyline judged = found;
+        judged.slope = std::numeric_limits<float>::max();  // means have told what is seen
+        finish(data, *line.rules, judged, false, columns, &thread.points[found.first]);
         thread.parts.push_back(found);
     }
 }

@@ -9,55 +9,35 @@ namespace {
 
 // in √h
 constexpr double kAveraging = 2.6;  // to both sides; as wide as a Gaussian of 1.5
-constexpr double kStart = 1.5;
 constexpr double kContinuation = 6;
 constexpr double kHairpin = 0.375;  // to both sides
 
+constexpr double kLeastKernel = 1e-6;  // D; of fields that are made up
+
 constexpr float kHairpinCosine = -0.342f;   // of 110°
-constexpr float kClearlyConcave = 0.25f;    // cosine
+constexpr float kClearConcavity = 0.25f;    // cosine
 constexpr float kContinuedGradient = 0.5f;  // of the threshold
 
 float finite_or_zero(float v) {
     return std::isfinite(v) ? v : 0;
 }
 
-}  // namespace
-
-float concavity_opacity(const LineRules& rules, float concavity) {
-    const float least = -rules.fading / 4, range = rules.fading / 2 - least;
-    return range > 0 ? std::clamp((concavity - least) / range, 0.f, 1.f) : 1.f;
+/// 0 at `from`, 1 from `to` on; a step there if they are equal.
+float rise(float v, float from, float to) {
+    if (v >= to) return 1;
+    return v > from ? (v - from) / (to - from) : 0;
 }
 
+}  // namespace
+
 void LinePartFinder::find(const LineRules& rules, const LineCourse& line) {
-    parts_.clear();
+    const double size = std::max(double(rules.kernel_size), kLeastKernel);
     addUp(line);
-    average(line, kAveraging * double(rules.kernel_size));
+    average(line, kAveraging * size);
     judge(rules, line);
-    cutHairpins(line, kHairpin * double(rules.kernel_size));
-    const auto left = std::find(states_.begin(), states_.end(), State::Left);
-    if (line.closed && left == states_.end()) {
-        LinePart whole{0, line.count, true, 0};
-        bool starts = false;
-        for (std::size_t i = 0; i < points_; ++i) {
-            starts = starts || states_[i] == State::Starts;
-            whole.slope = std::max(whole.slope, means_[i].slope);
-        }
-        if (starts) parts_.push_back(whole);
-        return;
-    }
-    // a closed line is followed from where it is not drawn, once around
-    const std::size_t first = line.closed ? std::size_t(left - states_.begin()) : 0;
-    for (std::size_t i = first; i < first + points_;) {
-        if (states_[i % points_] == State::Left) {
-            ++i;
-            continue;
-        }
-        std::size_t end = i;
-        while (end < first + points_ && states_[end % points_] != State::Left)
-            ++end;
-        addParts(i, end, double(rules.kernel_size));
-        i = end;
-    }
+    fadeAtHairpins(line, kHairpin * size);
+    spread(line, kContinuation * size);
+    collectParts(line);
 }
 
 void LinePartFinder::addUp(const LineCourse& line) {
@@ -87,10 +67,6 @@ void LinePartFinder::addUp(const LineCourse& line) {
         sums_[k] = {round.length + sum.length, round.slope + sum.slope,
                     round.gradient + sum.gradient, round.concave + sum.concave};
     }
-}
-
-double LinePartFinder::lengthBetween(std::size_t from, std::size_t to) const {
-    return sums_[to + offset_].length - sums_[from + offset_].length;
 }
 
 void LinePartFinder::average(const LineCourse& line, double reach) {
@@ -124,23 +100,27 @@ void LinePartFinder::average(const LineCourse& line, double reach) {
 }
 
 void LinePartFinder::judge(const LineRules& rules, const LineCourse& line) {
-    states_.resize(line.count);
-    const float concave = rules.concave_only ? kClearlyConcave : -2;
-    const float not_convex = rules.concave_only ? -rules.fading / 4 : -2;
+    continues_.resize(line.count);
+    starts_.resize(line.count);
+    const float over = 1 + rules.fading, convex = -rules.fading / 4;
     for (std::size_t i = 0; i < line.count; ++i) {
         const Means& m = means_[i];
-        const bool continues = m.slope >= rules.segment_slope &&
-                               m.gradient >= kContinuedGradient * rules.least_gradient &&
-                               m.concavity > not_convex;
-        const bool starts = m.slope >= rules.line_slope && m.gradient >= rules.least_gradient &&
-                            m.concavity > concave;
-        states_[i] = continues && starts ? State::Starts
-                     : continues         ? State::Continues
-                                         : State::Left;
+        float continues = std::min(rise(m.slope, rules.segment_slope, rules.segment_slope * over),
+                                   rise(m.gradient, kContinuedGradient * rules.least_gradient,
+                                        kContinuedGradient * rules.least_gradient * over));
+        float starts =
+            std::min(rise(m.slope, rules.line_slope, rules.line_slope * over),
+                     rise(m.gradient, rules.least_gradient, rules.least_gradient * over));
+        if (rules.concave_only) {
+            continues = std::min(continues, rise(m.concavity, convex, -2 * convex));
+            starts = std::min(starts, rise(m.concavity, kClearConcavity + convex, kClearConcavity));
+        }
+        continues_[i] = continues;
+        starts_[i] = starts;
     }
 }
 
-void LinePartFinder::cutHairpins(const LineCourse& line, double reach) {
+void LinePartFinder::fadeAtHairpins(const LineCourse& line, double reach) {
     const auto point = [&](std::size_t place) {
         return line.closed ? place % points_ : place - offset_;
     };
@@ -160,40 +140,46 @@ void LinePartFinder::cutHairpins(const LineCourse& line, double reach) {
                     az = line.z[b] - line.z[i];
         const float product = bx * ax + by * ay + bz * az;
         const float squares = (bx * bx + by * by + bz * bz) * (ax * ax + ay * ay + az * az);
-        if (product < kHairpinCosine * std::sqrt(squares)) states_[i] = State::Left;
+        const float turned = rise(product / std::sqrt(squares), kHairpinCosine, 0);
+        continues_[i] = std::min(continues_[i], turned);
     }
+    if (line.closed) continues_[points_] = continues_[0];
 }
 
-/// Of points [begin, end) that continue, where some start.
-void LinePartFinder::addParts(std::size_t begin, std::size_t end, double kernel_size) {
-    const double whole = lengthBetween(begin, end - 1);
-    const double start = std::min(kStart * kernel_size, whole);
-    std::size_t done = begin;  // before it, what belongs to earlier parts
-    for (std::size_t i = begin; i < end;) {
-        if (states_[i % points_] != State::Starts) {
+/// Along the line from where it starts, less and less, and never more than goes on.
+void LinePartFinder::spread(const LineCourse& line, double reach) {
+    seen_.assign(line.count, 0);
+    const auto pass = [&](std::size_t i, std::size_t before, float& carried) {
+        const double step = std::abs(sums_[offset_ + i].length - sums_[offset_ + before].length);
+        const float faded = carried - float(step / reach);
+        carried = std::max(std::min(starts_[i], continues_[i]), std::min(faded, continues_[i]));
+        seen_[i] = std::max(seen_[i], std::min(continues_[i], 2 * carried));
+    };
+    const int rounds = line.closed ? 2 : 1;
+    float carried = 0;
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t i = 0; i < line.count; ++i)
+            pass(i, i > 0 ? i - 1 : 0, carried);
+    carried = 0;
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t i = line.count; i-- > 0;)
+            pass(i, i + 1 < line.count ? i + 1 : i, carried);
+}
+
+void LinePartFinder::collectParts(const LineCourse& line) {
+    parts_.clear();
+    const auto unseen = std::find_if(seen_.begin(), seen_.end(), [](float v) { return !(v > 0); });
+    if (line.closed && unseen == seen_.end()) {
+        parts_.push_back({0, line.count, true});
+        return;
+    }
+    // a closed line is followed from where it is not seen, once around
+    const std::size_t first = line.closed ? std::size_t(unseen - seen_.begin()) : 0;
+    for (std::size_t i = first; i < first + points_; ++i) {
+        const std::size_t begin = i;
+        while (i < first + points_ && seen_[i % points_] > 0)
             ++i;
-            continue;
-        }
-        std::size_t stop = i;
-        float slope = 0;
-        while (stop < end && states_[stop % points_] == State::Starts)
-            slope = std::max(slope, means_[stop++ % points_].slope);
-        if (stop - i >= 2 && lengthBetween(i, stop - 1) >= start) {
-            std::size_t from = i, to = stop;
-            while (from > begin && lengthBetween(from - 1, i) <= kContinuation * kernel_size)
-                --from;
-            while (to < end && lengthBetween(stop - 1, to) <= kContinuation * kernel_size)
-                ++to;
-            if (!parts_.empty() && done > begin && from <= done) {
-                LinePart& last = parts_.back();
-                last.count = to - last.begin;
-                last.slope = std::max(last.slope, slope);
-            } else {
-                parts_.push_back({from, to - from, false, slope});
-            }
-            done = to;
-        }
-        i = stop;
+        if (i > begin + 1) parts_.push_back({begin, i - begin, false});
     }
 }
 

@@ -40,10 +40,10 @@ struct LineRules {
     float fading = 0;                     ///< full opacity at (1 + fading) times a threshold
     /// Crossings and segments are all kept, and means along lines are tested, see line_parts.h.
     bool whole = false;
-    float kernel_size = 0;  ///< √h, D: means are over lengths of this order
-    int smoothing_passes = 0;             ///< of the positions, each with the weights 1-2-1
-    float end_length = 0;                 ///< over which open ends fade, D
-    float contour_clearance = 0;          ///< lines nearer to a contour fade out, D in the picture
+    float kernel_size = 0;        ///< √h, D: means are over lengths of this order
+    int smoothing_passes = 0;     ///< of the positions, each with the weights 1-2-1
+    float end_length = 0;         ///< over which open ends fade, D
+    float contour_clearance = 0;  ///< lines nearer to a contour fade out, D in the picture
 };
 
 /// How many passes of smoothing with 1-2-1 have this standard deviation.
