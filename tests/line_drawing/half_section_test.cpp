@@ -87,8 +87,27 @@ TEST(WallArea, TakesAwayWhatIsInside) {
         line.points.push_back({{double(x), 0.1}, 1});
     const auto rest = withoutPartsIn(area, {line});
     ASSERT_EQ(rest.size(), 3u);
-    EXPECT_EQ(rest[0].points.back().position.x(), -6);
-    EXPECT_EQ(rest[1].points.front().position.x(), -2);
+    EXPECT_NEAR(rest[0].points.back().position.x(), -5, 1e-9);
+    EXPECT_NEAR(rest[1].points.front().position.x(), -2, 1e-9);
+}
+
+TEST(WallArea, KeepsWhatIsAlongItsEdgeAndWhereALoopBegins) {
+    const WallArea area({{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, -5}}});
+    const auto loop = [](const std::vector<Vector2d>& places) {
+        DrawnLine line{LineClass::Section, true, {}};
+        for (const Vector2d& p : places)
+            line.points.push_back({p, 1});
+        return line;
+    };
+    // half of it is inside, edges in common above and below
+    const auto rest =
+        withoutPartsIn(area, {loop({{9, 0}, {9, 5}, {0, 5}, {0, -5}, {9, -5}, {9, 0}})});
+    ASSERT_EQ(rest.size(), 1u);
+    EXPECT_EQ(rest[0].points.front().position, Vector2d(0, -5));
+    EXPECT_EQ(rest[0].points.back().position, Vector2d(0, 5));
+    const DrawnLine around = loop({{9, 9}, {9, -9}, {-9, -9}, {-9, 9}, {9, 9}});
+    EXPECT_TRUE(withoutPartsIn(area, {around})[0].closed);
+    EXPECT_TRUE(withoutPartsIn(area, {loop({{1, 1}, {1, 0}, {0, 0}, {1, 1}})}).empty());
 }
 
 TEST(AxisFinding, IsTheAxisOfRevolutionWithAHandle) {

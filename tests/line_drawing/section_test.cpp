@@ -90,7 +90,7 @@ TEST(Hatching, FillsWhatIsBetweenLoops) {
     };
     const double spacing = 0.1;
     double length = 0;
-    for (const auto& line : hatch({square(5), square(2)}, {1, 0}, spacing)) {
+    for (const auto& line : hatch({{square(5), square(2)}}, {1, 0}, spacing)) {
         ASSERT_EQ(line.size(), 2u);
         length += (line[1] - line[0]).norm();
         EXPECT_TRUE(std::abs(line[0].y()) > 2 || std::abs(line[0].x()) >= 2);

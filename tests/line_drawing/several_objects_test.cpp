@@ -104,6 +104,16 @@ TEST(SeveralObjects, LookAsTheyDoAlone) {
     EXPECT_GT(length(one, "fine") + length(one, "inner"), 100);
 }
 
+/// How many lines of hatching rise to the right, and how many fall.
+std::pair<int, int> hatchingOf(const SheetGroup& section) {
+    int rising = 0, falling = 0;
+    for (const SheetPath& path : layerOf(section, "fine").paths) {
+        const QPointF way = path.path.pointAtPercent(1) - path.path.pointAtPercent(0);
+        (way.x() * way.y() < 0 ? rising : falling)++;
+    }
+    return {rising, falling};
+}
+
 /// Cubes that touch: their walls are two, hatched in two ways.
 TEST(SeveralObjects, EachHasItsOwnWallInSections) {
     SheetOptions options = plainViews("top");
@@ -111,11 +121,7 @@ TEST(SeveralObjects, EachHasItsOwnWallInSections) {
     const TriangleMesh cube = cubeOf100();
     const Sheet sheet = sheetOfAll({cube, moved(cube, {100, 0, 0})}, options);
     EXPECT_EQ(layerOf(sheet.groups[1], "section").paths.size(), 2u);
-    int rising = 0, falling = 0;
-    for (const SheetPath& path : layerOf(sheet.groups[1], "fine").paths) {
-        const QPointF way = path.path.pointAtPercent(1) - path.path.pointAtPercent(0);
-        (way.x() * way.y() < 0 ? rising : falling)++;
-    }
+    const auto [rising, falling] = hatchingOf(sheet.groups[1]);
     EXPECT_GT(rising, 80);
     EXPECT_NEAR(rising, falling, 3);
     options.wall = WallStyle::Filled;
@@ -124,6 +130,23 @@ TEST(SeveralObjects, EachHasItsOwnWallInSections) {
     for (const SheetPath& path : layerOf(filled.groups[1], "section").paths)
         areas += path.pen_width == 0;
     EXPECT_EQ(areas, 2);
+}
+
+/// Cubes of which the second begins in the middle of the first: one body, hatched in one way.
+TEST(SeveralObjects, ThatOverlapHaveOneWallInSections) {
+    SheetOptions options = plainViews("top");
+    options.views.clear();
+    options.sections = parseSections("z=0.3");
+    const TriangleMesh cube = cubeOf100();
+    const TriangleMesh other = moved(cube, {50, 20, 0}), inner = moved(cube, {20, 20, 0}, 0.2);
+    const SheetGroup merged = sheetOfAll({cube, other, inner}, options).groups[0];
+    // two squares of 100 mm, less the edges of 50 and 80 of each within the other
+    EXPECT_NEAR(lengthOf(layerOf(merged, "section")), 2 * 400 - 2 * (50 + 80), 0.1);
+    EXPECT_NEAR(lengthOf(layerOf(merged, "fine")) * 1.5, 2 * 100 * 100 - 50 * 80, 200);
+    EXPECT_EQ(hatchingOf(merged).second, 0);
+    // what scans of parts that fit have in common is slight
+    const SheetGroup fitted = sheetOfAll({cube, moved(cube, {99.5, 0, 0})}, options).groups[0];
+    EXPECT_NEAR(hatchingOf(fitted).first, hatchingOf(fitted).second, 3);
 }
 
 /// Also of what others hide of it, and of a hole through it.

@@ -58,19 +58,24 @@ std::vector<Piece> piecesOf(const TriangleMesh& mesh, int axis, double height) {
     return pieces;
 }
 
-/// Where a way through loops crosses the line of hatching at `offset`, along it.
-std::vector<double> crossingsAt(const std::vector<std::vector<Vector2d>>& loops,
-                                const Vector2d& way, double offset) {
-    const Vector2d across(-way.y(), way.x());
-    std::vector<double> crossings;
-    for (const auto& loop : loops)
-        for (std::size_t i = 1; i < loop.size(); ++i) {
-            const double a = across.dot(loop[i - 1]) - offset, b = across.dot(loop[i]) - offset;
-            if ((a < 0) == (b < 0)) continue;
-            crossings.push_back(way.dot(loop[i - 1] + (loop[i] - loop[i - 1]) * (a / (a - b))));
-        }
-    std::sort(crossings.begin(), crossings.end());
-    return crossings;
+/// From a place on a line to another.
+using Strip = std::pair<double, double>;
+
+/// What areas cover of a line together.
+std::vector<Strip> stripsAt(const std::vector<Loops>& areas, const Vector2d& way, double offset) {
+    std::vector<Strip> all, joined;
+    for (const Loops& loops : areas) {
+        const std::vector<double> crossings = crossingsAt(loops, way, offset);
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+            all.emplace_back(crossings[i], crossings[i + 1]);
+    }
+    std::sort(all.begin(), all.end());
+    for (const Strip& strip : all)
+        if (joined.empty() || strip.first > joined.back().second)
+            joined.push_back(strip);
+        else
+            joined.back().second = std::max(joined.back().second, strip.second);
+    return joined;
 }
 
 }  // namespace
@@ -104,24 +109,36 @@ std::vector<Cut> cutMesh(const TriangleMesh& mesh, int axis, double height) {
     return cuts;
 }
 
-std::vector<std::vector<Vector2d>> hatch(const std::vector<std::vector<Vector2d>>& loops,
-                                         const Vector2d& way, double spacing) {
+std::vector<double> crossingsAt(const Loops& loops, const Vector2d& way, double offset) {
+    const Vector2d across(-way.y(), way.x());
+    std::vector<double> crossings;
+    for (const auto& loop : loops)
+        for (std::size_t i = 1; i < loop.size(); ++i) {
+            const double a = across.dot(loop[i - 1]) - offset, b = across.dot(loop[i]) - offset;
+            if ((a < 0) == (b < 0)) continue;
+            crossings.push_back(way.dot(loop[i - 1] + (loop[i] - loop[i - 1]) * (a / (a - b))));
+        }
+    std::sort(crossings.begin(), crossings.end());
+    return crossings;
+}
+
+std::vector<std::vector<Vector2d>> hatch(const std::vector<Loops>& areas, const Vector2d& way,
+                                         double spacing) {
     const Vector2d across(-way.y(), way.x());
     double low = 0, high = 0;
     bool any = false;
-    for (const auto& loop : loops)
-        for (const Vector2d& p : loop) {
-            const double at = across.dot(p);
-            low = any ? std::min(low, at) : at;
-            high = any ? std::max(high, at) : at;
-            any = true;
-        }
+    for (const Loops& loops : areas)
+        for (const auto& loop : loops)
+            for (const Vector2d& p : loop) {
+                const double at = across.dot(p);
+                low = any ? std::min(low, at) : at;
+                high = any ? std::max(high, at) : at;
+                any = true;
+            }
     std::vector<std::vector<Vector2d>> lines;
     for (double at = (std::floor(low / spacing) + 0.5) * spacing; any && at < high; at += spacing) {
-        const std::vector<double> crossings = crossingsAt(loops, way, at);
-        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-            lines.push_back(
-                {at * across + crossings[i] * way, at * across + crossings[i + 1] * way});
+        for (const auto& [begin, end] : stripsAt(areas, way, at))
+            lines.push_back({at * across + begin * way, at * across + end * way});
     }
     return lines;
 }

@@ -16,10 +16,15 @@ using Cut = std::vector<Eigen::Vector3d>;
 /// coordinates, in the order of the triangles.
 std::vector<Cut> cutMesh(const laplacian_lines::TriangleMesh& mesh, int axis, double height);
 
-/// Lines of a distance of `spacing` in the unit direction `way`, within closed loops (even-odd).
-/// Each has two points.
-std::vector<std::vector<Eigen::Vector2d>> hatch(
-    const std::vector<std::vector<Eigen::Vector2d>>& loops, const Eigen::Vector2d& way,
-    double spacing);
+using Loops = std::vector<std::vector<Eigen::Vector2d>>;
+
+/// Where a straight line in the unit direction `way`, `offset` to the left of the origin, goes into
+/// what loops enclose (even-odd) and out of it: places along it, ascending.
+std::vector<double> crossingsAt(const Loops& loops, const Eigen::Vector2d& way, double offset);
+
+/// Lines of a distance of `spacing` in the unit direction `way`, within areas or what several of
+/// them cover together. Each has two points.
+std::vector<std::vector<Eigen::Vector2d>> hatch(const std::vector<Loops>& areas,
+                                                const Eigen::Vector2d& way, double spacing);
 
 }  // namespace line_drawing

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "options/words.h"
+#include "sections/merged_walls.h"
 #include "sections/wall_area.h"
 
 namespace line_drawing {
@@ -85,20 +86,22 @@ void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) co
     const Projection projection(drawn.frame, middle);
     const auto flat = [&](const Cut& cut) { return positionsOf(project(cut, projection, unit)); };
     std::vector<Vector2d> points;
-    std::vector<Cut> cut_lines;
+    std::vector<CutObject> objects;
     for (const Object& object : objects_) {
-        Wall& wall = drawn.walls.emplace_back();
+        auto& [wall, lines] = objects.emplace_back();
+        std::vector<Cut> cut_lines;
         for (Cut& cut : cutMesh(object.mesh, across, axis_.point[across])) {
             const std::vector<Vector2d> line = flat(cut);
             points.insert(points.end(), line.begin(), line.end());
             if (cut.front() == cut.back()) wall.push_back(flat(clipLoop(cut, left())));
             cut_lines.push_back(std::move(cut));
         }
-        drawn.lines = withoutPartsIn(WallArea(wall), std::move(drawn.lines));
+        drawn.lines = withoutPartsIn(WallArea(wall), drawn.lines);
+        for (const Cut& cut : clip(cut_lines, left()))
+            lines.push_back(project(cut, projection, unit));
     }
+    addWalls(objects, drawn);
     if (points.empty()) return;
-    for (const Cut& cut : clip(cut_lines, left()))
-        drawn.lines.push_back(project(cut, projection, unit));
     const double height = drawn.bounds.sizes().y(), at = unit * right_.depth(middle);
     const Level rim = levelOf(points, 1, level_share * height),
                 base = levelOf(points, -1, level_share * height);

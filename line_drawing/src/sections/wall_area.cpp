@@ -7,19 +7,80 @@
 namespace line_drawing {
 namespace {
 
+using Eigen::Vector2d;
+
 constexpr std::size_t row_count = 256;
+constexpr double slight_share = 1e-6;  // of the area's size: what is so near its edge is on it
+
+DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
+    if (t == 0) return a;
+    if (t == 1) return b;
+    return {a.position + t * (b.position - a.position), a.weight + t * (b.weight - a.weight)};
+}
+
+/// From one share of a segment to another.
+struct Stretch {
+    double begin, end;
+};
+
+/// The stretches of a segment outside the area, that neither meet nor touch.
+std::vector<Stretch> outside(const WallArea& area, const Vector2d& a, const Vector2d& b) {
+    std::vector<Stretch> result;
+    const std::vector<double> at = area.crossings(a, b);
+    for (std::size_t i = 1; i < at.size(); ++i) {
+        if (area.encloses(a + at[i - 1] * (b - a), a + at[i] * (b - a))) continue;
+        if (result.empty() || result.back().end != at[i - 1])
+            result.push_back({at[i - 1], at[i]});
+        else
+            result.back().end = at[i];
+    }
+    return result;
+}
+
+/// Where a closed line begins is no end of its parts.
+void joinAtBegin(std::vector<DrawnLine>& parts) {
+    std::vector<DrawnPoint>& last = parts.back().points;
+    const std::vector<DrawnPoint>& first = parts.front().points;
+    last.insert(last.end(), first.begin() + 1, first.end());
+    parts.erase(parts.begin());
+}
+
+std::vector<DrawnLine> partsOutside(const WallArea& area, const DrawnLine& line) {
+    std::vector<DrawnLine> parts;
+    bool goes_on = false, begins_outside = false;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const DrawnPoint &a = line.points[i - 1], &b = line.points[i];
+        const std::vector<Stretch> stretches = outside(area, a.position, b.position);
+        for (const Stretch& stretch : stretches) {
+            if (!goes_on || stretch.begin > 0) {
+                parts.push_back(
+                    {line.line_class, false, {between(a, b, stretch.begin)}, line.jump});
+                begins_outside |= i == 1 && stretch.begin == 0;
+            }
+            parts.back().points.push_back(between(a, b, stretch.end));
+            goes_on = stretch.end == 1;
+        }
+        if (stretches.empty()) goes_on = false;
+    }
+    if (parts.size() == 1 && parts[0].points.size() == line.points.size())
+        parts[0].closed = line.closed;
+    else if (line.closed && begins_outside && goes_on && parts.size() > 1)
+        joinAtBegin(parts);
+    return parts;
+}
 
 }  // namespace
 
 WallArea::WallArea(const Wall& loops) {
     Eigen::AlignedBox2d box;
     for (const auto& loop : loops)
-        for (const Eigen::Vector2d& p : loop)
+        for (const Vector2d& p : loop)
             box.extend(p);
     if (box.isEmpty()) return;
     rows_.resize(row_count);
     low_ = box.min().y();
     row_height_ = std::max(box.sizes().y() / row_count, 1e-12);
+    slight_ = slight_share * box.sizes().norm();
     for (const auto& loop : loops)
         for (std::size_t i = 1; i < loop.size(); ++i) {
             const auto [low, high] = std::minmax({loop[i - 1].y(), loop[i].y()});
@@ -32,7 +93,7 @@ std::size_t WallArea::rowOf(double y) const {
     return std::size_t(std::clamp((y - low_) / row_height_, 0., double(row_count - 1)));
 }
 
-bool WallArea::contains(const Eigen::Vector2d& point) const {
+bool WallArea::contains(const Vector2d& point) const {
     if (rows_.empty()) return false;
     bool is_inside = false;
     for (const Edge& edge : rows_[rowOf(point.y())]) {
@@ -44,24 +105,38 @@ bool WallArea::contains(const Eigen::Vector2d& point) const {
     return is_inside;
 }
 
-std::vector<DrawnLine> withoutPartsIn(const WallArea& area, std::vector<DrawnLine> lines) {
+std::vector<double> WallArea::crossings(const Vector2d& begin, const Vector2d& end) const {
+    std::vector<double> at = {0, 1};
+    const Vector2d way = end - begin;
+    const auto across = [](const Vector2d& a, const Vector2d& b) {
+        return a.x() * b.y() - a.y() * b.x();
+    };
+    const auto [low, high] = std::minmax({begin.y(), end.y()});
+    for (std::size_t row = rowOf(low); !rows_.empty() && row <= rowOf(high); ++row)
+        for (const Edge& edge : rows_[row]) {
+            const Vector2d side = edge.end - edge.begin;
+            const double turn = across(way, side);
+            if (turn == 0) continue;
+            const double t = across(edge.begin - begin, side) / turn;
+            const double u = across(edge.begin - begin, way) / turn;
+            if (t > 0 && t < 1 && u >= 0 && u <= 1) at.push_back(t);
+        }
+    std::sort(at.begin(), at.end());
+    at.erase(std::unique(at.begin(), at.end()), at.end());
+    return at;
+}
+
+bool WallArea::encloses(const Vector2d& begin, const Vector2d& end) const {
+    const Vector2d way = (end - begin).stableNormalized(), middle = (begin + end) / 2;
+    const Vector2d aside = slight_ * Vector2d(-way.y(), way.x());
+    return contains(middle + aside) && contains(middle - aside);
+}
+
+std::vector<DrawnLine> withoutPartsIn(const WallArea& area, const std::vector<DrawnLine>& lines) {
     std::vector<DrawnLine> rest;
-    for (DrawnLine& line : lines) {
-        DrawnLine part{line.line_class, false, {}};
-        const auto end = [&] {
-            if (part.points.size() > 1) {
-                part.closed = line.closed && part.points.size() == line.points.size();
-                rest.push_back(part);
-            }
-            part.points.clear();
-        };
-        for (const DrawnPoint& point : line.points)
-            if (area.contains(point.position))
-                end();
-            else
-                part.points.push_back(point);
-        end();
-    }
+    for (const DrawnLine& line : lines)
+        for (DrawnLine& part : partsOutside(area, line))
+            rest.push_back(std::move(part));
     return rest;
 }
 

@@ -12,17 +12,24 @@ public:
 
     bool contains(const Eigen::Vector2d& point) const;
 
+    /// Where the straight way between two places meets the loops, as shares of it: ascending, with
+    /// 0 and 1.
+    std::vector<double> crossings(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
+
+    /// Whether such a way, that meets no loop but at its ends, is inside, and not along a loop.
+    bool encloses(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
+
 private:
     struct Edge {
         Eigen::Vector2d begin, end;
     };
     std::size_t rowOf(double y) const;
 
-    double low_ = 0, row_height_ = 1;
+    double low_ = 0, row_height_ = 1, slight_ = 0;
     std::vector<std::vector<Edge>> rows_;
 };
 
 /// Lines without the parts inside the area.
-std::vector<DrawnLine> withoutPartsIn(const WallArea& area, std::vector<DrawnLine> lines);
+std::vector<DrawnLine> withoutPartsIn(const WallArea& area, const std::vector<DrawnLine>& lines);
 
 }  // namespace line_drawing

@@ -37,19 +37,20 @@ std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& plac
     return lines;
 }
 
-std::vector<Wall> place(std::vector<Wall> walls, const Placement& placement) {
-    for (Wall& wall : walls)
-        for (auto& loop : wall)
-            for (Eigen::Vector2d& p : loop)
-                p = placement.onSheet(p);
+std::vector<MergedWalls> place(std::vector<MergedWalls> walls, const Placement& placement) {
+    for (MergedWalls& merged : walls)
+        for (Wall& wall : merged)
+            for (auto& loop : wall)
+                for (Eigen::Vector2d& p : loop)
+                    p = placement.onSheet(p);
     return walls;
 }
 
 /// One object rising to the right, the next to the left (ISO 128-3 on adjacent parts).
-void addHatching(const std::vector<Wall>& walls, std::vector<DrawnLine>& lines) {
+void addHatching(const std::vector<MergedWalls>& walls, std::vector<DrawnLine>& lines) {
     double rise = -1;
-    for (const Wall& wall : walls) {
-        for (const auto& ends : hatch(wall, Eigen::Vector2d(1, rise).normalized(), hatch_spacing))
+    for (const MergedWalls& merged : walls) {
+        for (const auto& ends : hatch(merged, Eigen::Vector2d(1, rise).normalized(), hatch_spacing))
             lines.push_back(
                 {LineClass::Fine, false, {{ends[0], hatch_width}, {ends[1], hatch_width}}});
         rise = -rise;
@@ -105,15 +106,16 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     lines = withoutDoubles(std::move(lines), double_reach * pen);
     const bool is_tapered = options.strokes == StrokeStyle::Tapered;
     lines = thinOut(chain(std::move(lines), options.pens, is_tapered), options.pens);
-    const std::vector<Wall> walls = place(view.walls, placement);
+    const std::vector<MergedWalls> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
     if (options.area != OutlineArea::None)
         group.layers.push_back(areas(view, lines, placement, eased_share * pen));
     for (std::size_t c = line_class_count; c-- > 0;) {
         SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
         if (c == std::size_t(LineClass::Section) && options.wall == WallStyle::Filled)
-            for (const Wall& wall : walls)
-                if (!wall.empty()) layer.paths.push_back(filled(wall));
+            for (const MergedWalls& merged : walls)
+                for (const Wall& wall : merged)
+                    if (!wall.empty()) layer.paths.push_back(filled(wall));
         for (const DrawnLine& line : lines)
             if (std::size_t(line.line_class) == c)
                 if (auto stroke = drawStroke(line, options))

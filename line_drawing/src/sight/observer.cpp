@@ -7,6 +7,7 @@
 #include "options/words.h"
 #include "planes/cutting.h"
 #include "sections/half_section.h"
+#include "sections/merged_walls.h"
 #include "sections/place_on_axis.h"
 #include "sections/section_marks.h"
 #include "sight/outline_check.h"
@@ -124,13 +125,15 @@ DrawnView Observer::cut(const Section& section, const SheetOptions& options) con
     drawn.is_section = true;
     drawn.marks.clear();
     const Projection projection(drawn.frame, box_.center());
+    std::vector<CutObject> objects;
     for (const Object& object : objects_) {
-        Wall& wall = drawn.walls.emplace_back();
+        auto& [wall, lines] = objects.emplace_back();
         for (const Cut& cut : cutMesh(object.mesh, section.axis, placeOnAxis(section, box_))) {
-            drawn.lines.push_back(project(cut, projection, options.mm_per_unit));
-            if (drawn.lines.back().closed) wall.push_back(positionsOf(drawn.lines.back()));
+            lines.push_back(project(cut, projection, options.mm_per_unit));
+            if (lines.back().closed) wall.push_back(positionsOf(lines.back()));
         }
     }
+    addWalls(objects, drawn);
     return drawn;
 }
 

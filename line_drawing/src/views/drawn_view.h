@@ -31,6 +31,8 @@ std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
 
 /// Loops around what a section cuts of one object (even-odd); none where it cuts nothing.
 using Wall = std::vector<std::vector<Eigen::Vector2d>>;
+/// Those of objects that overlap: one area.
+using MergedWalls = std::vector<Wall>;
 
 /// A plane of a section that a view shows as a line. In the coordinates of the view.
 struct SectionMark {
@@ -47,7 +49,7 @@ struct DrawnView {
     /// The outline of each object alone, where these are wanted.
     std::vector<std::vector<DrawnLine>> silhouettes = {};
     bool is_section = false;
-    std::vector<Wall> walls = {};  ///< by object
+    std::vector<MergedWalls> walls = {};
     std::vector<SectionMark> marks = {};
     QString note = {};  ///< what the sheet has to say of it
 };
