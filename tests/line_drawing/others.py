@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What programs of others make of drawings: others.py FOLDER. There lie drawings of a cube of 100 mm from the front, the
-left and the top, plain and without furniture, cube_SCALE.svg and .dxf, and torus.svg, one with many lines; perhaps
-scan.svg, another. Ends with an error at the first thing that is not as it should be."""
+left and the top, plain and without furniture, cube_SCALE.svg and .dxf; cut.dxf, a plate of it with a section; torus.svg,
+one with many lines; perhaps scan.svg, another. Ends with an error at the first thing that is not as it should be."""
 
 import pathlib
 import sys
@@ -71,15 +71,28 @@ def check_dxf_of_cube(file, size):
     auditor = document.audit()
     check(not auditor.errors, file, *(error.message for error in auditor.errors))
     check(document.header.get("$INSUNITS") == 4, file, "is not in millimetres")
-    outlines = list(document.modelspace().query('POLYLINE[layer=="OUTLINE"]'))
-    check(len(outlines) == 3, file, "has", len(outlines), "outlines")
-    for outline in outlines:
-        extents = ezdxf.bbox.extents([outline])
+    for view in ("FRONT", "LEFT", "TOP"):
+        outlines = list(document.modelspace().query(f'POLYLINE[layer=="{view}_OUTLINE"]'))
+        check(len(outlines) == 1, file, "has", len(outlines), "outlines of", view)
+        extents = ezdxf.bbox.extents(outlines)
         check(near(extents.size.x, size, 0.1) and near(extents.size.y, size, 0.1), "an outline measures", extents.size)
     extents = ezdxf.bbox.extents(document.modelspace())
     paper = document.header["$EXTMAX"]
     check(extents.extmin.x > 0 and extents.extmin.y > 0, "lines begin beside the paper")
     check(extents.extmax.x < paper[0] and extents.extmax.y < paper[1], "lines end beside the paper")
+
+
+def check_layers_of_dxf(file):
+    """Those of views are called after them, and a class has the same color in all, but no other's."""
+    document = ezdxf.readfile(file)
+    used = {entity.dxf.layer for entity in document.modelspace()}
+    expected = {"FRONT_OUTLINE", "TOP_OUTLINE", "FRONT_MARKS", "VIEW-3_SECTION", "VIEW-3_FINE", "NAMES", "SCALE", "TITLE"}
+    check(expected <= used, file, "has the layers", *sorted(used))
+    colors = {}
+    for name in used:
+        colors.setdefault(name.split("_")[-1], set()).add(document.layers.get(name).color)
+    check(all(len(found) == 1 for found in colors.values()), file, "has a class in several colors:", colors)
+    check(len(set.union(*colors.values())) == len(colors), file, "has classes of equal colors:", colors)
 
 
 def places_along(path):
@@ -155,6 +168,7 @@ def main():
         check_svg_of_cube(folder / f"cube_{scale}.svg", size)
         check_layers(folder / f"cube_{scale}.svg", size)
         check_dxf_of_cube(folder / f"cube_{scale}.dxf", size)
+    check_layers_of_dxf(folder / "cut.dxf")
     check_lines(folder / "torus.svg")
     if (folder / "scan.svg").exists():
         check_lines(folder / "scan.svg")

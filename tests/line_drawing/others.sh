@@ -15,6 +15,7 @@ for scale in 1:1 1:2; do
     done
 done
 "$PROGRAM" torus.svg --views front,30,25 --strokes plain --furniture none --paper fit --scale 50:1 torus.ply >/dev/null
+"$PROGRAM" cut.dxf --views front,top --section x=0.5 cube.off >/dev/null
 dragon=$(dragon_file _res2) # a scan, once it is fetched
 [[ ! -s $dragon ]] || "$PROGRAM" scan.svg --views six --strokes plain --furniture none --unit m "$dragon" >/dev/null
 "$DRAWING_PYTHON" -B "$HERE/others.py" "$WORK"

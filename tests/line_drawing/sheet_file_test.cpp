@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
+#include <map>
+#include <set>
 
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
@@ -59,7 +62,7 @@ TEST(SheetFiles, DashesAreAPropertyOfLines) {
     const QByteArray dxf = writeDxf(sheet);
     EXPECT_TRUE(dxf.contains("2\nDASHED\n"));
     EXPECT_TRUE(dxf.contains("2\nOUTLINE\n70\n0\n62\n7\n6\nDASHED\n"));
-    EXPECT_TRUE(dxf.contains("2\nNAMES\n70\n0\n62\n7\n6\nCONTINUOUS\n"));
+    EXPECT_TRUE(dxf.contains("2\nNAMES\n70\n0\n62\n30\n6\nCONTINUOUS\n"));
 }
 
 TEST(SheetFiles, DxfPointsUp) {
@@ -81,10 +84,43 @@ TEST(SheetFiles, OfDxfHaveTextsAsData) {
     EXPECT_EQ(dxf.count('\n'), before.count('\n'));
 }
 
-TEST(SheetFiles, OfDxfHaveColorsByClasses) {
+/// The colours of the layers in a file, by name.
+std::map<std::string, int> layersOf(const QByteArray& dxf) {
+    std::map<std::string, int> colors;
+    const QList<QByteArray> lines = dxf.split('\n');
+    for (int i = 0; i + 7 < lines.size(); i += 2)
+        if (lines[i] == "0" && lines[i + 1] == "LAYER" && lines[i + 6] == "62")
+            colors[lines[i + 3].toStdString()] = lines[i + 7].toInt();
+    return colors;
+}
+
+TEST(SheetFiles, OfDxfHaveAColorForEachClass) {
     Sheet sheet = smallSheet();
-    sheet.groups[0].layers[0].key = "edge";
-    EXPECT_TRUE(writeDxf(sheet).contains("2\nEDGE\n70\n0\n62\n5\n"));
+    const SheetLayer lines = sheet.groups[0].layers[0];
+    sheet.groups[0].layers.clear();
+    for (const char* key : {"outline", "contour", "edge", "inner", "fine", "hidden", "section",
+                            "marks", "area", "names", "scale", "title"})
+        sheet.groups[0].layers.push_back({key, key, lines.paths, {}});
+    sheet.groups[0].layers.push_back({"empty", "Empty", {}, {}});
+    std::set<int> colors;
+    for (const auto& [name, color] : layersOf(writeDxf(sheet)))
+        EXPECT_TRUE(color > 0 && color < 256 && colors.insert(color).second) << name << color;
+    EXPECT_EQ(colors.size(), 12u);
+}
+
+TEST(SheetFiles, OfDxfHaveLayersByViews) {
+    SheetOptions options = made_sheets::plainViews("front,30,15,front");
+    options.up = UpAxis::Z;
+    options.sections = parseSections("y=0.5");
+    const auto layers = layersOf(writeDxf(made_sheets::sheetOf(made_sheets::cubeOf100(), options)));
+    for (const char* name : {"FRONT_OUTLINE", "FRONT-2_OUTLINE", "VIEW-2_OUTLINE", "VIEW-4_SECTION",
+                             "NAMES", "SCALE", "TITLE"})
+        EXPECT_EQ(layers.count(name), 1u) << name;
+    EXPECT_EQ(layers.count("OUTLINE"), 0u);
+    EXPECT_EQ(layers.at("FRONT_OUTLINE"), layers.at("VIEW-2_OUTLINE"));
+    for (const auto& [name, color] : layers)
+        EXPECT_EQ(QString::fromStdString(name).indexOf(QRegularExpression("[^A-Z0-9_-]")), -1)
+            << name;
 }
 
 TEST(SheetFiles, HaveTheSameBytesAgain) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QPolygonF>
-#include <QSet>
 #include <QTransform>
+#include <algorithm>
 #include <map>
 
 #include "formats/sheet_writers.h"
@@ -12,15 +12,30 @@ namespace {
 // Qt makes polygons of curves to half a unit: to a hundredth of a millimetre.
 constexpr double flattening = 50;
 
-/// So that classes of lines can be told apart on a screen: AutoCAD's numbers of colours, by keys of
-/// layers. 7, black or white, of others.
-const std::map<QString, QByteArray> colors = {{"contour", "3"}, {"edge", "5"},   {"inner", "4"},
-                                              {"fine", "8"},    {"hidden", "2"}, {"section", "1"},
-                                              {"marks", "6"},   {"area", "9"}};
+/// So that what a layer is can be told on a screen: AutoCAD's numbers of colours, by keys of
+/// layers.
+const std::map<QString, QByteArray> colors = {{"outline", "7"}, {"contour", "3"}, {"edge", "5"},
+                                              {"inner", "4"},   {"fine", "8"},    {"hidden", "2"},
+                                              {"section", "1"}, {"marks", "6"},   {"area", "9"},
+                                              {"names", "30"},  {"scale", "40"},  {"title", "50"}};
+
+const char* const furniture_key = "sheet";
+
+/// A name as R12 knows them: letters, digits, - and _.
+QByteArray inSigns(const QString& name) {
+    QByteArray signs;
+    for (const QChar c : name.toUpper())
+        signs += c.unicode() < 128 && c.isLetterOrNumber() ? c.toLatin1() : '-';
+    return signs;
+}
 
 class DxfWriter {
 public:
-    explicit DxfWriter(const Sheet& sheet) : sheet_(sheet) {}
+    explicit DxfWriter(const Sheet& sheet) : sheet_(sheet) {
+        for (const SheetGroup& group : sheet.groups)
+            for (const SheetLayer& layer : group.layers)
+                note(nameOf(group, layer), layer);
+    }
 
     QByteArray write() {
         writeHeader();
@@ -29,9 +44,9 @@ public:
         for (const SheetGroup& group : sheet_.groups)
             for (const SheetLayer& layer : group.layers) {
                 for (const SheetPath& path : layer.paths)
-                    writePath(path, nameOf(layer));
+                    writePath(path, nameOf(group, layer));
                 for (const SheetText& text : layer.texts)
-                    writeText(text, nameOf(layer));
+                    writeText(text, nameOf(group, layer));
             }
         end();
         write(0, "EOF");
@@ -39,7 +54,31 @@ public:
     }
 
 private:
-    static QByteArray nameOf(const SheetLayer& layer) { return layer.key.toUpper().toLatin1(); }
+    struct Layer {
+        QByteArray name, color;
+        double dash;  ///< of its paths, which have all the same
+    };
+
+    /// With that of the view, if there are several.
+    QByteArray nameOf(const SheetGroup& group, const SheetLayer& layer) const {
+        const auto views =
+            std::count_if(sheet_.groups.begin(), sheet_.groups.end(),
+                          [](const SheetGroup& other) { return other.key != furniture_key; });
+        const bool is_one_of_many = views > 1 && group.key != furniture_key;
+        return (is_one_of_many ? inSigns(group.key) + '_' : QByteArray()) + inSigns(layer.key);
+    }
+
+    void note(const QByteArray& name, const SheetLayer& layer) {
+        if (layer.paths.empty() && layer.texts.empty()) return;
+        const double dash = layer.paths.empty() ? 0 : layer.paths[0].dash;
+        for (Layer& known : layers_)
+            if (known.name == name) {
+                if (known.dash == 0) known.dash = dash;
+                return;
+            }
+        const auto color = colors.find(layer.key);
+        layers_.push_back({name, color == colors.end() ? "7" : color->second, dash});
+    }
 
     void write(int code, const QByteArray& value) {
         data_ += QByteArray::number(code) + '\n' + value + '\n';
@@ -70,14 +109,6 @@ private:
     }
 
     void writeLayers() {
-        QList<QByteArray> names;
-        std::map<QByteArray, QByteArray> color_of;
-        for (const SheetGroup& group : sheet_.groups)
-            for (const SheetLayer& layer : group.layers) {
-                if (!names.contains(nameOf(layer))) names << nameOf(layer);
-                const auto color = colors.find(layer.key);
-                color_of[nameOf(layer)] = color == colors.end() ? "7" : color->second;
-            }
         begin("TABLES");
         write(0, "TABLE");
         write(2, "LTYPE");
@@ -93,30 +124,22 @@ private:
         write(0, "ENDTAB");
         write(0, "TABLE");
         write(2, "LAYER");
-        write(70, QByteArray::number(names.size()));
-        for (const QByteArray& name : names) {
+        write(70, QByteArray::number(int(layers_.size())));
+        for (const Layer& layer : layers_) {
             write(0, "LAYER");
-            write(2, name);
+            write(2, layer.name);
             write(70, "0");
-            write(62, color_of[name]);
-            write(6, dashOf(name) > 0 ? "DASHED" : "CONTINUOUS");
+            write(62, layer.color);
+            write(6, layer.dash > 0 ? "DASHED" : "CONTINUOUS");
         }
         write(0, "ENDTAB");
         end();
     }
 
-    /// Of the paths in a layer, which have all the same.
-    double dashOf(const QByteArray& name) const {
-        for (const SheetGroup& group : sheet_.groups)
-            for (const SheetLayer& layer : group.layers)
-                if (nameOf(layer) == name && !layer.paths.empty()) return layer.paths[0].dash;
-        return 0;
-    }
     void writeDashes() {
         double dash = 0;
-        for (const SheetGroup& group : sheet_.groups)
-            for (const SheetLayer& layer : group.layers)
-                dash = std::max(dash, dashOf(nameOf(layer)));
+        for (const Layer& layer : layers_)
+            dash = std::max(dash, layer.dash);
         if (dash == 0) return;
         write(0, "LTYPE");
         write(2, "DASHED");
@@ -184,6 +207,7 @@ private:
     }
 
     const Sheet& sheet_;
+    std::vector<Layer> layers_;
     QByteArray data_;
 };
 
