@@ -13,7 +13,10 @@ import pathlib
 import subprocess
 import sys
 
-from dask.distributed import Client, LocalCluster, as_completed
+try:
+    from dask.distributed import Client, LocalCluster, as_completed
+except ImportError as error:
+    sys.exit(f"draw_with_dask.py needs Dask ({error}). Install it: {sys.executable} -m pip install dask distributed")
 
 PROGRAM = pathlib.Path(__file__).resolve().parent.parent / "build/bin/laplacian_lines_drawing"
 

@@ -50,15 +50,17 @@ def field(mesh):
 
     Vectors have the shape (vertices, 3), numbers (vertices,). ATTRIBUTES tells what they are and their
     units; optional ones are in the dictionary if they are on the mesh.
-    Raises pymeshlab.PyMeshLabException if the filter has not run on the mesh.
+    Raises pymeshlab.PyMeshLabException, which names the filter, if it has not run on the mesh.
     """
     arrays = {}
     for attribute in ATTRIBUTES:
         try:
             arrays[attribute.name] = _values(mesh, attribute)
-        except pymeshlab.PyMeshLabException:
+        except pymeshlab.PyMeshLabException as error:
             if not attribute.optional:
-                raise
+                raise pymeshlab.PyMeshLabException(
+                    f"The mesh has no attribute {attribute.name}: run MeshSet.{FILTER}() on it first, again if other "
+                    "filters have changed the mesh since.") from error
     return arrays
 
 

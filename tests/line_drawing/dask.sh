@@ -4,8 +4,12 @@
 # shellcheck source=/dev/null
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/harness.sh"
 require hosts/drawing_tools
-ensure_drawing_tools || skip "$OBSTACLE"
 
+# -S: as where no packages are installed
+! python3 -S -B "$HERE/../../examples/draw_with_dask.py" plates one.ply 2>said || fail "Dask is not needed"
+grep -q "Install it: .*-m pip install dask distributed" said || fail "it is not said what to install: $(cat said)"
+
+ensure_drawing_tools || skip "$OBSTACLE"
 write_cube
 for name in one two three; do cp cube.ply $name.ply; done
 echo "no mesh" >bad.ply

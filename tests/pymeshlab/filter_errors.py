@@ -33,6 +33,7 @@ def expect_refusals():
 vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
 expect_refusals()
 expect_no_field(mesh)
+expect_error("run MeshSet.compute_laplacian_lines_per_vertex() on it first", laplacian_lines.field, mesh)
 
 # what an earlier run has stored survives a failed one
 compute()
