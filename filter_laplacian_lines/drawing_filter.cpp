@@ -2,9 +2,12 @@
 #include "drawing_filter.h"
 
 #include <QFileInfo>
+#include <QPointer>
 
+#include "drawing_dialog.h"
 #include "drawing_sheet.h"
 #include "filter_help.h"
+#include "kept_settings.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/sheet_file.h"
@@ -16,6 +19,8 @@ using line_drawing::Sheet;
 using line_drawing::SheetOptions;
 
 namespace {
+
+const char* const filter_name = "Export Laplacian Lines Drawing";
 
 // What is done of the work when each step has ended.
 constexpr double field_share = 0.4, sheet_share = 0.98;
@@ -49,7 +54,7 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
 
 meshlab_host::FilterDescription DrawingFilter::description() const {
     meshlab_host::FilterDescription result;
-    result.name = "Export Laplacian Lines Drawing";
+    result.name = filter_name;
     result.python_name = "export_laplacian_lines_drawing";
     result.help = drawingHelp();
     result.filter_class = meshlab_host::FilterInterface::Normal;
@@ -60,6 +65,16 @@ meshlab_host::FilterDescription DrawingFilter::description() const {
 void DrawingFilter::listParameters(const MeshModel* mesh, RichParameterList& list) const {
     const bool has_window = meshlab_host::currentView().has_value();
     listDrawingParameters(drawingDefaults(mesh, has_window), list);
+}
+
+void DrawingFilter::prepareDialog(const MeshDocument& document) const {
+    if (!meshlab_host::currentView()) return;
+    const DrawingParameters defaults = drawingDefaults(document.mm(), true);
+    const QPointer<const MeshDocument> still_open(&document);
+    meshlab_host::FilterDialog::whenOpen(
+        filter_name, [defaults, still_open](const meshlab_host::FilterDialog& dialog) {
+            if (still_open) furnishDrawingDialog(dialog, defaults, *still_open);
+        });
 }
 
 std::vector<meshlab_host::ParameterDescription> DrawingFilter::describeParameters() const {
@@ -85,6 +100,8 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     run.say(report(layers, file, sheet, size, options));
     for (const QString& remark : sheet.remarks)
         run.say(remark);
+    if (meshlab_host::FilterDialog::isOpen(filter_name))
+        keepSettings(chosen, run.document.mm()->fullName());
     run.results["scale"] = sheet.scale;
     meshlab_host::addResult("paper", {sheet.size.width(), sheet.size.height(), 0}, run.results);
     meshlab_host::addResult("object", size, run.results);

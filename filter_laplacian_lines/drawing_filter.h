@@ -9,6 +9,7 @@ class DrawingFilter : public meshlab_host::Filter {
 public:
     meshlab_host::FilterDescription description() const override;
     void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
+    void prepareDialog(const MeshDocument& document) const override;
     std::vector<meshlab_host::ParameterDescription> describeParameters() const override;
     void run(const meshlab_host::FilterRun& run) const override;
 };

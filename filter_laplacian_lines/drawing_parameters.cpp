@@ -3,10 +3,15 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <cmath>
 #include <variant>
 
 #include "laplacian_lines/option_rows.h"
+#include "mesh_unit.h"
+#include "meshlab_host/camera.h"
+#include "meshlab_host/parameter_text.h"
 #include "settings_choice.h"
+#include "view_words.h"
 
 namespace {
 
@@ -34,15 +39,22 @@ std::vector<const char*> paperChoices() {
     return names;
 }
 
+std::vector<const char*> unitChoices() {
+    std::vector<const char*> names;
+    for (const MeshUnit& unit : mesh_units)
+        names.push_back(unit.name);
+    return names;
+}
+
 std::vector<AnyRow> makeRows() {
     return {
-        TextRow{{"file", "File",
+        TextRow{{"file", drawing_labels::file,
                  "Its ending says what it is: .svg, .pdf, .dxf or .png. A file of this name is "
                  "replaced.",
-                 "Drawings (*.svg *.pdf *.dxf *.png)"},
+                 drawing_files},
                 &Parameters::file},
         TextRow{
-            {"views", "Views",
+            {"views", drawing_labels::views,
              "Several with commas: window, as in MeshLab, front, back, left, right, top, bottom, "
              "six (all of these), vessel (half section, half view), or two angles, azimuth and "
              "elevation, such as 30,15."},
@@ -55,7 +67,7 @@ std::vector<AnyRow> makeRows() {
             "paper", "Paper", paperChoices(),
             "Upright or lying, whichever takes the drawing larger. fit: as large as the drawing."),
         rows::choice<&Parameters::unit>(
-            "unit", "Unit of the Mesh", {"mm", "cm", "m", "in"},
+            "unit", "Unit of the Mesh", unitChoices(),
             "What a length of 1 is in truth. The log says how large the object is with it."),
         rows::choice<&Parameters::up>("up", "Upward Axis", {"x", "y", "z"},
                                       "The axis of the world that points up in named views."),
@@ -128,11 +140,44 @@ struct ParameterReader {
     }
 };
 
+struct FieldWriter {
+    const Parameters& parameters;
+
+    DrawingField operator()(const Row& row) const {
+        const meshlab_host::ParameterDescription d = meshlab_host::describe(row, key_prefix);
+        return {d.name, d.label, meshlab_host::textOf(row.get(parameters), d)};
+    }
+    DrawingField operator()(const TextRow& row) const {
+        return {row.description.name, row.description.label, parameters.*row.value};
+    }
+};
+
+struct FieldReader {
+    Parameters& result;
+    const std::function<std::optional<QString>(const QString& label)>& text_of;
+
+    void operator()(const Row& row) {
+        const meshlab_host::ParameterDescription d = meshlab_host::describe(row, key_prefix);
+        if (const auto text = text_of(d.label)) row.set(result, meshlab_host::valueIn(*text, d));
+    }
+    void operator()(const TextRow& row) {
+        if (const auto text = text_of(row.description.label)) result.*row.value = *text;
+    }
+};
+
+/// As the layer stands in the world.
+double diagonalOf(const MeshModel& layer) {
+    const Eigen::Matrix4d transform = meshlab_host::layerTransform(layer.cm);
+    const double factor = std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
+    return factor * double(layer.cm.bbox.Diag());
+}
+
 }  // namespace
 
 DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window) {
     Parameters result;
-    if (has_window) result.views = "window";
+    if (has_window) result.views = window_view;
+    if (has_window && mesh) result.unit = likelyUnit(diagonalOf(*mesh));
     if (mesh && !mesh->fullName().isEmpty()) {
         const QFileInfo file(mesh->fullName());
         result.file = file.dir().filePath(file.completeBaseName() + "_drawing.svg");
@@ -143,6 +188,21 @@ DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window) {
 void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list) {
     for (const AnyRow& row : allRows())
         std::visit(Lister{defaults, list}, row);
+}
+
+std::vector<DrawingField> fieldsOf(const DrawingParameters& parameters) {
+    std::vector<DrawingField> fields;
+    for (const AnyRow& row : allRows())
+        fields.push_back(std::visit(FieldWriter{parameters}, row));
+    return fields;
+}
+
+DrawingParameters drawingParametersIn(
+    const std::function<std::optional<QString>(const QString& label)>& text_of) {
+    Parameters result;
+    for (const AnyRow& row : allRows())
+        std::visit(FieldReader{result, text_of}, row);
+    return result;
 }
 
 std::vector<meshlab_host::ParameterDescription> describeDrawingParameters() {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QString>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "line_drawing/sheet_options.h"
@@ -31,11 +33,30 @@ struct DrawingParameters {
     int settings = default_settings;  ///< from 2 on, mixtures of lines
 };
 
-/// Where the dialog starts: with a file beside that of the mesh, and at the view of the window if
-/// there is one.
+/// Labels of fields that the dialog adds something to.
+namespace drawing_labels {
+inline const QString file = "File", views = "Views";
+}
+
+/// What files a drawing may be in, for dialogs that look for one.
+inline const QString drawing_files = "Drawings (*.svg *.pdf *.dxf *.png)";
+
+/// Where the dialog starts: with a file beside that of the mesh, and, if there is a window, at its
+/// view and with the unit that the mesh most likely has. Scripts have the same everywhere.
 DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window);
 
 void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list);
+
+/// What the dialog shows of a parameter.
+struct DrawingField {
+    QString key, label, text;
+};
+std::vector<DrawingField> fieldsOf(const DrawingParameters& parameters);
+
+/// Of fields of the dialog, found by their labels.
+/// @throws laplacian_lines::Error(InvalidOption) that names a field which is out of range.
+DrawingParameters drawingParametersIn(
+    const std::function<std::optional<QString>(const QString& label)>& text_of);
 
 /// The parameters that are switches or choices; texts are not among them.
 std::vector<meshlab_host::ParameterDescription> describeDrawingParameters();

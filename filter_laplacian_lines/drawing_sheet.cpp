@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drawing_sheet.h"
 
-#include <array>
-
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
+#include "mesh_unit.h"
 #include "meshlab_host/drawn_style.h"
 #include "settings_choice.h"
+#include "view_words.h"
 
 using line_drawing::SheetOptions;
 using line_drawing::ViewFrame;
 using meshlab_host::CurrentView;
 
 namespace {
-
-constexpr std::array<double, 4> mm_of_units = {1, 10, 1000, 25.4};
-
-const char* const window_word = "window";
 
 [[noreturn]] void refuse(const char* sentence) {
     throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence);
@@ -31,12 +27,12 @@ ViewFrame frameOf(const CurrentView& window) {
 
 std::vector<ViewFrame> viewsOf(const DrawingParameters& chosen,
                                const std::optional<CurrentView>& window) {
-    if (chosen.views.contains(window_word, Qt::CaseInsensitive) && !window)
+    if (chosen.views.contains(window_view, Qt::CaseInsensitive) && !window)
         refuse(
             "There is no window whose view could be drawn. Name other \"Views\", such as front, "
             "six or 30,15.");
     line_drawing::NamedViews others;
-    if (window) others[window_word] = frameOf(*window);
+    if (window) others[window_view] = frameOf(*window);
     return line_drawing::parseViews(chosen.views, chosen.up, others);
 }
 
@@ -63,7 +59,7 @@ SheetOptions sheetOptions(const DrawingParameters& chosen,
     const std::vector<const char*> papers = line_drawing::paperNames();
     const auto paper = std::size_t(chosen.paper);
     options.paper = paper < papers.size() ? papers[paper] : "fit";
-    options.mm_per_unit = mm_of_units.at(std::size_t(chosen.unit));
+    options.mm_per_unit = mesh_units[chosen.unit].mm;
     options.arrangement = chosen.arrangement;
     options.strokes = line_drawing::strokesIn(chosen.file, chosen.strokes);
     options.wall = chosen.wall;

@@ -39,7 +39,5 @@ QString polylineHelp() {
 QString drawingHelp() {
     return QStringLiteral(
         "Writes a measured drawing: lines at scale on paper, as vectors, from the window's view or "
-        "several sides.<br>"
-        "The results of <i>Compute Laplacian Lines</i> are used while they belong to the mesh, "
-        "otherwise those of its defaults.");
+        "several sides.");
 }

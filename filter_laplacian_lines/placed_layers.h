@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <array>
 #include <vector>
 
 #include "laplacian_lines/field.h"
@@ -29,6 +30,19 @@ struct LayerChoice {
 /// @throws laplacian_lines::Error if none is left, Cancelled.
 PlacedLayers placeLayers(const LayerChoice& choice, const meshlab_host::FilterRun& run,
                          double share);
+
+/// The same without their fields, and without those that cannot be drawn; perhaps none.
+PlacedLayers placeShapes(const MeshDocument& document, bool all_visible);
+
+/// What is different once a layer has moved or was edited, as good as always.
+struct LayerState {
+    int number, vertices, faces;
+    std::array<double, 22> place;  ///< transformation and bounds
+
+    bool operator==(const LayerState& other) const;
+};
+/// Of the layers that placeShapes() takes.
+std::vector<LayerState> layerStates(const MeshDocument& document, bool all_visible);
 
 /// Valid as long as the layers.
 line_drawing::Objects objectsOf(const PlacedLayers& layers);

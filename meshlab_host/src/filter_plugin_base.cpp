@@ -54,7 +54,9 @@ QString FilterPluginBase::runCatchingAll(const Filter& filter, MeshDocument& doc
 
 void FilterPluginBase::initParameterSet(QAction* action, MeshDocument& document,
                                         RichParameterList& list) {
-    entry(action).filter->listParameters(document.mm(), list);
+    const Filter& filter = *entry(action).filter;
+    filter.listParameters(document.mm(), list);
+    filter.prepareDialog(document);
 }
 
 bool FilterPluginBase::applyFilter(QAction* action, MeshDocument& document,
@@ -72,7 +74,9 @@ bool FilterPluginBase::applyFilter(QAction* action, MeshDocument& document,
 RichParameterList FilterPluginBase::initParameterList(const QAction* action,
                                                       const MeshDocument& document) {
     RichParameterList list;
-    entry(action).filter->listParameters(document.mm(), list);
+    const Filter& filter = *entry(action).filter;
+    filter.listParameters(document.mm(), list);
+    filter.prepareDialog(document);
     return list;
 }
 

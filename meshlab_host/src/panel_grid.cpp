@@ -14,38 +14,33 @@ constexpr int line_spacing = 0;  ///< pixels: the panel is low on small screens
 constexpr int longest_short_label = 15;  ///< characters
 const char* const arranged_mark = "laplacian_lines_arranged";
 
-/// A field's places in the grid.
-struct Parts {
-    QLayoutItem* label = nullptr;
-    QLayoutItem* editor = nullptr;  ///< null if the label is the check box itself
-};
-
 QString textOf(QLayoutItem& item) {
     if (const auto* box = qobject_cast<QCheckBox*>(item.widget())) return box->text();
     if (const auto* label = qobject_cast<QLabel*>(item.widget())) return label->text();
     return {};
 }
 
-Parts findParts(const QGridLayout& grid, const QString& label) {
+GridField findIn(QGridLayout& grid, const QString& label) {
     for (int i = 0; i < grid.count(); ++i) {
         QLayoutItem* item = grid.itemAt(i);
         if (textOf(*item) != label) continue;
-        if (qobject_cast<QCheckBox*>(item->widget())) return {item, nullptr};
+        if (qobject_cast<QCheckBox*>(item->widget())) return {&grid, item, nullptr};
         int row, column, rows, spanned;
         grid.getItemPosition(i, &row, &column, &rows, &spanned);
-        if (QLayoutItem* editor = grid.itemAtPosition(row, column + spanned)) return {item, editor};
+        if (QLayoutItem* editor = grid.itemAtPosition(row, column + spanned))
+            return {&grid, item, editor};
     }
     return {};
 }
 
 /// By line; empty if the grid lacks one.
-std::vector<std::vector<Parts>> findAll(const QGridLayout& grid,
-                                        const std::vector<PanelLine>& lines) {
-    std::vector<std::vector<Parts>> found;
+std::vector<std::vector<GridField>> findAll(QGridLayout& grid,
+                                            const std::vector<PanelLine>& lines) {
+    std::vector<std::vector<GridField>> found;
     for (const PanelLine& line : lines) {
         found.emplace_back();
         for (const PanelField& field : line) {
-            found.back().push_back(findParts(grid, field.label));
+            found.back().push_back(findIn(grid, field.label));
             if (!found.back().back().label) return {};
         }
     }
@@ -76,13 +71,13 @@ int labelColumns(QLayoutItem& label, int width) {
     return textOf(label).size() <= longest_short_label ? 1 : width / 2;
 }
 
-void moveAll(QGridLayout& grid, const std::vector<std::vector<Parts>>& found) {
+void moveAll(QGridLayout& grid, const std::vector<std::vector<GridField>>& found) {
     moveHelpAside(grid);
     for (int line = 0; line < int(found.size()); ++line) {
         const auto& fields = found[std::size_t(line)];
         const int width = columns / int(fields.size());
         for (int i = 0; i < int(fields.size()); ++i) {
-            const Parts& parts = fields[std::size_t(i)];
+            const GridField& parts = fields[std::size_t(i)];
             const int label = parts.editor ? labelColumns(*parts.label, width) : width;
             move(grid, parts.label, line, i * width, label);
             if (parts.editor) move(grid, parts.editor, line, i * width + label, width - label);
@@ -105,7 +100,8 @@ void show(QLayoutItem* item, const PanelField& field, const QString& tool_tip) {
             show(layout->itemAt(i), field, tool_tip);
 }
 
-void showAll(const std::vector<std::vector<Parts>>& found, const std::vector<PanelLine>& lines) {
+void showAll(const std::vector<std::vector<GridField>>& found,
+             const std::vector<PanelLine>& lines) {
     for (std::size_t line = 0; line < lines.size(); ++line)
         for (std::size_t i = 0; i < lines[line].size(); ++i) {
             const PanelField& field = lines[line][i];
@@ -118,6 +114,12 @@ void showAll(const std::vector<std::vector<Parts>>& found, const std::vector<Pan
 }
 
 }  // namespace
+
+GridField findField(const QWidget& panel, const QString& label) {
+    for (QGridLayout* grid : panel.findChildren<QGridLayout*>())
+        if (const GridField field = findIn(*grid, label); field.grid) return field;
+    return {};
+}
 
 bool arrangePanel(QWidget& panel, const std::vector<PanelLine>& lines) {
     for (QGridLayout* grid : panel.findChildren<QGridLayout*>()) {

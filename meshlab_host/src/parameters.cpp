@@ -121,6 +121,10 @@ Eigen::Vector3d readPlace(const PlaceDescription& d, const Eigen::Vector3d& fall
     return result;
 }
 
+bool needsBrowsing() {
+    return MESHLAB_API < 2022;
+}
+
 void addText(const TextDescription& d, const QString& value, RichParameterList& list) {
     if (d.files.isEmpty())
         add<RichString>(d, list, value);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "laplacian_lines/error.h"
+#include "made_sheets.h"
 #include "sheet/sheet_furniture.h"
 
 using namespace line_drawing;
@@ -116,6 +117,34 @@ TEST(SheetFurniture, ScaleBarsAreOfRoundLengths) {
     EXPECT_EQ(lengthInWords(100), "10 cm");
     EXPECT_EQ(lengthInWords(2000), "2 m");
     EXPECT_EQ(lengthInWords(0.5), "0.5 mm");
+}
+
+const laplacian_lines::Field no_field;
+
+TEST(SheetPlans, AreWhatIsMade) {
+    const auto mesh = test_meshes::torus(30, 15).mesh;
+    for (const char* views : {"front", "six", "30,15 top"})
+        for (const char* paper : {"a4", "a2", "fit"})
+            for (const double scale : {0., 10.})
+                for (const char* sections : {"", "y=0.4 z=0.5"}) {
+                    SheetOptions options = made_sheets::plainViews(views, paper);
+                    options.scale = scale;
+                    options.sections = parseSections(sections);
+                    const Sheet sheet = made_sheets::sheetOf(mesh, options);
+                    const SheetPlan plan = planSheet({{mesh, no_field}}, options);
+                    EXPECT_EQ(plan.scale, sheet.scale) << views << paper << scale << sections;
+                    EXPECT_EQ(plan.paper, sheet.size) << views << paper << scale << sections;
+                }
+}
+
+TEST(SheetPlans, RefuseWhatIsRefused) {
+    const laplacian_lines::TriangleMesh mesh = made_sheets::cubeOf100(), empty;
+    SheetOptions options = made_sheets::plainViews("front", "a5");
+    options.scale = 10;
+    EXPECT_THROW(planSheet({{mesh, no_field}}, options), laplacian_lines::Error);
+    EXPECT_THROW(planSheet({{empty, no_field}}, options), laplacian_lines::Error);
+    options.views.clear();
+    EXPECT_THROW(planSheet({{mesh, no_field}}, options), laplacian_lines::Error);
 }
 
 }  // namespace

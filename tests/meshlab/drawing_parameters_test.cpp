@@ -156,6 +156,13 @@ TEST(DrawingParameters, StartBesideTheMeshAndAtTheWindow) {
     MeshDocument document;
     MeshModel* mesh = document.addNewMesh("/finds/find.17.ply", "find");
     EXPECT_EQ(drawingDefaults(mesh, false).file, "/finds/find.17_drawing.svg");
+    // scripts have the same unit whatever the size
+    mesh->cm.bbox.Set(Point3m(0, 0, 0));
+    mesh->cm.bbox.Add(Point3m(1, 1, 1));
+    EXPECT_EQ(drawingDefaults(mesh, false).unit, 0);
+    EXPECT_EQ(drawingDefaults(mesh, true).unit, 2);
+    mesh->cm.Tr.SetScale(1000, 1000, 1000);
+    EXPECT_EQ(drawingDefaults(mesh, true).unit, 0);
 }
 
 TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {

@@ -34,6 +34,7 @@ look 0 0 6  0 0 0
 trigger Export Laplacian Lines Drawing
 sleep 300
 screen dialog.png
+set Unit of the Mesh = mm
 apply
 expect-log torus.ply has no precomputed attributes; computed with the default options in
 expect-log ${drawn}torus_drawing.svg, in perspective and so without a scale on paper of 210 x 297 mm. The object is 2.\S* x 2.\S* x \S* mm large
@@ -68,6 +69,8 @@ close
 trigger Toggle Orthographic Camera
 look 6 0 0  0 0 0
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set File = window.svg
 apply
 set Views = right
@@ -114,6 +117,8 @@ open cube.ply
 size 800x600
 look 0 0 6  0 0 0
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set Hidden Lines = Dashed
 set Strokes = Plain
 set File = cube.svg
@@ -125,6 +130,8 @@ expect-log mixed.svg, scale
 close
 look 0 0 0.5  0 0 -1
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set File = refused.svg
 apply
 expect-modal Filter Failure.*eye of a view in perspective is inside the surface
@@ -150,6 +157,8 @@ apply
 close
 size 800x600
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set Views = front, 30,20
 set Layers = All Visible Layers
 set File = both.svg
@@ -165,6 +174,8 @@ close
 show-layer torus
 sleep 200
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set Views = front, 30,20
 set Layers = All Visible Layers
 set File = shown.svg
@@ -173,6 +184,8 @@ close
 show-layer ring
 sleep 200
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set Layers = All Visible Layers
 set File = refused.svg
 apply
@@ -191,18 +204,24 @@ open torus.ply
 size 800x600
 look 0 0 6  0 0 0
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set Views = left
 set File = $WORK/left.svg
 apply
 close
 $(move_layer 'Y Rotation = -90')
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set Views = front
 set File = $WORK/turned.svg
 apply
 close
 $(move_layer 'X Scale = 2' 'Y Scale = 2' 'Z Scale = 2')
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set Views = front
 set File = $WORK/twice.svg
 apply
@@ -211,6 +230,8 @@ close
 expect-no-log transformation stretches it
 $(move_layer 'X Scale = 3')
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set File = $WORK/stretched.svg
 set Views = front
 apply
@@ -225,6 +246,8 @@ check Laplacian Lines on
 setdeco Detail = 0
 setdeco Ridges = off
 trigger Export Laplacian Lines Drawing
+defaults
+set Unit of the Mesh = mm
 set Views = front
 set Settings = As the Decoration
 set File = $WORK/as_drawn.svg

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands are described in README.md.
 #include <QCheckBox>
+#include <QElapsedTimer>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QTextDocument>
 #include <QTreeWidget>
 #include "fields.h"
@@ -11,6 +13,8 @@
 
 namespace driver {
 namespace {
+
+constexpr qint64 longest_wait = 5000;  // ms
 
 QSize sizeSaid(const QString& text) {
     const QStringList parts = text.split('x');
@@ -85,6 +89,28 @@ void expectWrappedToolTips(const Command&) {
     if (!tool_tips) throw CommandError("there are no tool tips");
 }
 
+void expectField(const Command& command) {
+    const QString wanted = command.rest.section('=', 1).trimmed();
+    const QString shown = textOfField(filterDialog(), command.rest.section('=', 0, 0).trimmed());
+    if (shown != wanted) throw CommandError(QString("it shows '%1'").arg(shown));
+}
+
+/// Some texts follow what is typed after a pause.
+Outcome expectInDialog(const Command& command) {
+    static int line = 0;
+    static QElapsedTimer waiting;
+    if (line != command.line) {
+        line = command.line;
+        waiting.start();
+    }
+    QStringList texts;
+    for (const QLabel* label : filterDialog()->findChildren<QLabel*>())
+        if (label->isVisible()) texts << label->text();
+    if (texts.join('\n').contains(QRegularExpression(command.rest))) return Outcome::Done;
+    if (waiting.elapsed() < longest_wait) return Outcome::Retry;
+    throw CommandError("the dialog does not say so; it says:\n" + texts.join('\n'));
+}
+
 }  // namespace
 
 void addDialogCommands(CommandTable& table) {
@@ -94,6 +120,9 @@ void addDialogCommands(CommandTable& table) {
     table.addSimple("expect-fields-above", expectFieldsAbove);
     table.addSimple("expect-wrapped-tool-tips", expectWrappedToolTips);
     table.addSimple("help", [](const Command&) { clickButton(filterDialog(), "Help"); });
+    table.addSimple("click", [](const Command& c) { clickButton(filterDialog(), c.rest); });
+    table.addSimple("expect-field", expectField);
+    table.add("expect-in-dialog", expectInDialog);
     table.addSimple("expect-dialog-within", expectDialogWithin);
 }
 

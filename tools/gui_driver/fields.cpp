@@ -204,6 +204,17 @@ void setField(QWidget* container, const QString& label, const QString& value) {
     if (!setEditors(editors, value)) throw noField(container, label);
 }
 
+QString textOfField(QWidget* container, const QString& label) {
+    const QList<QWidget*> editors = findEditors(container, label);
+    for (const QCheckBox* box : only<QCheckBox>(editors))
+        return box->isChecked() ? "on" : "off";
+    for (const QComboBox* box : only<QComboBox>(editors))
+        return box->currentText();
+    for (const QLineEdit* edit : only<QLineEdit>(editors))
+        return edit->text();
+    throw noField(container, label);
+}
+
 QString stateOfField(QWidget* container, const QString& label) {
     const QList<QWidget*> editors = findEditors(container, label);
     if (editors.isEmpty()) throw noField(container, label);

@@ -16,6 +16,9 @@ void setField(QWidget* container, const QString& label, const QString& value);
 struct Command;
 void setFieldAsSaid(QWidget* container, const Command& command);
 
+// What the field shows, of a check box "on" or "off".
+QString textOfField(QWidget* container, const QString& label);
+
 // What a user sees of the field: "hidden", "off" if its value cannot be changed, or "on".
 QString stateOfField(QWidget* container, const QString& label);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QSizeF>
+
 #include "laplacian_lines/progress.h"
 #include "line_drawing/object.h"
 #include "line_drawing/sheet.h"
@@ -20,5 +22,16 @@ Sheet makeSheet(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines
 /// system, that hide each other and share bounds and sections. Each has its own lines.
 std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOptions>& options,
                               const laplacian_lines::Progress& progress = {});
+
+/// What can be known of a sheet before its lines are.
+struct SheetPlan {
+    QSizeF paper;
+    double scale;  ///< as Sheet's
+};
+
+/// Size and scale of the sheet that these options make of objects, whose fields do not count: in
+/// the time that looking at each triangle once takes, for each view.
+/// @throws laplacian_lines::Error(InvalidOption) as makeSheets(), but for eyes inside the surface.
+SheetPlan planSheet(const Objects& objects, const SheetOptions& options);
 
 }  // namespace line_drawing

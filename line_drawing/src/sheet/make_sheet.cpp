@@ -11,6 +11,7 @@
 #include "sheet/sheet_furniture.h"
 #include "sheet/view_drawing.h"
 #include "sight/observer.h"
+#include "views/joined_surface.h"
 
 namespace line_drawing {
 namespace {
@@ -152,6 +153,20 @@ std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOpt
             drawSheet(observer, o, part(progress, begin, is_last ? 1 : begin + share)));
     }
     return sheets;
+}
+
+SheetPlan planSheet(const Objects& objects, const SheetOptions& options) {
+    check(options);
+    const JoinedSurface surface(objects);
+    const Eigen::AlignedBox3d bounds = boundsOf(surface.mesh());
+    if (bounds.isEmpty()) refuse("There is nothing to draw: the mesh has no triangles.");
+    std::vector<DrawnView> views;
+    for (const ViewFrame& frame : options.views)
+        views.push_back(standBefore(surface.mesh(), bounds, frame, options));
+    for (const Section& section : options.sections)
+        views.push_back(standBefore(surface.mesh(), bounds, section, options));
+    const SheetLayout layout = layOut(views, options);
+    return {layout.size, layout.scale};
 }
 
 Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,

@@ -33,6 +33,25 @@ laplacian_lines::SightOptions sightOf(const SheetOptions& options) {
 
 }  // namespace
 
+DrawnView standBefore(const TriangleMesh& surface, const Eigen::AlignedBox3d& bounds,
+                      const ViewFrame& frame, const SheetOptions& options) {
+    const double unit = options.mm_per_unit;
+    const Eigen::AlignedBox2d flat = Projection(frame, bounds.center()).boundsOf(surface);
+    if (frame.eye && flat.isEmpty())
+        refuse("All of the object is behind the eye of a view in perspective.");
+    DrawnView drawn{frame, {unit * flat.min(), unit * flat.max()}};
+    drawn.marks = marksOf(frame, options, bounds);
+    return drawn;
+}
+
+DrawnView standBefore(const TriangleMesh& surface, const Eigen::AlignedBox3d& bounds,
+                      const Section& section, const SheetOptions& options) {
+    DrawnView drawn = standBefore(surface, bounds, frameOfSection(section, options.up), options);
+    drawn.is_section = true;
+    drawn.marks.clear();
+    return drawn;
+}
+
 Observer::Observer(const Objects& objects, const Progress& progress)
     : objects_(objects),
       surface_(objects),
@@ -41,13 +60,7 @@ Observer::Observer(const Objects& objects, const Progress& progress)
       lines_(objects_) {}
 
 DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) const {
-    const double unit = options.mm_per_unit;
-    const Eigen::AlignedBox2d bounds = Projection(frame, box_.center()).boundsOf(surface_.mesh());
-    if (frame.eye && bounds.isEmpty())
-        refuse("All of the object is behind the eye of a view in perspective.");
-    DrawnView drawn{frame, {unit * bounds.min(), unit * bounds.max()}};
-    drawn.marks = marksOf(frame, options, box_);
-    return drawn;
+    return standBefore(surface_.mesh(), box_, frame, options);
 }
 
 void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progress& progress) {
@@ -121,9 +134,7 @@ double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, do
 }
 
 DrawnView Observer::cut(const Section& section, const SheetOptions& options) const {
-    DrawnView drawn = stand(frameOfSection(section, options.up), options);
-    drawn.is_section = true;
-    drawn.marks.clear();
+    DrawnView drawn = standBefore(surface_.mesh(), box_, section, options);
     const Projection projection(drawn.frame, box_.center());
     std::vector<CutObject> objects;
     for (const Object& object : objects_) {

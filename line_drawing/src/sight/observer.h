@@ -11,6 +11,15 @@
 
 namespace line_drawing {
 
+/// A view without its lines, of surfaces with these bounds.
+DrawnView standBefore(const laplacian_lines::TriangleMesh& surface,
+                      const Eigen::AlignedBox3d& bounds, const ViewFrame& frame,
+                      const SheetOptions& options);
+/// The same for a section, without what it cuts.
+DrawnView standBefore(const laplacian_lines::TriangleMesh& surface,
+                      const Eigen::AlignedBox3d& bounds, const Section& section,
+                      const SheetOptions& options);
+
 /// Looks at objects from all sides. They have to outlive it.
 class Observer {
 public:

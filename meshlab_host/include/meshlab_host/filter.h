@@ -52,6 +52,9 @@ public:
     /// Adds the parameters with their defaults for this mesh, the null pointer if there is none.
     virtual void listParameters(const MeshModel* mesh, RichParameterList& list) const = 0;
 
+    /// MeshLab has listed the parameters, perhaps for a dialog that it opens now.
+    virtual void prepareDialog(const MeshDocument& document) const { (void)document; }
+
     /// The parameters that are numbers, switches or choices, for those who show no dialog.
     virtual std::vector<ParameterDescription> describeParameters() const = 0;
 

@@ -108,6 +108,9 @@ struct TextDescription {
     bool for_experts = false;
 };
 
+/// Whether they have none, as before.
+bool needsBrowsing();
+
 void addText(const TextDescription& description, const QString& value, RichParameterList& list);
 
 /// `fallback` if the list has none of this name.

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drawing_outlook.h"
+
+#include "drawing_sheet.h"
+#include "line_drawing/bounds.h"
+#include "line_drawing/make_sheet.h"
+#include "mesh_unit.h"
+#include "meshlab_host/current_view.h"
+
+namespace {
+
+constexpr int digits = 3;
+
+QString number(double value) {
+    return QString::number(value, 'g', value >= 100 ? 6 : digits);
+}
+
+/// "87 × 50 × 20 mm", "2.8 × 2.8 × 0.9 m"
+QString lengths(const Eigen::Vector3d& mm) {
+    const bool in_metres = mm.maxCoeff() >= 1000;
+    QStringList sides;
+    for (int axis = 0; axis < 3; ++axis)
+        sides << (in_metres ? number(mm[axis] / 1000)
+                            : QString::number(mm[axis], 'f', mm[axis] < 10));
+    return sides.join(" × ") + (in_metres ? " m" : " mm");
+}
+
+QString sizeInWords(const PlacedLayers& layers, const DrawingParameters& chosen) {
+    const MeshUnit& unit = mesh_units[chosen.unit];
+    Eigen::AlignedBox3d box;
+    for (const PlacedLayer& layer : layers)
+        box.extend(line_drawing::boundsOf(layer.mesh));
+    if (box.isEmpty()) return "There is nothing to draw.";
+    return QString("1 unit = 1 %1: %2 %3 large.")
+        .arg(unit.name, layers.size() > 1 ? "together the objects are" : "the object is",
+             lengths(unit.mm * box.sizes()));
+}
+
+QString planInWords(const line_drawing::SheetPlan& plan, const QString& paper) {
+    const QString size =
+        paper == "fit" ? QString("%1 x %2 mm").arg(plan.paper.width()).arg(plan.paper.height())
+                       : paper.toUpper();
+    if (plan.scale == 0) return QString("In perspective, without a scale, on %1.").arg(size);
+    return QString("Fits %1 at %2.").arg(size, line_drawing::scaleInWords(plan.scale));
+}
+
+}  // namespace
+
+void DrawingOutlook::look(const MeshDocument& document, bool all_visible) {
+    std::vector<LayerState> states = layerStates(document, all_visible);
+    if (states == seen_) return;
+    layers_ = placeShapes(document, all_visible);
+    seen_ = std::move(states);
+}
+
+QString DrawingOutlook::inWords(
+    const MeshDocument& document,
+    const std::function<std::optional<QString>(const QString& label)>& text_of) {
+    QString words;
+    try {
+        const DrawingParameters chosen = drawingParametersIn(text_of);
+        look(document, chosen.is_of_all_layers);
+        words = sizeInWords(layers_, chosen);
+        const line_drawing::SheetOptions options =
+            sheetOptions(chosen, meshlab_host::currentView());
+        words +=
+            " " + planInWords(line_drawing::planSheet(objectsOf(layers_), options), options.paper);
+    } catch (const std::exception& error) {
+        words += " " + QString::fromLocal8Bit(error.what());
+    }
+    return words.trimmed();
+}

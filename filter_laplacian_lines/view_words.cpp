@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view_words.h"
+
+#include <QRegularExpression>
+
+#include "line_drawing/view_frame.h"
+
+namespace {
+
+const char* const all_sides = "six";
+
+QStringList sides() {
+    QStringList names;
+    for (const char* name : line_drawing::sideNames())
+        names << QString(name).toLower();
+    return names;
+}
+
+/// Angles as one word, "six" as its sides.
+QStringList viewsIn(const QString& text) {
+    static const QRegularExpression gaps("[,;\\s]+");
+    QStringList views;
+    const QStringList words = text.toLower().split(gaps, Qt::SkipEmptyParts);
+    for (int i = 0; i < words.size(); ++i) {
+        bool is_number = false;
+        words[i].toDouble(&is_number);
+        if (words[i] == all_sides)
+            views << sides();
+        else if (is_number && i + 1 < words.size())
+            views << words[i] + "," + words[i + 1], ++i;
+        else
+            views << words[i];
+    }
+    return views;
+}
+
+}  // namespace
+
+QStringList viewsWithMarks() {
+    return QStringList{window_view} + sides() + QStringList{"vessel"};
+}
+
+bool hasView(const QString& text, const QString& view) {
+    return viewsIn(text).contains(view);
+}
+
+QString withView(const QString& text, const QString& view, bool is_wanted) {
+    QStringList views = viewsIn(text);
+    if (!is_wanted)
+        views.removeAll(view);
+    else if (!views.contains(view))
+        views << view;
+    return views.join(", ");
+}
