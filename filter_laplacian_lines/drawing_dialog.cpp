@@ -94,9 +94,10 @@ private:
     void update() {
         if (!document_) return;
         const auto text_of = [this](const QString& label) { return dialog_.text(label); };
-        const QString words = outlook_of_.inWords(*document_, text_of);
-        outlook_->setText(words);
-        outlook_->setToolTip(words);
+        const std::optional<QString> words = outlook_of_.inWords(*document_, text_of);
+        if (!words) return update_soon_.start();
+        outlook_->setText(*words);
+        outlook_->setToolTip(*words);
     }
 
     void browse() {

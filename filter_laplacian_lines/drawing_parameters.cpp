@@ -68,7 +68,7 @@ std::vector<AnyRow> makeRows() {
             "Upright or lying, whichever takes the drawing larger. fit: as large as the drawing."),
         rows::choice<&Parameters::unit>(
             "unit", "Unit of the Mesh", unitChoices(),
-            "What a length of 1 is in truth. The log says how large the object is with it."),
+            "What a length of 1 is. The dialog begins with m below a size of 10, else mm."),
         rows::choice<&Parameters::up>("up", "Upward Axis", {"x", "y", "z"},
                                       "The axis of the world that points up in named views."),
         TextRow{{"sections", "Sections",

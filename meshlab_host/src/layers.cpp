@@ -15,4 +15,8 @@ std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
     return layers;
 }
 
+bool isBusy(const MeshDocument& document) {
+    return const_cast<MeshDocument&>(document).isBusy();  // which changes nothing
+}
+
 }  // namespace meshlab_host

@@ -5,7 +5,9 @@
 #include <QCoreApplication>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <map>
 
+#include "drawing_outlook.h"
 #include "kept_settings.h"
 #include "line_drawing/view_frame.h"
 #include "mesh_unit.h"
@@ -13,7 +15,7 @@
 
 namespace {
 
-TEST(ViewWords, AreWhatTheTextNames) {
+TEST(DrawingViews, AreWhatTheTextNames) {
     EXPECT_TRUE(hasView("front, TOP", "top"));
     EXPECT_TRUE(hasView("six", "bottom"));
     EXPECT_FALSE(hasView("six", "vessel"));
@@ -26,14 +28,14 @@ TEST(ViewWords, AreWhatTheTextNames) {
     EXPECT_EQ(withView("30", "top", true), "30, top");
 }
 
-TEST(ViewWords, AreViews) {
+TEST(DrawingViews, ThatHaveMarksAreViews) {
     line_drawing::NamedViews window;
     window[window_view] = line_drawing::frameOfSide(line_drawing::Side::Front, {});
     for (const QString& view : viewsWithMarks())
         EXPECT_EQ(line_drawing::parseViews(view, {}, window).size(), 1u) << view.toStdString();
 }
 
-TEST(MeshUnits, AreThoseThatScansUsuallyHave) {
+TEST(DrawingUnits, AreThoseThatScansUsuallyHave) {
     const auto unit = [](double diagonal) {
         return QString(mesh_units[likelyUnit(diagonal)].name);
     };
@@ -44,9 +46,9 @@ TEST(MeshUnits, AreThoseThatScansUsuallyHave) {
     EXPECT_EQ(unit(1800), "mm");
 }
 
-class KeptSettings : public ::testing::Test {
+class DrawingSettings : public ::testing::Test {
 protected:
-    KeptSettings() {
+    DrawingSettings() {
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
         QCoreApplication::setOrganizationName("laplacian-lines-test");
         fresh_.file = "/finds/b_drawing.svg";
@@ -62,11 +64,11 @@ protected:
     DrawingParameters fresh_;
 };
 
-TEST_F(KeptSettings, AreNoneAtFirst) {
+TEST_F(DrawingSettings, AreNoneAtFirst) {
     EXPECT_TRUE(keptSettings(fresh_, "/finds/a.ply").empty());
 }
 
-TEST_F(KeptSettings, OfAnotherMeshAreThoseOfTheUser) {
+TEST_F(DrawingSettings, OfAnotherMeshAreThoseOfTheUser) {
     DrawingParameters applied;
     applied.file = "/plates/17.pdf";
     applied.views = "left";
@@ -88,6 +90,53 @@ TEST_F(KeptSettings, OfAnotherMeshAreThoseOfTheUser) {
     EXPECT_EQ(kept("title", other), "");
     EXPECT_EQ(kept("unit", other), "mm");
     EXPECT_EQ(kept("title", ""), "");
+}
+
+/// A triangle of 40 x 30 units in a layer.
+struct OneTriangle {
+    MeshDocument document;
+    MeshModel* layer = document.addNewMesh("/finds/find.ply", "find");
+
+    OneTriangle() {
+        auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(layer->cm, 3);
+        vertex[0].P() = Point3m(0, 0, 0);
+        vertex[1].P() = Point3m(40, 0, 0);
+        vertex[2].P() = Point3m(0, 30, 0);
+        vcg::tri::Allocator<CMeshO>::AddFace(layer->cm, 0, 1, 2);
+        vcg::tri::UpdateBounding<CMeshO>::Box(layer->cm);
+    }
+};
+
+TEST(DrawingOutlook, FollowsFieldsAndLayers) {
+    OneTriangle scene;
+    DrawingOutlook outlook;
+    std::map<QString, QString> fields;
+    const auto words = [&] {
+        return outlook
+            .inWords(scene.document,
+                     [&](const QString& label) {
+                         const auto field = fields.find(label);
+                         return field == fields.end() ? std::nullopt
+                                                      : std::optional<QString>(field->second);
+                     })
+            .value_or("busy")
+            .toStdString();
+    };
+    EXPECT_EQ(words(), "1 unit = 1 mm: the object is 40 × 30 × 0.0 mm large. Fits A4 at 5:1.");
+    fields["Unit of the Mesh"] = "cm";
+    EXPECT_EQ(words(), "1 unit = 1 cm: the object is 400 × 300 × 0.0 mm large. Fits A4 at 1:2.");
+    fields["Scale"] = "1:1";
+    EXPECT_EQ(words().find("1 unit = 1 cm: the object is 400 × 300 × 0.0 mm large. At the scale "),
+              0u);
+    fields["Scale"] = "fit";
+    scene.layer->cm.Tr.SetScale(10, 10, 10);
+    EXPECT_EQ(words(), "1 unit = 1 cm: the object is 4 × 3 × 0 m large. Fits A4 at 1:20.");
+    scene.document.setBusy(true);
+    EXPECT_EQ(words(), "busy");
+    scene.document.setBusy(false);
+    scene.document.setVisible(int(scene.layer->id()), false);
+    fields["Layers"] = "All Visible Layers";
+    EXPECT_EQ(words().find("There is nothing to draw."), 0u);
 }
 
 }  // namespace
