@@ -88,17 +88,18 @@ void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) co
     std::vector<Vector2d> points;
     std::vector<CutObject> objects;
     for (const Object& object : objects_) {
-        auto& [wall, lines] = objects.emplace_back();
+        CutObject parts;
         std::vector<Cut> cut_lines;
         for (Cut& cut : cutMesh(object.mesh, across, axis_.point[across])) {
             const std::vector<Vector2d> line = flat(cut);
             points.insert(points.end(), line.begin(), line.end());
-            if (cut.front() == cut.back()) wall.push_back(flat(clipLoop(cut, left())));
+            if (cut.front() == cut.back()) parts.wall.push_back(flat(clipLoop(cut, left())));
             cut_lines.push_back(std::move(cut));
         }
-        drawn.lines = withoutPartsIn(WallArea(wall), drawn.lines);
+        drawn.lines = withoutPartsIn(WallArea(parts.wall), drawn.lines);
         for (const Cut& cut : clip(cut_lines, left()))
-            lines.push_back(project(cut, projection, unit));
+            parts.lines.push_back(project(cut, projection, unit));
+        objects.push_back(std::move(parts));
     }
     addWalls(objects, drawn);
     if (points.empty()) return;

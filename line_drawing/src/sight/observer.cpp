@@ -138,11 +138,12 @@ DrawnView Observer::cut(const Section& section, const SheetOptions& options) con
     const Projection projection(drawn.frame, box_.center());
     std::vector<CutObject> objects;
     for (const Object& object : objects_) {
-        auto& [wall, lines] = objects.emplace_back();
+        CutObject parts;
         for (const Cut& cut : cutMesh(object.mesh, section.axis, placeOnAxis(section, box_))) {
-            lines.push_back(project(cut, projection, options.mm_per_unit));
-            if (lines.back().closed) wall.push_back(positionsOf(lines.back()));
+            parts.lines.push_back(project(cut, projection, options.mm_per_unit));
+            if (parts.lines.back().closed) parts.wall.push_back(positionsOf(parts.lines.back()));
         }
+        objects.push_back(std::move(parts));
     }
     addWalls(objects, drawn);
     return drawn;
