@@ -84,6 +84,7 @@ std::vector<meshlab_host::ParameterDescription> DrawingFilter::describeParameter
 void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const DrawingParameters chosen = readDrawingParameters(run.parameters);
     line_drawing::checkSheetFile(chosen.file);
+    const QString mesh = run.document.mm()->fullName();  // before layers may go
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::currentView();
     SheetOptions options = sheetOptions(chosen, window);
     const PlacedLayers layers = placeLayers(
@@ -100,8 +101,7 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     run.say(report(layers, file, sheet, size, options));
     for (const QString& remark : sheet.remarks)
         run.say(remark);
-    if (meshlab_host::FilterDialog::isOpen(filter_name))
-        keepSettings(chosen, run.document.mm()->fullName());
+    if (meshlab_host::FilterDialog::isOpen(filter_name)) keepSettings(chosen, mesh);
     run.results["scale"] = sheet.scale;
     meshlab_host::addResult("paper", {sheet.size.width(), sheet.size.height(), 0}, run.results);
     meshlab_host::addResult("object", size, run.results);
