@@ -36,6 +36,11 @@ PlacedLayer placeInWorld(const MeshModel& layer, const FilterRun& run, const Pro
     const std::optional<Similarity> similarity = similarityOf(transform);
     const meshlab_host::FieldSource source = meshlab_host::fieldSource(layer.cm);
     PlacedLayer result{layer.label(), meshlab_host::toTriangleMesh(layer.cm), {}};
+    if (source.status != meshlab_host::FieldStatus::Current) {
+        place(transform, result.mesh);
+        laplacian_lines::measure_scale(result.mesh, {});  // refuses what cannot be drawn
+        return result;
+    }
     if (!similarity) {
         place(transform, result.mesh);
         const double factor = std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
@@ -46,7 +51,7 @@ PlacedLayer placeInWorld(const MeshModel& layer, const FilterRun& run, const Pro
         meshlab_host::demandField(layer.cm, result.mesh, result.name, source, run.say, progress);
     if (transform.isIdentity(0)) return result;
     place(transform, result.mesh);
-    place(*similarity, result.field);
+    place(*similarity, *result.field);
     return result;
 }
 
@@ -115,8 +120,10 @@ PlacedLayers placeLayers(const LayerChoice& choice, const FilterRun& run, double
     double begin = field_part * share;
     const double step = (share - begin) / double(placed.size());
     for (PlacedLayer& layer : placed) {
-        meshlab_host::demandDerivatives(
-            layer.mesh, layer.field, meshlab_host::progressTo(run.progress, begin, begin + step));
+        if (layer.field)
+            meshlab_host::demandDerivatives(
+                layer.mesh, *layer.field,
+                meshlab_host::progressTo(run.progress, begin, begin + step));
         begin += step;
     }
     return placed;
@@ -157,7 +164,7 @@ std::vector<LayerState> layerStates(const MeshDocument& document, bool all_visib
 line_drawing::Objects objectsOf(const PlacedLayers& layers) {
     line_drawing::Objects objects;
     for (const PlacedLayer& layer : layers)
-        objects.push_back({layer.mesh, &layer.field});
+        objects.push_back({layer.mesh, layer.field ? &*layer.field : nullptr, layer.name});
     return objects;
 }
 

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "laplacian_lines/field.h"
@@ -14,7 +15,8 @@
 struct PlacedLayer {
     QString name;
     laplacian_lines::TriangleMesh mesh;
-    laplacian_lines::Field field;
+    /// As the user has computed it; none: the drawing's scale decides about the kernel.
+    std::optional<laplacian_lines::Field> field;
 };
 using PlacedLayers = std::vector<PlacedLayer>;
 

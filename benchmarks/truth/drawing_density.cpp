@@ -146,8 +146,8 @@ line_drawing::Sheet draw(const laplacian_lines::TriangleMesh& mesh, double width
 int main(int argc, char** argv) {
     std::vector<double> sizes = {20, 50, 100, 200};
     bool segments = false;
-    const auto files = benchmarks::files_among(
-        argc, argv, [&](const std::string& word, const std::string& value) {
+    const auto files =
+        benchmarks::files_among(argc, argv, [&](const std::string& word, const std::string& value) {
             if (word == "--lines") return segments = value == "segments", true;
             if (word != "--sizes") return false;
             sizes.clear();

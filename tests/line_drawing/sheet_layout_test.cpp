@@ -119,7 +119,6 @@ TEST(SheetFurniture, ScaleBarsAreOfRoundLengths) {
     EXPECT_EQ(lengthInWords(0.5), "0.5 mm");
 }
 
-const laplacian_lines::Field no_field;
 
 TEST(SheetPlans, AreWhatIsMade) {
     const auto mesh = test_meshes::torus(30, 15).mesh;
@@ -131,7 +130,7 @@ TEST(SheetPlans, AreWhatIsMade) {
                     options.scale = scale;
                     options.sections = parseSections(sections);
                     const Sheet sheet = made_sheets::sheetOf(mesh, options);
-                    const SheetPlan plan = planSheet({{mesh, no_field}}, options);
+                    const SheetPlan plan = planSheet({{mesh}}, options);
                     EXPECT_EQ(plan.scale, sheet.scale) << views << paper << scale << sections;
                     EXPECT_EQ(plan.paper, sheet.size) << views << paper << scale << sections;
                 }
@@ -141,10 +140,10 @@ TEST(SheetPlans, RefuseWhatIsRefused) {
     const laplacian_lines::TriangleMesh mesh = made_sheets::cubeOf100(), empty;
     SheetOptions options = made_sheets::plainViews("front", "a5");
     options.scale = 10;
-    EXPECT_THROW(planSheet({{mesh, no_field}}, options), laplacian_lines::Error);
-    EXPECT_THROW(planSheet({{empty, no_field}}, options), laplacian_lines::Error);
+    EXPECT_THROW(planSheet({{mesh}}, options), laplacian_lines::Error);
+    EXPECT_THROW(planSheet({{empty}}, options), laplacian_lines::Error);
     options.views.clear();
-    EXPECT_THROW(planSheet({{mesh, no_field}}, options), laplacian_lines::Error);
+    EXPECT_THROW(planSheet({{mesh}}, options), laplacian_lines::Error);
 }
 
 }  // namespace

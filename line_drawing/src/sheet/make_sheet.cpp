@@ -106,9 +106,12 @@ std::vector<DrawnView> standAll(Observer& observer, const SheetOptions& options)
 Sheet drawSheet(Observer& observer, const SheetOptions& wanted, const Progress& progress) {
     std::vector<DrawnView> views = standAll(observer, wanted);
     const SheetLayout layout = layOut(views, wanted);  // before much work, since it may refuse
-    const SheetOptions options = withPensFor(layout, wanted);
-    if (!options.views.empty())
-        observer.makeReady(options, layout.placements[0].scale, part(progress, 0, fields_share));
+    SheetOptions options = withPensFor(layout, wanted);
+    if (!options.views.empty()) {
+        const double scale = layout.placements[0].scale;
+        observer.makeReady(options, scale, part(progress, 0, fields_share));
+        options.kernel = {observer.kernelSize() * options.mm_per_unit * scale, false};
+    }
     const auto share = [&](std::size_t views_done) {
         const double all = std::max<double>(1, double(options.views.size()));
         return fields_share + (1 - fields_share) * double(views_done) / all;

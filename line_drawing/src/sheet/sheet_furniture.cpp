@@ -106,6 +106,7 @@ QString noteOf(const std::vector<DrawnView>& views, const SheetLayout& layout,
                const Eigen::Vector3d& size, const SheetOptions& options) {
     QStringList parts = {layout.scale > 0 ? scaleInWords(layout.scale) : no_scale,
                          sizeInWords(size)};
+    if (options.kernel.size > 0) parts << QString("√h %1 mm").arg(options.kernel.size, 0, 'g', 2);
     for (const DrawnView& view : views)
         if (!view.note.isEmpty()) parts << view.note;
     if (!options.source.isEmpty()) parts << options.source;
