@@ -12,6 +12,7 @@
 #include "clusters/cluster_data.h"
 #include "clusters/extractor_data.h"
 #include "helpers.h"
+#include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh/prepared_mesh.h"
 
@@ -58,6 +59,33 @@ TEST(ExtractorBuilding, DoesNotDependOnTheNumberOfThreads) {
         expect_same_data(test_meshes::mesh_named(name).mesh, name);
     // enough triangles for several threads to cut at a time
     expect_same_data(test_meshes::bumpy_sphere(6, 0.15).mesh, "bumpy sphere");
+}
+
+/// The same lines of all kinds as if the field had had them from the beginning.
+TEST(ExtractorBuilding, DerivativesCanBeAddedLater) {
+    for (const char* name : {"hills", "dirty_torus", "torus"}) {
+        const TriangleMesh mesh = test_meshes::mesh_named(name).mesh;
+        Field field = precompute(mesh);
+        LineExtractor extractor(mesh, field);
+        const std::size_t before = extractor.memory();
+        const std::vector<View> views = helpers::random_views(mesh, 4);
+        const LineStyle style = helpers::all_kinds();
+        const LineSet without = helpers::extract(extractor, views[0], style);
+        EXPECT_THROW(extractor.add_derivatives(mesh, field), Error) << "it has none";
+        add_curvature_derivatives(mesh, field);
+        EXPECT_THROW(
+            extractor.add_derivatives(test_meshes::mesh_named("single_triangle").mesh, field),
+            Error);
+        EXPECT_TRUE(helpers::same_lines(helpers::extract(extractor, views[0], style), without));
+        extractor.add_derivatives(mesh, field);
+        EXPECT_GT(extractor.memory(), before);
+        const LineExtractor whole(mesh, field);
+        for (const View& view : views)
+            EXPECT_TRUE(helpers::same_lines(helpers::extract(extractor, view, style),
+                                            helpers::extract(whole, view, style)))
+                << name;
+        EXPECT_FALSE(helpers::same_lines(helpers::extract(extractor, views[0], style), without));
+    }
 }
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // from a vertex to the next one

@@ -50,12 +50,19 @@ public:
     void extract(const View& view, const LineStyle& style, ExtractionScratch& scratch,
                  LineSet& lines) const;
 
+    /// Adds what kinds of lines need that have LineKindDescription::needs_derivatives: as if the
+    /// field had had its derivatives from the beginning. `mesh` is that of the extractor, `field`
+    /// its field with derivatives. Nothing is changed if this throws. Not to be called while
+    /// another thread extracts.
+    /// @throws Error(FieldMismatch)
+    void add_derivatives(const TriangleMesh& mesh, const Field& field);
+
     /// Bytes held by this object.
     std::size_t memory() const;
 
 private:
     struct Data;
-    std::unique_ptr<const Data> data_;
+    std::unique_ptr<Data> data_;
 };
 
 }  // namespace laplacian_lines

@@ -11,6 +11,7 @@
 
 #include "clusters/cluster_sides.h"
 #include "clusters/coarseness.h"
+#include "clusters/curvature_records.h"
 #include "rules/convexity.h"
 #include "system/parallel.h"
 
@@ -35,16 +36,13 @@ void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eig
     place[3 * kFormGroup] = float(v.dot(p));
 }
 
-/// Whatever a caller's field holds, floats can take powers of what is kept of it.
-constexpr double kLargestLaplacian = 1e12, kLargestCurvature = 1e8, kLargestSlopeScale = 1e15,
-                 kLargestDerivative = 1e16;
-
-double bounded(double x, double limit) {
-    return std::isnan(x) ? 0 : std::clamp(x, -limit, limit);
-}
+// Whatever a caller's field holds, floats can take powers of what is kept of it.
+constexpr double kLargestLaplacian = 1e12, kLargestSlopeScale = 1e15;
 
 Eigen::Vector3d bounded(const Eigen::Vector3f& v, double factor, double limit) {
-    return (v.cast<double>() * factor).unaryExpr([=](double x) { return bounded(x, limit); });
+    return (v.cast<double>() * factor).unaryExpr([=](double x) {
+        return laplacian_lines::bounded(x, limit);
+    });
 }
 
 VertexRecord make_record(const LocalVertex& v) {
@@ -143,7 +141,6 @@ std::size_t ClusterBuilder::lay_out() {
         edges += shared_edges[c];
     }
     data_.vertices_of_clusters.resize(vertices);
-    if (field_.has_derivatives()) data_.curvatures.resize(vertices);
     data_.border_edges.resize(edges);
     return units * kCacheUnit;
 }
@@ -176,22 +173,6 @@ LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
             {curvature(s.xx), curvature(s.yy), curvature(s.zz), curvature(s.yz), curvature(s.xz),
              curvature(s.xy)},
             float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
-}
-
-CurvatureRecord ClusterBuilder::curvature_record(std::uint32_t prepared,
-                                                 const LocalVertex& at) const {
-    const std::uint32_t v = mesh_.original_vertex[prepared];
-    const double d = data_.diagonal;
-    CurvatureRecord record{};
-    for (int k = 0; k < 3; ++k) {
-        record.position[k] = float(at.position[k]);
-        record.normal[k] = float(at.normal[k]);
-        record.curvature[k] = float(bounded(field_.smooth_curvatures[v][k] * d, kLargestCurvature));
-    }
-    for (int k = 0; k < 4; ++k)
-        record.derivative[k] =
-            float(bounded(field_.curvature_derivatives[v][k] * d * d, kLargestDerivative));
-    return record;
 }
 
 void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
@@ -257,10 +238,6 @@ void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
     auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
     for (std::size_t i = 0; i < values.size(); ++i)
         records[i] = make_record(values[i]);
-    if (!data_.curvatures.empty())
-        for (std::size_t i = cluster.first_vertex; i < cluster.first_vertex + values.size(); ++i)
-            data_.curvatures[i] =
-                curvature_record(data_.vertices_of_clusters[i], values[i - cluster.first_vertex]);
     // The places that are left over repeat the last vertex, which changes no "all" or "any".
     for (std::size_t i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
         const LocalVertex& v = values[std::min(i, values.size() - 1)];

@@ -31,7 +31,6 @@ private:
     std::size_t lay_out();
     void write_cluster(std::size_t cluster, Values& values);
     LocalVertex local_vertex(std::uint32_t v) const;
-    CurvatureRecord curvature_record(std::uint32_t v, const LocalVertex& at) const;
     /// Lists the cluster's vertices with their values.
     void list_vertices(std::size_t cluster, Values& values);
     void write_triangles(std::size_t cluster, unsigned char* memory);

@@ -11,6 +11,7 @@
 
 #include "clusters/cluster_building.h"
 #include "clusters/coarseness.h"
+#include "clusters/curvature_records.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "mesh/prepared_mesh.h"
@@ -24,6 +25,17 @@ constexpr std::size_t kHugePage = 2u << 20;  // bytes; clusters are read in no o
 template <class T>
 std::size_t bytes(const std::vector<T>& v) {
     return v.capacity() * sizeof(T);
+}
+
+[[noreturn]] void refuse_field() {
+    throw Error(ErrorCode::FieldMismatch,
+                "The Laplacian lines field belongs to another mesh; compute it again.");
+}
+
+PreparedMesh prepare(const TriangleMesh& mesh, const Field& field) {
+    if (!has_entries(field, mesh.positions.size())) refuse_field();
+    // Where the field was computed across cuts, lines go across them.
+    return prepare_geometry(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left);
 }
 
 }  // namespace
@@ -86,22 +98,28 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
     return placed;
 }
 
+bool has_needs_of(LineKind kind, const ExtractorData& data) {
+    return !describe(kind).needs_derivatives || !data.curvatures.empty();
+}
+
+void add_derivatives(const TriangleMesh& mesh, const Field& field, ExtractorData& data) {
+    const PreparedMesh prepared = prepare(mesh, field);
+    if (!field.has_derivatives() || prepared.size() != data.vertex_count) refuse_field();
+    data.curvatures = curvature_records(prepared, field, data);
+}
+
 ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
                                    const Progress& progress) {
-    if (!has_entries(field, mesh.positions.size()))
-        throw Error(ErrorCode::FieldMismatch,
-                    "The Laplacian lines field belongs to another mesh; compute it again.");
     const StageProgress stage(progress, 0, 1, "Preparing the extraction of lines");
     stage.report(0);
-    // Where the field was computed across cuts, lines go across them.
-    const PreparedMesh prepared =
-        prepare_geometry(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left);
+    const PreparedMesh prepared = prepare(mesh, field);
     ExtractorData data;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
     data.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
     data.is_rough = is_rough(field.report);
     ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
+    if (field.has_derivatives()) data.curvatures = curvature_records(prepared, field, data);
     return data;
 }
 

@@ -8,6 +8,7 @@
 
 #include "clusters/cluster_data.h"
 #include "laplacian_lines/field.h"
+#include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
 
@@ -63,6 +64,12 @@ struct PlacedCluster {
     const CurvatureRecord* curvatures;  ///< by vertex; null if there are none
 };
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
+
+/// Whether lines of a kind can be found: those of some need derivatives.
+bool has_needs_of(LineKind kind, const ExtractorData& data);
+
+/// LineExtractor::add_derivatives().
+void add_derivatives(const TriangleMesh& mesh, const Field& field, ExtractorData& data);
 
 /// @throws Error: FieldMismatch, InvalidMesh, EmptyMesh, Cancelled.
 ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,

@@ -6,7 +6,8 @@ namespace laplacian_lines {
 void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                         LineSet& lines) {
     for (std::size_t i = 0; i < kFixedKindCount; ++i) {
-        if (style.shows[fixed_kinds()[i]->kind])
+        const LineKind kind = fixed_kinds()[i]->kind;
+        if (style.shows[kind] && has_needs_of(kind, data))
             find(data, i).append(data, *this, eye, style, lines);
     }
 }

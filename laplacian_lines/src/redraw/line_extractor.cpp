@@ -39,10 +39,14 @@ ExtractionScratch::ExtractionScratch(ExtractionScratch&&) noexcept = default;
 ExtractionScratch& ExtractionScratch::operator=(ExtractionScratch&&) noexcept = default;
 
 LineExtractor::LineExtractor(const TriangleMesh& mesh, const Field& field, const Progress& progress)
-    : data_(std::make_unique<const Data>(build_extractor_data(mesh, field, progress))) {}
+    : data_(std::make_unique<Data>(build_extractor_data(mesh, field, progress))) {}
 LineExtractor::~LineExtractor() = default;
 LineExtractor::LineExtractor(LineExtractor&&) noexcept = default;
 LineExtractor& LineExtractor::operator=(LineExtractor&&) noexcept = default;
+
+void LineExtractor::add_derivatives(const TriangleMesh& mesh, const Field& field) {
+    laplacian_lines::add_derivatives(mesh, field, *data_);
+}
 
 std::size_t LineExtractor::memory() const {
     return data_->memory() + data_->horizon.memory();
@@ -98,7 +102,7 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
-        const bool possible = !describe(kind->kind).needs_derivatives || !data.curvatures.empty();
+        const bool possible = has_needs_of(kind->kind, data);
         task.kinds[number] = {possible && kind->is_wanted(style), least_facing, rules};
     }
     return task;
