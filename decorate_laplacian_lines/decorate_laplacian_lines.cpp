@@ -86,6 +86,18 @@ LayerInView layerInView(const MeshModel& mesh, const PreparedLines& lines,
     return layer;
 }
 
+/// And nobody has tried in vain to compute them.
+bool isWithoutDerivatives(const PreparedLines& lines) {
+    return lines.extractor && !lines.has_derivatives && lines.lack.isEmpty();
+}
+
+QStringList sentences(const std::map<std::string, QString>& refused) {
+    QStringList result;
+    for (const auto& parameter : refused)
+        result << parameter.second;
+    return result;
+}
+
 QString refusalLine(const MeshModel& mesh, const QString& refusal) {
     return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
 }
@@ -99,17 +111,22 @@ void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
     listDecorationParameters(list);
 }
 
+ValidParameters DecorateLaplacianLines::validParameters(const RichParameterList& parameters) {
+    ValidParameters valid = readValidParameters(parameters, last_good_);
+    last_good_ = valid.as_set;
+    return valid;
+}
+
 bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& parameters,
                                    GLArea* view) {
     // here and not at redraws: MeshLab starts decorations anew whenever a parameter changes
-    const ValidParameters valid = readValidParameters(parameters);
-    if (valid.refused.empty()) meshlab_host::noteDrawnStyle(drawnStyleOf(valid.chosen));
+    const ValidParameters valid = validParameters(parameters);
+    meshlab_host::noteDrawnStyle(drawnStyleOf(valid.chosen));
     panel_.arrange(panelLines(valid));
     QString refusal;
     try {
         meshlab_host::WindowProgress progress;
-        const bool needs_derivatives =
-            valid.refused.empty() && valid.chosen.style.shows.needs_derivatives();
+        const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
         refusal = demandLines(mesh, view, needs_derivatives, &progress)->failure;
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
@@ -122,27 +139,34 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
 void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& parameters,
                                   GLArea* view, QPainter* painter, GLLogStream& log) {
     emit drawingBegins(mesh);
-    QString text, refusal;
+    const ValidParameters valid = validParameters(parameters);
+    QStringList complaints = sentences(valid.refused);
+    QString text;
+    bool is_drawn = false;
     if (shows_statistics_) glFinish();  // the mesh's own drawing must not count
     RedrawClock clock;
     try {
-        const DecorationParameters chosen = readDecorationParameters(parameters);
-        const bool needs_derivatives = chosen.style.shows.needs_derivatives();
+        const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
         PreparedLinesPointer lines = currentLines(mesh, view, painter);
-        if (!lines || (needs_derivatives && !lines->has_derivatives))
+        if (!lines || (needs_derivatives && isWithoutDerivatives(*lines)))
             lines = demandLines(mesh, view, needs_derivatives);
-        refusal = lines->failure;
-        if (refusal.isEmpty()) text = drawLines(mesh, *lines, chosen, view, painter, clock);
+        is_drawn = lines->failure.isEmpty();
+        if (is_drawn) text = drawLines(mesh, *lines, valid.chosen, view, painter, clock);
+        const QString& lack = needs_derivatives ? lines->lack : QString();
+        complaints += QStringList{lines->failure, lack};
     } catch (const std::exception& error) {
-        refusal = QString::fromUtf8(error.what());
+        is_drawn = false;
+        complaints << QString::fromUtf8(error.what());
     }
+    complaints.removeAll({});
+    const QString refusal = complaints.join(" ");
     if (refusal.isEmpty())
         complaints_.forget(log, mesh.id());
     else if (!complaints_.isSaid(log, mesh.id(), refusalLine(mesh, refusal)))
         complain(mesh, &log, refusal);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
-    emit drawingEnds(mesh, parameters, refusal.isEmpty() ? &lines_ : nullptr, refusal);
+    emit drawingEnds(mesh, valid.chosen, is_drawn ? &lines_ : nullptr, refusal);
 }
 
 void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
@@ -164,17 +188,17 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
                                                          meshlab_host::WindowProgress* shown) {
     const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
     if (!alive.empty()) cache_.releaseAllBut(view, alive);
-    const meshlab_host::FieldSource least = meshlab_host::fieldSource(mesh.cm),
-                                    most = meshlab_host::withDerivatives(least);
-    const meshlab_host::FieldSource& source = needs_derivatives ? most : least;
+    const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
+    const auto say_line = [this](const QString& line) { say(line); };
     const auto prepare = [&] {
-        const auto say_line = [this](const QString& line) { say(line); };
-        return prepareLines(mesh.cm, mesh.label(), source, say_line, shown);
+        return prepareLines(mesh.cm, mesh.label(),
+                            needs_derivatives ? withDerivatives(source) : source, say_line, shown);
     };
-    PreparedLinesPointer lines = cache_.find(most.key);  // serves all
-    if (!lines && !needs_derivatives) lines = cache_.find(least.key);
+    PreparedLinesPointer lines = cache_.find(source.key);
     if (!lines || lines->lacked_memory) lines = prepare();
     if (lines->lacked_memory && kept_.drop()) lines = prepare();
+    if (needs_derivatives && lines->extractor && !lines->has_derivatives)
+        addDerivatives(*lines, mesh.cm, mesh.label(), source, say_line, shown);
     cache_.assign(view, mesh.id(), lines);
     keep(mesh, lines);
     return lines;
@@ -202,7 +226,7 @@ PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh,
     return lines;
 }
 
-QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLines& lines,
+QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, PreparedLines& lines,
                                           const DecorationParameters& chosen, GLArea* view,
                                           QPainter* painter, RedrawClock& clock) {
     shows_statistics_ = chosen.show_statistics;

@@ -26,9 +26,10 @@ public:
 signals:
     /// For observers, around each drawing of a layer and with MeshLab's GL context current, which
     /// they must leave as it is. `lines` in mesh coordinates, valid during the call; null if none
-    /// could be drawn, for the reason in `refusal`.
+    /// could be drawn, for the reason in `refusal`, which also says what of the parameters is not
+    /// `drawn`.
     void drawingBegins(const MeshModel& mesh);
-    void drawingEnds(const MeshModel& mesh, const RichParameterList& parameters,
+    void drawingEnds(const MeshModel& mesh, const DecorationParameters& drawn,
                      const laplacian_lines::LineSet* lines, const QString& refusal);
 
 protected:
@@ -41,6 +42,8 @@ protected:
     void meshGone(GLArea* view) override;
 
 private:
+    /// What is out of range is as it was last time.
+    ValidParameters validParameters(const RichParameterList& parameters);
     /// Lines of the mesh's present geometry, found or prepared, and assigned to the view. `shown`
     /// is null while a view is painted.
     PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view, bool needs_derivatives,
@@ -49,7 +52,7 @@ private:
     /// camera moves; otherwise null.
     PreparedLinesPointer currentLines(const MeshModel& mesh, GLArea* view, QPainter* painter);
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
-    QString drawLines(const MeshModel& mesh, const PreparedLines& lines,
+    QString drawLines(const MeshModel& mesh, PreparedLines& lines,
                       const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                       line_renderer::RedrawClock& clock);
     /// Adds why a mesh has no lines to its document's log, which is `log`.
@@ -59,6 +62,7 @@ private:
     void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 
     meshlab_host::ParameterPanel panel_;
+    DecorationParameters last_good_;
     LineCache cache_;
     KeptLines kept_;
     std::set<QObject*> watched_documents_;

@@ -6,6 +6,7 @@
 #include "decoration_table.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
+#include "meshlab_host/parameter_text.h"
 #include "meshlab_host/parameters.h"
 
 namespace {
@@ -54,25 +55,34 @@ struct Describer {
 };
 
 struct Reader {
-    DecorationParameters& result;
+    ValidParameters& result;
     const RichParameterList& list;
-    std::set<std::string>* refused;  ///< gets what is out of range; null: that throws
+    const DecorationParameters& last_time;
 
-    DecorationParameters& options(const DecorationRow&) const { return result; }
-    laplacian_lines::LineStyle& options(const StyleRow&) const { return result.style; }
+    template <class Parameters>
+    static auto& options(const DecorationRow&, Parameters& of) {
+        return of;
+    }
+    template <class Parameters>
+    static auto& options(const StyleRow&, Parameters& of) {
+        return of.style;
+    }
 
     template <class Options>
     void visit(const laplacian_lines::OptionDescription<Options>& row, const QString&) const {
+        Options& read = options(row, result.as_set);
+        const meshlab_host::ParameterDescription parameter = meshlab_host::describe(row, prefix);
         try {
-            row.set(options(row), meshlab_host::readParameter(meshlab_host::describe(row, prefix),
-                                                              row.get(options(row)), list));
-        } catch (const laplacian_lines::Error&) {
-            if (!refused) throw;
-            refused->insert(row.key);
+            row.set(read, meshlab_host::readParameter(parameter, row.get(read), list));
+        } catch (const laplacian_lines::Error& error) {
+            const double value = row.get(options(row, last_time));
+            row.set(read, value);
+            result.refused[row.key] =
+                QString("%1 Until then it stays %2.").arg(error.what(), textOf(value, parameter));
         }
     }
     void visit(const ColorRow& row, const QString&) const {
-        QColor& color = row.color(result);
+        QColor& color = row.color(result.as_set);
         color = meshlab_host::readColor(prefix + QString(row.key), color, list);
     }
 };
@@ -97,16 +107,14 @@ void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
         style == DrawingStyle::Archaeology ? Light::FixedToTheCamera : Light::AtTheEye;
 }
 
-DecorationParameters read(const RichParameterList& list, std::set<std::string>* refused) {
-    DecorationParameters result;
-    visitRows(Reader{result, list, refused});
-    putMixtureIntoEffect(result);
+DecorationParameters inEffect(DecorationParameters parameters) {
+    putMixtureIntoEffect(parameters);
     // contours without width must not push other lines aside
-    if (result.lines.outline_factor == 0)
-        result.style.shows[laplacian_lines::LineKind::Contour] = false;
-    result.appearance.looks = looksOf(result.lines);
-    putIntoEffect(result.drawing_style, result);
-    return result;
+    if (parameters.lines.outline_factor == 0)
+        parameters.style.shows[laplacian_lines::LineKind::Contour] = false;
+    parameters.appearance.looks = looksOf(parameters.lines);
+    putIntoEffect(parameters.drawing_style, parameters);
+    return parameters;
 }
 
 }  // namespace
@@ -126,13 +134,11 @@ const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parame
     return &laplacian_lines::line_mixtures.at(std::size_t(parameters.mixture - 1));
 }
 
-DecorationParameters readDecorationParameters(const RichParameterList& list) {
-    return read(list, nullptr);
-}
-
-ValidParameters readValidParameters(const RichParameterList& list) {
+ValidParameters readValidParameters(const RichParameterList& list,
+                                    const DecorationParameters& last_time) {
     ValidParameters result;
-    result.chosen = read(list, &result.refused);
+    visitRows(Reader{result, list, last_time});
+    result.chosen = inEffect(result.as_set);
     return result;
 }
 

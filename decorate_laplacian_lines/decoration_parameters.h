@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -60,15 +60,14 @@ std::vector<DecorationField> decorationFields();
 const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters);
 
 /// Drawing style and mixture are already put into effect in what they stand for.
-/// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
-DecorationParameters readDecorationParameters(const RichParameterList& list);
-
-/// The same, but parameters that are out of range are at their defaults.
+/// Parameters that are out of range have the values of the last time.
 struct ValidParameters {
     DecorationParameters chosen;
-    std::set<std::string> refused;  ///< keys of those out of range
+    DecorationParameters as_set;             ///< without drawing style and mixture put into effect
+    std::map<std::string, QString> refused;  ///< what is wrong, by key of those out of range
 };
-ValidParameters readValidParameters(const RichParameterList& list);
+ValidParameters readValidParameters(const RichParameterList& list,
+                                    const DecorationParameters& last_time = {});
 
 /// What of it filters can do as well.
 meshlab_host::DrawnStyle drawnStyleOf(const DecorationParameters& parameters);

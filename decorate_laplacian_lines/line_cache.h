@@ -55,7 +55,7 @@ private:
     void endTurn();
 
     Uses uses_;
-    std::map<meshlab_host::FieldKey, std::weak_ptr<const PreparedLines>> known_;
+    std::map<meshlab_host::FieldKey, std::weak_ptr<PreparedLines>> known_;
     std::vector<PreparedLinesPointer> retired_;
     std::set<View> unsure_views_;
     PressCount presses_;

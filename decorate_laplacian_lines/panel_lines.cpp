@@ -37,10 +37,12 @@ QString obstacleOf(const std::string& key, const DecorationParameters& chosen) {
 }
 
 PanelField panelField(const DecorationField& field, const ValidParameters& parameters) {
-    if (parameters.refused.count(field.key)) return {field.label, field.help, true, {}};
+    const auto refused = parameters.refused.find(field.key);
+    if (refused != parameters.refused.end())
+        return {field.label, field.help, true, {}, refused->second};
     const DecorationParameters& chosen = parameters.chosen;
-    return {field.label, field.help, !field.for_experts || chosen.shown == ShownParameters::All,
-            obstacleOf(field.key, chosen)};
+    const bool is_shown = !field.for_experts || chosen.shown == ShownParameters::All;
+    return {field.label, field.help, is_shown, obstacleOf(field.key, chosen), {}};
 }
 
 /// Takes the field with this key out of the list.

@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <new>
 
+#include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_visibility.h"
 #include "meshlab_host/mesh_conversion.h"
 
@@ -15,6 +16,8 @@ namespace {
 
 /// Share of the time that computing the field takes; the rest is building the extractor.
 constexpr double field_share = 0.65;
+/// Share of the time of adding derivatives that computing them takes.
+constexpr double derivatives_share = 0.95;
 
 /// An hourglass while the GUI thread is busy.
 class WaitCursor {
@@ -25,30 +28,41 @@ public:
     WaitCursor& operator=(const WaitCursor&) = delete;
 };
 
+laplacian_lines::Progress step(meshlab_host::WindowProgress* shown, double begin, double end) {
+    return shown ? shown->step(begin, end) : laplacian_lines::Progress();
+}
+
+std::size_t bytesOf(const PreparedLines& lines) {
+    std::size_t sum = lines.extractor->memory() + line_renderer::bytesOf(*lines.surface);
+    if (lines.field)
+        for (const auto& column : laplacian_lines::present_columns(*lines.field))
+            sum += column.size(*lines.field) * std::size_t(column.floats) * sizeof(float);
+    return sum;
+}
+
 }  // namespace
 
 PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
                                   const std::function<void(const QString&)>& say,
                                   meshlab_host::WindowProgress* shown) {
-    const auto step = [&](double begin, double end) {
-        return shown ? shown->step(begin, end) : laplacian_lines::Progress();
-    };
     QElapsedTimer clock;
     clock.start();
     auto result = std::make_shared<PreparedLines>();
     result->key = source.key;
-    result->has_derivatives = source.options.curvature_derivatives;
     try {
         const WaitCursor wait_cursor;
         const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
-        const Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say,
-                                                      step(0, field_share));
+        Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say,
+                                                step(shown, 0, field_share));
         result->diagonal = field.scale.diagonal;
         result->sight_edge = laplacian_lines::sight_edge(field);
         result->surface = line_renderer::makeSurface(triangles, field);
-        result->extractor.emplace(triangles, field, step(field_share, 1));
-        result->bytes = result->extractor->memory() + line_renderer::bytesOf(*result->surface);
+        result->extractor.emplace(triangles, field, step(shown, field_share, 1));
+        result->has_derivatives = field.has_derivatives();
+        const bool is_in_mesh = source.status == meshlab_host::FieldStatus::Current;
+        if (!is_in_mesh && !result->has_derivatives) result->field = std::move(field);
+        result->bytes = bytesOf(*result);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";
         result->lacked_memory = true;
@@ -57,4 +71,35 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
     }
     result->preparation = 1e-6 * double(clock.nsecsElapsed());
     return result;
+}
+
+void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
+                    const meshlab_host::FieldSource& source,
+                    const std::function<void(const QString&)>& say,
+                    meshlab_host::WindowProgress* shown) {
+    QElapsedTimer clock;
+    clock.start();
+    try {
+        const WaitCursor wait_cursor;
+        const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
+        const auto progress = step(shown, 0, derivatives_share);
+        if (lines.field)
+            meshlab_host::demandDerivatives(triangles, *lines.field, progress);
+        else
+            lines.field = meshlab_host::demandField(
+                mesh, triangles, mesh_name, meshlab_host::withDerivatives(source), say, progress);
+        lines.extractor->add_derivatives(triangles, *lines.field);
+        lines.field.reset();
+        lines.has_derivatives = true;
+        lines.lack.clear();
+        lines.bytes = bytesOf(lines);
+        say(QString("Laplacian Lines: %1: computed in %2 s what the chosen kinds of lines need "
+                    "besides")
+                .arg(mesh_name)
+                .arg(1e-3 * double(clock.elapsed()), 0, 'f', 2));
+    } catch (const std::bad_alloc&) {
+        lines.lack = "There is not enough memory for some of the chosen kinds of lines.";
+    } catch (const std::exception& error) {
+        lines.lack = QString::fromUtf8(error.what());
+    }
 }

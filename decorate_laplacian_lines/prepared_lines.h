@@ -17,15 +17,17 @@ struct PreparedLines {
     double diagonal = 0;    ///< of the usable mesh's bounding box, mesh units
     double sight_edge = 0;  ///< as sight_edge() has it, mesh units
     std::optional<laplacian_lines::LineExtractor> extractor;
-    line_renderer::SurfacePointer surface;       ///< set if there is an extractor
-    QString failure;                             ///< one sentence, empty if there is an extractor
-    bool lacked_memory = false;                  ///< why it failed: another try may succeed
-    std::size_t bytes = 0;                       ///< of extractor and surface
-    bool has_derivatives = false;                ///< were asked for, for kinds that need them
-    double preparation = 0;                      ///< time it took, milliseconds
-    mutable std::optional<double> first_redraw;  ///< the plugin's time of it, milliseconds
+    line_renderer::SurfacePointer surface;        ///< set if there is an extractor
+    QString failure;                              ///< one sentence, empty if there is an extractor
+    bool lacked_memory = false;                   ///< why it failed: another try may succeed
+    std::size_t bytes = 0;                        ///< of extractor, surface and field
+    bool has_derivatives = false;                 ///< for kinds of lines that need them
+    QString lack;                                 ///< why it has none although they were asked for
+    std::optional<laplacian_lines::Field> field;  ///< to compute them from, if it was computed
+    double preparation = 0;                       ///< time it took, milliseconds
+    std::optional<double> first_redraw;           ///< the plugin's time of it, milliseconds
 };
-using PreparedLinesPointer = std::shared_ptr<const PreparedLines>;
+using PreparedLinesPointer = std::shared_ptr<PreparedLines>;
 
 /// Prepares the lines of a mesh: from its attributes if they belong to it, otherwise by computing
 /// the field with the default options, which takes seconds for a million triangles and is then
@@ -35,3 +37,10 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
                                   const std::function<void(const QString&)>& say,
                                   meshlab_host::WindowProgress* shown = nullptr);
+
+/// Adds derivatives to lines of this mesh, and computes nothing else anew; or says in `lack` why
+/// not, and leaves the lines as they are. Throws nothing but std::bad_alloc from the very end.
+void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
+                    const meshlab_host::FieldSource& source,
+                    const std::function<void(const QString&)>& say,
+                    meshlab_host::WindowProgress* shown = nullptr);

@@ -14,7 +14,9 @@ using laplacian_lines::Field;
 
 namespace {
 
-std::vector<double> optionValues(const laplacian_lines::PrecomputeOptions& options) {
+/// Without that of the derivatives, which change nothing else.
+std::vector<double> optionValues(laplacian_lines::PrecomputeOptions options) {
+    options.curvature_derivatives = false;
     std::vector<double> values;
     for (const auto& row : laplacian_lines::precompute_option_table())
         values.push_back(row.get(options));
@@ -63,7 +65,6 @@ FieldSource fieldSource(const CMeshO& mesh) {
 
 FieldSource withDerivatives(FieldSource source) {
     source.options.curvature_derivatives = true;
-    source.key.options = optionValues(source.options);
     return source;
 }
 

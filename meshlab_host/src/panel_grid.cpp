@@ -4,7 +4,11 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPalette>
 #include <QVariant>
+
+#include "number_validator.h"
 
 namespace meshlab_host {
 namespace {
@@ -13,6 +17,7 @@ constexpr int columns = 4;       ///< two fields side by side, each a label and 
 constexpr int line_spacing = 0;  ///< pixels: the panel is low on small screens
 constexpr int longest_short_label = 15;  ///< characters
 const char* const arranged_mark = "laplacian_lines_arranged";
+const char* const wrong_mark = "laplacian_lines_wrong";
 
 QString textOf(QLayoutItem& item) {
     if (const auto* box = qobject_cast<QCheckBox*>(item.widget())) return box->text();
@@ -88,12 +93,26 @@ void moveAll(QGridLayout& grid, const std::vector<std::vector<GridField>>& found
     grid.setVerticalSpacing(line_spacing);
 }
 
+/// Red text where a value is wrong. Others keep their palette: MeshLab shows colors by it.
+void mark(QWidget& widget, bool is_wrong) {
+    if (widget.property(wrong_mark).toBool() == is_wrong) return;
+    widget.setProperty(wrong_mark, is_wrong);
+    QPalette palette;
+    if (is_wrong)
+        for (const auto role : {QPalette::WindowText, QPalette::Text})
+            palette.setColor(role, Qt::red);
+    widget.setPalette(palette);
+}
+
 void show(QLayoutItem* item, const PanelField& field, const QString& tool_tip) {
     if (!item) return;
     if (QWidget* widget = item->widget()) {
         widget->setVisible(field.is_shown);
         widget->setEnabled(field.obstacle.isEmpty());
         widget->setToolTip(tool_tip);
+        mark(*widget, !field.fault.isEmpty());
+        auto* text = qobject_cast<QLineEdit*>(widget);
+        if (text && !text->validator()) text->setValidator(new NumberValidator(text));
     }
     if (QLayout* layout = item->layout())
         for (int i = 0; i < layout->count(); ++i)
@@ -105,9 +124,10 @@ void showAll(const std::vector<std::vector<GridField>>& found,
     for (std::size_t line = 0; line < lines.size(); ++line)
         for (std::size_t i = 0; i < lines[line].size(); ++i) {
             const PanelField& field = lines[line][i];
-            const QString tool_tip = field.obstacle.isEmpty()
+            const QString remark = field.fault.isEmpty() ? field.obstacle : field.fault;
+            const QString tool_tip = remark.isEmpty()
                                          ? field.help
-                                         : "<b>" + field.obstacle + "</b> " + field.help;
+                                         : "<b>" + remark.toHtmlEscaped() + "</b> " + field.help;
             show(found[line][i].label, field, tool_tip);
             show(found[line][i].editor, field, tool_tip);
         }

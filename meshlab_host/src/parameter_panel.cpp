@@ -21,8 +21,8 @@ QTreeWidget* findTree() {
 }  // namespace
 
 bool PanelField::operator==(const PanelField& other) const {
-    return std::tie(label, help, is_shown, obstacle) ==
-           std::tie(other.label, other.help, other.is_shown, other.obstacle);
+    return std::tie(label, help, is_shown, obstacle, fault) ==
+           std::tie(other.label, other.help, other.is_shown, other.obstacle, other.fault);
 }
 
 void ParameterPanel::arrange(std::vector<PanelLine> lines) {

@@ -70,8 +70,10 @@ double valueIn(const QString& text, const ParameterDescription& d) {
             value = numberIn(text, d.kind == OptionKind::Integer);
             break;
     }
-    if (!(value >= d.minimum && value <= d.maximum)) refuseValue(text, d);
-    return value;
+    if (value >= d.minimum && value <= d.maximum) return value;
+    const bool has_comma = !std::isnan(numberIn(QString(text).replace(',', '.'), false));
+    const QString hint = has_comma && text.contains(',') ? ", with a decimal point" : "";
+    refuseValue(text, d.label, allowedValues(d) + hint);
 }
 
 QString textOf(double value, const ParameterDescription& d) {

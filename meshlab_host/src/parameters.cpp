@@ -87,7 +87,8 @@ double readParameter(const ParameterDescription& d, double fallback,
     const std::optional<double> value = number(list.getParameterByName(d.name).value());
     if (!value) refuseValue("not a number", d);
     // written so that NaN is refused as well
-    if (!(*value >= d.minimum && *value <= d.maximum)) refuseValue(QString::number(*value), d);
+    if (!(*value >= d.minimum && *value <= d.maximum))
+        refuseValue(std::isnan(*value) ? "not a number" : QString::number(*value), d);
     return *value;
 }
 

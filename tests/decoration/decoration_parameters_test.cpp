@@ -3,6 +3,8 @@
 // back.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <QTextDocument>
 
 #include <set>
@@ -86,7 +88,7 @@ TEST(DecorationParameters, HaveNoHeadingOverSwitches) {
 TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
     RichParameterList list;
     listDecorationParameters(list);
-    const DecorationParameters defaults, read = readDecorationParameters(list);
+    const DecorationParameters defaults, read = readValidParameters(list).chosen;
     EXPECT_EQ(read.drawing_style, DrawingStyle::Custom);
     for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind) {
         EXPECT_EQ(read.appearance.looks[kind].color, defaults.appearance.looks[kind].color);
@@ -115,7 +117,7 @@ TEST(DecorationParameters, DrawingStylesOverrideColorsPaperAndLight) {
         list.addParam(number("light_azimuth", 20));
         for (const char* key : {"line_color", "contour_color", "paper_color"})
             list.addParam(RichColor(kPrefix + key, QColor(255, 0, 0, 90), "", ""));
-        const DecorationParameters read = readDecorationParameters(list);
+        const DecorationParameters read = readValidParameters(list).chosen;
         for (const line_renderer::LineLook& look : read.appearance.looks)
             EXPECT_EQ(look.color, QColor(Qt::black));
         EXPECT_EQ(read.surface.style, SurfaceAppearance::Paper);
@@ -134,7 +136,7 @@ TEST(DecorationParameters, SwitchesCountByDefault) {
     RichParameterList list;
     list.addParam(RichBool(kPrefix + "laplacian_lines", false, "", ""));
     list.addParam(RichBool(kPrefix + "valleys", true, "", ""));
-    const DecorationParameters read = readDecorationParameters(list);
+    const DecorationParameters read = readValidParameters(list).chosen;
     EXPECT_EQ(mixtureOf(read), nullptr);
     EXPECT_FALSE(read.style.shows[LineKind::Laplacian]);
     EXPECT_TRUE(read.style.shows[LineKind::Valley]);
@@ -153,7 +155,7 @@ TEST(DecorationParameters, MixturesOverrideSwitchesOfKinds) {
         list.addParam(RichBool(kPrefix + "valleys", true, "", ""));
         list.addParam(RichBool(kPrefix + "contours", false, "", ""));
         list.addParam(number("detail", 70));
-        const DecorationParameters read = readDecorationParameters(list);
+        const DecorationParameters read = readValidParameters(list).chosen;
         EXPECT_EQ(mixtureOf(read), &wanted);
         EXPECT_EQ(read.style.detail, 70);
         for (const auto& kind : laplacian_lines::line_kinds)
@@ -170,7 +172,7 @@ TEST(DecorationParameters, MixturesSayWhichKindsHaveTheirOwnColor) {
             RichParameterList list;
             list.addParam(mixture(int(i) + 1));
             list.addParam(choice("drawing_style", style));
-            const DecorationParameters read = readDecorationParameters(list);
+            const DecorationParameters read = readValidParameters(list).chosen;
             for (const auto& kind : laplacian_lines::line_kinds)
                 EXPECT_EQ(read.appearance.looks[std::size_t(kind.kind)].color,
                           wanted.colored[kind.kind] ? QColor(kind.key_color) : QColor(Qt::black))
@@ -178,24 +180,35 @@ TEST(DecorationParameters, MixturesSayWhichKindsHaveTheirOwnColor) {
         }
 }
 
-TEST(DecorationParameters, OutOfRangeAreAtTheirDefaultsWhereOthersCount) {
-    RichParameterList list;
+TEST(DecorationParameters, OutOfRangeStayAsTheyWereAndAreNamed) {
+    RichParameterList good_list, list;
+    good_list.addParam(number("line_width", 3));
+    const ValidParameters good = readValidParameters(good_list);
+    EXPECT_TRUE(good.refused.empty());
     list.addParam(number("line_width", 0));
     list.addParam(number("detail", 70));
-    const ValidParameters read = readValidParameters(list);
-    EXPECT_EQ(read.refused, std::set<std::string>{"line_width"});
-    EXPECT_EQ(read.chosen.lines.width, DecorationParameters().lines.width);
-    EXPECT_EQ(read.chosen.style.detail, 70);
+    const ValidParameters once = readValidParameters(list, good.as_set);
+    for (const ValidParameters& read : {once, readValidParameters(list, once.as_set)}) {
+        ASSERT_EQ(read.refused.size(), 1u);
+        EXPECT_EQ(read.refused.at("line_width"),
+                  "\"Line Width\" is 0. It has to be between 0.1 and 64. Until then it stays 3.");
+        EXPECT_EQ(read.chosen.lines.width, 3);
+        EXPECT_EQ(read.chosen.appearance.looks[0].width, good.chosen.appearance.looks[0].width);
+        EXPECT_EQ(read.chosen.style.detail, 70) << "others count";
+    }
+    EXPECT_EQ(readValidParameters(list).chosen.lines.width, DecorationParameters().lines.width)
+        << "there was no last time";
 }
 
-TEST(DecorationParameters, OutOfRangeAreRefusedByTheirLabel) {
-    RichParameterList list;
-    list.addParam(number("line_width", 0));
-    try {
-        readDecorationParameters(list);
-        FAIL() << "a width of 0 was accepted";
-    } catch (const laplacian_lines::Error& error) {
-        EXPECT_STREQ(error.what(), "\"Line Width\" is 0. It has to be between 0.1 and 64.");
+/// What a mixture stood for is not taken for what was set.
+TEST(DecorationParameters, OutOfRangeStayAsTheyWereSet) {
+    for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
+        RichParameterList before, list;
+        before.addParam(mixture(int(i) + 1));
+        list.addParam(number("laplacian_lines", NAN));
+        const ValidParameters read = readValidParameters(list, readValidParameters(before).as_set);
+        EXPECT_EQ(read.refused.size(), 1u);
+        EXPECT_TRUE(read.chosen.style.shows[LineKind::Laplacian]);
     }
 }
 

@@ -33,6 +33,8 @@ TEST(DecorationSettings, AreNumbersWithinTheirLimits) {
     EXPECT_EQ(read("Detail=0"), "Detail = 0");
     EXPECT_EQ(read("Detail=100"), "Detail = 100");
     EXPECT_EQ(read("Tones=3"), "Tones = 3");
+    EXPECT_EQ(read("Line Width=0,5"),
+              "\"Line Width\" is 0,5. It has to be between 0.1 and 64, with a decimal point.");
     EXPECT_EQ(read("Tones=3.5"), "\"Tones\" is 3.5. It has to be a whole number, between 2 and 8.");
 }
 

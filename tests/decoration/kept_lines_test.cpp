@@ -11,8 +11,7 @@ protected:
     static constexpr std::size_t most = 100;
 
     /// Keeps new lines of so many bytes and nothing but a watch on them.
-    std::weak_ptr<const PreparedLines> keep(KeptLines::Document document, int mesh,
-                                            std::size_t bytes) {
+    std::weak_ptr<PreparedLines> keep(KeptLines::Document document, int mesh, std::size_t bytes) {
         auto lines = std::make_shared<PreparedLines>();
         lines->bytes = bytes;
         kept_.keep(document, mesh, lines);

@@ -24,7 +24,7 @@ PreparedLinesPointer linesOf(unsigned number) {
 class LineCacheTest : public testing::Test {
 protected:
     /// Assigns new lines and keeps nothing but a watch on them.
-    std::weak_ptr<const PreparedLines> assign(LineCache::View view, int mesh, unsigned number) {
+    std::weak_ptr<PreparedLines> assign(LineCache::View view, int mesh, unsigned number) {
         PreparedLinesPointer lines = linesOf(number);
         cache_.assign(view, mesh, lines);
         return lines;

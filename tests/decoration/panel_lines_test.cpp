@@ -107,7 +107,7 @@ void expectOffIsWithoutEffect(int style, int surface, int lines) {
     const auto fields = fieldsFor(before);
     for (const auto& [key, list] : changes(style, surface, lines))
         EXPECT_EQ(fields.at(key).obstacle.isEmpty(),
-                  !drawAlike(before.chosen, readDecorationParameters(list)))
+                  !drawAlike(before.chosen, readValidParameters(list).chosen))
             << key << " in style " << style << " with surface " << surface << " and lines "
             << lines;
 }
@@ -123,11 +123,13 @@ TEST(PanelLines, SwitchOffWhatHasNoEffect) {
 /// Otherwise nobody could mend it.
 TEST(PanelLines, ShowWhatIsOutOfRange) {
     ValidParameters parameters;
-    parameters.refused = {"tones", "fading"};
+    parameters.refused = {{"tones", "too many"}, {"fading", "too faint"}};
     const auto fields = fieldsFor(parameters);
     EXPECT_TRUE(fields.at("fading").is_shown);
     EXPECT_TRUE(fields.at("tones").is_shown);
     EXPECT_TRUE(fields.at("tones").obstacle.isEmpty());
+    EXPECT_EQ(fields.at("tones").fault, "too many");
+    EXPECT_EQ(fields.at("surface").fault, "");
     EXPECT_FALSE(fields.at("shade_color").is_shown);
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The view follows each parameter of the decoration, and says so when one is out of range.
+# The view follows each parameter of the decoration; one that is out of range stays as it was last, and the log says so.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
 # change LABEL KEY VALUE DEFAULT: the lines with this value, seen to differ from the default ones
@@ -8,9 +8,9 @@ change() {
     printf 'setdeco %s = %s\nexpect-lines %s=%s\nexpect-other-lines\nsetdeco %s = %s\n' "$1" "$3" "$2" "$3" "$1" "$4"
 }
 
-# refuse LABEL BAD GOOD REASON: no lines and the reason in the log, until the value is good again
+# refuse LABEL BAD GOOD REASON: the lines of the last good value and the reason in the log
 refuse() {
-    printf 'setdeco %s = %s\nexpect-no-lines\nexpect-log %s\nsetdeco %s = %s\nexpect-lines\n' "$1" "$2" "$4" "$1" "$3"
+    printf 'setdeco %s = %s\nexpect-lines\nexpect-log %s\nsetdeco %s = %s\nexpect-lines\n' "$1" "$2" "$4" "$1" "$3"
 }
 
 # expect_ink A B FACTOR: picture B has at least FACTOR times as much of the lines' red as A
@@ -106,9 +106,26 @@ $(refuse "Strength Threshold tau" -0.5 0.01 '"Strength Threshold tau" is -0.5\. 
 $(refuse "Shortest Line" 11 0.01 '"Shortest Line" is 11\. It has to be between 0 and 10')
 $(refuse "Slope for Full Width" 0 0.25 '"Slope for Full Width" is 0\. It has to be between 1e-06 and')
 $(refuse "Least Facing" 1.5 -0.15 '"Least Facing" is 1.5\. It has to be between -1 and 1')
+# not the default, and other parameters count meanwhile
+setdeco Gradient Threshold t = 10
+setdeco Gradient Threshold t = -1
+expect-log "Gradient Threshold t" is -1\. It has to be between 0 and [^.]*\. Until then it stays 10\.
+expect-lines gradient_threshold=10
+expect-other-lines
+setdeco Shortest Line = 0.3
+expect-lines gradient_threshold=10 shortest_line=0.3
+setdeco Shortest Line = 0.01
+setdeco Gradient Threshold t = 0.8
+expect-lines
+# a decimal comma
+setdeco Strength Threshold tau = 0,5
+expect-lines strength_threshold=0.5
+expect-other-lines
+setdeco Strength Threshold tau = 0.01
 # and again, because it was all right in between
 $(refuse "Gradient Threshold t" -1 0.8 '("Gradient Threshold t" is -1\.(.*\n)*.*){2}')
-$(refuse "Gradient Threshold t" nan 0.8 '"Gradient Threshold t" is nan\. It has to be between 0 and')
+$(refuse "Gradient Threshold t" nan 0.8 '"Gradient Threshold t" is not a number\. It has to be between 0 and')
+$(refuse "Strength Threshold tau" a,b 0.01 '"Strength Threshold tau" is not a number\. It has to be between 0 and')
 
 # and again, because a filter's preview takes what was said since its dialog opened out of the log
 trigger Laplacian Smooth

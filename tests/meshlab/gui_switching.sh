@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Lines that are switched off and on again are there at once: nothing is computed again while the mesh is the same. Their
-# memory goes with the mesh, and with its document.
+# Lines that are switched off and on again are there at once: nothing is computed again while the mesh is the same, and
+# for kinds that need more only that. Their memory goes with the mesh, and with its document.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
 # whose lines take 16 MB; from 2022.02 on, MeshLab itself keeps 29 to 33 MB of a layer that is deleted
@@ -17,7 +17,19 @@ expect-no-lines
 sleep 50
 check Laplacian Lines on
 expect-lines
-expect-no-log torus.* computed(.*\n)*.*torus.* computed
+expect-no-log torus.* computed with the default(.*\n)*.*torus.* computed with the default
+# what only some kinds of lines need is computed when they are switched on, and nothing else
+expect-no-log need besides
+watch-drawings
+setdeco Suggestive Contours = on
+expect-log torus.*: computed in .* need besides
+expect-true-drawings
+setdeco Suggestive Contours = off
+setdeco Demarcating Curves = on
+expect-true-drawings
+setdeco Demarcating Curves = off
+expect-no-log torus.* computed with the default(.*\n)*.*torus.* computed with the default
+expect-no-log need besides(.*\n)*.*need besides
 # nor in another view
 trigger Horizontally
 view 0
@@ -26,7 +38,7 @@ sleep 50
 view 1
 $(show_lines)
 expect-lines
-expect-no-log torus.* computed(.*\n)*.*torus.* computed
+expect-no-log torus.* computed with the default(.*\n)*.*torus.* computed with the default
 check Laplacian Lines off
 sleep 50
 trigger Close current view
@@ -36,7 +48,7 @@ trigger Laplacian Smooth
 apply
 close
 check Laplacian Lines on
-expect-log torus.* computed(.*\n)*.*torus.* computed
+expect-log torus.* computed with the default(.*\n)*.*torus.* computed with the default
 expect-lines
 check Laplacian Lines off
 

@@ -5,7 +5,6 @@
 #include <laplacian_lines/precompute.h>
 #include <meshlab_host/camera.h>
 #include <meshlab_host/field_attributes.h>
-#include "decoration_parameters.h"
 
 #include <algorithm>
 #include <cstring>
@@ -73,8 +72,7 @@ TriangleMesh liveTriangles(const CMeshO& mesh) {
     return result;
 }
 
-const LineSet& CoreLines::of(const MeshModel& mesh, const RichParameterList& parameters) {
-    const DecorationParameters chosen = readDecorationParameters(parameters);
+const LineSet& CoreLines::of(const MeshModel& mesh, const DecorationParameters& chosen) {
     const View view = viewOf(mesh.cm, chosen);
     PrecomputeOptions options = optionsFor(mesh.cm);
     options.curvature_derivatives = chosen.style.shows.needs_derivatives();

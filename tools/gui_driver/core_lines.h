@@ -4,6 +4,7 @@
 #include <laplacian_lines/line_extractor.h>
 #include <laplacian_lines/precompute_options.h>
 #include <meshlab_host/meshlab_api.h>
+#include "decoration_parameters.h"
 
 #include <list>
 
@@ -19,7 +20,7 @@ class CoreLines {
 public:
     /// For the camera of the current GL context. Valid until the next call.
     /// @throws std::exception if the layer can have no lines
-    const laplacian_lines::LineSet& of(const MeshModel& mesh, const RichParameterList& parameters);
+    const laplacian_lines::LineSet& of(const MeshModel& mesh, const DecorationParameters& chosen);
 
 private:
     struct Known {

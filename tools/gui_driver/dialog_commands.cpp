@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QMainWindow>
 #include <QRegularExpression>
 #include <QTextDocument>
 #include <QTreeWidget>
@@ -33,11 +34,19 @@ Outcome setWindowSize(const Command& command) {
     return Outcome::Retry;
 }
 
-void expectDialogWithin(const Command& command) {
-    const QSize most = sizeSaid(command.word(0)), size = filterDialog()->frameGeometry().size();
-    const QString words = QString("the dialog is %1x%2").arg(size.width()).arg(size.height());
+void expectWithin(const QString& what, const QSize& size, const Command& command) {
+    const QSize most = sizeSaid(command.word(0));
+    const QString words = QString("%1 is %2x%3").arg(what).arg(size.width()).arg(size.height());
     say(words.toStdString());
     if (size.width() > most.width() || size.height() > most.height()) throw CommandError(words);
+}
+
+void expectDialogWithin(const Command& command) {
+    expectWithin("the dialog", filterDialog()->frameGeometry().size(), command);
+}
+
+void expectWindowWithin(const Command& command) {
+    expectWithin("the window", requireMainWindow()->size(), command);
 }
 
 QTreeWidget* decorationTree() {
@@ -56,6 +65,20 @@ void expectDecorationField(const Command& command) {
     const QString wanted = command.rest.section(' ', -1);
     const QString state = stateOfField(decorationTree(), command.rest.section(' ', 0, -2));
     if (state != wanted) throw CommandError("it is " + state);
+}
+
+/// A label in red whose tool tip matches, or neither.
+void expectFault(const Command& command) {
+    const QString name = command.rest.section('=', 0, 0).trimmed();
+    const QRegularExpression wanted(command.rest.section('=', 1).trimmed());
+    for (const QLabel* label : decorationTree()->findChildren<QLabel*>()) {
+        if (!label->text().endsWith(name)) continue;
+        const bool is_red = label->palette().color(QPalette::WindowText) == Qt::red;
+        if (is_red == wanted.pattern().isEmpty() || !label->toolTip().contains(wanted))
+            throw CommandError((is_red ? "red: " : "not red: ") + label->toolTip());
+        return;
+    }
+    throw CommandError("there is no such parameter");
 }
 
 /// The fields that the decorations show are seen without scrolling on a screen of this height.
@@ -118,12 +141,14 @@ void addDialogCommands(CommandTable& table) {
     table.addSimple("unfold", unfoldDecoration);
     table.addSimple("expect-deco", expectDecorationField);
     table.addSimple("expect-fields-above", expectFieldsAbove);
+    table.addSimple("expect-fault", expectFault);
     table.addSimple("expect-wrapped-tool-tips", expectWrappedToolTips);
     table.addSimple("help", [](const Command&) { clickButton(filterDialog(), "Help"); });
     table.addSimple("click", [](const Command& c) { clickButton(filterDialog(), c.rest); });
     table.addSimple("expect-field", expectField);
     table.add("expect-in-dialog", expectInDialog);
     table.addSimple("expect-dialog-within", expectDialogWithin);
+    table.addSimple("expect-window-within", expectWindowWithin);
 }
 
 }  // namespace driver

@@ -66,10 +66,10 @@ DrawingWatch::DrawingWatch() {
                            connect(decoration, SIGNAL(drawingBegins(MeshModel)), this,
                                    SLOT(drawingBegins(MeshModel)), Qt::DirectConnection) &&
                            connect(decoration,
-                                   SIGNAL(drawingEnds(MeshModel, RichParameterList,
+                                   SIGNAL(drawingEnds(MeshModel, DecorationParameters,
                                                       const laplacian_lines::LineSet*, QString)),
                                    this,
-                                   SLOT(drawingEnds(MeshModel, RichParameterList,
+                                   SLOT(drawingEnds(MeshModel, DecorationParameters,
                                                     const laplacian_lines::LineSet*, QString)),
                                    Qt::DirectConnection);
     if (!connected) throw CommandError("the decoration Laplacian Lines has no signals to watch");
@@ -101,7 +101,7 @@ void DrawingWatch::drawingBegins(const MeshModel& mesh) {
     mesh_state_ = meshText(mesh);
 }
 
-void DrawingWatch::drawingEnds(const MeshModel& mesh, const RichParameterList& parameters,
+void DrawingWatch::drawingEnds(const MeshModel& mesh, const DecorationParameters& drawn,
                                const LineSet* lines, const QString& refusal) {
     drawn_[int(mesh.id())] = refusal.isEmpty() ? refusal : mesh.label() + ": " + refusal;
     const QString gl_change = firstDifference(gl_state_, contextText() + glStateText());
@@ -109,15 +109,15 @@ void DrawingWatch::drawingEnds(const MeshModel& mesh, const RichParameterList& p
     const QString mesh_change = firstDifference(mesh_state_, meshText(mesh));
     if (!mesh_change.isEmpty()) complain(mesh, "drawing changed the mesh: " + mesh_change);
     if (lines)
-        compare(mesh, parameters, *lines);
+        compare(mesh, drawn, *lines);
     else
-        justify(mesh, parameters, refusal);
+        justify(mesh, drawn, refusal);
 }
 
-void DrawingWatch::compare(const MeshModel& mesh, const RichParameterList& parameters,
+void DrawingWatch::compare(const MeshModel& mesh, const DecorationParameters& drawn,
                            const LineSet& lines) {
     try {
-        const LineSet& expected = core_.of(mesh, parameters);
+        const LineSet& expected = core_.of(mesh, drawn);
         const bool equal =
             expected.lines.size() == lines.lines.size() &&
             expected.points.size() == lines.points.size() &&
@@ -130,13 +130,13 @@ void DrawingWatch::compare(const MeshModel& mesh, const RichParameterList& param
     }
 }
 
-void DrawingWatch::justify(const MeshModel& mesh, const RichParameterList& parameters,
+void DrawingWatch::justify(const MeshModel& mesh, const DecorationParameters& drawn,
                            const QString& refusal) {
     ++refusals_;
     if (refusal.isEmpty()) complain(mesh, "no lines, and no reason is given");
     try {
-        complain(mesh, "no lines: '" + refusal + "', but there are " +
-                           describe(core_.of(mesh, parameters)));
+        complain(mesh,
+                 "no lines: '" + refusal + "', but there are " + describe(core_.of(mesh, drawn)));
     } catch (const std::exception&) {  // so it is right to refuse
     }
 }

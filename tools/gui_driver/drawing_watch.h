@@ -30,15 +30,14 @@ public:
 
 private slots:
     void drawingBegins(const MeshModel& mesh);
-    void drawingEnds(const MeshModel& mesh, const RichParameterList& parameters,
+    void drawingEnds(const MeshModel& mesh, const DecorationParameters& drawn,
                      const laplacian_lines::LineSet* lines, const QString& refusal);
 
 private:
     void complain(const MeshModel& mesh, const QString& what);
-    void compare(const MeshModel& mesh, const RichParameterList& parameters,
+    void compare(const MeshModel& mesh, const DecorationParameters& drawn,
                  const laplacian_lines::LineSet& lines);
-    void justify(const MeshModel& mesh, const RichParameterList& parameters,
-                 const QString& refusal);
+    void justify(const MeshModel& mesh, const DecorationParameters& drawn, const QString& refusal);
 
     CoreLines core_;
     QString gl_state_, mesh_state_;  ///< when the drawing began

@@ -12,6 +12,7 @@
 #include <QTextDocument>
 #include <QTextDocumentFragment>
 #include <QTimer>
+#include <QValidator>
 #include "command_table.h"
 #include "gui.h"
 
@@ -86,7 +87,13 @@ void setComboBox(QComboBox* box, const QString& value) {
 }
 
 void setLineEdit(QLineEdit* edit, const QString& value) {
-    edit->setText(value);
+    QString text = value;
+    if (edit->validator() && !value.isEmpty()) {  // as Qt does when a user leaves the field
+        int cursor = 0;
+        if (edit->validator()->validate(text, cursor) != QValidator::Acceptable)
+            edit->validator()->fixup(text);
+    }
+    edit->setText(text);
     QMetaObject::invokeMethod(edit, "editingFinished");
     QMetaObject::invokeMethod(edit, "returnPressed");
 }

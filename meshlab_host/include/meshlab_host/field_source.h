@@ -12,10 +12,10 @@
 namespace meshlab_host {
 
 /// What decides the field of a mesh. Two meshes with equal keys have the same one, whatever layer
-/// they are in.
+/// they are in, but for its derivatives, which may be there or not.
 struct FieldKey {
     GeometryStamp stamp;
-    std::vector<double> options;  ///< of the precomputation, in the order of its table
+    std::vector<double> options;  ///< of the precomputation, as numbers
 
     bool operator<(const FieldKey& other) const;
 };

@@ -16,15 +16,17 @@ struct PanelField {
     QString help;   ///< tool tip, HTML
     bool is_shown = true;
     QString obstacle;  ///< why its value has no effect now, a sentence; empty if it has one
+    QString fault;     ///< what is wrong with its value, likewise
 
     bool operator==(const PanelField& other) const;
 };
 using PanelLine = std::vector<PanelField>;  ///< fields side by side, one or two
 
 /// The panel of a decoration's parameters in MeshLab's layer dialog. MeshLab makes it a list with a
-/// line for each parameter; this puts short ones side by side and hides or switches off what is not
-/// needed now. Values and what MeshLab does with them stay untouched, and a panel that is not found
-/// or has not all of the fields is left as it is. GUI thread only.
+/// line for each parameter; this puts short ones side by side, hides or switches off what is not
+/// needed now, marks what is wrong, lets numbers have a decimal comma, and keeps the dialog from
+/// getting higher than its window. A panel that is not found or has not all of the fields is left
+/// as it is. GUI thread only.
 class ParameterPanel : public QObject {
 public:
     explicit ParameterPanel(QString decoration) : decoration_(std::move(decoration)) {}
