@@ -2,7 +2,10 @@
 #include "meshlab_host/parameter_panel.h"
 
 #include <QApplication>
+#include <QBoxLayout>
 #include <QChildEvent>
+#include <QGroupBox>
+#include <QPlainTextEdit>
 #include <QTreeWidget>
 #include <tuple>
 
@@ -16,6 +19,39 @@ QTreeWidget* findTree() {
     for (QWidget* window : QApplication::topLevelWidgets())
         if (auto* tree = window->findChild<QTreeWidget*>("decParsTree")) return tree;
     return nullptr;
+}
+
+/// At least so high, and of what is left `stretch` parts; whatever it would like to have.
+void setHeight(QWidget& widget, int least, int stretch) {
+    QSizePolicy policy = widget.sizePolicy();
+    policy.setVerticalPolicy(QSizePolicy::Ignored);
+    policy.setVerticalStretch(stretch);
+    widget.setSizePolicy(policy);
+    widget.setMinimumHeight(least);
+}
+
+/// Of the height that is left, gives the layout with this widget so many parts.
+void stretchLayoutOf(QWidget& widget, int stretch) {
+    for (QBoxLayout* box : widget.parentWidget()->findChildren<QBoxLayout*>())
+        for (int i = 0; i < box->count(); ++i)
+            if (QLayout* inner = box->itemAt(i)->layout())
+                if (inner->indexOf(&widget) >= 0) box->setStretch(i, stretch);
+}
+
+/// MeshLab gives the lists of layers and of panels no less height than they would like to have:
+/// with panels, the window outgrows small screens. Now panels come first, and all can be low.
+void fitIntoDialog(QTreeWidget& panels) {
+    QWidget* const dialog = panels.parentWidget();
+    if (!dialog) return;
+    const int line = panels.fontMetrics().lineSpacing();
+    panels.setMinimumHeight(4 * line);  // MeshLab sets its size policy again and again
+    stretchLayoutOf(panels, panels.topLevelItemCount() ? 4 : 0);
+    for (QGroupBox* box : dialog->findChildren<QGroupBox*>(QString(), Qt::FindDirectChildrenOnly))
+        setHeight(*box, box->minimumSizeHint().height(), 0);
+    if (auto* layers = dialog->findChild<QTreeWidget*>("meshTreeWidget"))
+        setHeight(*layers, 3 * line, 1);
+    if (auto* log = dialog->findChild<QPlainTextEdit*>("logPlainTextEdit"))
+        setHeight(*log, 2 * line, 1);
 }
 
 }  // namespace
@@ -32,7 +68,7 @@ void ParameterPanel::arrange(std::vector<PanelLine> lines) {
 }
 
 bool ParameterPanel::eventFilter(QObject* receiver, QEvent* event) {
-    if (event->type() == QEvent::ChildAdded) arrangeSoon();
+    if (event->type() == QEvent::ChildAdded || event->type() == QEvent::ChildRemoved) arrangeSoon();
     return QObject::eventFilter(receiver, event);
 }
 
@@ -56,6 +92,7 @@ void ParameterPanel::arrangeAll() {
         if (panel && arrangePanel(*panel, lines_)) is_changed = true;
     }
     if (is_changed) tree_->doItemsLayout();
+    fitIntoDialog(*tree_);
 }
 
 }  // namespace meshlab_host

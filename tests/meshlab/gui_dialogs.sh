@@ -20,6 +20,7 @@ check Laplacian Lines on
 unfold Laplacian Lines
 sleep 300
 screen panel.png
+expect-window-within 1366x768
 expect-fields-above 768
 expect-wrapped-tool-tips
 expect-deco Drawing Style on
@@ -35,6 +36,7 @@ setdeco Ridge Angle = 40
 setdeco Parameters = All
 sleep 300
 screen panel_all.png
+expect-window-within 1366x768
 expect-deco Ridge Angle on
 expect-deco Light Azimuth off
 expect-deco Tones off
@@ -64,6 +66,8 @@ expect-deco Apparent Ridges off
 expect-deco Least Apparent Curvature on
 setdeco Lines = Laplacian Lines, as Switched
 expect-deco Ridges on
+sleep 300
+expect-window-within 1366x768
 
 # a panel that MeshLab makes anew is arranged like the one before
 setdeco Parameters = Basic
@@ -77,13 +81,38 @@ expect-fields-above 768
 setdeco Drawing Style = Custom
 setdeco Surface = As MeshLab Draws It
 
-# what is out of range can be mended, wherever it is
+# what is out of range can be mended, wherever it is, and says what is wrong
 setdeco Gradient Threshold t = -1
 expect-deco Gradient Threshold t on
+expect-fault Gradient Threshold t = is -1\. It has to be
 setdeco Gradient Threshold t = 0.8
 expect-deco Gradient Threshold t hidden
+expect-fault Gradient Threshold t =
 
 $(filter "Compute Laplacian Lines" compute)
 $(filter "Generate Laplacian Lines Polylines" polylines)
 $(filter "Export Laplacian Lines Drawing" drawing)
+END
+
+# with larger letters as well, and other decorations beside it
+QT_FONT_DPI=120 drive <<END
+wait
+open torus.ply
+check Laplacian Lines on
+unfold Laplacian Lines
+sleep 300
+window 1366x768
+setdeco Parameters = All
+sleep 300
+check Show Quality Contour on
+check Show Normal on
+setdeco Lines = Apparent Ridges
+sleep 300
+screen panel_large.png
+expect-window-within 1366x768
+check Laplacian Lines off
+sleep 300
+check Laplacian Lines on
+sleep 300
+expect-window-within 1366x768
 END
