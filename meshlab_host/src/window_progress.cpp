@@ -5,7 +5,6 @@
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QStatusBar>
-#include <vector>
 
 namespace meshlab_host {
 namespace {
@@ -22,30 +21,6 @@ QStatusBar* statusBarWithProgress() {
     return nullptr;
 }
 
-/// While it lives, nothing in the window but the status bar is painted. Whatever is painted at
-/// once, as progress bars are when their value changes, takes along all that waits for it in the
-/// window, views of the mesh that is worked on among it. These are painted later.
-class OthersWait {
-public:
-    explicit OthersWait(const QStatusBar& status) {
-        for (QObject* child : status.window()->children()) {
-            auto* widget = qobject_cast<QWidget*>(child);
-            if (!widget || widget == &status || !widget->updatesEnabled()) continue;
-            widget->setUpdatesEnabled(false);
-            waiting_.push_back(widget);
-        }
-    }
-    ~OthersWait() {
-        for (QWidget* widget : waiting_)
-            widget->setUpdatesEnabled(true);
-    }
-    OthersWait(const OthersWait&) = delete;
-    OthersWait& operator=(const OthersWait&) = delete;
-
-private:
-    std::vector<QWidget*> waiting_;
-};
-
 }  // namespace
 
 WindowProgress::WindowProgress() : status_(statusBarWithProgress()) {
@@ -54,10 +29,22 @@ WindowProgress::WindowProgress() : status_(statusBarWithProgress()) {
 }
 
 WindowProgress::~WindowProgress() {
-    if (!is_shown_ || !status_) return;
-    const OthersWait others_wait(*status_);
-    if (bar_) bar_->reset();
-    status_->clearMessage();
+    if (is_shown_ && status_) {
+        if (bar_) bar_->reset();
+        status_->clearMessage();
+    }
+    if (views_) views_->setUpdatesEnabled(true);
+}
+
+/// Whatever is painted at once, as progress bars are when their value changes, takes along all that
+/// waits for it in the window, views of the mesh that is worked on among it. These are painted
+/// later, and panels now: what waits while others are painted is blank until its turn comes.
+void WindowProgress::letViewsWait() {
+    const auto* window = qobject_cast<QMainWindow*>(status_->window());
+    QWidget* const views = window ? window->centralWidget() : nullptr;
+    if (views_ || !views || !views->updatesEnabled()) return;
+    views->setUpdatesEnabled(false);
+    views_ = views;
 }
 
 laplacian_lines::Progress WindowProgress::step(double begin, double end) {
@@ -72,7 +59,7 @@ void WindowProgress::show(double done, const char* stage) {
     if (!status_ || !bar_ || since_shown_.elapsed() < milliseconds_between) return;
     since_shown_.start();
     is_shown_ = true;
-    const OthersWait others_wait(*status_);
+    letViewsWait();
     bar_->show();
     bar_->setEnabled(true);
     const int range = bar_->maximum() - bar_->minimum();

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDockWidget>
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QStatusBar>
@@ -80,15 +81,32 @@ TEST_F(WindowProgressTest, LetsNothingElseHappen) {
     EXPECT_TRUE(has_happened);
 }
 
+/// A panel would be blank, which waits for its turn while what is below it is painted.
+TEST_F(WindowProgressTest, KeepsPanelsOnTheScreen) {
+    auto* const dock = new QDockWidget;
+    auto* const panel = new Counting<QWidget>;
+    dock->setWidget(panel);
+    window_.addDockWidget(Qt::RightDockWidgetArea, dock);
+    wait(50);
+    panel->update();
+    const int before = panel->paints;
+    WindowProgress progress;
+    report(progress.step(0, 1), 0.3);
+    EXPECT_TRUE(panel->updatesEnabled());
+    EXPECT_GT(panel->paints, before);
+}
+
 /// Views that wait to be painted go on waiting.
-TEST_F(WindowProgressTest, PaintsNothingElse) {
+TEST_F(WindowProgressTest, DoesNotPaintViews) {
     auto* const view = new Counting<QWidget>;
     window_.setCentralWidget(view);
     wait(50);
     view->update();
     const int before = view->paints;
-    WindowProgress progress;
-    report(progress.step(0, 1), 0.3);
+    {
+        WindowProgress progress;
+        report(progress.step(0, 1), 0.3);
+    }
     EXPECT_EQ(view->paints, before);
     wait(50);
     EXPECT_GT(view->paints, before);

@@ -8,13 +8,14 @@
 
 class QProgressBar;
 class QStatusBar;
+class QWidget;
 
 namespace meshlab_host {
 
 /// The progress bar and the message at the foot of MeshLab's window, for work outside of filters,
 /// to which MeshLab hands no callback. MeshLab's own one would let events happen, a redraw or a
-/// deletion of the very mesh among them, so nothing but the foot is painted here, and views that
-/// wait for it go on waiting: nobody can press anything meanwhile, and there is nothing to cancel
+/// deletion of the very mesh among them, so the foot is painted here with the panels that wait for
+/// it, and views go on waiting: nobody can press anything meanwhile, and there is nothing to cancel
 /// by. Not to be used while a view is painted. Does nothing in programs without such a window. GUI
 /// thread only.
 class WindowProgress {
@@ -30,9 +31,11 @@ public:
 
 private:
     void show(double done, const char* stage);
+    void letViewsWait();
 
     QPointer<QStatusBar> status_;
     QPointer<QProgressBar> bar_;
+    QPointer<QWidget> views_;  ///< that wait
     QElapsedTimer since_shown_;
     bool is_shown_ = false;
 };
