@@ -17,8 +17,8 @@ void main()
 )";
 
 // Depth: wires and points that MeshLab has drawn are flat on the screen, so on a slope they stand
-// out of the surface, by as much as it falls in half their width. Only the depth that is compared
-// is moved, and no depth is written.
+// out of the surface, by as much as it falls in half their width; and at a fold, out of the part in
+// front over the one behind. Only the depth that is compared is moved, and no depth is written.
 const char* const surface_fragment_shader = R"(#version 120
 uniform vec4 paper;
 uniform vec4 shade;
@@ -65,13 +65,27 @@ bool isHidden(float slope)
     return texel.x > 0.0 && gl_FragCoord.z > nearest + 0.5 * slope + 1e-6;
 }
 
+// Of the faces within half the width of points and wires.
+float nearestAround()
+{
+    float nearest = 1.0;
+    if (texel.x > 0.0)
+        for (float y = -2.0; y <= 2.0; y += 1.0)
+            for (float x = -2.0; x <= 2.0; x += 1.0) {
+                vec2 place = (gl_FragCoord.xy + vec2(x, y)) * texel;
+                nearest = min(nearest, texture2D(surface_depth, place).r);
+            }
+    return nearest;
+}
+
 void main()
 {
     float slope = fwidth(gl_FragCoord.z);
     if (isHidden(slope))
         discard;
-    gl_FragDepth = clamp(gl_FragCoord.z - pixels_of_slope * slope,
-                         depthMoved(nearer.y), depthMoved(nearer.x));
+    float moved = clamp(gl_FragCoord.z - pixels_of_slope * slope,
+                        depthMoved(nearer.y), depthMoved(nearer.x));
+    gl_FragDepth = min(moved, nearestAround() + depthMoved(nearer.y) - gl_FragCoord.z);
     gl_FragColor = mix(shade, paper, tone());
 }
 )";

@@ -32,6 +32,13 @@ pixels_other_than() {
         -format '%[fx:round(mean*w*h)]' info:
 }
 
+# specks_inside FILE: pixels of other colours than paper where fill_bare.png has paper
+specks_inside() {
+    convert \( "$WORK/$1" -alpha off -fill black -opaque '#ffee00' -fill white +opaque black \) \
+        \( "$WORK/fill_bare.png" -alpha off -fill black +opaque '#ffee00' -fill white -opaque '#ffee00' \) \
+        -compose Multiply -composite -colorspace gray -format '%[fx:round(mean*w*h)]' info:
+}
+
 # expect_at_most PIXELS FILE COLOUR...: so many have another colour
 expect_at_most() {
     local most=$1 others
@@ -74,6 +81,8 @@ for mode in fill wireframe_on_fill wireframe points shader; do
         *) outside=1500 ;;
     esac
     expect_at_most "$outside" "${mode}_bare.png" white '#ffee00'
+    # but at folds within it
+    (($(specks_inside "${mode}_bare.png") <= 20)) || fail "${mode}_bare.png has specks on the paper"
     # yellow and blue, blended where they meet
     expect_at_most $((outside + 6500)) "${mode}_toon.png" white '#ffee00' '#0000ff'
     (($(pixels_other_than "${mode}_toon.png" white '#ffee00') > 3000)) || fail "no shade in mode $mode"
