@@ -114,7 +114,7 @@ Sheet drawSheet(Observer& observer, const SheetOptions& wanted, const Progress& 
     }
     const auto share = [&](std::size_t views_done) {
         const double all = std::max<double>(1, double(options.views.size()));
-        return fields_share + (1 - fields_share) * double(views_done) / all;
+        return 1 - (1 - fields_share) * (1 - double(views_done) / all);
     };
     Sheet sheet{layout.size, options.title, {}, layout.scale};
     for (std::size_t i = 0; i < options.views.size(); ++i) {  // sections have their lines

@@ -23,13 +23,6 @@ constexpr double longest_gap_share = 0.5;  // of the shorter line
 constexpr double gap_cosine = 0.866;       // of 30°
 constexpr double meeting_cosine = 0.766;   // of 40°
 
-double lengthOf(const std::vector<DrawnPoint>& points) {
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-        length += (points[i].position - points[i - 1].position).norm();
-    return length;
-}
-
 struct End {
     std::size_t line;
     bool is_last;
@@ -51,9 +44,9 @@ public:
           all_(longest_gap * pen_) {
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             all_.add(positionsOf(lines_[i]), i);
-            const LineClass c = lines_[i].line_class;
-            const bool is_chained = c == LineClass::Inner || c == LineClass::Fine ||
-                                    (with_contours && c == LineClass::Contour);
+            const bool is_chained =
+                isInner(lines_[i]) ||
+                (with_contours && lines_[i].line_class == LineClass::Contour);
             lengths_.push_back(lengthOf(lines_[i].points));
             if (!is_chained || lines_[i].closed || lines_[i].points.size() < 2) continue;
             for (const bool is_last : {false, true})

@@ -20,17 +20,6 @@ constexpr double longest_crossing = 5;  // that a line takes to pass another
 constexpr double longest_touch = 3;     // at an end that meets another line
 constexpr double step = 0.5;
 
-bool isInner(const DrawnLine& line) {
-    return line.line_class == LineClass::Inner || line.line_class == LineClass::Fine;
-}
-
-double lengthOf(const std::vector<DrawnPoint>& points) {
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-        length += (points[i].position - points[i - 1].position).norm();
-    return length;
-}
-
 /// Mean width times the root of the length.
 double strengthOf(const DrawnLine& line) {
     double weights = 0;

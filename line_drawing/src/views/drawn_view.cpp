@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/drawn_view.h"
 
+#include <algorithm>
+
 namespace line_drawing {
 namespace {
 
@@ -38,6 +40,19 @@ std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line) {
     for (const DrawnPoint& point : line.points)
         positions.push_back(point.position);
     return positions;
+}
+
+double lengthOf(const std::vector<DrawnPoint>& points) {
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        length += (points[i].position - points[i - 1].position).norm();
+    return length;
+}
+
+bool isInner(const DrawnLine& line) {
+    return (line.line_class == LineClass::Inner || line.line_class == LineClass::Fine) &&
+           std::any_of(line.points.begin(), line.points.end(),
+                       [](const DrawnPoint& point) { return !point.is_exact; });
 }
 
 Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {

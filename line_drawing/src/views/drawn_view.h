@@ -28,6 +28,11 @@ struct DrawnLine {
 };
 
 std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
+double lengthOf(const std::vector<DrawnPoint>& points);
+
+/// Whether it is a line within a face of the surface, which a drawing may leave out or join to
+/// another one; no edge of the form, nor an axis of a section.
+bool isInner(const DrawnLine& line);
 
 /// Loops around what a section cuts of one object (even-odd); none where it cuts nothing.
 using Wall = std::vector<std::vector<Eigen::Vector2d>>;
