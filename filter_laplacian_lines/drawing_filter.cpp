@@ -23,7 +23,7 @@ namespace {
 const char* const filter_name = "Export Laplacian Lines Drawing";
 
 // What is done of the work when each step has ended.
-constexpr double field_share = 0.4, sheet_share = 0.98;
+constexpr double field_share = 0.05, sheet_share = 0.98;
 
 Eigen::Vector3d sizeOf(const PlacedLayers& layers) {
     Eigen::AlignedBox3d box;
@@ -41,13 +41,16 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
                const Eigen::Vector3d& size, const SheetOptions& options) {
     return QString(
                "Drawing of %1: %2, %3 on paper of %4 x %5 mm. %6 %7 large, with %8 mm to the "
-               "unit of the mesh.")
+               "unit of the mesh.%9")
         .arg(namesOf(layers), file,
              sheet.scale > 0 ? "scale " + line_drawing::scaleInWords(sheet.scale)
                              : "in perspective and so without a scale",
              QString::number(sheet.size.width()), QString::number(sheet.size.height()),
              QString(layers.size() > 1 ? "Together the objects are" : "The object is"),
-             lengths(size), QString::number(options.mm_per_unit));
+             lengths(size), QString::number(options.mm_per_unit),
+             sheet.kernel > 0 ? QString(" Inner lines have a kernel of √h = %1 mm on paper.")
+                                    .arg(sheet.kernel, 0, 'g', 2)
+                              : QString());
 }
 
 }  // namespace

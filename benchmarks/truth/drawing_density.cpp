@@ -100,7 +100,16 @@ private:
     std::map<std::pair<int, int>, std::vector<Sample>> cells_;
 };
 
-Density densityOf(const line_drawing::Sheet& sheet, double pen) {
+/// Of the inner lines, mm.
+double penOf(const line_drawing::Sheet& sheet) {
+    for (const auto& layer : sheet.groups[0].layers)
+        if (layer.key == "inner" && !layer.paths.empty()) return layer.paths[0].pen_width;
+    return line_drawing::pensOf(
+        line_drawing::Weights::Illustrator)[std::size_t(line_drawing::LineClass::Inner)];
+}
+
+Density densityOf(const line_drawing::Sheet& sheet) {
+    const double pen = penOf(sheet);
     std::vector<double> lengths;
     std::vector<Sample> inner;
     Neighbours all;
@@ -159,7 +168,7 @@ int main(int argc, char** argv) {
     for (const std::string& file : files) {
         const auto mesh = test_meshes::read_mesh(file);
         for (const double size : sizes) {
-            const Density d = densityOf(draw(mesh, size, segments), 0.25);
+            const Density d = densityOf(draw(mesh, size, segments));
             const std::string name = file.substr(file.find_last_of('/') + 1);
             std::printf("%-20s %6g  %11.1f  %9.1f  %7.1f\n", name.c_str(), size, d.strokes_a_cm2,
                         d.median_length, 100 * d.close_share);

@@ -119,7 +119,6 @@ TEST(SheetFurniture, ScaleBarsAreOfRoundLengths) {
     EXPECT_EQ(lengthInWords(0.5), "0.5 mm");
 }
 
-
 TEST(SheetPlans, AreWhatIsMade) {
     const auto mesh = test_meshes::torus(30, 15).mesh;
     for (const char* views : {"front", "six", "30,15 top"})

@@ -56,7 +56,7 @@ setdeco Light Elevation = 45
 $(move_layer 'X Rotation = 20' 'Y Rotation = 60' 'X Scale = -0.6' 'Y Scale = 1.2')
 expect-lines $upper_left
 setdeco Light Elevation = -1
-expect-no-lines
+expect-lines $upper_left
 expect-log "Light Elevation" is -1\. It has to be between 0 and 90
 setdeco Light Elevation = 45
 setdeco Light Position = At the Eye

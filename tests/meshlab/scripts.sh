@@ -34,7 +34,7 @@ expect_text "$WORK/log" 'Normal Weighting: Angle, Normal Smoothing: None'
 cmp -s "$WORK/out.ply" "$WORK/all.ply" || fail "the mesh depends on the parameters"
 
 refuse_settings '"Accuracy" is 5\. It has to be between 1e-06 and 0\.1' accuracy=5
-refuse_settings '"Accuracy" is nan\. It has to be between 1e-06 and 0\.1' accuracy=nan
+refuse_settings '"Accuracy" is not a number\. It has to be between 1e-06 and 0\.1' accuracy=nan
 refuse_settings '"Kernel Size" is -1\. It has to be at least 0' kernel_size=-1
 refuse_settings '"Kernel Size" is inf' kernel_size=inf
 refuse_settings '"Laplace Operator" is 2\. It has to be one of 0 \(Heat Kernel \(Belkin\)\), 1 \(Cotangent\)' laplace_operator=2

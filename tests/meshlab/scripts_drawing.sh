@@ -39,7 +39,7 @@ refuse() {
 torus "$WORK/torus.ply"
 draw front.svg
 expect_same_as_program front.svg
-expect_text "$WORK/log" 'torus\.ply has no precomputed attributes; computed with the default options'
+expect_text "$WORK/log" 'Inner lines have a kernel of √h = [0-9.]* mm on paper'
 expect_text "$WORK/log" 'Drawing of torus\.ply: /.*/front\.svg, scale 50:1 on paper of 210 x 297 mm\. The object is 2\.[0-9]* x 2\.[0-9]* x .* mm large, with 1 mm to the unit'
 draw plate.dxf views=six paper=2 unit=1 up=2 title=Torus arrangement=1
 expect_same_as_program plate.dxf --views six --paper a3 --unit cm --up z --title Torus --arrangement third

@@ -116,7 +116,11 @@ Sheet drawSheet(Observer& observer, const SheetOptions& wanted, const Progress& 
         const double all = std::max<double>(1, double(options.views.size()));
         return 1 - (1 - fields_share) * (1 - double(views_done) / all);
     };
-    Sheet sheet{layout.size, options.title, {}, layout.scale};
+    Sheet sheet{layout.size,
+                options.title,
+                {},
+                layout.scale,
+                options.views.empty() ? 0 : options.kernel.size};
     for (std::size_t i = 0; i < options.views.size(); ++i) {  // sections have their lines
         observer.look(views[i], options, part(progress, share(i), share(i + 1)));
         const double missing =

@@ -45,8 +45,7 @@ public:
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             all_.add(positionsOf(lines_[i]), i);
             const bool is_chained =
-                isInner(lines_[i]) ||
-                (with_contours && lines_[i].line_class == LineClass::Contour);
+                isInner(lines_[i]) || (with_contours && lines_[i].line_class == LineClass::Contour);
             lengths_.push_back(lengthOf(lines_[i].points));
             if (!is_chained || lines_[i].closed || lines_[i].points.size() < 2) continue;
             for (const bool is_last : {false, true})
@@ -179,13 +178,30 @@ private:
             const double share = fullWidth(lines_[i].line_class) / fullWidth(widest);
             for (DrawnPoint& point : points)
                 point.weight *= share;
-            if (!result.points.empty()) seams.push_back(lengthOf(result.points));
+            if (!result.points.empty()) {
+                cutOverlap(result.points, points);
+                seams.push_back(lengthOf(result.points));
+            }
             result.points.insert(result.points.end(), points.begin(), points.end());
         }
         if (closed) result.points.push_back(result.points.front());
         for (const double seam : seams)
             blend(seam, result.points);
         return result;
+    }
+
+    /// Lines that meet may run past each other's ends.
+    void cutOverlap(const std::vector<DrawnPoint>& before, std::vector<DrawnPoint>& points) const {
+        const std::size_t n = before.size();
+        if (n < 2) return;
+        const Vector2d& end = before[n - 1].position;
+        const Vector2d along = end - before[n - 2].position;
+        std::size_t first = 0;
+        while (first + 2 < points.size() &&
+               (points[first].position - end).norm() < meeting * pen_ &&
+               (points[first].position - end).dot(along) <= 0)
+            ++first;
+        points.erase(points.begin(), points.begin() + std::ptrdiff_t(first));
     }
 
     /// Faint lines taper from the width of clear ones.

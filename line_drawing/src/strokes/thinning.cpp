@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 constexpr double between_lines = 2;  // from middle to middle
 constexpr double least_white = 0.5;  // beside outlines
 constexpr double shortest_stroke = 6;
-constexpr double shortest_loop = 20;
+constexpr double shortest_loop = 24;    // 6 √h
 constexpr double longest_crossing = 5;  // that a line takes to pass another
 constexpr double longest_touch = 3;     // at an end that meets another line
 constexpr double step = 0.5;

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/line_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <random>
+
+#include "generators.h"
+#include "helpers.h"
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/precompute.h"
+#include "mesh_noise.h"
+
+using namespace laplacian_lines;
+
+namespace {
+
+constexpr float kKernel = 0.01f;
+
+LineRules whole_rules() {
+    LineRules rules;
+    rules.whole = rules.use_slope = rules.concave_only = true;
+    rules.kernel_size = kKernel;
+    rules.least_gradient = 0.8f;
+    rules.segment_slope = 0.004f;
+    rules.line_slope = 0.012f;
+    rules.fading = 1;
+    return rules;
+}
+
+/// A line of points at equal distances along a curve; clear everywhere, unless it is changed.
+struct MadeLine {
+    std::vector<float> x, y, z, gradient, slope, concavity;
+    bool closed = false;
+
+    MadeLine(std::size_t count, const std::function<Eigen::Vector2d(std::size_t)>& at)
+        : z(count, 0.f), gradient(count, 4.f), slope(count, 0.1f), concavity(count, 1.f) {
+        for (std::size_t i = 0; i < count; ++i) {
+            x.push_back(float(at(i).x()));
+            y.push_back(float(at(i).y()));
+        }
+    }
+    LineCourse course() const {
+        return {x.size(), closed,          x.data(),     y.data(),
+                z.data(), gradient.data(), slope.data(), concavity.data()};
+    }
+};
+
+constexpr double kStep = 0.1 * double(kKernel);
+
+MadeLine straight(std::size_t count) {
+    return MadeLine(count, [](std::size_t i) { return Eigen::Vector2d(kStep * double(i), 0); });
+}
+
+MadeLine ring(std::size_t count) {
+    const double turn = 2 * 3.14159265358979 / double(count - 1);
+    const double radius = kStep / turn;
+    MadeLine line(count, [&](std::size_t i) {
+        const double angle = turn * double(i % (count - 1));
+        return Eigen::Vector2d(radius * std::cos(angle), radius * std::sin(angle));
+    });
+    line.closed = true;
+    return line;
+}
+
+LinePartFinder found_in(const MadeLine& line, const LineRules& rules = whole_rules()) {
+    LinePartFinder finder;
+    finder.find(rules, line.course());
+    return finder;
+}
+
+TEST(LineParts, AClearLineIsDrawnWhole) {
+    for (MadeLine line : {straight(300), ring(300)}) {
+        const LinePartFinder finder = found_in(line);
+        ASSERT_EQ(finder.parts().size(), 1u);
+        EXPECT_EQ(finder.parts()[0].count, 300u);
+        EXPECT_EQ(finder.parts()[0].closed, line.closed);
+        for (std::size_t i = 0; i < 300; ++i)
+            EXPECT_FLOAT_EQ(finder.opacity(i), 1);
+    }
+}
+
+TEST(LineParts, SlopesAreMeansAlongTheLine) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> slopes(-0.1f, 0.2f);
+    for (MadeLine line : {straight(200), ring(200)}) {
+        for (float& slope : line.slope)
+            slope = slopes(random);
+        const LinePartFinder finder = found_in(line);
+        const auto segments = std::ptrdiff_t(line.slope.size()) - 1;
+        for (std::ptrdiff_t i = 0; i <= segments; ++i) {
+            double sum = 0, length = 0;  // of tenths of segments within 26 steps
+            for (std::ptrdiff_t k = -260; k < 260; ++k) {
+                std::ptrdiff_t segment = i + std::ptrdiff_t(std::floor((double(k) + 0.5) / 10));
+                if (line.closed) segment = (segment + 2 * segments) % segments;
+                if (segment < 0 || segment >= segments) continue;
+                sum += double(line.slope[std::size_t(segment + 1)]);
+                length += 1;
+            }
+            EXPECT_NEAR(finder.slope(std::size_t(i)), sum / length, 2e-4) << i << line.closed;
+        }
+    }
+}
+
+TEST(LineParts, TextureDoesNotCutALineThatIsClearOnTheWhole) {
+    MadeLine line = straight(400);
+    for (std::size_t i = 0; i < 400; ++i) {  // every third segment is a convex phantom
+        line.slope[i] = i % 3 ? 0.1f : -0.06f;
+        line.concavity[i] = i % 3 ? 1.f : -0.5f;
+    }
+    const LinePartFinder finder = found_in(line);
+    ASSERT_EQ(finder.parts().size(), 1u);
+    EXPECT_EQ(finder.parts()[0].count, 400u);
+}
+
+TEST(LineParts, PhantomsConvexAndFlatPlacesAreNotDrawn) {
+    MadeLine phantom = straight(200), convex = straight(200), flat = straight(200);
+    std::fill(phantom.slope.begin(), phantom.slope.end(), -0.1f);
+    std::fill(convex.concavity.begin(), convex.concavity.end(), -0.9f);
+    std::fill(flat.gradient.begin(), flat.gradient.end(), 0.1f);
+    EXPECT_TRUE(found_in(phantom).parts().empty());
+    EXPECT_TRUE(found_in(convex).parts().empty());
+    EXPECT_TRUE(found_in(flat).parts().empty());
+    LineRules both_sides = whole_rules();
+    both_sides.concave_only = false;
+    EXPECT_EQ(found_in(convex, both_sides).parts().size(), 1u);
+}
+
+/// Clear up to a point, hardly anything after it.
+TEST(LineParts, WeakLinesGoOnAFewKernelsFromWhereTheyStart) {
+    MadeLine line = straight(400);
+    std::fill(line.slope.begin() + 100, line.slope.end(), 0.01f);
+    const LinePartFinder finder = found_in(line);
+    ASSERT_EQ(finder.parts().size(), 1u);
+    const double beyond = 0.1 * (double(finder.parts()[0].count) - 100);  // in √h
+    EXPECT_GT(beyond, 4);
+    EXPECT_LT(beyond, 9);
+    MadeLine weak = straight(400);
+    std::fill(weak.slope.begin(), weak.slope.end(), 0.01f);
+    EXPECT_TRUE(found_in(weak).parts().empty());
+}
+
+TEST(LineParts, EndAtHairpins) {
+    MadeLine line(401, [](std::size_t i) {  // there and back
+        const double along = kStep * (200 - std::abs(double(i) - 200));
+        return Eigen::Vector2d(along, i > 200 ? 1e-4 : 0);
+    });
+    const LinePartFinder finder = found_in(line);
+    ASSERT_EQ(finder.parts().size(), 2u);
+    EXPECT_LT(finder.parts()[0].begin + finder.parts()[0].count, 202u);
+    EXPECT_GT(finder.parts()[1].begin, 199u);
+}
+
+TEST(LineParts, OfARingMayGoOnAcrossItsBeginning) {
+    MadeLine line = ring(401);
+    std::fill(line.slope.begin() + 150, line.slope.begin() + 250, -1.f);
+    const LinePartFinder finder = found_in(line);
+    ASSERT_EQ(finder.parts().size(), 1u);
+    const LinePart& part = finder.parts()[0];
+    EXPECT_FALSE(part.closed);
+    EXPECT_GT(part.begin, 200u);
+    EXPECT_GT(part.begin + part.count, 400u);  // past its beginning
+    EXPECT_LT(part.begin + part.count, 400u + 200u);
+}
+
+/// A line that fades while something changes evenly never changes by much at once.
+TEST(LineParts, ComeAndGoEvenly) {
+    std::vector<float> before;
+    for (int step = 0; step <= 400; ++step) {
+        MadeLine line = straight(300);
+        for (std::size_t i = 0; i < 300; ++i) {
+            line.slope[i] = i < 120 ? 0.1f : 0.02f - 0.0001f * float(step);
+            line.concavity[i] = i < 200 ? 1.f : 0.5f - 0.0025f * float(step);
+        }
+        const LinePartFinder finder = found_in(line);
+        std::vector<float> now;
+        for (std::size_t i = 0; i < 300; ++i)
+            now.push_back(finder.opacity(i));
+        for (std::size_t i = 0; i < before.size(); ++i)
+            EXPECT_NEAR(now[i], before[i], 0.06) << "step " << step << ", point " << i;
+        before = now;
+    }
+    EXPECT_EQ(before[299], 0);
+}
+
+TEST(LineParts, OfLinesWithoutLengthAreNone) {
+    MadeLine line(3, [](std::size_t) { return Eigen::Vector2d(1, 1); });
+    EXPECT_TRUE(found_in(line).parts().empty());
+    LineRules rules = whole_rules();
+    rules.kernel_size = 0;
+    EXPECT_NO_THROW(found_in(straight(50), rules));
+}
+
+struct Drawn {
+    std::size_t lines = 0;
+    double length = 0;
+};
+
+Drawn drawn_of(const TriangleMesh& mesh, bool whole) {
+    const Field field = precompute(mesh);
+    const LineExtractor extractor(mesh, field);
+    LineStyle style;
+    style.whole_lines = whole;
+    style.shows = {};
+    style.shows[LineKind::Laplacian] = true;
+    LineSet lines;
+    ExtractionScratch scratch;
+    extractor.extract({Eigen::Vector3d(0.3, 0.4, 1), 0}, style, scratch, lines);
+    Drawn drawn;
+    for (const Polyline& line : lines.lines) {
+        ++drawn.lines;
+        drawn.length += double(line.length);
+    }
+    return drawn;
+}
+
+/// What texture cuts into dashes is fewer and longer lines when it is traced whole.
+TEST(WholeLines, AreFewerAndLongerOnANoisySurface) {
+    const TriangleMesh mesh = mesh_noise::with_noise(test_meshes::bumpy_sphere(5).mesh, 0.2, 3);
+    const Drawn dashes = drawn_of(mesh, false), whole = drawn_of(mesh, true);
+    EXPECT_GT(dashes.lines, 10u);
+    EXPECT_LT(double(whole.lines), 0.8 * double(dashes.lines));
+    EXPECT_GT(whole.length / double(whole.lines), 1.3 * dashes.length / double(dashes.lines));
+}
+
+}  // namespace

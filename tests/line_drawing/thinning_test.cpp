@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "strokes/thinning.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "strokes/chaining.h"
+
+using namespace line_drawing;
+using Eigen::Vector2d;
+
+namespace {
+
+constexpr auto pens = pensOf(Weights::Illustrator);
+constexpr double pen = 0.25;  // mm, of inner lines
+
+/// Straight, of points .1 mm apart.
+DrawnLine straight(const Vector2d& from, const Vector2d& to, double weight = 1,
+                   LineClass line_class = LineClass::Inner) {
+    DrawnLine line{line_class, false, {}};
+    const int steps = int(std::ceil((to - from).norm() / 0.1));
+    for (int i = 0; i <= steps; ++i)
+        line.points.push_back({from + double(i) / steps * (to - from), weight,
+                               laplacian_lines::kNoSightNode, line_class == LineClass::Edge});
+    return line;
+}
+
+DrawnLine circle(double circumference) {
+    DrawnLine line{LineClass::Inner, true, {}};
+    const double radius = circumference / 6.2831853;
+    for (int i = 0; i <= 100; ++i)
+        line.points.push_back({radius * Vector2d(std::cos(0.062831853 * (i % 100)),
+                                                 std::sin(0.062831853 * (i % 100))),
+                               1, laplacian_lines::kNoSightNode, false});
+    return line;
+}
+
+double lengthOfAll(const std::vector<DrawnLine>& lines) {
+    double sum = 0;
+    for (const DrawnLine& line : lines)
+        sum += lengthOf(line.points);
+    return sum;
+}
+
+TEST(Thinning, LeavesTheStrongerOfTwoLinesSideBySide) {
+    const auto thinned =
+        thinOut({straight({0, 0}, {20, 0}, 0.5), straight({0, 0.3}, {20, 0.3})}, pens);
+    ASSERT_EQ(thinned.size(), 1u);
+    EXPECT_EQ(thinned[0].points[0].position.y(), 0.3);
+    EXPECT_EQ(thinOut({straight({0, 0}, {20, 0}), straight({0, 0.6}, {20, 0.6})}, pens).size(), 2u);
+}
+
+TEST(Thinning, LeavesLinesThatCrossOrMeet) {
+    const std::vector<DrawnLine> lines = {straight({0, 0}, {20, 0}), straight({10, -8}, {10, 8}),
+                                          straight({5, 0.05}, {5, 9})};
+    EXPECT_NEAR(lengthOfAll(thinOut(lines, pens)), lengthOfAll(lines), 1e-9);
+}
+
+TEST(Thinning, TakesAwayOnlyThePartBesideAnotherLine) {
+    const auto thinned =
+        thinOut({straight({0, 0}, {20, 0}), straight({10, 0.2}, {30, 0.2}, 0.5)}, pens);
+    ASSERT_EQ(thinned.size(), 2u);
+    EXPECT_NEAR(lengthOf(thinned[1].points), 10, 0.7);
+}
+
+TEST(Thinning, LeavesWhiteBesideOutlinesAndEdgesWhichStay) {
+    for (const LineClass c : {LineClass::Outline, LineClass::Contour, LineClass::Edge}) {
+        const double touching = pens[std::size_t(c)] / 2 + pen / 2;
+        for (const auto& [white, count] : {std::pair(0.4 * pen, 1u), std::pair(0.6 * pen, 2u)}) {
+            const double y = touching + white;
+            EXPECT_EQ(
+                thinOut({straight({0, 0}, {20, 0}, 1, c), straight({0, y}, {20, y})}, pens).size(),
+                count);
+        }
+        EXPECT_EQ(thinOut({straight({0, 0}, {0.3, 0}, 1, c)}, pens).size(), 1u);
+    }
+}
+
+TEST(Thinning, LeavesOutWhatIsTooShortToBeSeen) {
+    EXPECT_TRUE(thinOut({straight({0, 0}, {5.9 * pen, 0})}, pens).empty());
+    EXPECT_EQ(thinOut({straight({0, 0}, {6.1 * pen, 0})}, pens).size(), 1u);
+    EXPECT_TRUE(thinOut({circle(23 * pen)}, pens).empty());
+    EXPECT_EQ(thinOut({circle(25 * pen)}, pens).size(), 1u);
+}
+
+std::size_t strokes(const std::vector<DrawnLine>& lines, bool with_contours = false) {
+    return chain(lines, pens, with_contours).size();
+}
+
+TEST(Chaining, JoinsLinesOverGaps) {
+    const DrawnLine first = straight({0, 0}, {10, 0});
+    EXPECT_EQ(strokes({first, straight({11.5, 0}, {20, 0})}), 1u);
+    EXPECT_EQ(strokes({first, straight({20, 0}, {11.5, 0})}), 1u);      // from the other end
+    EXPECT_EQ(strokes({first, straight({12.5, 0}, {20, 0})}), 2u);      // too far
+    EXPECT_EQ(strokes({first, straight({11.5, 0}, {13, 0})}), 2u);      // too short for the gap
+    EXPECT_EQ(strokes({first, straight({11.5, 1.5}, {20, 1.5})}), 2u);  // aside
+    EXPECT_EQ(strokes({first, straight({11, 0}, {11, 9})}), 2u);        // turns
+    const DrawnLine across = straight({10.7, -3}, {10.7, 3}, 1, LineClass::Contour);
+    EXPECT_EQ(strokes({first, straight({11.5, 0}, {20, 0}), across}), 3u);
+}
+
+TEST(Chaining, KeepsAllPointsInOrder) {
+    const auto chained = chain(
+        {straight({10.2, 0}, {20, 0}), straight({0, 0}, {10, 0}), straight({30, 0}, {20.1, 0})},
+        pens, false);
+    ASSERT_EQ(chained.size(), 1u);
+    const bool rises = chained[0].points.front().position.x() < 1;
+    for (std::size_t i = 1; i < chained[0].points.size(); ++i) {
+        const double step =
+            chained[0].points[i].position.x() - chained[0].points[i - 1].position.x();
+        EXPECT_GT(rises ? step : -step, 0);
+    }
+    EXPECT_NEAR(lengthOf(chained[0].points), 30, 1e-9);
+}
+
+TEST(Chaining, ClosesARingOfTwoHalves) {
+    DrawnLine whole = circle(40), first{LineClass::Inner, false, {}}, second = first;
+    first.points.assign(whole.points.begin(), whole.points.begin() + 51);
+    second.points.assign(whole.points.begin() + 50, whole.points.end());
+    const auto chained = chain({first, second}, pens, false);
+    ASSERT_EQ(chained.size(), 1u);
+    EXPECT_TRUE(chained[0].closed);
+    EXPECT_EQ(chained[0].points.front().position, chained[0].points.back().position);
+}
+
+TEST(Chaining, PassesFromAContourToALineWithOneWidth) {
+    const DrawnLine contour = straight({0, 0}, {10, 0}, 1, LineClass::Contour);
+    const DrawnLine line = straight({10.1, 0}, {20, 0}, 0.8);
+    EXPECT_EQ(strokes({contour, line}), 2u);
+    const auto chained = chain({contour, line}, pens, true);
+    ASSERT_EQ(chained.size(), 1u);
+    EXPECT_EQ(chained[0].line_class, LineClass::Contour);
+    for (std::size_t i = 1; i < chained[0].points.size(); ++i)  // no step
+        EXPECT_NEAR(chained[0].points[i].weight, chained[0].points[i - 1].weight, 0.15);
+    const auto& [first, last] =
+        std::minmax(chained[0].points.front().weight, chained[0].points.back().weight);
+    EXPECT_NEAR(first, 0.8 * 0.25 / 0.35, 1e-9);
+    EXPECT_EQ(last, 1);
+}
+
+TEST(Chaining, LeavesEdgesAndOutlinesAlone) {
+    for (const LineClass c : {LineClass::Outline, LineClass::Edge, LineClass::Section})
+        EXPECT_EQ(
+            strokes({straight({0, 0}, {10, 0}, 1, c), straight({10.1, 0}, {20, 0}, 1, c)}, true),
+            2u);
+}
+
+}  // namespace
