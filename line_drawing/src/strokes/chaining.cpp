@@ -16,7 +16,8 @@ using Eigen::Vector2d;
 
 // in pens of inner lines
 constexpr double longest_gap = 8;
-constexpr double meeting = 2;              // ends so near each other meet
+constexpr double meeting = 2;  // ends so near each other meet
+constexpr double same_place = 0.5;
 constexpr double tangent_reach = 3;        // over which the direction of an end is taken
 constexpr double swelling = 4;             // over which widths pass into each other
 constexpr double longest_gap_share = 0.5;  // of the shorter line
@@ -124,12 +125,12 @@ private:
         const double turn = -a.outwards.dot(b.outwards);
         const bool meets = gap <= meeting * pen_;
         if (turn < (meets ? meeting_cosine : gap_cosine)) return {};
-        if (isContour(a) && isContour(b) && !meets) return {};
+        if (gap > same_place * pen_ && isCrossed(a, b)) return {};
         if (!meets) {
             const double shorter = std::min(lengths_[a.line], lengths_[b.line]);
             if (isContour(a) || isContour(b) || gap > longest_gap * pen_ ||
                 gap > longest_gap_share * shorter || a.outwards.dot(way) < gap_cosine * gap ||
-                -b.outwards.dot(way) < gap_cosine * gap || isCrossed(a, b))
+                -b.outwards.dot(way) < gap_cosine * gap)
                 return {};
         }
         return gap + (1 - turn) * longest_gap * pen_;

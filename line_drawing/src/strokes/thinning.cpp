@@ -18,7 +18,8 @@ constexpr double shortest_stroke = 6;
 constexpr double shortest_loop = 24;    // 6 √h
 constexpr double longest_crossing = 5;  // that a line takes to pass another
 constexpr double longest_touch = 3;     // at an end that meets another line
-constexpr double step = 0.5;
+constexpr double same_place = 0.2;
+constexpr double step = 0.2;
 
 /// Mean width times the root of the length.
 double strengthOf(const DrawnLine& line) {
@@ -93,6 +94,22 @@ private:
         return true;
     }
 
+    bool touches(const Vector2d& point) const {
+        return kept_.isBeside(point, same_place * pen_) ||
+               std::any_of(outlines_.begin(), outlines_.end(), [&](const DrawnLines& lines) {
+                   return lines.isBeside(point, same_place * pen_);
+               });
+    }
+
+    /// An end, followed from the middle of its line, goes up to where it meets another one.
+    template <class Points, class Free>
+    void freeUpToTouch(Points begin, Points end, Free is_free) const {
+        for (; begin != end; ++begin) {
+            *is_free++ = true;
+            if (touches(begin->position)) return;
+        }
+    }
+
     /// Where lines only cross or meet, nothing is taken away.
     void bridge(const std::vector<DrawnPoint>& points, std::vector<bool>& is_free) const {
         for (std::size_t begin = 0; begin < points.size();) {
@@ -102,11 +119,17 @@ private:
                 if (end > begin) length += (points[end].position - points[end - 1].position).norm();
                 ++end;
             }
-            const bool is_end = begin == 0 || end == points.size();
-            const bool is_all = begin == 0 && end == points.size();
-            if (!is_all && length < (is_end ? longest_touch : longest_crossing) * pen_)
-                std::fill(is_free.begin() + std::ptrdiff_t(begin),
-                          is_free.begin() + std::ptrdiff_t(end), true);
+            const auto from = std::ptrdiff_t(begin), to = std::ptrdiff_t(end),
+                       rest = std::ptrdiff_t(points.size()) - to;
+            const bool is_first = begin == 0, is_last = rest == 0;
+            if (is_first != is_last && length < longest_touch * pen_) {
+                if (is_last)
+                    freeUpToTouch(points.begin() + from, points.end(), is_free.begin() + from);
+                else
+                    freeUpToTouch(points.rbegin() + rest, points.rend(), is_free.rbegin() + rest);
+            } else if (!is_first && !is_last && length < longest_crossing * pen_) {
+                std::fill(is_free.begin() + from, is_free.begin() + to, true);
+            }
             begin = std::max(end, begin + 1);
         }
     }
