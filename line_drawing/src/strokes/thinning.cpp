@@ -15,18 +15,23 @@ using Eigen::Vector2d;
 constexpr double between_lines = 2;  // from middle to middle
 constexpr double least_white = 0.5;  // beside outlines
 constexpr double shortest_stroke = 6;
+constexpr double least_ink = 4;         // mean weight times length
 constexpr double shortest_loop = 24;    // 6 √h
 constexpr double longest_crossing = 5;  // that a line takes to pass another
-constexpr double longest_touch = 3;     // at an end that meets another line
+constexpr double longest_touch = 2;     // at an end that meets another line
 constexpr double same_place = 0.2;
 constexpr double step = 0.2;
 
-/// Mean width times the root of the length.
-double strengthOf(const DrawnLine& line) {
-    double weights = 0;
+double meanWeight(const DrawnLine& line) {
+    double sum = 0;
     for (const DrawnPoint& point : line.points)
-        weights += point.weight;
-    return weights / double(line.points.size()) * std::sqrt(lengthOf(line.points));
+        sum += point.weight;
+    return sum / double(line.points.size());
+}
+
+/// What a line adds to a drawing.
+double strengthOf(const DrawnLine& line) {
+    return meanWeight(line) * std::sqrt(lengthOf(line.points));
 }
 
 /// With points at most this far apart.
@@ -135,7 +140,8 @@ private:
     }
 
     void keep(const DrawnLine& line, std::vector<DrawnLine>& result) {
-        if (lengthOf(line.points) < shortest_stroke * pen_) return;
+        const double length = lengthOf(line.points) / pen_;
+        if (length < shortest_stroke || meanWeight(line) * length < least_ink) return;
         kept_.add(positionsOf(line));
         result.push_back(line);
     }
