@@ -36,8 +36,12 @@ Editor* editorOf(const QWidget& frame, const QString& label) {
     return editorIn<Editor>(field.editor ? field.editor : field.label);
 }
 
+bool isOld(const QWidget& dialog) {
+    return dialog.inherits(old_dialog);
+}
+
 bool isDialog(const QWidget& widget) {
-    return widget.inherits(old_dialog) || widget.inherits("FilterDockDialog");
+    return isOld(widget) || widget.inherits("FilterDockDialog");
 }
 
 QWidget* dialogOf(QWidget* frame) {
@@ -46,8 +50,13 @@ QWidget* dialogOf(QWidget* frame) {
     return frame;
 }
 
+/// On screens of 768 pixels there is room for frame and bars; fields beyond are scrolled to.
+constexpr int most_height = 680;
+
 void growBy(QWidget& dialog, int height) {
-    dialog.resize(dialog.width(), dialog.height() + height);
+    const int wanted = std::min(dialog.height() + height, most_height);
+    dialog.resize(dialog.width(),
+                  isOld(dialog) ? dialog.height() + height : std::max(dialog.height(), wanted));
 }
 
 }  // namespace
@@ -155,7 +164,7 @@ void FilterDialog::fit() {
     const int grown = layout->sizeHint().height() - frame_->minimumHeight();
     frame_->setMinimumSize(layout->sizeHint());
     QWidget* dialog = dialogOf(frame_);
-    if (!dialog->inherits(old_dialog)) return growBy(*dialog, grown);
+    if (!isOld(*dialog)) return growBy(*dialog, grown);
     for (QWidget* around = frame_; around != dialog; around = around->parentWidget()) {
         if (around->layout()) around->layout()->activate();
         around->adjustSize();

@@ -232,6 +232,9 @@ apply
 expect-log scale 20:1 on paper of 210 x 297 mm. The object is [45].\S* x [45]
 close
 expect-no-log transformation stretches it
+trigger Compute Laplacian Lines
+apply
+close
 $(move_layer 'X Scale = 3')
 trigger Export Laplacian Lines Drawing
 defaults
