@@ -41,6 +41,8 @@ refused "PLY, OBJ, STL and OFF" plate.svg "$PROGRAM"
 refused "is no view" plate.svg --views above cube.off
 refused "is no section" plate.svg --section y cube.off
 refused "no scale" plate.svg --scale 2 cube.off
+refused "no size of detail" plate.svg --kernel 2 cube.off
+refused "no size of detail" plate.svg --smoothing 0mm cube.off
 refused "Take the scale" plate.svg --scale 9:1 cube.off
 refused "has to be one of" plate.svg --up w cube.off
 refused "--kinds is \"ridge\". It has to be some of usual, laplacian_lines, " plate.svg --kinds ridge cube.off
@@ -186,6 +188,8 @@ done
 
 # pens of .5 mm stand out by half their width
 dpi=600 missing=
+"$PROGRAM" kernel.svg --scale 1:1 --paper a2 --kernel 3mm --smoothing 1% cube.off >/dev/null
+grep -q '√h 3 mm' kernel.svg || fail "a kernel that is given is not that of the drawing"
 for scale in 1:1 1:2; do
     [[ $scale == 1:1 ]] && mm=100 || mm=50
     "$PROGRAM" cube.svg "${bare[@]}" --scale "$scale" cube.off >/dev/null
