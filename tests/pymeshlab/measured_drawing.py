@@ -38,7 +38,7 @@ assert draw("again.svg", ms)[0] == front
 ms.compute_laplacian_lines_per_vertex()
 assert draw("with_field.svg", ms)[0] == front
 oblique, _ = draw("oblique.svg", ms, views="20,60")  # with Laplacian lines, which the field is for
-ms.compute_laplacian_lines_per_vertex(normal_sigma=5)
+ms.compute_laplacian_lines_per_vertex(kernel_size=pymeshlab.PercentageValue(10))
 assert draw("smooth.svg", ms, views="20,60")[0] != oblique
 script = (EXAMPLES / "laplacian_lines_drawing.mlx").read_text().replace('"drawing.svg"', f'"{WORK / "script.svg"}"')
 (WORK / "script.mlx").write_text(script)
