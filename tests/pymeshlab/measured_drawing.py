@@ -6,6 +6,7 @@ import re
 
 import laplacian_lines
 import numpy
+import pymeshlab
 from harness import EXAMPLES, MESH, expect_error, meshes, work_folder
 
 WORK = work_folder("measured_drawing")
