@@ -1,14 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bytes of a file of FORMAT, a name of mesh_files::Format.
+// The bytes of a file of FORMAT, a name of mesh_files::Format, and its measured drawing.
 #include <cstdio>
 #include <cstdlib>
 
+#include "formats/sheet_writers.h"
+#include "laplacian_lines/error.h"
+#include "line_drawing/make_sheet.h"
 #include "sample_files.h"
+
+namespace {
+
+constexpr std::size_t most_triangles = 60;  // rays meet most of those that lie in one another
+
+[[noreturn]] void refuse(const char* what) {
+    std::fprintf(stderr, "mesh_file: %s\n", what);
+    std::abort();
+}
+
+/// What cannot be drawn is refused; what is drawn is of numbers.
+void draw(const laplacian_lines::TriangleMesh& mesh) {
+    line_drawing::SheetOptions options;
+    options.views = line_drawing::parseViews("front 30,20", line_drawing::UpAxis::Y);
+    options.sections = line_drawing::parseSections("y=0.4");
+    options.area = line_drawing::OutlineArea::Filled;
+    try {
+        const auto sheets = line_drawing::makeSheets({{mesh}}, {options});
+        const QByteArray svg = line_drawing::writeSvg(sheets.front());
+        if (svg.contains("nan") || svg.contains("inf ")) refuse("a drawing without numbers");
+        line_drawing::writeDxf(sheets.front());
+    } catch (const laplacian_lines::Error&) {
+    }
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     const mesh_files::MeshInFile file = mesh_files::read_mesh(
         mesh_files::Format::FORMAT, {reinterpret_cast<const char*>(bytes), size});
-    if (sample_files::is_sound(file.mesh)) return 0;
-    std::fprintf(stderr, "mesh_file: a triangle without vertices\n");
-    std::abort();
+    if (!sample_files::is_sound(file.mesh)) refuse("a triangle without vertices");
+    if (!file.mesh.triangles.empty() && file.mesh.triangles.size() <= most_triangles)
+        draw(file.mesh);
+    return 0;
 }
