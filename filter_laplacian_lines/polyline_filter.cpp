@@ -61,8 +61,24 @@ Visibility visibilityOf(const Source& source, const View& view, const PolylinePa
     return visibility;
 }
 
+/// Triangles to vertices far off are slivers, which have no lines, but would hide all others in
+/// the rounding of numbers.
+void refuseFarVertices(const Source& source, const laplacian_lines::Field& field) {
+    constexpr double most = 1e6;  // diagonals of what has lines
+    const double all = line_drawing::boundsOf(source.triangles).diagonal().stableNorm();
+    if (!(all > most * field.scale.diagonal)) return;
+    throw Error(
+        ErrorCode::InvalidMesh,
+        QString("The mesh is %1 across, but what can be drawn of it is %2: vertices lie far "
+                "off. Delete them and their faces first.")
+            .arg(all)
+            .arg(field.scale.diagonal)
+            .toStdString());
+}
+
 LineSet extract(const Source& source, const laplacian_lines::Field& field, const View& view,
                 const PolylineParameters& chosen, vcg::CallBackPos* progress) {
+    refuseFarVertices(source, field);
     const Visibility visibility = visibilityOf(source, view, chosen, progress);
     const laplacian_lines::LineExtractor extractor(
         source.triangles, field, meshlab_host::progressTo(progress, sight_share, extractor_share));

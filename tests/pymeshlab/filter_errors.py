@@ -54,6 +54,15 @@ flat.add_mesh(pymeshlab.Mesh(numpy.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]), n
 expect_error("The mesh has no triangle with an area", flat.compute_laplacian_lines_per_vertex)
 expect_no_field(flat.current_mesh())
 
+corners = numpy.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]])
+sides = numpy.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3], [1, 2, 4]])
+for far in (1e30, 1e300):
+    corners[4, 0] = far
+    spiked = meshes(None)
+    spiked.add_mesh(pymeshlab.Mesh(corners, sides))
+    expect_error("vertices lie far off", spiked.generate_polyline_from_laplacian_lines)
+    assert spiked.mesh_number() == 1
+
 expect_error("already loaded", pymeshlab.load_plugin, str(laplacian_lines.PLUGIN))
 other = work_folder("errors") / "libfilter_other.so"
 other.write_text("not a library")
