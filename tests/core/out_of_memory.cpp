@@ -27,6 +27,7 @@ LineSet all_of_it(const TriangleMesh& mesh, const PrecomputeOptions& options,
     const View view = View::perspective(field.scale.diagonal * Eigen::Vector3d(1, 2, 1.5));
     LineStyle style;
     style.shows[LineKind::Crease] = true;
+    style.whole_lines = true;
     const LineSet lines = extract_on_surface(extractor, view, style, scratch);
     return LineVisibility(mesh).parts(view, {lines}, {style.shows}).seen;
 }

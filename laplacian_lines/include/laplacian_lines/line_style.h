@@ -31,7 +31,7 @@ struct LineStyle {
     /// Laplacian lines are traced whole, and means along them say which parts are drawn: all
     /// thresholds on crossings and segments, Single Strokes and phantoms. Otherwise each crossing
     /// and segment is tested by itself, as in the paper, which leaves dashes where detail finer
-    /// than the kernel changes S. See WholeLineRules.
+    /// than the kernel changes S. See src/rules/line_parts.h.
     bool whole_lines = false;
     double full_slope = 0.25;      ///< slope above segment_slope at which a line has its full width
     double shortest_line = 0.01;   ///< least length of a line, in D

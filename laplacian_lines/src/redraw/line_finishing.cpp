@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <memory>
 
@@ -25,20 +26,18 @@ std::size_t column_size(std::uint32_t count) {
     return (count + kColumnMargin + 2 * kFloatsOfUnit - 1) / kFloatsOfUnit * kFloatsOfUnit;
 }
 
-LineColumns columns_from(float* memory, std::size_t floats, std::size_t size) {
-    void* begin = memory;
-    std::size_t bytes = floats * sizeof(float);
+void reserve_columns(std::vector<float>& memory, std::size_t size) {
+    const std::size_t needed = kColumns * size + kFloatsOfUnit;
+    if (memory.size() < needed) memory.resize(needed);
+}
+
+LineColumns make_columns(std::vector<float>& memory, std::size_t size) {
+    void* begin = memory.data();
+    std::size_t bytes = memory.size() * sizeof(float);
     std::align(kCacheUnit, kColumns * size * sizeof(float), begin, bytes);
     float* first = static_cast<float*>(begin) + kFloatsOfUnit;
     const auto column = [&](std::size_t i) { return first + i * size; };
     return {column(0), column(1), column(2), column(3), column(4), column(5), column(6), column(7)};
-}
-
-LineColumns make_columns(std::vector<float>& memory, std::size_t size) {
-    return columns_from(memory.data(), memory.size() / 2, size);
-}
-LineColumns second_columns(std::vector<float>& memory, std::size_t size) {
-    return columns_from(memory.data() + memory.size() / 2, memory.size() / 2, size);
 }
 
 /// Asks for a strip that will be copied soon: strips of a line come from all over the memory.
@@ -128,7 +127,7 @@ void finish_parts(const ExtractorData& data, const TracedLines& traced,
     thread.finder.find(*line.rules, {p.count, p.closed, whole.x, whole.y, whole.z, whole.gradient,
                                      whole.weight, whole.concavity});
     for (const LinePart& part : thread.finder.parts()) {
-        LineColumns columns = second_columns(thread.columns, size);
+        LineColumns columns = make_columns(thread.part_columns, size);
         copy_part(thread.finder, part, whole, p.closed, p.count, columns);
         Polyline found;
         found.first = std::uint32_t(thread.points.size());
@@ -180,20 +179,26 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
     if (memory.threads.size() < std::size_t(threads)) memory.threads.resize(std::size_t(threads));
     memory.whole.resize(traced.whole.size());
     for (FinishingThread& thread : memory.threads) {
-        const std::size_t needed = 2 * (kColumns * size + kFloatsOfUnit);
-        if (thread.columns.size() < needed) thread.columns.resize(needed);
+        reserve_columns(thread.columns, size);
+        if (!traced.whole.empty()) reserve_columns(thread.part_columns, size);
         thread.points.clear();
         thread.parts.clear();
     }
     const auto whole = std::int64_t(traced.whole.size());
     const auto count = whole + std::int64_t(traced.lines.size());
+    std::exception_ptr failure;  // parts need memory of their own
 #pragma omp parallel for schedule(dynamic, 4) num_threads(threads) if (threads > 1)
     for (std::int64_t i = 0; i < count; ++i) {
         const auto self = std::uint32_t(omp_get_thread_num());
         FinishingThread& thread = memory.threads[self];
         if (i < whole) {
             const auto first = std::uint32_t(thread.parts.size());
-            finish_parts(data, traced, traced.whole[std::size_t(i)], size, thread);
+            try {
+                finish_parts(data, traced, traced.whole[std::size_t(i)], size, thread);
+            } catch (...) {
+#pragma omp critical(laplacian_lines_failure)
+                failure = std::current_exception();
+            }
             memory.whole[std::size_t(i)] = {self, first,
                                             std::uint32_t(thread.parts.size()) - first};
             continue;
@@ -206,6 +211,7 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
         finish(data, *line.rules, p, line.has_exact, columns, &lines.points[p.first]);
         lines.lines[std::size_t(i - whole)] = p;
     }
+    if (failure) std::rethrow_exception(failure);
     append_parts(memory, lines);
 }
 

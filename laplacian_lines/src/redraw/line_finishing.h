@@ -9,7 +9,7 @@ namespace laplacian_lines {
 
 /// What a thread finishes lines in; keeps its memory.
 struct FinishingThread {
-    std::vector<float> columns;
+    std::vector<float> columns, part_columns;
     LinePartFinder finder;
     std::vector<LinePoint> points;  ///< of the parts of whole lines
     std::vector<Polyline> parts;    ///< with their places there
