@@ -56,10 +56,11 @@ Field computeField(const Object& object, PrecomputeOptions wanted, const SheetOp
 void ObjectLines::makeReady(const SheetOptions& options, double scale, const Progress& progress) {
     const double mm = scale * options.mm_per_unit;
     const PrecomputeOptions wanted = fieldOptions(options, mm);
-    const bool is_there = !extractors_.empty() &&
-                          wanted.drawn_kernel_size == made_.drawn_kernel_size &&
-                          wanted.curvature_derivatives == made_.curvature_derivatives;
-    if (is_there) return;
+    const bool are_given = std::all_of(objects_.begin(), objects_.end(),
+                                       [](const Object& object) { return object.field; });
+    const bool are_equal = wanted.drawn_kernel_size == made_.drawn_kernel_size &&
+                           wanted.curvature_derivatives == made_.curvature_derivatives;
+    if (!extractors_.empty() && (are_given || are_equal)) return;
     extractors_.clear();
     kernel_size_ = 0;
     made_ = wanted;

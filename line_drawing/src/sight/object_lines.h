@@ -17,8 +17,8 @@ class ObjectLines {
 public:
     explicit ObjectLines(const Objects& objects) : objects_(objects) {}
 
-    /// Computes the fields that `scale`, mm on paper in one of the object, asks for, unless they
-    /// are those that are there.
+    /// Computes the fields that `scale`, mm on paper in one of the object, asks for, unless all are
+    /// given or are there from the last time.
     /// @throws laplacian_lines::Error, naming the object.
     void makeReady(const SheetOptions& options, double scale,
                    const laplacian_lines::Progress& progress);

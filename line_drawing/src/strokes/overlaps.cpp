@@ -20,13 +20,6 @@ constexpr int overlap = 5;             // of these places, a little more than a 
 // adds nothing.
 constexpr double most_beside = 0.8;
 
-double lengthOf(const DrawnLine& line) {
-    double length = 0;
-    for (std::size_t i = 1; i < line.points.size(); ++i)
-        length += (line.points[i].position - line.points[i - 1].position).norm();
-    return length;
-}
-
 /// Sections are what a drawing with sections is about.
 int rankOf(LineClass line_class) {
     return line_class == LineClass::Section ? -1 : int(line_class);
@@ -153,7 +146,7 @@ private:
 
 /// Whether a line is short, ends within the reach of others and is beside them nearly all along.
 bool addsNothing(const DrawnLine& line, const DrawnLines& there, double reach) {
-    if (lengthOf(line) > 2 * shortest_double * reach) return false;
+    if (lengthOf(line.points) > 2 * shortest_double * reach) return false;
     for (const DrawnPoint& end : {line.points.front(), line.points.back()})
         if (!there.isBeside(end.position, reach)) return false;  // another line may end there
     const std::vector<DrawnPoint> points = refine(line.points, step_share * reach);
@@ -175,7 +168,7 @@ bool liesOn(const DrawnLines& there, const DrawnLine& line, double reach) {
 std::vector<DrawnLine> withoutEqual(const std::vector<DrawnLine>& lines, double reach) {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < lines.size(); ++i)
-        order.emplace_back(-lengthOf(lines[i]), i);
+        order.emplace_back(-lengthOf(lines[i].points), i);
     std::sort(order.begin(), order.end());
     DrawnLines there(reach);
     std::vector<bool> is_kept(lines.size());
@@ -197,7 +190,7 @@ std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach
             line = JogRemoval(line, reach).result();
     std::vector<std::pair<double, std::size_t>> order;  // -length, so that the longest come first
     for (std::size_t i = 0; i < lines.size(); ++i)
-        order.emplace_back(-lengthOf(lines[i]), i);
+        order.emplace_back(-lengthOf(lines[i].points), i);
     std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
         const int of_a = rankOf(lines[a.second].line_class),
                   of_b = rankOf(lines[b.second].line_class);

@@ -7,13 +7,6 @@
 namespace line_drawing {
 namespace {
 
-double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin, std::size_t end) {
-    double length = 0;
-    for (std::size_t i = begin + 1; i <= end; ++i)
-        length += (points[i].position - points[i - 1].position).norm();
-    return length;
-}
-
 // Of the shortest line: ends of contours of curved surfaces, which the roughness of a scan makes.
 constexpr double shortest_contour_end = 3;
 
@@ -52,7 +45,7 @@ void trimEnd(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& point
     std::size_t last = points.size() - 1;
     while (last > 0 && !nodes.isJunction(points[last]))
         --last;
-    if (lengthOf(points, last, points.size() - 1) < shortest) points.resize(last + 1);
+    if (lengthOf(points, last) < shortest) points.resize(last + 1);
 }
 
 /// A loop that is filled by its own stroke is a dot, which says nothing of the form.
@@ -60,8 +53,7 @@ bool isDot(const DrawnLine& line, double shortest) {
     Eigen::AlignedBox2d box;
     for (const DrawnPoint& point : line.points)
         box.extend(point.position);
-    return box.sizes().maxCoeff() < shortest / 2 ||
-           lengthOf(line.points, 0, line.points.size() - 1) < shortest;
+    return box.sizes().maxCoeff() < shortest / 2 || lengthOf(line.points) < shortest;
 }
 
 void trim(const Nodes& nodes, double shortest, DrawnLine& line) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "strokes/drawn_lines.h"
+#include "strokes/refining.h"
 
 namespace line_drawing {
 namespace {
@@ -34,25 +35,6 @@ double strengthOf(const DrawnLine& line) {
     return meanWeight(line) * std::sqrt(lengthOf(line.points));
 }
 
-/// With points at most this far apart.
-std::vector<DrawnPoint> refined(const std::vector<DrawnPoint>& points, double distance) {
-    std::vector<DrawnPoint> result = {points.front()};
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const DrawnPoint &a = points[i - 1], &b = points[i];
-        const auto pieces = std::max(1., std::ceil((b.position - a.position).norm() / distance));
-        for (double k = 1; k < pieces; ++k) {
-            const double t = k / pieces;
-            DrawnPoint between = b;
-            between.position += (1 - t) * (a.position - b.position);
-            between.weight += (1 - t) * (a.weight - b.weight);
-            between.node = laplacian_lines::kNoSightNode;
-            result.push_back(between);
-        }
-        result.push_back(b);
-    }
-    return result;
-}
-
 class Thinning {
 public:
     explicit Thinning(const std::array<double, line_class_count>& pens)
@@ -68,7 +50,7 @@ public:
 
     void addFree(const DrawnLine& line, std::vector<DrawnLine>& result) {
         if (line.closed && lengthOf(line.points) < shortest_loop * pen_) return;
-        const std::vector<DrawnPoint> points = refined(line.points, step * pen_);
+        const std::vector<DrawnPoint> points = refine(line.points, step * pen_);
         std::vector<bool> is_free(points.size());
         for (std::size_t i = 0; i < points.size(); ++i)
             is_free[i] = isFree(points[i].position);

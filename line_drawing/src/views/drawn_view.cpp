@@ -42,9 +42,9 @@ std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line) {
     return positions;
 }
 
-double lengthOf(const std::vector<DrawnPoint>& points) {
+double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin) {
     double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
+    for (std::size_t i = begin + 1; i < points.size(); ++i)
         length += (points[i].position - points[i - 1].position).norm();
     return length;
 }
