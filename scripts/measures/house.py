@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""house.py [CHECKOUT]: how large the house is, a table in Markdown: lines of C++, Python, CMake and shell by kind, options
+that users have, and what makes a house hard to find one's way in."""
+
+import collections
+import pathlib
+import re
+import subprocess
+import sys
+
+KINDS = {"tests": "tests", "benchmarks": "benchmarks and tools", "tools": "benchmarks and tools", "scripts": "Python of scripts"}
+MOST_PAIRS, FEW_LINES = 20, 30
+
+root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[2])
+names = subprocess.run(["git", "-C", root, "ls-files", "-z"], capture_output=True, check=True, text=True).stdout
+files = [pathlib.PurePath(name) for name in names.split("\0") if name and (root / name).is_file()]
+
+
+def text_of(file):
+    return (root / file).read_text(errors="replace")
+
+
+def is_bash(file):
+    return file.suffix == ".sh" or re.match(r"#!.*\b(ba)?sh\b", text_of(file)[:40]) is not None
+
+
+def is_code(file):
+    return file.suffix in {".cpp", ".h", ".py", ".cmake"} or file.name == "CMakeLists.txt" or is_bash(file)
+
+
+def options():
+    """Parameters that docs/parameters.md has, and words with -- in the usages of the programs."""
+    rows = re.findall(r"^\| (?!parameter|---|\|)(?:\*\*[^*]*\*\* )?([^|]+) \|", text_of("docs/parameters.md"), re.M)
+    commands = [root / name for name in ("run", "test", "bench")] + sorted((root / "drawing_program").glob("*.cpp"))
+    words = {(c.parent.name, word) for c in commands for word in re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of(c))}
+    return sum(len(row.split(",")) for row in rows), len(words)
+
+
+lines = {file: text_of(file).count("\n") for file in files if is_code(file)}
+by_kind = collections.Counter({"all": sum(lines.values())})
+for file, count in lines.items():
+    by_kind["bash" if is_bash(file) else KINDS.get(file.parts[0], "product")] += count
+cpp = {file for file in lines if file.suffix in {".cpp", ".h"}}
+pairs = collections.Counter(file.parent for file in cpp if file.suffix == ".h" and file.with_suffix(".cpp") in cpp)
+crowded = {str(folder): count for folder, count in pairs.items() if count > MOST_PAIRS}
+parameters, words = options()
+rows = [(f"lines: {kind}", by_kind[kind]) for kind in ("all", "product", "tests", "benchmarks and tools", "Python of scripts", "bash")]
+rows += [
+    ("parameters that users have", parameters),
+    ("options of the commands", words),
+    (f"C++ files of {FEW_LINES} lines and less", sum(lines[file] <= FEW_LINES for file in cpp)),
+    (f"folders of more than {MOST_PAIRS} pairs", ", ".join(f"{f} {n}" for f, n in sorted(crowded.items())) or "none"),
+    ("bash files", sum(map(is_bash, lines))),
+    ("README.md, lines", text_of("README.md").count("\n")),
+    ("entries at the top level", len({file.parts[0] for file in files})),
+]
+print("| | |\n|---|--:|\n" + "\n".join(f"| {name} | {value} |" for name, value in rows))
