@@ -2,8 +2,9 @@
 #include "cube_directions.h"
 
 #include <Eigen/Geometry>
-#include <array>
-#include <set>
+#include <stdexcept>
+
+#include "program.h"
 
 namespace benchmarks {
 namespace {
@@ -32,35 +33,30 @@ PlaneFrame frame_of_angles(double azimuth, double elevation) {
 
 }  // namespace
 
-std::vector<NamedFrame> all_directions() {
-    std::vector<NamedFrame> found;
-    for (int i = 1; i < 27; ++i) {
-        const std::array<int, 3> signs = {i / 9, i / 3 % 3, i % 3};
-        std::string name;
-        Eigen::Vector3d viewer;
-        for (int axis = 0; axis < 3; ++axis) {
-            const int sign = signs[std::size_t(axis)];
-            name += "0+-"[sign];
-            viewer[axis] = sign == 2 ? -1 : sign;
-        }
-        const PlaneFrame frame = frame_towards(viewer);
-        found.push_back({name, frame});
-        found.push_back({name + " by 1e-6", turned_aside(frame, 1e-6)});
-        found.push_back({name + " by 1 degree", turned_aside(frame, degree)});
-    }
-    for (const auto& [azimuth, elevation] : {std::pair(23, 31), {-52, 17}, {117, 43}, {-149, -26}})
-        found.push_back({std::to_string(azimuth) + "," + std::to_string(elevation),
-                         frame_of_angles(azimuth, elevation)});
-    return found;
+NamedFrame direction_named(const std::string& name) {
+    const std::invalid_argument unknown("there is no direction " + name);
+    if (const auto angles = split(name, ','); angles.size() == 2)
+        return {name, frame_of_angles(parse_number(angles[0]), parse_number(angles[1]))};
+    const std::string signs = name.substr(0, 3), aside = name.substr(signs.size());
+    if (signs.size() < 3 || signs == "000" || signs.find_first_not_of("0+-") != signs.npos)
+        throw unknown;
+    Eigen::Vector3d viewer;
+    for (int axis = 0; axis < 3; ++axis)
+        viewer[axis] = signs[std::size_t(axis)] == '0'   ? 0
+                       : signs[std::size_t(axis)] == '+' ? 1
+                                                         : -1;
+    const PlaneFrame frame = frame_towards(viewer);
+    if (aside.empty()) return {name, frame};
+    if (aside == " by 1e-6") return {name, turned_aside(frame, 1e-6)};
+    if (aside == " by 1 degree") return {name, turned_aside(frame, degree)};
+    throw unknown;
 }
 
 std::vector<NamedFrame> few_directions() {
-    const std::set<std::string> names = {
-        "0-0", "+00",         "00+", "0-0 by 1e-6", "-00 by 1e-6", "0+0 by 1 degree",
-        "+-0", "0-+ by 1e-6", "--+", "+++ by 1e-6", "23,31",       "-149,-26"};
     std::vector<NamedFrame> few;
-    for (const NamedFrame& direction : all_directions())
-        if (names.count(direction.name)) few.push_back(direction);
+    for (const char* name : {"0-0", "+00", "00+", "0-0 by 1e-6", "-00 by 1e-6", "0+0 by 1 degree",
+                             "+-0", "0-+ by 1e-6", "--+", "+++ by 1e-6", "23,31", "-149,-26"})
+        few.push_back(direction_named(name));
     return few;
 }
 

@@ -13,11 +13,12 @@ struct NamedFrame {
     PlaneFrame frame;
 };
 
-/// The directions of directions.py: of a cube's faces, edges and corners, exactly, and turned aside
-/// by 1e-6 rad and by a degree, and four generic ones: 82.
-std::vector<NamedFrame> all_directions();
+/// By their names in directions.py: of a cube's faces, edges and corners "0-0", turned aside
+/// "0-0 by 1e-6" and "0-0 by 1 degree", or any azimuth and elevation "23,31".
+/// @throws std::invalid_argument
+NamedFrame direction_named(const std::string& name);
 
-/// A dozen of them, of each sort.
+/// A dozen, of each sort.
 std::vector<NamedFrame> few_directions();
 
 }  // namespace benchmarks

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// drawing_density [OPTION VALUE]... MESH...
 // How dense measured drawings of a mesh are from the front, so many mm wide: inner strokes a cm² of
 // what the mesh covers, their median length in mm, and which share of their length has less than
 // half a pen of white beside it.
-//   --sizes MM,MM...       widths (20,50,100,200)
-//   --lines whole|segments lines tested segment by segment have the mesh's own kernel (whole)
 #include <QImage>
 #include <QPainter>
 #include <QPolygonF>
@@ -14,11 +11,11 @@
 #include <map>
 #include <string>
 
-#include "command_words.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
 #include "mesh_file.h"
+#include "program.h"
 
 namespace {
 
@@ -153,26 +150,24 @@ line_drawing::Sheet draw(const laplacian_lines::TriangleMesh& mesh, double width
 }  // namespace
 
 int main(int argc, char** argv) {
+    using namespace benchmarks;
     std::vector<double> sizes = {20, 50, 100, 200};
     bool segments = false;
-    const auto files =
-        benchmarks::files_among(argc, argv, [&](const std::string& word, const std::string& value) {
-            if (word == "--lines") return segments = value == "segments", true;
-            if (word != "--sizes") return false;
-            sizes.clear();
-            for (const QString& size : QString::fromStdString(value).split(','))
-                sizes.push_back(size.toDouble());
-            return true;
-        });
-    std::printf("%-20s %6s  strokes/cm2  median mm  close %%\n", "mesh", "mm");
-    for (const std::string& file : files) {
-        const auto mesh = test_meshes::read_mesh(file);
-        for (const double size : sizes) {
-            const Density d = densityOf(draw(mesh, size, segments));
-            const std::string name = file.substr(file.find_last_of('/') + 1);
-            std::printf("%-20s %6g  %11.1f  %9.1f  %7.1f\n", name.c_str(), size, d.strokes_a_cm2,
-                        d.median_length, 100 * d.close_share);
-            std::fflush(stdout);
+    const std::vector<Option> options = {
+        numbers("--sizes MM,MM...", "widths (20,50,100,200)", sizes),
+        flag("--segments", "lines tested segment by segment, of the mesh's own kernel", segments)};
+    return run_program(argc, argv, "MESH...", options, [&](const auto& files) {
+        std::printf("%-20s %6s  strokes/cm2  median mm  close %%\n", "mesh", "mm");
+        for (const std::string& file : files) {
+            const auto mesh = test_meshes::read_mesh(file);
+            for (const double size : sizes) {
+                const Density d = densityOf(draw(mesh, size, segments));
+                std::printf("%-20s %6g  %11.1f  %9.1f  %7.1f\n",
+                            test_meshes::mesh_name(file).c_str(), size, d.strokes_a_cm2,
+                            d.median_length, 100 * d.close_share);
+                std::fflush(stdout);
+            }
         }
-    }
+        return true;
+    });
 }

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// drawing_silhouettes [OPTIONS] [MESH...]
 // Holds measured drawings of meshes of every kind, 100 mm large, against what the meshes cover of
 // a picture of 20 pixels a mm: which part of the border between surface and background has no line
 // within .15 mm, which has one within .8 mm, and how many jumps of depth lack one. Meshes are those
 // of the tests, and the files that are named, each also beside its mirror image.
-//   --only TEXT          only meshes with this in their names
-//   --from few|all|TEXT  directions: a dozen; 82; those with this in their names. Without it all,
-//                        of files a few
-//   --pictures FOLDER    each drawing with bare border, red in it, or bare jumps of depth, orange
-//   --most-bare PERCENT  fails where more of all borders is bare
 #include <cstdio>
 #include <stdexcept>
 
-#include "command_words.h"
 #include "cube_directions.h"
+#include "item_buffer.h"
 #include "plane_canvas.h"
+#include "program.h"
 #include "silhouette_meshes.h"
-#include "silhouette_scores.h"
 
 namespace {
 
@@ -26,39 +20,19 @@ constexpr double drawn_size = 100;     // mm, of the diagonal of the bounding bo
 constexpr double whole_share = 0.995;  // of a border that counts as drawn
 
 struct Arguments {
-    std::string only, from;
-    QString pictures;
+    std::string only, pictures;
+    std::vector<NamedFrame> directions;
     double most_bare = 100;
-    std::vector<std::string> files;
 };
 
-Arguments parse(int argc, char** argv) {
-    Arguments result;
-    const auto set = [&](const std::string& argument, const std::string& value) {
-        if (argument == "--only")
-            result.only = value;
-        else if (argument == "--from")
-            result.from = value;
-        else if (argument == "--pictures")
-            result.pictures = QString::fromStdString(value);
-        else if (argument == "--most-bare")
-            result.most_bare = std::stod(value);
-        else
-            return false;
-        return true;
-    };
-    result.files = files_among(argc, argv, set);
-    return result;
-}
-
-std::vector<NamedFrame> directions_from(const std::string& from) {
-    if (from == "few") return few_directions();
-    std::vector<NamedFrame> found;
-    for (const NamedFrame& direction : all_directions())
-        if (from.empty() || from == "all" || direction.name.find(from) != std::string::npos)
-            found.push_back(direction);
-    if (found.empty()) throw std::invalid_argument("there is no direction " + from);
-    return found;
+std::vector<Option> options_of(Arguments& a) {
+    return {text("--only TEXT", "only meshes with this in their names", a.only),
+            {"--from NAME", "a direction, as --+ or 23,31; repeated for more. Without it, a dozen",
+             [&a](const std::string& name) { a.directions.push_back(direction_named(name)); }},
+            text("--pictures FOLDER",
+                 "each drawing with bare border, red in it, or bare jumps of depth, orange",
+                 a.pictures),
+            number("--most-bare PERCENT", "fails where more of all borders is bare", a.most_bare)};
 }
 
 DrawingManner manner_of(const laplacian_lines::TriangleMesh& mesh) {
@@ -89,11 +63,11 @@ class Measuring {
 public:
     explicit Measuring(const Arguments& arguments) : arguments_(arguments) {}
 
-    void add(const SilhouetteMesh& entry, const std::vector<NamedFrame>& directions) {
+    void add(const SilhouetteMesh& entry) {
         if (entry.name.find(arguments_.only) == std::string::npos) return;
         std::fprintf(stderr, "drawing %s\n", entry.name.c_str());
         try {
-            rows.push_back(row_of(entry, directions));
+            rows.push_back(row_of(entry));
             print(rows.back());
         } catch (const std::exception& error) {
             std::fprintf(stderr, "drawing_silhouettes: %s: %s\n", entry.name.c_str(), error.what());
@@ -105,7 +79,8 @@ public:
     bool failed = false;
 
 private:
-    Row row_of(const SilhouetteMesh& entry, const std::vector<NamedFrame>& directions) const {
+    Row row_of(const SilhouetteMesh& entry) const {
+        const std::vector<NamedFrame>& directions = arguments_.directions;
         const laplacian_lines::TriangleMesh mesh = entry.make();
         const DrawingManner manner = manner_of(mesh);
         std::vector<PlaneFrame> frames;
@@ -123,7 +98,7 @@ private:
             if (scores.share() <= row.least_share) row.worst_view = directions[i].name;
             row.least_share = std::min(row.least_share, scores.share());
             row.sum.add(scores);
-            if (!arguments_.pictures.isEmpty() && !(bare.border.empty() && bare.jumps.empty()))
+            if (!arguments_.pictures.empty() && !(bare.border.empty() && bare.jumps.empty()))
                 write_picture(entry.name + " " + directions[i].name, items, drawn[i], bare);
         }
         return row;
@@ -138,8 +113,8 @@ private:
             canvas.dot(p, QColor(255, 140, 0));
         for (const PlanePoint& p : bare.border)
             canvas.dot(p, Qt::red);
-        canvas.save(arguments_.pictures + "/" + QString::fromStdString(name).replace(' ', '_') +
-                    ".png");
+        canvas.save(
+            QString::fromStdString(arguments_.pictures + "/" + name + ".png").replace(' ', '_'));
     }
 
     const Arguments& arguments_;
@@ -158,19 +133,19 @@ Row sum_of(const std::vector<Row>& rows) {
     return all;
 }
 
-bool run(const Arguments& arguments) {
+bool run(Arguments& arguments, const std::vector<std::string>& files) {
     std::printf(
         "| mesh | views | border | without a line within .15 mm | views with .995 of it within .8 "
         "mm | least share | from | jumps of depth | without a line |\n"
         "|---|--:|--:|--:|--:|--:|---|--:|--:|\n");
+    if (arguments.directions.empty()) arguments.directions = few_directions();
     Measuring measuring(arguments);
-    const std::vector<NamedFrame> directions = directions_from(arguments.from);
-    for (const SilhouetteMesh& mesh : silhouette_meshes())
-        measuring.add(mesh, directions);
-    const auto of_files = directions_from(arguments.from.empty() ? "few" : arguments.from);
-    for (const std::string& file : arguments.files)
+    std::vector<SilhouetteMesh> meshes = silhouette_meshes();
+    for (const std::string& file : files)
         for (const SilhouetteMesh& mesh : scans_of(file))
-            measuring.add(mesh, of_files);
+            meshes.push_back(mesh);
+    for (const SilhouetteMesh& mesh : meshes)
+        measuring.add(mesh);
     if (measuring.rows.empty()) throw std::invalid_argument("no mesh is named " + arguments.only);
     const Row all = sum_of(measuring.rows);
     print(all);
@@ -184,13 +159,7 @@ bool run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(parse(argc, argv)) ? 0 : 1;
-    } catch (const std::invalid_argument& error) {
-        std::fprintf(stderr, "drawing_silhouettes: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "drawing_silhouettes: %s\n", error.what());
-        return 1;
-    }
+    Arguments arguments;
+    return run_program(argc, argv, "[MESH...]", options_of(arguments),
+                       [&](const auto& files) { return run(arguments, files); });
 }

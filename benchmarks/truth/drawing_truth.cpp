@@ -3,19 +3,11 @@
 // Holds measured drawings of CAD parts against their exact visible lines, which make_parts.py has
 // written: recall, precision, position, doubled lines, loose ends and closed outlines, for each
 // deflection of the meshes and each class of directions, and the worst drawings.
-//   --left-out FILE        parts and directions whose exact lines are wrong
-//   --deflection L/A       only meshes of this deflection, mm and rad, as 0.1/0.3; repeated for
-//   more
-//   --from TEXT            only directions with this in their names; repeated for more
-//   --pictures FOLDER      of drawings that miss or add more than --size MM (2) in one piece
-//   --least-recall X, --least-precision X, --most-loose PERCENT
-//                          fails where the means of all drawings are beyond
 #include <cstdio>
 #include <stdexcept>
 
-#include "command_words.h"
-#include "left_out.h"
-#include "truth_picture.h"
+#include "plane_canvas.h"
+#include "program.h"
 #include "truth_table.h"
 
 namespace {
@@ -29,50 +21,52 @@ constexpr std::size_t worst_count = 10;
 struct Arguments {
     LeftOut left_out;
     std::vector<std::string> deflections, directions;
-    QString pictures;
+    std::string pictures;
     double picture_size = 2;
     double least_recall = 0, least_precision = 0, most_loose = 100;
-    std::vector<std::string> files;
 };
 
-double number(const std::string& option, const std::string& text) {
-    std::size_t read = 0;
-    double value = NAN;
-    try {
-        value = std::stod(text, &read);
-    } catch (const std::exception&) {
-    }
-    if (read != text.size() || !(value >= 0))
-        throw std::invalid_argument(option + " needs a number, not " + text);
-    return value;
+std::vector<Option> options_of(Arguments& a) {
+    return {{"--left-out FILE", "parts and directions whose exact lines are wrong",
+             [&a](const std::string& file) { a.left_out = LeftOut(QString::fromStdString(file)); }},
+            {"--deflection L/A", "only meshes of this deflection, mm and rad; repeated for more",
+             [&a](const std::string& text) { a.deflections.push_back(text); }},
+            {"--from TEXT", "only directions with this in their names; repeated for more",
+             [&a](const std::string& text) { a.directions.push_back(text); }},
+            text("--pictures FOLDER", "of drawings that miss or add more than --size", a.pictures),
+            number("--size MM", "in one piece (2)", a.picture_size),
+            number("--least-recall X", "fails where the mean of all is less", a.least_recall),
+            number("--least-precision X", "likewise", a.least_precision),
+            number("--most-loose PERCENT", "fails where more ends are loose", a.most_loose)};
 }
 
-Arguments parse(int argc, char** argv) {
-    Arguments result;
-    const auto set = [&](const std::string& argument, const std::string& value) {
-        if (argument == "--left-out")
-            result.left_out = LeftOut(QString::fromStdString(value));
-        else if (argument == "--deflection")
-            result.deflections.push_back(value);
-        else if (argument == "--from")
-            result.directions.push_back(value);
-        else if (argument == "--pictures")
-            result.pictures = QString::fromStdString(value);
-        else if (argument == "--size")
-            result.picture_size = number(argument, value);
-        else if (argument == "--least-recall")
-            result.least_recall = number(argument, value);
-        else if (argument == "--least-precision")
-            result.least_precision = number(argument, value);
-        else if (argument == "--most-loose")
-            result.most_loose = number(argument, value);
-        else
-            return false;
-        return true;
-    };
-    result.files = files_among(argc, argv, set);
-    if (result.files.empty()) throw std::invalid_argument("no file is named");
-    return result;
+QColor color_of(Mistake mistake) {
+    switch (mistake) {
+        case Mistake::Missed:
+            return Qt::red;
+        case Mistake::Wrong:
+            return Qt::blue;
+        default:
+            return QColor(0, 170, 0);
+    }
+}
+
+/// A drawing and where it is mistaken, 10 pixels a mm, as PNG: exact lines light gray (tangent
+/// edges lighter), drawn ones thin and black; missed exact ones red, wrong ones blue, doubled ones
+/// green, loose ends in orange rings.
+/// @throws std::runtime_error
+void write_truth_picture(const QString& file, const DrawnPaths& drawing, const ExactLines& exact,
+                         const TruthDetails& details) {
+    const PlaneLines lines = lines_of(drawing);
+    PlaneCanvas canvas(box_of(lines).merged(box_of(exact.demanded)).merged(box_of(exact.allowed)));
+    canvas.draw(exact.allowed, QColor(225, 225, 245), 5);
+    canvas.draw(exact.demanded, QColor(205, 205, 205), 5);
+    canvas.draw(lines, Qt::black, 1);
+    for (const MistakenPart& part : details.parts)
+        canvas.draw(part.points, color_of(part.mistake), 3);
+    for (const PlanePoint& p : details.loose_ends)
+        canvas.ring(p, QColor(255, 140, 0));
+    canvas.save(file);
 }
 
 class Measuring {
@@ -121,13 +115,13 @@ private:
         const TruthScores scores = score(drawing, exact, tolerance + slack, slack, &details);
         drawings.push_back({part.name, view.name, view.direction_class, mesh.linear, mesh.angular,
                             scores, details.longest_missed, details.longest_wrong});
-        if (!arguments_.pictures.isEmpty() &&
+        if (!arguments_.pictures.empty() &&
             std::max(details.longest_missed, details.longest_wrong) > arguments_.picture_size)
             write_truth_picture(picture_of(drawings.back()), drawing, exact, details);
     }
     QString picture_of(const ScoredDrawing& drawing) const {
-        return arguments_.pictures + "/" +
-               QString::fromStdString(drawing.name()).replace(' ', '_') + ".png";
+        return QString::fromStdString(arguments_.pictures + "/" + drawing.name() + ".png")
+            .replace(' ', '_');
     }
 
     const Arguments& arguments_;
@@ -145,9 +139,9 @@ bool keeps_bounds(const TruthMeans& means, const Arguments& arguments) {
     return recalls && is_precise && is_joined;
 }
 
-bool run(const Arguments& arguments) {
+bool run(const Arguments& arguments, const std::vector<std::string>& files) {
     Measuring measuring(arguments);
-    for (const std::string& file : arguments.files) {
+    for (const std::string& file : files) {
         std::fprintf(stderr, "drawing %s\n", file.c_str());
         measuring.add(read_part(QString::fromStdString(file)));
     }
@@ -161,13 +155,7 @@ bool run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(parse(argc, argv)) ? 0 : 1;
-    } catch (const std::invalid_argument& error) {
-        std::fprintf(stderr, "drawing_truth: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "drawing_truth: %s\n", error.what());
-        return 1;
-    }
+    Arguments arguments;
+    return run_program(argc, argv, "FILE.part...", options_of(arguments),
+                       [&](const auto& files) { return run(arguments, files); });
 }

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// exact_lines_check [--least MM] [--pictures FOLDER] FILE.part...
 // Finds where the exact lines are wrong themselves: holds them against an item buffer of the part's
-// finest mesh. Prints the directions from which more than MM (2) in one piece of a line lies where
+// finest mesh. Prints the directions from which more than --least in one piece of a line lies where
 // the item buffer has neither border nor jump nor edge, or of a border or jump has no line: part,
 // direction, both lengths. Edges under 8 degrees are none of the item buffer: look at the pictures,
 // in which lines without reason are blue and places without a line red, before leaving one out.
 #include <cstdio>
 #include <stdexcept>
 
-#include "command_words.h"
 #include "item_buffer.h"
 #include "near_segments.h"
 #include "part_file.h"
 #include "plane_canvas.h"
+#include "program.h"
 
 namespace {
 
@@ -25,25 +24,8 @@ constexpr double pixel = 1 / item_pixels_per_mm;
 
 struct Arguments {
     double least = 2;
-    QString pictures;
-    std::vector<std::string> files;
+    std::string pictures;
 };
-
-Arguments parse(int argc, char** argv) {
-    Arguments result;
-    const auto set = [&](const std::string& argument, const std::string& value) {
-        if (argument == "--least")
-            result.least = std::stod(value);
-        else if (argument == "--pictures")
-            result.pictures = QString::fromStdString(value);
-        else
-            return false;
-        return true;
-    };
-    result.files = files_among(argc, argv, set);
-    if (result.files.empty()) throw std::invalid_argument("no file is named");
-    return result;
-}
 
 /// Places as lines of no length, to be found by NearSegments.
 NearSegments near_places(const std::vector<PlaneLine>& some, double radius) {
@@ -117,27 +99,22 @@ void check(const CadPart& part, const Arguments& arguments) {
         std::printf("%s\t%s\t%.1f\t%.1f\n", part.name.c_str(), view.name.c_str(),
                     doubts.lines_without_reason, doubts.places_without_a_line);
         std::fflush(stdout);
-        if (!arguments.pictures.isEmpty())
-            draw(doubts, items, view,
-                 arguments.pictures + "/" +
-                     QString::fromStdString(part.name + " " + view.name).replace(' ', '_') +
-                     ".png");
+        if (arguments.pictures.empty()) continue;
+        const std::string file = arguments.pictures + "/" + part.name + " " + view.name + ".png";
+        draw(doubts, items, view, QString::fromStdString(file).replace(' ', '_'));
     }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        const Arguments arguments = parse(argc, argv);
-        for (const std::string& file : arguments.files)
+    Arguments arguments;
+    const std::vector<Option> options = {
+        number("--least MM", "that are told (2)", arguments.least),
+        text("--pictures FOLDER", "of what is told", arguments.pictures)};
+    return run_program(argc, argv, "FILE.part...", options, [&](const auto& files) {
+        for (const std::string& file : files)
             check(read_part(QString::fromStdString(file)), arguments);
-        return 0;
-    } catch (const std::invalid_argument& error) {
-        std::fprintf(stderr, "exact_lines_check: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "exact_lines_check: %s\n", error.what());
-        return 1;
-    }
+        return true;
+    });
 }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "near_segments.h"
+
 namespace benchmarks {
 namespace {
 
@@ -14,6 +16,7 @@ using laplacian_lines::TriangleMesh;
 constexpr double most_pixels = 1e8;
 constexpr double seen_from_edge = 0.05;  // pixels, of the height of a triangle
 constexpr int margin = 2;                // pixels of background all around
+constexpr double near_line = 0.15, far_line = 0.8, least_jump = 0.5;  // mm
 
 bool is_finite(const TriangleMesh& mesh, const Triangle& triangle) {
     for (const std::uint32_t v : triangle)
@@ -181,6 +184,38 @@ bool ItemBuffer::is_jump(int x, int y, int right, int up, double least) const {
 PlaneLine ItemBuffer::jumps(double least) const {
     return between_pixels(
         [&](int x, int y, int right, int up) { return is_jump(x, y, right, up, least); });
+}
+
+void SilhouetteScores::add(const SilhouetteScores& other) {
+    border += other.border;
+    bare_border += other.bare_border;
+    far_border += other.far_border;
+    jumps += other.jumps;
+    bare_jumps += other.bare_jumps;
+}
+
+SilhouetteScores score_silhouette(const ItemBuffer& items, const DrawnPaths& drawing,
+                                  BarePlaces* bare) {
+    const PlaneLines lines = lines_of(drawing);
+    const NearSegments near(lines, near_line), far(lines, far_line);
+    const auto has_line = [](const NearSegments& segments, const PlanePoint& p) {
+        return segments.any_near(p, [](const NearPlace&) { return true; });
+    };
+    SilhouetteScores scores;
+    for (const PlanePoint& p : items.border()) {
+        ++scores.border;
+        if (has_line(near, p)) continue;
+        ++scores.bare_border;
+        scores.far_border += !has_line(far, p);
+        if (bare) bare->border.push_back(p);
+    }
+    for (const PlanePoint& p : items.jumps(least_jump)) {
+        ++scores.jumps;
+        if (has_line(near, p)) continue;
+        ++scores.bare_jumps;
+        if (bare) bare->jumps.push_back(p);
+    }
+    return scores;
 }
 
 }  // namespace benchmarks

@@ -34,10 +34,10 @@ function(expect_figures section)
 endfunction()
 
 foreach(section extraction_ms extraction_median_ms)
-  expect_figures(${section} lines default_style plain_contours suggestive_contours plain_laplacian
+  expect_figures(${section} lines default_style plain_contours plain_laplacian
     plain_laplacian_traced read_plain_mesh read_extractor)
 endforeach()
-expect_figures(building_s field laplacian plain_sum extractor curvature_derivatives)
+expect_figures(building_s field laplacian plain_sum extractor)
 expect_figures(memory extractor field)
-expect_figures(ratios lines_to_contours lines_to_suggestive lines_to_traced lines_to_reading)
+expect_figures(ratios lines_to_contours lines_to_traced lines_to_reading)
 expect_figures(counts rounds lines segments)

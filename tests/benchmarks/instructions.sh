@@ -16,7 +16,7 @@ trap 'rm -rf "$work"' EXIT
 write_bumpy_torus 60 30 >"$work/torus.ply"
 count_instructions "$1" "$work/torus.ply" >"$work/table"
 cat "$work/table"
-for row in 'Laplacian lines and contours, [^|]*' 'suggestive contours, not traced' \
+for row in 'Laplacian lines and contours, [^|]*' 'plain contours, not traced' \
     'plain Laplacian lines, traced by a hash map'; do
     grep -qE "^\| $row \| [0-9.]+ \| [1-9][0-9]* \| [1-9][0-9]* \|$" "$work/table" || fail "no instructions of: $row"
 done

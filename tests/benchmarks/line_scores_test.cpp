@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recall, precision and F1 of lines against arrises, and the options of line_truth.
+// Recall, precision and F1 of lines against arrises, the options of line_truth, and the default
+// drawing of a head from a volume of labels against that of the smooth head.
 #include "line_scores.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,10 @@
 #include <stdexcept>
 
 #include "flaked_stone.h"
+#include "implicit_head.h"
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/precompute.h"
 #include "truth_options.h"
 
 namespace {
@@ -143,20 +147,54 @@ TEST(LineScores, CompareDrawingsBothWays) {
     EXPECT_DOUBLE_EQ(compare(points(0, 4), points(5, 6), 0.005).f1(), 0);
 }
 
+constexpr int kVoxels = 80;
+
+/// All kinds of lines, from an eye in front and to one side.
+CurvePoints drawing_of(const TriangleMesh& mesh, const PrecomputeOptions& options, double step) {
+    const Field field = precompute(mesh, options);
+    ExtractionScratch scratch;
+    LineSet lines;
+    LineExtractor(mesh, field)
+        .extract(View::perspective(field.scale.diagonal * Eigen::Vector3d(0.5, 0.3, 1.4)),
+                 LineStyle(), scratch, lines);
+    return drawn_points(lines, LineKindSet::defaults(), 0.1, step);
+}
+
+TEST(Terraces, AreDrawnLikeTheSmoothForm) {
+    const TriangleMesh smooth = test_meshes::smooth_head(kVoxels),
+                       terraced = test_meshes::terraced_head(kVoxels);
+    const double reach = 0.01 * measure_scale(smooth).diagonal;
+    const CurvePoints right = drawing_of(smooth, {}, reach / 8);
+    const auto f1 = [&](const PrecomputeOptions& options) {
+        return compare(drawing_of(terraced, options, reach / 8), right, reach).f1();
+    };
+    PrecomputeOptions of_clean_meshes;
+    of_clean_meshes.normal_sigma = automatic_normal_sigma(0);
+    EXPECT_GT(f1({}), 0.82);
+    EXPECT_GT(f1({}), f1(of_clean_meshes) + 0.05);
+}
+
+void refuse(const std::vector<std::string>& words) {
+    TruthOptions options;
+    parse_words(words, options.words());
+    options.check();
+}
+
 TEST(TruthOptions, SetWhatTheirKeysName) {
-    const TruthOptions options =
-        parse_truth_options({"--set", "ridge_angle=30", "--set", "kernel_size=1.5%", "--set",
-                             "normal_sigma=1", "--only", "parts", "--seeds", "4,5", "--kinds",
-                             "ridges", "mesh.ply", "--reach", "2", "--drawing-seeds", "6,7"});
+    TruthOptions options;
+    const auto files = parse_words(
+        {"--set", "ridge_angle=30", "--set", "kernel_size=1.5%", "--set", "normal_sigma=1",
+         "--only", "parts", "--seeds", "4,5", "--kinds", "ridges", "mesh.ply", "--reach", "2"},
+        options.words());
+    EXPECT_NO_THROW(options.check());
     EXPECT_EQ(options.style.ridge_angle, 30);
     EXPECT_DOUBLE_EQ(options.field_options(200).kernel_size, 3);
     EXPECT_EQ(options.field_options(200).normal_sigma, 1);
-    EXPECT_TRUE(options.parts && !options.stones && !options.drawings);
+    EXPECT_EQ(options.only, "parts");
     EXPECT_EQ(options.seeds, std::vector<double>({4, 5}));
-    EXPECT_EQ(options.drawing_seeds, std::vector<double>({6, 7}));
     EXPECT_TRUE(options.kinds[LineKind::Ridge]);
     EXPECT_FALSE(options.kinds[LineKind::Laplacian]);
-    EXPECT_EQ(options.files, std::vector<std::string>({"mesh.ply"}));
+    EXPECT_EQ(files, std::vector<std::string>({"mesh.ply"}));
     EXPECT_EQ(options.reach, 2);
 }
 
@@ -175,9 +213,9 @@ TEST(TruthOptions, RefuseWhatTheyDoNotKnow) {
                                                {"--reach", "0"},
                                                {"--seeds"},
                                                {"--seed", "1"}})
-        EXPECT_THROW(parse_truth_options(arguments), std::invalid_argument) << arguments.back();
-    EXPECT_THROW(parse_truth_options({"--set", "ridge_angle=-1"}), Error);
-    EXPECT_THROW(parse_truth_options({"--set", "kernel_size=-1%"}), Error);
+        EXPECT_THROW(refuse(arguments), std::invalid_argument) << arguments.back();
+    EXPECT_THROW(refuse({"--set", "ridge_angle=-1"}), Error);
+    EXPECT_THROW(refuse({"--set", "kernel_size=-1%"}), Error);
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "../core/places.h"
 #include "flat_drawing.h"
 #include "generators.h"
-#include "left_out.h"
 #include "plane_canvas.h"
 
 namespace {

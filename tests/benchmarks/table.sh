@@ -21,7 +21,7 @@ write_bumpy_torus 60 30 >"$work/torus.ply"
 cat "$work/table"
 expect_line 'Commit .*'
 expect_line '\| triangles \| 3,600 \|'
-expect_line '\| suggestive contours, not traced \| [0-9.]+ \|'
+expect_line '\| plain contours, not traced \| [0-9.]+ \|'
 cmake -D REPORT="$work/report.json" -P "$here/check_report.cmake"
 
 "$1" --rounds 1 --subdivide 1 "$work/torus.ply" >"$work/table"

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "laplacian_lines/line_extractor.h"
+#include "plain_methods.h"
+#include "redraw/simd/simd_functions.h"
+#include "turns.h"
+
+namespace benchmarks {
+
+constexpr int kEyes = 24;
+
+/// Perspective views from all around a mesh, 1.25 D from its middle, a little from above.
+std::vector<laplacian_lines::View> orbit(const laplacian_lines::TriangleMesh& mesh);
+
+struct NamedStyle {
+    std::string key, text;  ///< names for programs and for people
+    laplacian_lines::LineStyle style;
+};
+
+/// A kind alone, all else at its default.
+NamedStyle only(laplacian_lines::LineKind kind);
+
+/// Contours, then each other kind whose redraws take time worth telling, then the default style and
+/// that of all kinds.
+std::vector<NamedStyle> kind_styles();
+
+/// All ways to redraw one mesh, seen by the eyes of orbit(). Their cases are the eyes.
+class Redraws {
+public:
+    /// Both have to outlive this object.
+    Redraws(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field);
+    ~Redraws();  ///< puts instruction set and number of threads back
+
+    /// The extractor in the default style, but for ridges and borders, which do not depend on the
+    /// view; by instruction set and threads. They use this object, as all that follow.
+    std::vector<Contender> fast();
+    /// Each style of kind_styles(), likewise. Kinds that need C have nothing to draw without it.
+    std::vector<Contender> kinds(int threads = 1);
+    /// Plain ways to draw less, on one thread.
+    std::vector<Contender> plain();
+    /// Reading the memory of the plain mesh, and as much as the extractor holds.
+    std::vector<Contender> reading();
+
+    /// @throws std::runtime_error if the zeros that the extractor finds are not as long as those of
+    /// the plain loops.
+    void check_zeros();
+
+    std::size_t view_count() const { return views_.size(); }
+    const laplacian_lines::LineExtractor& extractor() const { return *extractor_; }
+    double extractor_seconds() const { return extractor_seconds_; }
+    /// Of a view, by fast()'s style, or any other.
+    const laplacian_lines::LineSet& lines(std::size_t view) { return lines(view, style_); }
+    const laplacian_lines::LineSet& lines(std::size_t view,
+                                          const laplacian_lines::LineStyle& style);
+    /// Triangles that zeros of Δn·l and of n·l pass.
+    struct Crossings {
+        std::size_t laplacian, contour;
+    };
+    Crossings crossings(std::size_t view);
+
+private:
+    Contender extraction(const std::string& key, const std::string& text,
+                         laplacian_lines::InstructionSet set, int threads,
+                         const laplacian_lines::LineStyle& style);
+    void check_zeros(laplacian_lines::LineKind kind, PlainLines& plain);
+    std::size_t plain_bytes() const;
+    void read(std::size_t bytes);
+
+    const laplacian_lines::TriangleMesh& mesh_;
+    const std::vector<laplacian_lines::View> views_;
+    const laplacian_lines::InstructionSet best_;
+    const PlainMesh plain_;
+    PlainLines contours_, laplacian_;
+    const double diagonal_;
+    laplacian_lines::LineStyle style_;
+    double extractor_seconds_ = 0;
+    std::unique_ptr<laplacian_lines::LineExtractor> extractor_;
+    std::vector<std::uint64_t> memory_;
+    volatile std::uint64_t sum_ = 0;
+    laplacian_lines::ExtractionScratch scratch_;
+    laplacian_lines::LineSet lines_;
+    std::vector<Eigen::Vector3f> points_;
+    std::vector<std::uint32_t> starts_;
+};
+
+}  // namespace benchmarks
