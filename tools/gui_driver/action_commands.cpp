@@ -3,9 +3,9 @@
 #include <QApplication>
 #include <QMenu>
 #include <QTreeWidget>
+#include "command_table.h"
 #include "fields.h"
 #include "gui.h"
-#include "modules.h"
 
 namespace driver {
 namespace {

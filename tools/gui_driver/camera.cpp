@@ -97,10 +97,7 @@ void loadCamera(const QString& file_name) {
 }
 
 void saveCamera(const QString& file_name) {
-    QFile file(file_name);
-    const QByteArray text = cameraText().toUtf8();
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
-        throw CommandError(QString("cannot write %1").arg(file_name));
+    writeFile(file_name, cameraText().toUtf8());
 }
 
 void lookFrom(const Command& command) {

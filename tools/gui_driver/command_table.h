@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <QSize>
 #include <QString>
 #include <QStringList>
+#include <QVector>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -18,8 +20,19 @@ struct Command {
 
     const QString& word(int index) const;  // CommandError when there are fewer words
     double number(int index) const;        // CommandError when it is not a number
+    QSize size(int index) const;           // CommandError when it is not WIDTHxHEIGHT
     QString wordOr(int index, const QString& otherwise) const;
 };
+
+// `text`: a line without blanks around it.
+Command parseLine(const QString& text);
+
+// One command a line; empty lines and lines that start with # are skipped. CommandError when
+// unreadable.
+QVector<Command> readScript(const QString& file_name);
+
+// CommandError when it cannot be written.
+void writeFile(const QString& file_name, const QByteArray& content);
 
 // Ends the run: the process exits with code 3 and says which line failed and why.
 struct CommandError : std::runtime_error {
@@ -30,6 +43,9 @@ enum class Outcome {
     Done,
     Retry  // not yet: run the command again soon, until the time limit of a line is over
 };
+
+// Retry for up to five seconds after the command began, then CommandError.
+Outcome retryAWhile(const Command& command, const QString& why);
 
 enum class Place {
     MainWindow,  // refused while a modal box is in the way
@@ -55,5 +71,19 @@ public:
 private:
     std::map<QString, Entry> entries_;
 };
+
+// Each file of commands adds them to the table.
+void addWindowCommands(CommandTable& table);
+void addActionCommands(CommandTable& table);
+void addDialogCommands(CommandTable& table);
+void addModalCommands(CommandTable& table);
+void addDrawingCommands(CommandTable& table);
+void addMouseCommands(CommandTable& table);
+void addLogCommands(CommandTable& table);
+void addMemoryCommands(CommandTable& table);
+void addProbeCommands(CommandTable& table);
+void addWatchCommands(CommandTable& table);
+void addFrameCommands(CommandTable& table);
+CommandTable allCommands();
 
 }  // namespace driver

@@ -1,41 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands are described in README.md.
 #include <QCheckBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QMainWindow>
 #include <QRegularExpression>
 #include <QTextDocument>
 #include <QTreeWidget>
+#include "command_table.h"
 #include "fields.h"
 #include "gui.h"
-#include "modules.h"
-#include "report.h"
+#include "process.h"
 
 namespace driver {
 namespace {
-
-constexpr qint64 longest_wait = 5000;  // ms
-
-QSize sizeSaid(const QString& text) {
-    const QStringList parts = text.split('x');
-    const QSize size(parts.value(0).toInt(), parts.value(1).toInt());
-    if (parts.size() != 2 || size.isEmpty()) throw CommandError("say WIDTHxHEIGHT");
-    return size;
-}
 
 /// As if a window manager had maximized it on a screen of this size.
 Outcome setWindowSize(const Command& command) {
     QMainWindow* window = requireMainWindow();
     if (window->isMaximized() || window->isFullScreen()) window->showNormal();
-    const QSize wanted = sizeSaid(command.word(0));
+    const QSize wanted = command.size(0);
     if (window->size() == wanted) return Outcome::Done;
     window->setGeometry(QRect(QPoint(0, 0), wanted));
     return Outcome::Retry;
 }
 
 void expectWithin(const QString& what, const QSize& size, const Command& command) {
-    const QSize most = sizeSaid(command.word(0));
+    const QSize most = command.size(0);
     const QString words = QString("%1 is %2x%3").arg(what).arg(size.width()).arg(size.height());
     say(words.toStdString());
     if (size.width() > most.width() || size.height() > most.height()) throw CommandError(words);
@@ -120,18 +110,11 @@ void expectField(const Command& command) {
 
 /// Some texts follow what is typed after a pause.
 Outcome expectInDialog(const Command& command) {
-    static int line = 0;
-    static QElapsedTimer waiting;
-    if (line != command.line) {
-        line = command.line;
-        waiting.start();
-    }
     QStringList texts;
     for (const QLabel* label : filterDialog()->findChildren<QLabel*>())
         if (label->isVisible()) texts << label->text();
     if (texts.join('\n').contains(QRegularExpression(command.rest))) return Outcome::Done;
-    if (waiting.elapsed() < longest_wait) return Outcome::Retry;
-    throw CommandError("the dialog does not say so; it says:\n" + texts.join('\n'));
+    return retryAWhile(command, "the dialog does not say so; it says:\n" + texts.join('\n'));
 }
 
 }  // namespace

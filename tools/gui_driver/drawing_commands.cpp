@@ -2,17 +2,15 @@
 // The commands are described in README.md.
 #include <GL/glew.h>  // before any other GL header
 
-#include <QFileInfo>
+#include <QTextStream>
 #include <algorithm>
 
-#include "box_answerer.h"
-#include "frame.h"
+#include "command_table.h"
+#include "core_lines.h"
 #include "gui.h"
 #include "line_scale.h"
-#include "log_text.h"
-#include "modules.h"
-#include "noisy_mesh.h"
-#include "report.h"
+#include "mesh_noise.h"
+#include "process.h"
 #include "situation.h"
 
 namespace driver {
@@ -82,6 +80,32 @@ void scaleLines(const Command& command) {
     area->update();
 }
 
+using laplacian_lines::TriangleMesh;
+
+void writePly(const TriangleMesh& mesh, const QString& name) {
+    QByteArray content;
+    QTextStream text(&content);
+    text.setRealNumberPrecision(9);
+    text << "ply\nformat ascii 1.0\nelement vertex " << mesh.positions.size()
+         << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
+         << mesh.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const Eigen::Vector3d& p : mesh.positions)
+        text << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    for (const auto& triangle : mesh.triangles)
+        text << "3 " << triangle[0] << ' ' << triangle[1] << ' ' << triangle[2] << '\n';
+    text.flush();
+    writeFile(name, content);
+}
+
+// SHARE SEED FILE: each vertex moved by SHARE of the mean edge in a random direction.
+void writeNoisy(const Command& command) {
+    const MeshModel* layer = presentSituation().current;
+    if (!layer) throw CommandError("there is no layer");
+    writePly(mesh_noise::with_noise(liveTriangles(layer->cm), command.number(0),
+                                    unsigned(command.number(1))),
+             command.word(2));
+}
+
 }  // namespace
 
 void addDrawingCommands(CommandTable& table) {
@@ -90,8 +114,6 @@ void addDrawingCommands(CommandTable& table) {
     table.addSimple("draw-lines", drawLines);
     table.addSimple("draw-all-lines", drawAllLines);
     table.addSimple("scale-lines", scaleLines);
-    table.addSimple("frame", frame);
-    table.addSimple("write-kernel", writeKernel);
     table.addSimple("write-noisy", writeNoisy);
 }
 

@@ -3,9 +3,9 @@
 
 #include <QApplication>
 
-#include "modules.h"
-#include "probe_recorder.h"
-#include "report.h"
+#include "command_table.h"
+#include "line_probe.h"
+#include "process.h"
 #include "runner.h"
 
 DriverPlugin::DriverPlugin()

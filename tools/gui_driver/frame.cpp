@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <GL/glew.h>  // before any other GL header
 
-#include "frame.h"
-
-#include <QFile>
 #include <QtMath>
 #include <algorithm>
 #include <cmath>
 
 #include "camera.h"
+#include "command_table.h"
 #include "core_lines.h"
 #include "framing.h"
 #include "gui.h"
@@ -136,8 +134,9 @@ double zoomIn(const Command& command) {
     return zoom;
 }
 
-}  // namespace
-
+// AZIMUTH ELEVATION [UP [ZOOM [orthographic]]]: has the surfaces of all layers fill the view up to
+// a margin, as seen from there. The place of the camera is computed from the vertices: the view
+// need not be drawn.
 void frame(const Command& command) {
     const CameraAxes axes = axesFrom(command.number(0), command.number(1), command.wordOr(2, "y"));
     const bool is_orthographic = command.wordOr(4, "") == "orthographic";
@@ -165,14 +164,20 @@ void frame(const Command& command) {
     placeCamera(place);
 }
 
+// FILE: the kernel size of the current layer, as the decoration has it by default, in pixels of the
+// latest frame.
 void writeKernel(const Command& command) {
     const MeshModel* mesh = presentSituation().current;
     if (!mesh || noted_pixels_to_unit == 0) throw CommandError("nothing has been framed");
     const double kernel = laplacian_lines::measure_scale(liveTriangles(mesh->cm)).kernel_size;
-    QFile file(command.rest);
-    if (!file.open(QIODevice::WriteOnly) ||
-        file.write(QByteArray::number(kernel * noted_pixels_to_unit) + '\n') < 0)
-        throw CommandError("cannot write " + command.rest);
+    writeFile(command.rest, QByteArray::number(kernel * noted_pixels_to_unit) + '\n');
+}
+
+}  // namespace
+
+void addFrameCommands(CommandTable& table) {
+    table.addSimple("frame", frame);
+    table.addSimple("write-kernel", writeKernel);
 }
 
 }  // namespace driver

@@ -6,7 +6,11 @@
 #include <QHash>
 #include <QMdiArea>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPointer>
+#include <QPushButton>
+#include <QTextEdit>
+#include <QTimer>
 #include <algorithm>
 #include <cstring>
 #include "command_table.h"
@@ -151,6 +155,58 @@ bool acceptOptionsBox(QWidget* modal) {
     if (!box || !isOfClass(box, "RichParameterListDialog")) return false;
     box->accept();
     return true;
+}
+
+namespace {
+
+/// MeshLab hides it when a document is closed, and writes no log while it is hidden.
+void showLayerDialog(QMainWindow* window) {
+    if (!childOfClass("LayerDialog"))
+        QMetaObject::invokeMethod(window, "showLayerDlg", Qt::DirectConnection, Q_ARG(bool, true));
+}
+
+}  // namespace
+
+QString logText() {
+    QMainWindow* window = requireMainWindow();
+    showLayerDialog(window);
+    QMetaObject::invokeMethod(window, "updateLayerDialog",
+                              Qt::DirectConnection);  // it also refreshes the log panel
+    if (const auto* panel = window->findChild<QPlainTextEdit*>("logPlainTextEdit"))
+        return panel->toPlainText();
+    if (const auto* panel = window->findChild<QTextEdit*>("logPlainTextEdit"))
+        return panel->toPlainText();
+    throw CommandError("MeshLab's log panel was not found");
+}
+
+constexpr int between_looks = 20;  // ms
+
+BoxAnswerer::BoxAnswerer() {
+    lookAgain();
+}
+
+QStringList BoxAnswerer::takeTexts() {
+    QStringList taken;
+    taken.swap(texts_);
+    return taken;
+}
+
+// Always a fresh single shot, armed before the answer, which may bring up the next box.
+void BoxAnswerer::lookAgain() {
+    QTimer::singleShot(between_looks, this, [this] {
+        lookAgain();
+        if (QWidget* modal = QApplication::activeModalWidget()) answer(modal);
+    });
+}
+
+void BoxAnswerer::answer(QWidget* modal) {
+    if (acceptOptionsBox(modal)) return;
+    texts_ << describeBox(modal);
+    if (auto* box = qobject_cast<QMessageBox*>(modal)) {
+        for (auto standard : {QMessageBox::Yes, QMessageBox::Ok})
+            if (QAbstractButton* button = box->button(standard)) return button->click();
+    }
+    modal->close();
 }
 
 }  // namespace driver

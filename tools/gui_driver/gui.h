@@ -5,7 +5,9 @@
 #include <QList>
 #include <QMainWindow>
 #include <QMdiSubWindow>
+#include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
 // MeshLab's widgets, found by their class names: the executable exports no symbols to link with.
@@ -33,5 +35,21 @@ void clickButton(QWidget* container, const QString& text);
 QString describeBox(QWidget* modal);  // title and text, on one line
 bool acceptOptionsBox(
     QWidget* modal);  // accepts MeshLab's own "options" box on opening a file; false: another box
+
+QString logText();  // all of MeshLab's log panel; CommandError when there is none
+
+/// While it lives, modal boxes are answered as soon as they appear: options accepted, questions
+/// answered with yes, other dialogs closed.
+class BoxAnswerer : public QObject {
+public:
+    BoxAnswerer();
+    QStringList takeTexts();  ///< of the boxes answered since the last call
+
+private:
+    void lookAgain();
+    void answer(QWidget* modal);
+
+    QStringList texts_;
+};
 
 }  // namespace driver

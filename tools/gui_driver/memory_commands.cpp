@@ -5,8 +5,8 @@
 #include <unistd.h>
 #include <QFile>
 
-#include "modules.h"
-#include "report.h"
+#include "command_table.h"
+#include "process.h"
 
 namespace driver {
 namespace {

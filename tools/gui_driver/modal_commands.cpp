@@ -10,9 +10,9 @@
 #include <QRegularExpression>
 #include <QSpinBox>
 #include <QTimer>
+#include "command_table.h"
 #include "fields.h"
 #include "gui.h"
-#include "modules.h"
 
 namespace driver {
 namespace {

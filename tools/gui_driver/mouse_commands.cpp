@@ -5,8 +5,8 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "command_table.h"
 #include "gui.h"
-#include "modules.h"
 
 namespace driver {
 namespace {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands are described in README.md.
+#include <GL/glew.h>  // before any other GL header
+
 #include <QColor>
-#include <QFile>
+#include <functional>
 
 #include "camera.h"
+#include "command_table.h"
+#include "gl_state_text.h"
 #include "gui.h"
 #include "line_probe.h"
-#include "modules.h"
-#include "probe_recorder.h"
-#include "report.h"
+#include "meshlab_host/meshlab_api.h"
+#include "process.h"
 
 #include <laplacian_lines/option_table.h>
 
@@ -37,6 +40,48 @@ bool setLight(const QString& key, double value, Eigen::Vector3d& light) {
     const int axis = QStringList{"light_x", "light_y", "light_z"}.indexOf(key);
     if (axis >= 0) light[axis] = value;
     return axis >= 0;
+}
+
+// Set while a redraw is recorded; everything happens on the GUI's thread.
+using Recorder = std::function<void(const MeshModel&, const GLLogStream&)>;
+Recorder record;
+int recorded_layers = 0;
+QString problem;
+
+void redraw(QGLWidget* view, Recorder recorder) {
+    recorded_layers = 0;
+    problem.clear();
+    record = std::move(recorder);
+    view->repaint();
+    record = nullptr;
+    if (!problem.isEmpty()) throw CommandError(problem);
+    if (recorded_layers == 0)
+        throw CommandError("no layer has the decoration Laplacian Lines Probe switched on");
+}
+
+std::vector<ProjectedLines> recordRedraw(QGLWidget* view, const ProbeOptions& options) {
+    std::vector<ProjectedLines> layers;
+    redraw(view, [&](const MeshModel& mesh, const GLLogStream&) {
+        layers.push_back(probeLayer(mesh, options));
+    });
+    return layers;
+}
+
+QString recordGlState(QGLWidget* view) {
+    QString text;
+    redraw(view, [&](const MeshModel&, const GLLogStream&) { text += glStateText(); });
+    return text;
+}
+
+QString recordBoxes(QGLWidget* view) {
+    QString text;
+    redraw(view, [&](const MeshModel&, const GLLogStream& log) {
+        text.clear();  // each layer sees the boxes of those before it
+        const auto& boxes = log.realTimeLogMultiMap();
+        for (auto box = boxes.begin(); box != boxes.end(); ++box)
+            text += box.key() + ": " + box.value().second + "\n";
+    });
+    return text;
 }
 
 ProbeOptions parseOptions(const Command& command) {
@@ -99,15 +144,8 @@ void expectNoLines(const Command&) {
         throw CommandError(QString("%1 pixels have the lines' colour").arg(result.inked));
 }
 
-void write(const QString& text, const QString& name) {
-    const QByteArray bytes = text.toUtf8();
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        throw CommandError("cannot write " + name);
-}
-
 void writeGlState(const Command& command) {
-    write(recordGlState(requireView()), command.rest);
+    writeFile(command.rest, recordGlState(requireView()).toUtf8());
 }
 
 // Each camera is new to whatever keeps results for the next redraw.
@@ -119,7 +157,7 @@ void turn(const Command& command) {
         orbit.place(360.0 * step / steps, command.number(1));
         text += recordBoxes(requireView());
     }
-    write(text, command.word(2));
+    writeFile(command.word(2), text.toUtf8());
 }
 
 void chooseInk(const Command& command) {
@@ -129,6 +167,16 @@ void chooseInk(const Command& command) {
 }
 
 }  // namespace
+
+void layerIsDrawn(const MeshModel& mesh, const GLLogStream& log) {
+    if (!record) return;
+    ++recorded_layers;
+    try {
+        record(mesh, log);
+    } catch (const std::exception& e) {  // none may pass through MeshLab's drawing
+        problem = e.what();
+    }
+}
 
 void addProbeCommands(CommandTable& table) {
     table.addSimple("ink", chooseInk);

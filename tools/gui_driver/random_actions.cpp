@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random_actions.h"
 
+#include "command_table.h"
 #include "gui.h"
-#include "log_text.h"
-#include "report.h"
-#include "script.h"
+#include "process.h"
 
 namespace driver {
 

@@ -3,9 +3,9 @@
 
 #include <functional>
 
-#include "box_answerer.h"
 #include "command_table.h"
 #include "drawing_watch.h"
+#include "gui.h"
 #include "user_actions.h"
 
 namespace driver {

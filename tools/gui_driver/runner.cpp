@@ -3,7 +3,7 @@
 #include <QApplication>
 #include <QTimer>
 #include "gui.h"
-#include "report.h"
+#include "process.h"
 
 namespace driver {
 namespace {

@@ -3,9 +3,9 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <memory>
+#include "command_table.h"
+#include "process.h"
 #include "random_actions.h"
-#include "script.h"
-#include "watchdog.h"
 
 namespace driver {
 

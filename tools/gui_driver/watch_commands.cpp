@@ -4,9 +4,9 @@
 
 #include <memory>
 
+#include "command_table.h"
 #include "drawing_watch.h"
 #include "gui.h"
-#include "modules.h"
 #include "situation.h"
 
 namespace driver {

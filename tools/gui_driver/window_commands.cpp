@@ -4,12 +4,13 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFocusEvent>
+#include <QGuiApplication>
 #include <QMdiArea>
+#include <QScreen>
 #include <QTreeWidget>
-#include "box_answerer.h"
 #include "camera.h"
 #include "gui.h"
-#include "modules.h"
+#include "process.h"
 
 namespace driver {
 namespace {
@@ -46,9 +47,7 @@ bool stoodStill(const QSize& window, const QSize& view) {
 // The main window follows the view: the bars around it have sizes of their own, which settle after
 // some events. Before, a window may seem to be too small.
 Outcome setViewSize(const Command& command) {
-    const QStringList parts = command.word(0).split('x');
-    const QSize wanted(parts.value(0).toInt(), parts.value(1).toInt());
-    if (parts.size() != 2 || wanted.isEmpty()) throw CommandError("say WIDTHxHEIGHT");
+    const QSize wanted = command.size(0);
     QMainWindow* window = requireMainWindow();
     if (window->isMaximized() || window->isFullScreen()) window->showNormal();
     QGLWidget* area = requireView();
@@ -155,9 +154,33 @@ Outcome leave(const Command&) {
     return Outcome::Retry;
 }
 
+void save(const QImage& picture, const QString& file_name) {
+    if (picture.isNull() || !picture.save(file_name))
+        throw CommandError(QString("cannot write the picture %1").arg(file_name));
+    say(QString("%1: %2x%3")
+            .arg(file_name)
+            .arg(picture.width())
+            .arg(picture.height())
+            .toStdString());
+}
+
+// repaint, not updateGL: MeshLab draws in paintEvent, and updateGL only clears
+void grabView(const Command& command) {
+    QGLWidget* area = requireView();
+    area->repaint();
+    save(area->grabFrameBuffer(), command.rest);
+}
+
+void grabScreen(const Command& command) {
+    if (QGLWidget* area = view()) area->repaint();
+    save(QGuiApplication::primaryScreen()->grabWindow(0).toImage(), command.rest);
+}
+
 }  // namespace
 
 void addWindowCommands(CommandTable& table) {
+    table.addSimple("grab", grabView);
+    table.addSimple("screen", grabScreen, Place::ModalBox);
     table.add("wait", waitForView);
     table.add("size", setViewSize);
     table.addSimple("open", openMesh);

@@ -8,6 +8,12 @@
 
 namespace driver {
 
+constexpr int failure_exit_code = 3;
+
+void say(const std::string& text);                       // one line on stderr
+[[noreturn]] void endWithError(const std::string& why);  // from any thread
+[[noreturn]] void endProcess(int exitCode);  // at once: no "save changes?" box, no teardown
+
 // Ends the process with a clear line when one script line takes too long. A thread of its own,
 // because a timer of the GUI thread never fires while a filter or a drawing hangs there. Time
 // during which the whole process stands still, as in a suspended machine, does not count.
