@@ -3,7 +3,7 @@
 
 require checks/clang_build environment/messages environment/packages
 
-SANITIZED_TESTS=(gui_filter gui_edits gui_documents gui_memory gui_random_actions) # without any named
+SANITIZED_TESTS=(gui_filter gui_edits gui_views gui_memory gui_random_actions) # without any named
 SANITIZED_SECONDS=900 # for one test: MeshLab is slower, and looking for leaks takes its time
 
 # A leak of MeshLab, Qt or OpenGL is not ours: only those count that a function of our plugins has allocated.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""house.py [CHECKOUT]: how large the house is, a table in Markdown: lines of C++, Python, CMake and shell by kind, options
-that users have, and what makes a house hard to find one's way in."""
+"""house.py [CHECKOUT]: how large the house is, a table in Markdown: lines of C++, Python, CMake, shell and the driver's
+scripts by kind, options that users have, and what makes a house hard to find one's way in."""
 
 import collections
 import pathlib
@@ -26,7 +26,7 @@ def is_bash(file):
 
 
 def is_code(file):
-    return file.suffix in {".cpp", ".h", ".py", ".cmake"} or file.name == "CMakeLists.txt" or is_bash(file)
+    return file.suffix in {".cpp", ".h", ".py", ".cmake", ".gui"} or file.name == "CMakeLists.txt" or is_bash(file)
 
 
 def options():

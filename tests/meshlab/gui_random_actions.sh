@@ -6,18 +6,11 @@
 DRIVE_SECONDS=${RANDOM_SECONDS:-3000}
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 
-# ply NAME VERTICES FACES: an ASCII file with the vertices and faces on stdin
-ply() {
-    printf 'ply\nformat ascii 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n' "$2"
-    printf 'element face %s\nproperty list uchar int vertex_indices\nend_header\n' "$3"
-    cat
-}
-
 # small, because thousands of fields are computed
 write_bumpy_torus 28 20 >"$WORK/torus.ply"
 write_bumpy_torus 16 12 >"$WORK/ring.ply"
-ply points 3 0 <<<$'0 0 0\n1 0 0\n0 1 0' >"$WORK/points.ply"
-ply pyramid 5 4 <<<$'0 0 1\n1 1 0\n-1 1 0\n-1 -1 0\n1 -1 0\n3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 1' >"$WORK/pyramid.ply"
+ply "$WORK/points.ply" 3 0 <<<$'0 0 0\n1 0 0\n0 1 0'
+ply "$WORK/pyramid.ply" 5 4 <<<$'0 0 1\n1 1 0\n-1 1 0\n-1 -1 0\n1 -1 0\n3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 1'
 
 cat >"$WORK/scene.mlp" <<'END'
 <!DOCTYPE MeshLabDocument>

@@ -17,10 +17,17 @@
 #   sphere FILE                   one with nothing but a contour
 #   reference_mesh NAME           $WORK/NAME.ply, a mesh of the core's tests, and what the core computes on it
 #   expect_reference_attributes FILE      a binary PLY file has these attributes
+#   write_mesh FILE COMMAND...    what the command prints
+#   box FILE SIZE                 a cube
+#   ply FILE VERTICES FACES       an ASCII file with the vertices and faces on stdin
+#   expect_file FILE              it is there, with something in it
+#   expect_ink A B FACTOR         picture B has at least FACTOR times as much of the lines' red as A
+#   times N LINE...               prints the lines N times
+#   from_version YEAR LINE OTHER  prints LINE in a MeshLab of that year or later, else OTHER
 # With set -e, the first thing that is not as expected ends the test and shows the logs.
 set -euo pipefail
 
-TEST_NAME=$(basename "$0" .sh)
+TEST_NAME=${TEST_NAME:-$(basename "$0" .sh)}
 CHECKOUT=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 EXAMPLE=$CHECKOUT/examples/laplacian_lines.mlx
 STAGE=$LAPLACIAN_LINES_BUILD/stage
@@ -182,6 +189,44 @@ small_torus() {
 # 25,600 triangles
 torus() {
     write_bumpy_torus 160 80 >"$1"
+}
+
+write_mesh() {
+    "${@:2}" >"$1"
+}
+
+box() {
+    awk -v half="$(($2 / 2))" 'BEGIN {
+        print "OFF\n8 6 0"
+        for (i = 0; i < 8; ++i) print (i % 2 * 2 - 1) * half, (int(i / 2) % 2 * 2 - 1) * half, (int(i / 4) * 2 - 1) * half
+        print "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5"
+    }' >"$1"
+}
+
+ply() {
+    printf 'ply\nformat ascii 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n' "$2" >"$1"
+    printf 'element face %s\nproperty list uchar int vertex_indices\nend_header\n' "$3" >>"$1"
+    grep . >>"$1"
+}
+
+times() {
+    local i
+    for ((i = 0; i < $1; ++i)); do printf '%s\n' "${@:2}"; done
+}
+
+from_version() {
+    if [[ $(meshlab_version) > $1 ]]; then printf '%s\n' "$2"; else printf '%s\n' "$3"; fi
+}
+
+expect_ink() {
+    local a b
+    a=$(red_pixels "$1")
+    b=$(red_pixels "$2")
+    awk "BEGIN { exit !($a > 0 && $b >= $3 * $a) }" || fail "$2 has $b red pixels, $1 has $a"
+}
+
+expect_file() {
+    [[ -s $1 ]] || fail "$1 was not written"
 }
 
 # of radius 1, 180 by 90 facets
