@@ -1,6 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the plugins cost inside MeshLab. See usage below.
+# What the plugins cost inside MeshLab, in a view of 1000 x 700 without a display, as JSON:
+#   benchmarks/in_meshlab.sh [MESH], the Stanford dragon if none is named
+#   filter       Compute Laplacian Lines with its defaults, in all, as MeshLab's log has it
+#   switch_on    Laplacian Lines switched on after it: the lines made ready, and the plugin's part of the first redraw
+#   extract, upload, draw_calls   the plugin's part of a redraw, medians of all directions around the mesh: finding the
+#                lines, handing them to OpenGL, and telling it what to draw, with all that remains
+#   drawing      OpenGL's part, here by software: the call that draws, which shades the points before it returns, and
+#                waiting for the end
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -9,32 +16,6 @@ source "$root/scripts/require.sh" environment/build environment/messages environ
     product/display product/models product/picture product/private_home product/stage
 build=$(build_folder "$root")
 redraws=48
-
-usage() {
-    cat <<END
-benchmarks/in_meshlab.sh [--json] [MESH]   seconds and milliseconds that the plugins take in MeshLab, in a view of
-                                           1000 x 700 without a display; MESH is the Stanford dragon if none is named
-
-  filter       Compute Laplacian Lines with its defaults, in all, as MeshLab's log has it
-  switch-on    Laplacian Lines switched on after it: the lines made ready, and the plugin's part of the first redraw
-  extraction, upload, draw calls    the plugin's part of a redraw, medians of $redraws directions all around the mesh:
-               finding the lines, handing them to OpenGL, and telling it what to draw, with all that remains
-  drawing      OpenGL's part, here by software: the call that draws, which shades the points before it returns, and
-               waiting for the end
-END
-}
-
-json=false
-case ${1:-} in
--h | --help)
-    usage
-    exit 0
-    ;;
---json)
-    json=true
-    shift
-    ;;
-esac
 
 work=$(mktemp -d)
 trap 'stop_display; rm -rf "$work"' EXIT
@@ -90,11 +71,5 @@ extraction=$(median extraction)
 upload=$(median upload)
 draw_calls=$(median "draw calls")
 drawing=$(median "drawing by OpenGL")
-if $json; then
-    printf '{"filter_s": %s, "switch_on_s": %s, "extract_ms": %s, "upload_ms": %s, "draw_calls_ms": %s, "drawing_ms": %s}\n' \
-        "$filter" "$switch_on" "$extraction" "$upload" "$draw_calls" "$drawing"
-else
-    printf '%-40s %8s s\n' "filter" "$filter" "switch-on" "$switch_on"
-    printf '%-40s %8s ms\n' "redraw: extraction" "$extraction" "redraw: upload" "$upload" \
-        "redraw: draw calls" "$draw_calls" "redraw: drawing by OpenGL" "$drawing"
-fi
+printf '{"filter_s": %s, "switch_on_s": %s, "extract_ms": %s, "upload_ms": %s, "draw_calls_ms": %s, "drawing_ms": %s}\n' \
+    "$filter" "$switch_on" "$extraction" "$upload" "$draw_calls" "$drawing"

@@ -53,7 +53,7 @@ measure_in_meshlab() {
         }
     done
     say "measuring in MeshLab"
-    "$checkout/benchmarks/in_meshlab.sh" --json "$mesh" >"$file.part" || {
+    "$checkout/benchmarks/in_meshlab.sh" "$mesh" >"$file.part" || {
         say "left out: times in MeshLab"
         return 0
     }
