@@ -8,7 +8,7 @@ BUILD_PACKAGES=(meshlab g++ make cmake dpkg-dev xz-utils qtbase5-dev libqt5openg
 DISPLAY_PACKAGES=(xvfb xauth libgl1-mesa-dri fonts-dejavu-core)
 CORE_PACKAGES=(g++ make cmake libeigen3-dev) # enough for the core alone
 PACKAGING_PACKAGES=(file) # CPack asks it what is a library
-TEST_PACKAGES=(libgtest-dev imagemagick ccache librsvg2-bin locales poppler-utils "${PACKAGING_PACKAGES[@]}")
+TEST_PACKAGES=(python3 libgtest-dev imagemagick ccache librsvg2-bin locales poppler-utils "${PACKAGING_PACKAGES[@]}")
 
 # meshlab 2022 and later show a modal box at start when a bundled plugin misses one of these Recommends;
 # 2020.09 depends on all it needs. Names that this distribution does not know are skipped.
