@@ -12,7 +12,6 @@
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/precompute.h"
 #include "line_scores.h"
-#include "line_truth.h"
 #include "machined_part.h"
 #include "mesh_noise.h"
 #include "truth_options.h"

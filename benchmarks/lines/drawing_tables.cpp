@@ -9,7 +9,6 @@
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/precompute.h"
 #include "line_scores.h"
-#include "line_truth.h"
 #include "mesh_file.h"
 #include "mesh_noise.h"
 #include "registry.h"

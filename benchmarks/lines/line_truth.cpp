@@ -8,8 +8,6 @@
 // harmonic mean. All of it is in space, hidden or not, for six eyes around the form; arrises that
 // face away from an eye, or are on its outline, need no line. Ridges alone have to draw the convex
 // arrises only. Scores of stones are of all seeds together.
-#include "line_truth.h"
-
 #include "truth_options.h"
 
 int main(int argc, char** argv) {

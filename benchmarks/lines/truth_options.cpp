@@ -5,8 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "line_truth.h"
-
 namespace benchmarks {
 
 using namespace laplacian_lines;

@@ -7,11 +7,10 @@
 #include <cstdio>
 #include <memory>
 
+#include "field_work.h"
 #include "generators.h"
-#include "laplacian_alone.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
-#include "peak_memory.h"
 #include "redraws.h"
 
 namespace {

@@ -8,12 +8,11 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "laplacian_alone.h"
+#include "field_work.h"
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_file.h"
 #include "midpoint_subdivision.h"
-#include "peak_memory.h"
 #include "program.h"
 #include "redraws.h"
 #include "report.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "laplacian_alone.h"
+#include "field_work.h"
 
 #include "field/belkin_laplacian.h"
 #include "field/normal_smoothing.h"

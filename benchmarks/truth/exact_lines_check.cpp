@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "item_buffer.h"
-#include "near_segments.h"
 #include "part_file.h"
 #include "plane_canvas.h"
+#include "plane_lines.h"
 #include "program.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "near_segments.h"
+#include "plane_lines.h"
 
 namespace benchmarks {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "near_segments.h"
+#include "plane_lines.h"
 
 #include <limits>
 

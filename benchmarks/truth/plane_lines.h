@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace benchmarks {
@@ -33,5 +35,61 @@ void for_each_piece(const PlaneLine& line, double step, Use use) {
                 length / count);
     }
 }
+
+/// A place on a segment of a line that is near some point.
+struct NearPlace {
+    double distance = 0;
+    PlanePoint foot, direction;  ///< direction: of the segment, of length 1
+    std::size_t line = 0;        ///< its number
+    double along = 0;            ///< from the line's begin, mm
+    bool is_end = false;         ///< the foot is the begin or the end of its line
+};
+
+/// The segments of lines in a grid of cells as wide as the distance that is asked for.
+class NearSegments {
+public:
+    NearSegments(const PlaneLines& lines, double reach);
+
+    /// Calls use(NearPlace) for each segment within reach, until it returns true; whether it has.
+    template <class Use>
+    bool any_near(const PlanePoint& p, Use use) const {
+        const Cell middle = cell_of(p);
+        for (std::int64_t x = -1; x <= 1; ++x)
+            for (std::int64_t y = -1; y <= 1; ++y) {
+                const auto found = cells_.find(key(middle + Cell(x, y)));
+                if (found == cells_.end()) continue;
+                for (const std::uint32_t number : found->second) {
+                    const NearPlace place = nearest_on(segments_[number], p);
+                    if (place.distance <= reach_ && use(place)) return true;
+                }
+            }
+        return false;
+    }
+
+    /// The distance of the nearest line; infinite beyond the reach.
+    double distance(const PlanePoint& p) const;
+
+private:
+    using Cell = Eigen::Matrix<std::int64_t, 2, 1>;
+    struct Segment {
+        PlanePoint begin, way;
+        double along;
+        std::uint32_t line;
+        bool is_first, is_last;
+    };
+
+    void add(const Segment& segment);
+    static NearPlace nearest_on(const Segment& segment, const PlanePoint& p);
+    Cell cell_of(const PlanePoint& p) const {
+        return (p / reach_).array().floor().cast<std::int64_t>();
+    }
+    static std::uint64_t key(const Cell& c) {
+        return (std::uint64_t(c.x()) << 32) | (std::uint64_t(c.y()) & 0xffffffff);
+    }
+
+    double reach_;
+    std::vector<Segment> segments_;
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+};
 
 }  // namespace benchmarks

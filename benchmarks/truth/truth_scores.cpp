@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "near_segments.h"
+#include "plane_lines.h"
 
 namespace benchmarks {
 namespace {

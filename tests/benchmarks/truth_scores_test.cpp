@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "near_segments.h"
+#include "plane_lines.h"
 #include "truth_table.h"
 
 namespace {

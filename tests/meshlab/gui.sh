@@ -45,7 +45,7 @@ run_part() {
 }
 
 test_file=$(readlink -f "$1")
-cd "$WORK"
+cd "$WORK" || exit
 PART='' BODY=''
 while IFS= read -r text <&3; do
     case $text in
