@@ -3,6 +3,5 @@
 # program needs what the core itself needs.
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 NO_MODULE)
-find_dependency(OpenMP COMPONENTS CXX)
 find_dependency(Threads)
 include("${CMAKE_CURRENT_LIST_DIR}/LaplacianLinesTargets.cmake")

@@ -51,7 +51,7 @@ bool hasEnded(QProcess& process) {
 std::unique_ptr<QProcess> start(const QString& program, const Job& job, int threads) {
     auto process = std::make_unique<QProcess>();
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("OMP_NUM_THREADS", QString::number(threads));
+    environment.insert("LAPLACIAN_LINES_THREADS", QString::number(threads));
     process->setProcessEnvironment(environment);
     process->start(program, job.arguments);
     return process;

@@ -2,7 +2,7 @@
 // core_benchmarks [MESH...] [Google Benchmark's options]: single steps of the core. Without a MESH,
 // a torus of some 70,000 triangles. Redraws: one iteration is all eyes of orbit().
 #include <benchmark/benchmark.h>
-#include <omp.h>
+#include <thread>
 
 #include <cstdio>
 #include <memory>
@@ -10,6 +10,7 @@
 #include "field_work.h"
 #include "generators.h"
 #include "laplacian_lines/precompute.h"
+#include "laplacian_lines/threads.h"
 #include "mesh_file.h"
 #include "redraws.h"
 
@@ -92,10 +93,10 @@ void run_extract(State& state, Made& made) {
 /// On one thread, and on all.
 template <class Run>
 void add(const std::string& name, Run run) {
-    for (const int threads : {1, omp_get_num_procs()})
+    for (const int threads : {1, int(std::thread::hardware_concurrency())})
         benchmark::RegisterBenchmark((name + "/threads:" + std::to_string(threads)).c_str(),
                                      [run, threads](State& state) {
-                                         omp_set_num_threads(threads);
+                                         set_thread_limit(threads);
                                          run(state);
                                      })
             ->Unit(benchmark::kMillisecond)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program behind ./bench: a table of the times of redraws in the default style, beside plain
 // ways to draw less. Files are those that read_mesh() reads.
-#include <omp.h>
+#include <thread>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,7 @@
 #include "field_work.h"
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/precompute.h"
+#include "laplacian_lines/threads.h"
 #include "mesh_file.h"
 #include "midpoint_subdivision.h"
 #include "program.h"
@@ -86,15 +87,15 @@ void time_alternately(const TriangleMesh& mesh, const std::string& text, const s
                       Work work, MeshFigures& figures) {
     std::vector<Contender> contenders;
     for (const int threads : {1, 2})
-        if (threads <= omp_get_num_procs())
+        if (threads <= int(std::thread::hardware_concurrency()))
             contenders.push_back({key + (threads > 1 ? "_two_threads" : ""),
                                   text + (threads > 1 ? ", two threads" : ", one thread"),
                                   [&work, threads](std::size_t) {
-                                      omp_set_num_threads(threads);
+                                      set_thread_limit(threads);
                                       work();
                                   }});
     take_turns(contenders, {1, mesh.triangles.size() > kLargestForPlainSum ? 1 : 3, 5, 4});
-    omp_set_num_threads(omp_get_num_procs());
+    set_thread_limit(0);
     for (const Contender& c : contenders)
         figures.add(kBuilding, c.key, c.text, c.best());
 }

@@ -2,11 +2,12 @@
 // The program behind ./bench --paper: the table of the paper, redraws of each kind of lines against
 // contours alone. Times are medians; those of one thread are processor time, which depends little
 // on what else runs. What others have published stands beside it in docs/performance.md.
-#include <omp.h>
+#include <thread>
 
 #include <cstdio>
 
 #include "laplacian_lines/precompute.h"
+#include "laplacian_lines/threads.h"
 #include "mesh_file.h"
 #include "program.h"
 #include "redraws.h"
@@ -41,7 +42,7 @@ void add_fields(const TriangleMesh& mesh, MeshFigures& figures) {
                                   std::string("the field") + (derivatives ? " with C" : "") +
                                       (threads > 1 ? ", two threads" : ", one thread"),
                                   [&mesh, threads, derivatives](std::size_t) {
-                                      omp_set_num_threads(threads);
+                                      set_thread_limit(threads);
                                       precompute(mesh, field_options(derivatives));
                                   },
                                   threads == 1});
@@ -80,7 +81,7 @@ void add_redraws(Redraws& redraws, double budget, MeshFigures& figures) {
         figures.add(kRedraw, one.key, one.text, 1e3 * time);
         figures.add(kFrames, one.key, one.text, 1 / time);
         figures.add(kToContours, one.key, one.text, time / contours);
-        if (omp_get_num_procs() < 2) continue;
+        if (int(std::thread::hardware_concurrency()) < 2) continue;
         figures.add(kTwoThreads, one.key, one.text, 1e3 * time_of_two);
         figures.add(kThreads, one.key, one.text, time / time_of_two);
     }
@@ -92,7 +93,7 @@ MeshFigures measure(const std::string& file, double budget) {
     const TriangleMesh mesh = test_meshes::read_mesh(file);
     figures.add(kSize, "triangles", "triangles", double(mesh.triangles.size()));
     const Field field = precompute(mesh, field_options(true));
-    omp_set_num_threads(1);
+    set_thread_limit(1);
     Redraws redraws(mesh, field);
     add_finding(redraws, figures);
     add_redraws(redraws, budget, figures);

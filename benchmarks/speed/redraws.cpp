@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "redraws.h"
 
-#include <omp.h>
+#include <thread>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "laplacian_lines/line_mixture.h"
+#include "laplacian_lines/threads.h"
 
 namespace benchmarks {
 
@@ -92,20 +93,20 @@ Redraws::Redraws(const TriangleMesh& mesh, const Field& field)
     style_.shows[LineKind::Ridge] = style_.shows[LineKind::Border] =
         style_.shows[LineKind::Crease] = false;
     const auto build = [&] { extractor_ = std::make_unique<LineExtractor>(mesh, field); };
-    extractor_seconds_ = omp_get_max_threads() > 1 ? seconds(build) : processor_seconds(build);
+    extractor_seconds_ = thread_limit() > 1 ? seconds(build) : processor_seconds(build);
     memory_.assign(std::max(plain_bytes(), extractor_->memory()) / sizeof(memory_[0]), 1);
 }
 
 Redraws::~Redraws() {
     use_instruction_set(best_);
-    omp_set_num_threads(omp_get_num_procs());
+    set_thread_limit(0);
 }
 
 Contender Redraws::extraction(const std::string& key, const std::string& text, InstructionSet set,
                               int threads, const LineStyle& style) {
     return {key, text, [this, set, threads, style](std::size_t view) {
                 use_instruction_set(set);
-                omp_set_num_threads(threads);
+                set_thread_limit(threads);
                 lines(view, style);
             }};
 }
@@ -113,7 +114,7 @@ Contender Redraws::extraction(const std::string& key, const std::string& text, I
 std::vector<Contender> Redraws::fast() {
     std::vector<Contender> contenders = {extraction(
         "lines", std::string("Laplacian lines and contours, ") + name_of(best_), best_, 1, style_)};
-    if (omp_get_num_procs() > 1)
+    if (int(std::thread::hardware_concurrency()) > 1)
         contenders.push_back(
             extraction("lines_two_threads", "the same on two threads", best_, 2, style_));
     for (const auto& [set, key] : {std::pair{InstructionSet::Avx2, "lines_avx2"},

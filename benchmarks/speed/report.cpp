@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
 
-#include <omp.h>
+#include <thread>
 
 #include <algorithm>
 #include <cmath>
@@ -123,9 +123,10 @@ std::string markdown_table(const std::vector<MeshFigures>& meshes) {
 }
 
 std::string json_report(const std::vector<MeshFigures>& meshes) {
-    std::string text = "{\"machine\": {\"processor\": " + quoted(processor()) +
-                       ", \"processors\": " + std::to_string(omp_get_num_procs()) +
-                       "},\n \"compiler\": " + quoted(compiler()) + ",\n \"meshes\": [";
+    std::string text =
+        "{\"machine\": {\"processor\": " + quoted(processor()) +
+        ", \"processors\": " + std::to_string(int(std::thread::hardware_concurrency())) +
+        "},\n \"compiler\": " + quoted(compiler()) + ",\n \"meshes\": [";
     for (const MeshFigures& mesh : meshes)
         text += (&mesh == meshes.data() ? "\n  " : ",\n  ") + json_of(mesh);
     return text + "\n ]}\n";
@@ -149,7 +150,8 @@ double MeshFigures::value(const Section& section, const std::string& key) const 
 }
 
 void print_report(const std::vector<MeshFigures>& meshes, const std::string& json) {
-    std::printf("%s, %d processors; %s\n\n%s", processor().c_str(), omp_get_num_procs(), compiler(),
+    std::printf("%s, %d processors; %s\n\n%s", processor().c_str(),
+                int(std::thread::hardware_concurrency()), compiler(),
                 markdown_table(meshes).c_str());
     if (!json.empty()) write_file(json, json_report(meshes));
 }

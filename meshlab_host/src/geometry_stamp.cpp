@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/geometry_stamp.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <vector>
 
 #include "hash.h"
 #include "meshlab_host/mesh_conversion.h"
-#include "system/affordable_threads.h"
+#include "system/parallel.h"
 
 namespace meshlab_host {
 namespace {
@@ -32,11 +30,8 @@ std::uint64_t hashInBlocks(const Elements& elements, std::size_t live, std::uint
         return slot;
     };
     if (elements.size() == live) {
-        const int threads =
-            hashes.size() > 1 ? laplacian_lines::affordable_threads(omp_get_max_threads()) : 1;
-#pragma omp parallel for num_threads(threads) if (threads > 1)
-        for (std::size_t number = 0; number < hashes.size(); ++number)
-            hashBlock(number, number * block);
+        laplacian_lines::in_parallel(
+            hashes.size(), [&](std::size_t number) { hashBlock(number, number * block); });
     } else {
         std::size_t slot = 0;
         for (std::size_t number = 0; number < hashes.size(); ++number)

@@ -3,7 +3,7 @@
 
 require environment/build environment/messages environment/packages
 
-CHECK_PACKAGES=(clang libclang-rt-dev llvm libomp-dev cppcheck shellcheck)
+CHECK_PACKAGES=(clang libclang-rt-dev llvm cppcheck shellcheck)
 SANITIZERS=address,undefined,float-cast-overflow
 
 checks_folder() {

@@ -13,7 +13,7 @@ fuzz_part() {
     local folder corpus=$3/$4 work
     folder=$(checks_folder "$1") work=$(checks_folder "$1")/fuzz/$4
     mkdir -p "$work" "$corpus"
-    ASAN_OPTIONS=detect_leaks=0 OMP_NUM_THREADS=1 LLVM_PROFILE_FILE=/dev/null \
+    ASAN_OPTIONS=detect_leaks=0 LAPLACIAN_LINES_THREADS=1 LLVM_PROFILE_FILE=/dev/null \
         "$folder/tests/fuzz/fuzz_$4" -max_total_time="$2" -max_len=4096 -len_control=0 -seed=1 -timeout=60 \
         -rss_limit_mb=3000 -artifact_prefix="$work/" -print_final_stats=1 \
         "$corpus" "$folder/fuzz/seeds/$4" "$1/tests/fuzz/found" >"$work/log" 2>&1 ||

@@ -15,14 +15,12 @@ SLOW_UNDER_SANITIZERS=('*WithAnyOptions*' '*Converge*' '*Guarantee*' 'RealModel*
 
 SHARDS=$((2 * $(nproc))) # more than processors, for some take longer
 
-# run_shard CHECKOUT NUMBER: a part of the core's tests. OpenMP's library loses some memory of its own at times. With two
-# places of each allocation kept, malloc and its caller, only what the library itself has asked for is suppressed.
+# run_shard CHECKOUT NUMBER: a part of the core's tests
 run_shard() {
     local folder
     folder=$(checks_folder "$1")
-    GTEST_TOTAL_SHARDS=$SHARDS GTEST_SHARD_INDEX=$2 OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive \
-        ASAN_OPTIONS=allocator_may_return_null=1:malloc_context_size=2 \
-        LSAN_OPTIONS="suppressions=$1/scripts/checks/leak_suppressions.txt:print_suppressions=0" \
+    GTEST_TOTAL_SHARDS=$SHARDS GTEST_SHARD_INDEX=$2 LAPLACIAN_LINES_THREADS=2 \
+        ASAN_OPTIONS=allocator_may_return_null=1 \
         LLVM_PROFILE_FILE="$folder/profile/%m-$2.profraw" \
         quietly "$folder/shard$2.log" "$folder/tests/core/core_tests" --gtest_brief=1 \
         --gtest_filter="-$(IFS=: && printf '%s' "${SLOW_UNDER_SANITIZERS[*]}")"
@@ -31,7 +29,7 @@ run_shard() {
 run_out_of_memory() {
     local folder
     folder=$(checks_folder "$1")
-    LLVM_PROFILE_FILE="$folder/profile/%m-memory.profraw" OMP_NUM_THREADS=3 OMP_WAIT_POLICY=passive \
+    LLVM_PROFILE_FILE="$folder/profile/%m-memory.profraw" LAPLACIAN_LINES_THREADS=3 \
         quietly "$folder/memory.log" "$folder/tests/core/out_of_memory" allocations || {
         say "running out of memory was not survived; the log is $folder/memory.log"
         return 1

@@ -30,7 +30,7 @@ test_sanitized() {
         ASAN_OPTIONS="log_path=$reports/of:detect_leaks=1:malloc_context_size=2:stack_trace_format='    #%n %f %S %M'" \
         UBSAN_OPTIONS="log_path=$reports/of:print_stacktrace=1" \
         LSAN_OPTIONS="exitcode=0:use_tls=0:print_suppressions=0:suppressions=$checkout/scripts/checks/leak_suppressions.txt" \
-        OMP_WAIT_POLICY=passive ctest --test-dir "$folder" --label-regex meshlab --tests-regex "$regex" --output-on-failure || code=$?
+        ctest --test-dir "$folder" --label-regex meshlab --tests-regex "$regex" --output-on-failure || code=$?
     find "$reports" -type f -exec grep -qE 'ERROR: AddressSanitizer|runtime error' {} \; -exec head -n 40 {} \; >&2
     find "$reports" -type f -exec cat {} + | leaks_of_plugins >"$folder/leaks.txt"
     if [[ -s $folder/leaks.txt ]]; then

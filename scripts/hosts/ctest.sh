@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # How tests run: several at once, those of MeshLab's windows waiting half of their time.
 
-# run_ctest BUILD OPTIONS...: threads that wait for others do not spin meanwhile: where two tests share two processors,
-# that took ten times as long as the work itself.
+# run_ctest BUILD OPTIONS...
 run_ctest() {
-    OMP_WAIT_POLICY=passive ctest --test-dir "$1" --output-on-failure --parallel "$((2 * $(nproc)))" "${@:2}"
+    ctest --test-dir "$1" --output-on-failure --parallel "$((2 * $(nproc)))" "${@:2}"
 }
 
 # add_regex OPTIONS REGEX...: has ctest's OPTIONS, the name of an array, run only tests that match one REGEX, if there

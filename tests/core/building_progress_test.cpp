@@ -2,7 +2,6 @@
 // What is built before lines can be extracted and hidden: progress that rises from 0 to 1 in small
 // steps, and a callback that ends it.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <functional>
@@ -12,6 +11,7 @@
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
 #include "registry.h"
+#include "with_threads.h"
 
 namespace {
 
@@ -42,19 +42,14 @@ const Field& field_of_large_mesh() {
 
 class BuildingProgress : public testing::TestWithParam<Builder> {
 protected:
-    ~BuildingProgress() override { omp_set_num_threads(threads_before_); }
-
     void build(const Progress& progress) const {
         GetParam().build(large_mesh(), field_of_large_mesh(), progress);
     }
-
-private:
-    int threads_before_ = omp_get_max_threads();
 };
 
 TEST_P(BuildingProgress, RisesFromZeroToOne) {
     for (const int threads : {1, 3}) {
-        omp_set_num_threads(threads);
+        const test_meshes::WithThreads scope(threads);
         std::vector<double> reports;
         build([&](double done, const char* stage) {
             EXPECT_STRNE(stage, "");
@@ -70,7 +65,7 @@ TEST_P(BuildingProgress, RisesFromZeroToOne) {
 
 /// On one thread, since of several the one that reports may get little of the work.
 TEST_P(BuildingProgress, MovesInSmallSteps) {
-    omp_set_num_threads(1);
+    const test_meshes::WithThreads scope(1);
     double last = 0, largest_step = 0;
     build([&](double done, const char*) {
         largest_step = std::max(largest_step, done - last);

@@ -2,7 +2,6 @@
 // C = ∇S, its symmetries, and what it must not depend on; smooth_curvatures_test.cpp has how it
 // comes near the truth, for both are of the same fields.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/tangent_frame.h"
 #include "plain_derivatives.h"
+#include "with_threads.h"
 
 namespace {
 
@@ -193,14 +193,13 @@ TEST(CurvatureDerivatives, OfVerticesOfCutsAreThoseAcrossThem) {
 
 TEST(CurvatureDerivatives, DoNotDependOnTheNumberOfThreads) {
     const TriangleMesh mesh = test_meshes::torus(160, 80, 0.2).mesh;
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(1);
-    const Field one = compute(mesh);
-    for (const int threads : {2, 3, 8}) {
-        omp_set_num_threads(threads);
-        EXPECT_TRUE(helpers::same_fields(one, compute(mesh))) << threads;
-    }
-    omp_set_num_threads(before);
+    const auto on_threads = [&](int threads) {
+        const test_meshes::WithThreads scope(threads);
+        return compute(mesh);
+    };
+    const Field one = on_threads(1);
+    for (const int threads : {2, 3, 8})
+        EXPECT_TRUE(helpers::same_fields(one, on_threads(threads))) << threads;
 }
 
 TEST(CurvatureDerivatives, AreFiniteOnAnyMesh) {

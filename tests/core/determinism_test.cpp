@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same input gives the same bits, with any number of threads; redraws allocate nothing.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <atomic>
 #include <thread>
@@ -9,17 +8,16 @@
 #include "allocation_hook.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
+#include "with_threads.h"
 
 namespace {
 
 using namespace laplacian_lines;
+using test_meshes::WithThreads;
 
 Field with_threads(int threads, const TriangleMesh& mesh, const PrecomputeOptions& options) {
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(threads);
-    Field field = precompute(mesh, options);
-    omp_set_num_threads(before);
-    return field;
+    const WithThreads scope(threads);
+    return precompute(mesh, options);
 }
 
 TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
@@ -67,12 +65,10 @@ TEST(Determinism, SameFieldsAndLinesOfEveryMesh) {
             for (int threads : {1, 2, 3, 8}) {
                 EXPECT_TRUE(helpers::same_fields(field, with_threads(threads, mesh.mesh, options)))
                     << mesh << ", " << threads << " threads";
-                const int before = omp_get_max_threads();
-                omp_set_num_threads(threads);
+                const WithThreads scope(threads);
                 const LineExtractor extractor(mesh.mesh, field);
                 EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor, view, style)))
                     << mesh << ", " << threads << " threads";
-                omp_set_num_threads(before);
             }
         }
 }
@@ -134,11 +130,10 @@ TEST_F(Extraction, RunsInSeveralThreadsAtOnce) {
 }
 
 TEST_F(Extraction, AllocatesNothingInTheSteadyState) {
-    const int threads_before = omp_get_max_threads();
     for (const LineStyle& style :
          {LineStyle(), silhouettes_, helpers::all_crossings(), helpers::all_kinds()})
         for (int threads : {1, 2, 5}) {
-            omp_set_num_threads(threads);
+            const WithThreads scope(threads);
             ExtractionScratch scratch;
             LineSet lines;
             const auto turn = [&] {
@@ -152,7 +147,6 @@ TEST_F(Extraction, AllocatesNothingInTheSteadyState) {
             EXPECT_EQ(allocation_hook::count(), before) << threads << " threads";
             EXPECT_GT(before, 0u);
         }
-    omp_set_num_threads(threads_before);
 }
 
 TEST_F(Extraction, LeavesTheScratchUsableAfterAnError) {

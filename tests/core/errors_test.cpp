@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every ErrorCode, with a sentence for the user, and nothing changed.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,6 +15,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
+#include "with_threads.h"
 
 namespace {
 
@@ -170,8 +170,7 @@ TEST(Progress, NeverFallsAndCoversEverything) {
 /// On one thread, since of several the one that reports may get little of the work.
 TEST(Progress, MovesThroughAllStepsOfALargerMesh) {
     const TriangleMesh mesh = test_meshes::torus(240, 120, 0.2).mesh;
-    const int threads_before = omp_get_max_threads();
-    omp_set_num_threads(1);
+    const test_meshes::WithThreads scope(1);
     using Clock = std::chrono::steady_clock;
     std::map<std::string, int> calls;
     double last = 0, largest_step = 0, longest_silence = 0;
@@ -186,7 +185,6 @@ TEST(Progress, MovesThroughAllStepsOfALargerMesh) {
         ++calls[stage];
         return true;
     });
-    omp_set_num_threads(threads_before);
     for (const char* stage :
          {"Preparing the mesh", "Sorting in space", "Computing normals", "Smoothing normals",
           "Estimating curvature tensors", "Computing the Laplacian of the normals"})

@@ -2,7 +2,6 @@
 // The clusters of a mesh: the same bits with any number of threads, and neighbours as a plain count
 // of the triangles at each edge finds them.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cstring>
@@ -15,17 +14,15 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh/prepared_mesh.h"
+#include "with_threads.h"
 
 namespace {
 
 using namespace laplacian_lines;
 
 ExtractorData build(const TriangleMesh& mesh, const Field& field, int threads) {
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(threads);
-    ExtractorData data = build_extractor_data(mesh, field);
-    omp_set_num_threads(before);
-    return data;
+    const test_meshes::WithThreads scope(threads);
+    return build_extractor_data(mesh, field);
 }
 
 bool same_clusters(const ExtractorData& a, const ExtractorData& b) {

@@ -2,7 +2,6 @@
 // Both ways of summing the kernel against plain sums in double precision, and the choice between
 // them. Uses the core's inner headers, since the choice is not an option of precompute().
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <cmath>
 #include <random>
@@ -16,6 +15,7 @@
 #include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "reference_field.h"
+#include "with_threads.h"
 
 namespace {
 
@@ -230,17 +230,6 @@ TEST(SummationChoice, AGridFarLargerThanTheMeshIsNotBuilt) {
     EXPECT_EQ(m.costs(1e-3).grid, std::numeric_limits<double>::infinity());
 }
 
-class WithThreads {
-public:
-    explicit WithThreads(int threads) : before_(omp_get_max_threads()) {
-        omp_set_num_threads(threads);
-    }
-    ~WithThreads() { omp_set_num_threads(before_); }
-
-private:
-    int before_;
-};
-
 TEST(GridSums, DoNotDependOnTheNumberOfThreads) {
     for (KernelMode mode : {KernelMode::Uniform, KernelMode::Adaptive})
         for (double accuracy : {1e-3, 1e-5}) {
@@ -248,10 +237,10 @@ TEST(GridSums, DoNotDependOnTheNumberOfThreads) {
             BelkinOptions options;
             options.accuracy = accuracy;
             options.summation = Summation::Grid;
-            const WithThreads one(1);
+            const test_meshes::WithThreads one(1);
             const Vectors expected = m.laplacian(options);
             for (int threads : {1, 2, 3, 8}) {
-                const WithThreads some(threads);
+                const test_meshes::WithThreads some(threads);
                 EXPECT_TRUE(m.laplacian(options) == expected) << threads << " threads";
             }
         }

@@ -3,7 +3,6 @@
 #include "laplacian_lines/line_visibility.h"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
+#include "with_threads.h"
 
 namespace {
 
@@ -487,14 +487,13 @@ TEST(LineVisibility, SeenAndHiddenContoursAreAllThereAre) {
 }
 
 TEST(LineVisibility, DoesNotDependOnTheNumberOfThreads) {
-    const Scene scene{test_meshes::bumpy_sphere(5).mesh};
+    const TriangleMesh mesh = test_meshes::bumpy_sphere(5).mesh;
     const LineStyle style = helpers::all_crossings_of_all_kinds();
-    const int threads = omp_get_max_threads();
-    omp_set_num_threads(1);
-    const LineParts one = scene.parts(kAslant, style);
-    omp_set_num_threads(3);
-    const LineParts three = Scene{scene.mesh}.parts(kAslant, style);
-    omp_set_num_threads(threads);
+    const auto on_threads = [&](int threads) {
+        const test_meshes::WithThreads scope(threads);
+        return Scene{mesh}.parts(kAslant, style);
+    };
+    const LineParts one = on_threads(1), three = on_threads(3);
     EXPECT_TRUE(helpers::same_lines(one.seen, three.seen));
     EXPECT_TRUE(helpers::same_lines(one.hidden, three.hidden));
 }

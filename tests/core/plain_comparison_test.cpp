@@ -3,7 +3,6 @@
 // order, their direction and where closed ones start; and the same bits with all instruction sets
 // and numbers of threads.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "laplacian_lines/precompute.h"
 #include "plain_extraction.h"
 #include "redraw/simd/simd_functions.h"
+#include "with_threads.h"
 
 namespace {
 
@@ -208,18 +208,17 @@ TEST_P(PlainComparison, GivesTheSameBitsWithAllInstructionSets) {
 TEST(ParallelExtraction, GivesTheSameBitsWithAnyNumberOfThreads) {
     const auto surface = test_meshes::bumpy_sphere(6, 0.15);  // many chunks of clusters
     const LineExtractor extractor(surface.mesh, helpers::complete_field(surface.mesh));
-    const int before = omp_get_max_threads();
     for (const View& view : helpers::random_views(surface.mesh, 10))
         for (const auto& [name, style] : styles()) {
-            omp_set_num_threads(1);
-            const LineSet one = helpers::extract(extractor, view, style);
-            for (int threads : {2, 3, 7}) {
-                omp_set_num_threads(threads);
-                EXPECT_TRUE(helpers::same_lines(one, helpers::extract(extractor, view, style)))
+            const auto on_threads = [&, &style = style](int threads) {
+                const test_meshes::WithThreads scope(threads);
+                return helpers::extract(extractor, view, style);
+            };
+            const LineSet one = on_threads(1);
+            for (int threads : {2, 3, 7})
+                EXPECT_TRUE(helpers::same_lines(one, on_threads(threads)))
                     << name << ", " << threads << " threads";
-            }
         }
-    omp_set_num_threads(before);
 }
 
 }  // namespace

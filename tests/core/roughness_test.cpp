@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How rough a surface is, and the smoothing that follows from it.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <cmath>
 #include <map>
@@ -14,6 +13,7 @@
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_noise.h"
+#include "with_threads.h"
 
 namespace {
 
@@ -178,16 +178,16 @@ TEST(Roughness, DoesNotDependOnSizeAndPlace) {
 }
 
 TEST(Roughness, DoesNotDependOnTheNumberOfThreads) {
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(1);
-    const Field one = precompute(terraces());
+    const auto on_threads = [](int threads) {
+        const test_meshes::WithThreads scope(threads);
+        return precompute(terraces());
+    };
+    const Field one = on_threads(1);
     for (const int threads : {2, 3, 8}) {
-        omp_set_num_threads(threads);
-        const Field field = precompute(terraces());
+        const Field field = on_threads(threads);
         EXPECT_EQ(field.report.roughness, one.report.roughness) << threads;
         EXPECT_TRUE(helpers::same_fields(one, field)) << threads;
     }
-    omp_set_num_threads(before);
 }
 
 TEST(Roughness, IsOverruledByASigmaAndByNoSmoothing) {

@@ -2,13 +2,13 @@
 #include "line_drawing/make_sheet.h"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
 #include "strokes/strokes.h"
+#include "with_threads.h"
 
 using namespace line_drawing;
 using made_sheets::cubeOf100;
@@ -168,13 +168,11 @@ TEST(MeasuredDrawing, IsTheSameOnAnyNumberOfThreads) {
     const auto mesh = test_meshes::bumpy_sphere(4).mesh;
     SheetOptions options = plainViews("six");
     options.scale = 0;
-    const int threads = omp_get_max_threads();
-    omp_set_num_threads(1);
-    const QByteArray one = writeSvg(sheetOf(mesh, options));
-    omp_set_num_threads(3);
-    const QByteArray three = writeSvg(sheetOf(mesh, options));
-    omp_set_num_threads(threads);
-    EXPECT_EQ(one, three);
+    const auto draw = [&](int threads) {
+        const test_meshes::WithThreads scope(threads);
+        return writeSvg(sheetOf(mesh, options));
+    };
+    EXPECT_EQ(draw(1), draw(3));
 }
 
 TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Views in perspective.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <cmath>
 
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
+#include "with_threads.h"
 
 using namespace line_drawing;
 using Eigen::Vector3d;
@@ -104,13 +104,10 @@ TEST(Perspective, RefusesAnEyeThatSeesNothing) {
 TEST(Perspective, IsTheSameOnAnyNumberOfThreads) {
     const auto mesh = test_meshes::bumpy_sphere(4).mesh;
     const auto draw = [&](int threads) {
-        omp_set_num_threads(threads);
+        const test_meshes::WithThreads scope(threads);
         return writeSvg(sheetOf(mesh, fromHeight(3)));
     };
-    const int threads = omp_get_max_threads();
-    const QByteArray one = draw(1), three = draw(3);
-    omp_set_num_threads(threads);
-    EXPECT_EQ(one, three);
+    EXPECT_EQ(draw(1), draw(3));
 }
 
 }  // namespace

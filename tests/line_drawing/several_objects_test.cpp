@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several objects on one drawing.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <cmath>
 
@@ -9,6 +8,7 @@
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
 #include "thrown_vessel.h"
+#include "with_threads.h"
 
 using namespace line_drawing;
 using Eigen::Vector3d;
@@ -175,13 +175,10 @@ TEST(SeveralObjects, EachHasItsOwnAreaIfWanted) {
 TEST(SeveralObjects, AreTheSameOnAnyNumberOfThreads) {
     const auto bumpy = moved(test_meshes::bumpy_sphere(4).mesh, {30, 0, -200}, 60);
     const auto draw = [&](int threads) {
-        omp_set_num_threads(threads);
+        const test_meshes::WithThreads scope(threads);
         return writeSvg(sheetOfAll({cubeOf100(), bumpy}, plainViews("six,30,20")));
     };
-    const int threads = omp_get_max_threads();
-    const QByteArray one = draw(1), three = draw(3);
-    omp_set_num_threads(threads);
-    EXPECT_EQ(one, three);
+    EXPECT_EQ(draw(1), draw(3));
 }
 
 TEST(SeveralObjects, OneIsDrawnAsByItself) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The filters as a host calls them: progress that rises to its end, and a callback that cancels.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -13,6 +12,7 @@
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "registry.h"
+#include "with_threads.h"
 
 namespace {
 
@@ -150,20 +150,9 @@ TEST_P(FilterProgress, RisesFromTheBeginningToTheEnd) {
     EXPECT_EQ(record.percents.back(), 100);
 }
 
-/// Only the calling thread tells progress, as it gets its share of the work; here it gets all.
-class OneThread {
-public:
-    OneThread() { omp_set_num_threads(1); }
-    ~OneThread() { omp_set_num_threads(before_); }
-    OneThread(const OneThread&) = delete;
-    OneThread& operator=(const OneThread&) = delete;
-
-private:
-    const int before_ = omp_get_max_threads();
-};
-
 TEST_P(FilterProgress, MovesWithEachStepOfAnyWork) {
-    const OneThread scope;
+    // Only the calling thread tells progress, as it gets its share of the work; here it gets all.
+    const test_meshes::WithThreads scope(1);
     ASSERT_EQ(run(never).toStdString(), "");
     const std::set<int> from_the_mesh(record.percents.begin(), record.percents.end());
     EXPECT_GE(from_the_mesh.size(), 20u);

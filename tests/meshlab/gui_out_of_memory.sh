@@ -12,7 +12,7 @@ source "$(dirname "$(readlink -f "$0")")/harness.sh"
 # What is freed goes back to the system at once, else the limit would not be one.
 export MALLOC_ARENA_MAX=1 MALLOC_MMAP_THRESHOLD_=65536
 write_bumpy_torus 500 300 >"$WORK/torus.ply"
-# The first run starts the threads, for which there has to be memory: libgomp ends the process otherwise.
+# MeshLab's first filter makes an OpenGL context, for which Mesa needs memory, or crashes.
 begin=$(
     cat <<'END'
 wait
@@ -20,9 +20,6 @@ open torus.ply
 size 500x400
 check Fill off
 check Points on
-trigger Compute Laplacian Lines
-apply
-close
 trigger Invert Faces Orientation
 set Force Flip = on
 apply
@@ -39,7 +36,7 @@ unlimit-memory
 button OK
 apply
 close
-expect-log (?s)Computed in.*Not enough memory.*Computed in
+expect-log (?s)Not enough memory.*Computed in
 END
 drive <<END
 $begin

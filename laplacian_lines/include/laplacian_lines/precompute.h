@@ -15,7 +15,8 @@ namespace laplacian_lines {
 /// (SoCG 2008). The Laplacian is negative semi-definite: Δf < 0 at a maximum of f.
 ///
 /// @throws Error: InvalidOption, InvalidMesh, EmptyMesh, TooCostly, Cancelled.
-/// Thread-safe; runs on OpenMP's threads, and the result does not depend on how many there are.
+/// Thread-safe; runs on several threads (see threads.h), and the result does not depend on how
+/// many.
 Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options = {},
                  const Progress& progress = {});
 

@@ -120,7 +120,7 @@ std::size_t ClusterBuilder::lay_out() {
     const std::size_t clusters = partition_.ranges.size();
     data_.clusters.resize(clusters);
     std::vector<std::uint32_t> shared_edges(clusters);
-    in_parallel<NoScratch>(clusters, [&](std::size_t c, NoScratch&) {
+    in_parallel(clusters, [&](std::size_t c) {
         const auto sides = partition_.across.begin();
         const ClusterRange& range = partition_.ranges[c];
         shared_edges[c] =

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "clusters/cluster_partition.h"
 
-#include <omp.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "clusters/cluster_data.h"
-#include "system/affordable_threads.h"
-#include "system/parallel.h"
+#include "system/halving.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr std::uint32_t kTaskTriangles = 8192;  // fewer are cut by the thread that has them
+constexpr std::uint32_t kFewTriangles = 8192;  // not worth cutting for other threads
 constexpr unsigned kBins = 1024;
 constexpr std::uint32_t kNoNumber = 0xffffffffu;
 
@@ -37,7 +34,7 @@ struct Bins {
 class LocalNumbers {
 public:
     explicit LocalNumbers(std::size_t vertices) : number_(vertices, kNoNumber) {
-        used_.reserve(kClusterVertices + 1);  // no allocation, and no exception, within tasks
+        used_.reserve(kClusterVertices + 1);
     }
 
     void clear() {
@@ -151,14 +148,15 @@ public:
     }
 
     void run() {
-        const int threads = affordable_threads(omp_get_max_threads());
-        workers_.reserve(std::size_t(threads));
-        for (int i = 0; i < threads; ++i)
-            workers_.emplace_back(mesh_.size());
         const auto all = std::uint32_t(centres_.size());
-#pragma omp parallel num_threads(threads)
-#pragma omp single
-        split(0, all);
+        const std::vector<Range> ranges = halve_in_parallel(
+            Range{0, all}, kFewTriangles, [this](const Range& range) { return cut(range); });
+        const std::size_t cuts = ranges.size() / 2, rest = ranges.size() - cuts;
+        share(rest, workers_for(rest), [&](unsigned, Blocks& shared) {
+            Worker worker(mesh_.size());
+            for (std::size_t i; shared.take(i);)
+                split(ranges[cuts + i], worker);
+        });
         for (std::uint32_t i = 0; i < all; ++i) {
             if (vertex_count_at_[i] == 0) continue;
             if (!result_.ranges.empty()) result_.ranges.back().end = i;
@@ -167,6 +165,11 @@ public:
     }
 
 private:
+    /// Of places in centres_.
+    struct Range {
+        std::uint32_t begin, end;
+        std::uint32_t size() const { return end - begin; }
+    };
     struct Worker {
         explicit Worker(std::size_t vertices) : numbers(vertices) {}
         LocalNumbers numbers;
@@ -182,16 +185,20 @@ private:
         return {{sum.x(), sum.y(), sum.z()}, t};
     }
 
-    void split(std::uint32_t begin, std::uint32_t end) {
-        const std::uint32_t size = end - begin;
-        if (size <= kClusterTriangles && becomes_cluster(begin, end)) return;
+    void split(const Range& range, Worker& worker) {
+        if (range.size() <= kClusterTriangles && becomes_cluster(range, worker)) return;
+        const auto [left, right] = cut(range);
+        split(left, worker);
+        split(right, worker);
+    }
+
+    std::pair<Range, Range> cut(const Range& range) {
         // Full clusters on the left keep all but the last ones full.
-        const std::uint32_t full = size / 2 / kClusterTriangles * kClusterTriangles;
-        const std::uint32_t middle = begin + (full > 0 ? full : size / 2);
-        order_by_longest_axis(begin, middle, end);
-#pragma omp task if (size > kTaskTriangles)
-        split(begin, middle);
-        split(middle, end);
+        const std::uint32_t half = range.size() / 2;
+        const std::uint32_t full = half / kClusterTriangles * kClusterTriangles;
+        const std::uint32_t middle = range.begin + (full > 0 ? full : half);
+        order_by_longest_axis(range.begin, middle, range.end);
+        return {{range.begin, middle}, {middle, range.end}};
     }
 
     void order_by_longest_axis(std::uint32_t begin, std::uint32_t middle, std::uint32_t end) {
@@ -238,8 +245,8 @@ private:
     }
 
     /// Unless the triangles exceed a cluster's numbers of vertices or of numbers.
-    bool becomes_cluster(std::uint32_t begin, std::uint32_t end) {
-        Worker& worker = workers_[std::size_t(omp_get_thread_num())];
+    bool becomes_cluster(const Range& range, Worker& worker) {
+        const auto [begin, end] = range;
         std::uint32_t* order = result_.order.data();
         for (std::uint32_t i = begin; i < end; ++i)
             order[i] = centres_[i].triangle;
@@ -267,7 +274,6 @@ private:
     const std::vector<std::uint8_t>& coarse_;
     Partition& result_;
     std::vector<TriangleCentre> centres_, spare_;
-    std::vector<Worker> workers_;
     std::vector<std::uint8_t> vertex_count_at_;  // of the cluster that begins at a place, or 0
 };
 

@@ -31,7 +31,7 @@ struct OpenSide {
 class VertexOwners {
 public:
     VertexOwners(const PreparedMesh& mesh, const Partition& partition) : owner_(mesh.size()) {
-        in_parallel<NoScratch>(partition.ranges.size(), [&](std::size_t c, NoScratch&) {
+        in_parallel(partition.ranges.size(), [&](std::size_t c) {
             const ClusterRange& range = partition.ranges[c];
             unsigned known = 0;  // vertices have numbers in this order
             for (std::uint32_t p = range.begin; p < range.end; ++p)
@@ -68,7 +68,7 @@ public:
         std::vector<std::vector<OpenSide>> buckets(kBuckets);
         collect(buckets);
         std::vector<std::uint32_t> first_number(kBuckets + 1, 0);
-        in_parallel<NoScratch>(kBuckets, [&](std::size_t b, NoScratch&) {
+        in_parallel(kBuckets, [&](std::size_t b) {
             std::sort(buckets[b].begin(), buckets[b].end());
             for_each_edge(buckets[b], [&](const OpenSide* begin, const OpenSide* end) {
                 first_number[b + 1] += is_numbered(begin, end);
@@ -76,7 +76,7 @@ public:
         });
         for (std::size_t b = 0; b < kBuckets; ++b)
             first_number[b + 1] += first_number[b];
-        in_parallel<NoScratch>(kBuckets, [&](std::size_t b, NoScratch&) {
+        in_parallel(kBuckets, [&](std::size_t b) {
             std::uint32_t number = first_number[b];
             for_each_edge(buckets[b], [&](const OpenSide* begin, const OpenSide* end) {
                 link(begin, end, number);
@@ -99,7 +99,7 @@ private:
         const std::size_t clusters = partition_.ranges.size();
         const std::size_t parts = (clusters + kClustersOfPart - 1) / kClustersOfPart;
         std::vector<std::vector<OpenSide>> open(parts);
-        in_parallel<NoScratch>(parts, [&](std::size_t i, NoScratch&) {
+        in_parallel(parts, [&](std::size_t i) {
             const std::size_t last = std::min(clusters, (i + 1) * kClustersOfPart) - 1;
             const std::uint32_t end = partition_.ranges[last].end;
             open[i].reserve(kClustersOfPart * kSidesOfCluster);

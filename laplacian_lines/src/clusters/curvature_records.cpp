@@ -15,7 +15,7 @@ std::vector<CurvatureRecord> curvature_records(const PreparedMesh& mesh, const F
     std::vector<CurvatureRecord> records(data.vertices_of_clusters.size());
     const double d = data.diagonal;
     const std::vector<PlacedCluster> clusters = place_clusters(data);
-    in_parallel<NoScratch>(clusters.size(), [&](std::size_t c, NoScratch&) {
+    in_parallel(clusters.size(), [&](std::size_t c) {
         const Cluster& cluster = *clusters[c].cluster;
         for (unsigned i = 0; i < cluster.vertex_count; ++i) {
             const std::uint32_t v = mesh.original_vertex[clusters[c].vertices[i]];

@@ -77,7 +77,7 @@ double roughness_by_scales(const PreparedMesh& mesh, const SpatialTree& tree,
     if (pairs_cost(tree, kReach * mesh.mean_edge) * double(count) / double(mesh.size()) > kLongest)
         return 0;
     std::vector<Turns> turns(count);
-    in_parallel<NoScratch>(count, [&](std::size_t sample, NoScratch&) {
+    in_parallel(count, [&](std::size_t sample) {
         const std::size_t i = sample * mesh.size() / count;
         turns[sample] =
             turns_at(mesh, tree, normals, i, mesh.mean_edge * double(relative_sizes[i]));

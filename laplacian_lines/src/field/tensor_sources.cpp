@@ -38,7 +38,7 @@ TensorSources::TensorSources(const PreparedMesh& mesh, const SpatialTree& tree, 
     : tree_(tree), packed_(large_array<TensorLeaf>(tree.leaves().size())) {
     const double mass = sum_of(mesh.size(), [&](std::size_t v) { return mesh.masses[v]; });
     const double per_mass = mass > 0 ? double(mesh.size()) / mass : 0;
-    in_parallel<NoScratch>(packed_.size(), [&](std::size_t i, NoScratch&) {
+    in_parallel(packed_.size(), [&](std::size_t i) {
         const SpatialTree::Leaf& leaf = tree.leaves()[i];
         const Eigen::Vector3d centre = leaf.box.center();
         TensorLeaf& to = packed_[i];

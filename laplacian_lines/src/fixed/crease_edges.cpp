@@ -57,7 +57,7 @@ public:
         const std::vector<Candidate> candidates = find_candidates();
         std::vector<Verdict> verdicts(candidates.size());
         const std::size_t parts = (candidates.size() + kEdgesAtATime - 1) / kEdgesAtATime;
-        in_parallel<NoScratch>(parts, [&](std::size_t part, NoScratch&) {
+        in_parallel(parts, [&](std::size_t part) {
             const std::size_t begin = part * kEdgesAtATime;
             const std::size_t end = std::min(candidates.size(), begin + kEdgesAtATime);
             for (std::size_t i = begin; i < end; ++i)
@@ -89,7 +89,7 @@ private:
             double edges = 0, flat_edges = 0, area = 0, flat_area = 0;
         };
         std::vector<Counts> of_cluster(placed_.size());
-        in_parallel<NoScratch>(placed_.size(), [&](std::size_t c, NoScratch&) {
+        in_parallel(placed_.size(), [&](std::size_t c) {
             Counts& counts = of_cluster[c];
             for_each_edge(c, [&](unsigned, unsigned, float cosine) {
                 ++counts.edges;
@@ -116,7 +116,7 @@ private:
     std::vector<Candidate> find_candidates() const {
         const float bent = cosine_of(is_made_ ? kLeastCreaseAngle : kLeastMeasuredAngle);
         std::vector<std::vector<Candidate>> of_cluster(placed_.size());
-        in_parallel<NoScratch>(placed_.size(), [&](std::size_t c, NoScratch&) {
+        in_parallel(placed_.size(), [&](std::size_t c) {
             for_each_edge(c, [&](unsigned t, unsigned k, float cosine) {
                 if (cosine > bent) return;
                 const std::uint8_t* corners = placed_[c].triangles[t].corners;

@@ -121,9 +121,8 @@ ZeroLines find_demarcating_curves(const ExtractorData& data,
                                   const std::vector<PlacedCluster>& placed) {
     if (data.curvatures.empty()) return {};
     std::vector<ZeroPieces> pieces(placed.size());
-    in_parallel<NoScratch>(placed.size(), [&](std::size_t c, NoScratch&) {
-        ClusterCurves(placed[c], std::uint32_t(c)).find(pieces[c]);
-    });
+    in_parallel(placed.size(),
+                [&](std::size_t c) { ClusterCurves(placed[c], std::uint32_t(c)).find(pieces[c]); });
     ZeroLines found =
         trace_zeros(data, LineKind::DemarcatingCurve, kLeastDemarcatingLength, pieces);
     for (std::size_t i = 0; i < found.forms.size(); ++i)

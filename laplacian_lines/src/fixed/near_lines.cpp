@@ -80,7 +80,7 @@ bool NearLines::any_along(const Eigen::Vector3f& p, const Eigen::Vector3f& direc
 
 std::vector<std::uint8_t> points_along(const LineSet& lines, const NearLines& others) {
     std::vector<std::uint8_t> along(lines.points.size(), 0);
-    in_parallel<NoScratch>(lines.lines.size(), [&](std::size_t number, NoScratch&) {
+    in_parallel(lines.lines.size(), [&](std::size_t number) {
         const Polyline& line = lines.lines[number];
         const LinePoint* points = lines.points.data() + line.first;
         for (std::uint32_t i = 0; i < line.count; ++i) {

@@ -115,7 +115,7 @@ private:
 
 std::vector<ZeroPieces> find_ridge_pieces(const std::vector<PlacedCluster>& placed, Crest crest) {
     std::vector<ZeroPieces> pieces(placed.size());
-    in_parallel<NoScratch>(placed.size(), [&](std::size_t c, NoScratch&) {
+    in_parallel(placed.size(), [&](std::size_t c) {
         ClusterRidges(placed[c], std::uint32_t(c), crest.sign).find(pieces[c]);
     });
     return pieces;

@@ -41,8 +41,8 @@ public:
     }
 
     void run() {
-        in_parallel<NoScratch>(placed_.size(), [&](std::size_t c, NoScratch&) { write(c); });
-        in_parallel<NoScratch>(placed_.size(), [&](std::size_t c, NoScratch&) { link(c); });
+        in_parallel(placed_.size(), [&](std::size_t c) { write(c); });
+        in_parallel(placed_.size(), [&](std::size_t c) { link(c); });
     }
 
 private:

@@ -145,10 +145,8 @@ std::vector<VertexCounts> count_vertices(const Positions& positions,
 void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
     std::vector<std::uint32_t> number = large_array(mesh.positions.size(), kUnused);
     for_each_element(prepared.triangles.size(), [&](std::size_t t) {
-        for (std::uint32_t v : prepared.triangles[t]) {
-#pragma omp atomic write
-            number[v] = 0;
-        }
+        for (std::uint32_t v : prepared.triangles[t])
+            __atomic_store_n(&number[v], 0, __ATOMIC_RELAXED);
     });
     const std::vector<VertexCounts> counts = count_vertices(mesh.positions, number);
     prepared.report.non_finite_vertices = counts.back().non_finite;

@@ -49,9 +49,8 @@ public:
             for (std::size_t i = begin; i < end; ++i)
                 by_range[place(triangles_[i], begin)++] = triangles_[i];
         });
-        in_parallel<NoScratch>(ranges_, [&](std::size_t r, NoScratch&) {
-            sort_range(r, by_range, starts[r], starts[r + 1]);
-        });
+        in_parallel(ranges_,
+                    [&](std::size_t r) { sort_range(r, by_range, starts[r], starts[r + 1]); });
     }
 
 private:

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/spatial_tree.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "mesh/bounding_box.h"
-#include "system/affordable_threads.h"
+#include "system/halving.h"
 #include "system/large_array.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr std::uint32_t kTaskSize = 8192;  // points below which a subtree is not worth a task
+constexpr std::uint32_t kSmallSubtree = 8192;  // points; not worth cutting for other threads
 // Inside a leaf points are sorted down to groups of this size, so that also there neighbours share
 // cache units.
 constexpr std::uint32_t kGroupSize = 8;
@@ -138,43 +136,55 @@ public:
         order_.resize(count);
         tree_.leaves_.resize(leaves);
         tree_.nodes_.resize(2 * leaves - 1);
-        const int threads = count > kTaskSize ? affordable_threads(omp_get_max_threads()) : 1;
-#pragma omp parallel num_threads(threads) if (threads > 1)
-#pragma omp single
-        build(0, 0, 0, count);
+        const std::vector<Subtree> subtrees =
+            halve_in_parallel(Subtree{0, 0, 0, count}, kSmallSubtree,
+                              [this](const Subtree& subtree) { return cut(subtree); });
+        const std::size_t cuts = subtrees.size() / 2;
+        in_parallel(subtrees.size() - cuts, [&](std::size_t i) { build(subtrees[cuts + i]); });
+        for (std::size_t i = cuts; i-- > 0;)
+            join(subtrees[i], subtrees[2 * i + 1], subtrees[2 * i + 2]);
     }
 
 private:
+    /// The places of its root and of its first leaf, and its points.
+    struct Subtree {
+        std::uint32_t node, leaf, begin, end;
+        std::uint32_t size() const { return end - begin; }
+    };
+
     static std::uint32_t leaf_count(std::uint32_t points) {
         return (points + kLeafSize - 1) / kLeafSize;
     }
 
-    void build(std::uint32_t node, std::uint32_t leaf, std::uint32_t begin, std::uint32_t end) {
-        if (end - begin <= kLeafSize) return make_leaf(node, leaf, begin, end);
+    void build(const Subtree& subtree) {
+        if (subtree.size() <= kLeafSize) return make_leaf(subtree);
+        const auto [left, right] = cut(subtree);
+        build(left);
+        build(right);
+        join(subtree, left, right);
+    }
+
+    std::pair<Subtree, Subtree> cut(const Subtree& whole) {
         // Whole leaves on the left keep all leaves but the last ones full.
-        const std::uint32_t half_leaves = (end - begin) / 2 / kLeafSize;
+        const std::uint32_t half = whole.size() / 2, half_leaves = half / kLeafSize;
         const std::uint32_t middle =
-            begin + (half_leaves > 0 ? half_leaves * kLeafSize : (end - begin) / 2);
-        split(items_.data() + begin, items_.data() + end, items_.data() + middle);
-        const std::uint32_t left_leaves = leaf_count(middle - begin);
-        const std::uint32_t left = node + 1, right = node + 2 * left_leaves;
-        if (end - begin > kTaskSize) {
-#pragma omp task
-            build(left, leaf, begin, middle);
-            build(right, leaf + left_leaves, middle, end);
-#pragma omp taskwait
-        } else {
-            build(left, leaf, begin, middle);
-            build(right, leaf + left_leaves, middle, end);
-        }
-        const FloatBox &a = tree_.nodes_[left].box, &b = tree_.nodes_[right].box;
+            whole.begin + (half_leaves > 0 ? half_leaves * kLeafSize : half);
+        split(items_.data() + whole.begin, items_.data() + whole.end, items_.data() + middle);
+        const std::uint32_t left_leaves = leaf_count(middle - whole.begin);
+        return {{whole.node + 1, whole.leaf, whole.begin, middle},
+                {whole.node + 2 * left_leaves, whole.leaf + left_leaves, middle, whole.end}};
+    }
+
+    void join(const Subtree& whole, const Subtree& left, const Subtree& right) {
+        const FloatBox &a = tree_.nodes_[left.node].box, &b = tree_.nodes_[right.node].box;
         FloatBox box;
         box.low = a.low < b.low ? a.low : b.low;
         box.high = a.high > b.high ? a.high : b.high;
-        tree_.nodes_[node] = {box, right, kNoLeaf};
+        tree_.nodes_[whole.node] = {box, right.node, kNoLeaf};
     }
 
-    void make_leaf(std::uint32_t node, std::uint32_t leaf, std::uint32_t begin, std::uint32_t end) {
+    void make_leaf(const Subtree& subtree) {
+        const auto [node, leaf, begin, end] = subtree;
         order_leaf(items_.data() + begin, items_.data() + end);
         Eigen::AlignedBox3d box;
         for (std::uint32_t i = begin; i < end; ++i) {

@@ -30,7 +30,7 @@ VertexRanges::VertexRanges(const PreparedMesh& mesh) : mesh_(mesh) {
 /// The first corner is the smallest, so a triangle's other ranges come after that of its own.
 void VertexRanges::collect_shared() {
     std::vector<std::vector<SharedTriangle>> found(count());
-    in_parallel<NoScratch>(count(), [&](std::size_t r, NoScratch&) {
+    in_parallel(count(), [&](std::size_t r) {
         for (std::uint32_t t = first_triangles_[r]; t < first_triangles_[r + 1]; ++t) {
             const Triangle& corners = mesh_.triangles[t];
             const std::uint32_t second = corners[1] / kRangeSize, third = corners[2] / kRangeSize;

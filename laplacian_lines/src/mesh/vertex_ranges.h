@@ -50,7 +50,7 @@ public:
         const std::uint32_t *shared_begin_, *shared_end_;  // others at its vertices, all before
     };
 
-    /// Calls body(range) for all ranges on OpenMP's threads; it must write only to what belongs to
+    /// Calls body(range) for all ranges on several threads; it must write only to what belongs to
     /// the range's vertices.
     template <class Body>
     void for_each(const StageProgress& stage, Body body) const {

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "redraw/line_finishing.h"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <exception>
 #include <limits>
 #include <memory>
 
 #include "redraw/simd/simd_functions.h"
-#include "system/affordable_threads.h"
+#include "system/thread_pool.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr std::uint32_t kLeastParallelPoints = 4000;
+constexpr std::size_t kLinesAtOnce = 4;
 constexpr std::size_t kColumns = 8;
 constexpr std::uint32_t kStripsAhead = 4;
 static_assert(sizeof(LinePoint) == 6 * sizeof(float), "finish_line() writes six floats a point");
@@ -145,6 +143,17 @@ void finish_parts(const ExtractorData& data, const TracedLines& traced,
     }
 }
 
+/// A traced line, to its place.
+void finish_line(const ExtractorData& data, const TracedLines& traced,
+                 const TracedLines::Line& line, std::size_t size, FinishingThread& thread,
+                 LinePoint* points) {
+    const Polyline& p = line.polyline;
+    LineColumns columns = make_columns(thread.columns, size);
+    collect_points(traced, line, columns);
+    if (p.closed) close_line(p.count, columns);
+    finish(data, *line.rules, p, line.has_exact, columns, points);
+}
+
 void append_parts(const FinishingMemory& memory, LineSet& lines) {
     for (const FinishedParts& parts : memory.whole) {
         const FinishingThread& thread = memory.threads[parts.thread];
@@ -173,10 +182,11 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
     lines.lines.resize(traced.lines.size());
     const std::size_t size =
         column_size(std::max(longest_of(traced.lines), longest_of(traced.whole)));
-    const int threads = traced.point_count < kLeastParallelPoints && traced.whole.empty()
-                            ? 1
-                            : affordable_threads(omp_get_max_threads());
-    if (memory.threads.size() < std::size_t(threads)) memory.threads.resize(std::size_t(threads));
+    const std::size_t whole = traced.whole.size(), count = whole + traced.lines.size();
+    const std::size_t blocks = (count + kLinesAtOnce - 1) / kLinesAtOnce;
+    const bool is_little = traced.point_count < kLeastParallelPoints && whole == 0;
+    const unsigned workers = is_little ? 1 : workers_for(blocks);
+    if (memory.threads.size() < workers) memory.threads.resize(workers);
     memory.whole.resize(traced.whole.size());
     for (FinishingThread& thread : memory.threads) {
         reserve_columns(thread.columns, size);
@@ -184,34 +194,24 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
         thread.points.clear();
         thread.parts.clear();
     }
-    const auto whole = std::int64_t(traced.whole.size());
-    const auto count = whole + std::int64_t(traced.lines.size());
-    std::exception_ptr failure;  // parts need memory of their own
-#pragma omp parallel for schedule(dynamic, 4) num_threads(threads) if (threads > 1)
-    for (std::int64_t i = 0; i < count; ++i) {
-        const auto self = std::uint32_t(omp_get_thread_num());
-        FinishingThread& thread = memory.threads[self];
+    const auto finish_one = [&](std::size_t i, unsigned worker) {
+        FinishingThread& thread = memory.threads[worker];
         if (i < whole) {
             const auto first = std::uint32_t(thread.parts.size());
-            try {
-                finish_parts(data, traced, traced.whole[std::size_t(i)], size, thread);
-            } catch (...) {
-#pragma omp critical(laplacian_lines_failure)
-                failure = std::current_exception();
-            }
-            memory.whole[std::size_t(i)] = {self, first,
-                                            std::uint32_t(thread.parts.size()) - first};
-            continue;
+            finish_parts(data, traced, traced.whole[i], size, thread);
+            memory.whole[i] = {worker, first, std::uint32_t(thread.parts.size()) - first};
+        } else {
+            const TracedLines::Line& line = traced.lines[i - whole];
+            finish_line(data, traced, line, size, thread, &lines.points[line.polyline.first]);
+            lines.lines[i - whole] = line.polyline;
         }
-        const TracedLines::Line& line = traced.lines[std::size_t(i - whole)];
-        const Polyline& p = line.polyline;
-        LineColumns columns = make_columns(thread.columns, size);
-        collect_points(traced, line, columns);
-        if (p.closed) close_line(p.count, columns);
-        finish(data, *line.rules, p, line.has_exact, columns, &lines.points[p.first]);
-        lines.lines[std::size_t(i - whole)] = p;
-    }
-    if (failure) std::rethrow_exception(failure);
+    };
+    share(blocks, workers, [&](unsigned worker, Blocks& shared) {
+        for (std::size_t block; shared.take(block);)
+            for (std::size_t i = block * kLinesAtOnce;
+                 i < std::min(count, (block + 1) * kLinesAtOnce); ++i)
+                finish_one(i, worker);
+    });
     append_parts(memory, lines);
 }
 

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "redraw/strip_finding.h"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <atomic>
-#include <exception>
 
-#include "system/affordable_threads.h"
+#include "system/thread_pool.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr std::size_t kChunk = 4 * kFormGroup;  // clusters that a thread takes at a time
-constexpr std::size_t kLeastParallelChunks = 2;
 
 /// Makes place for the strips of a batch, with some to spare.
 void reserve_batch(ThreadStrips& s) {
@@ -91,11 +86,8 @@ void even_out(const ExtractionTask& task, FoundStrips& found) {
 void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found) {
     const ClusterStore store = data.store();
     const std::size_t chunks = (data.clusters.size() + kChunk - 1) / kChunk;
-    const int threads = chunks < kLeastParallelChunks
-                            ? 1
-                            : affordable_threads(int(std::min<std::size_t>(
-                                  chunks, std::size_t(omp_get_max_threads()))));
-    if (found.threads.size() < std::size_t(threads)) found.threads.resize(std::size_t(threads));
+    const unsigned workers = workers_for(chunks);
+    if (found.threads.size() < workers) found.threads.resize(workers);
     found.chunks.resize(chunks);
     for (FindingThread& thread : found.threads) {
         if (!thread.memory) thread.memory = std::make_unique<SimdMemory>();
@@ -103,24 +95,13 @@ void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStr
         for (ThreadStrips& s : thread.strips)
             s.strip_count = s.point_count = 0;
     }
-    std::exception_ptr failure;
-    std::atomic<std::size_t> next{0};
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        const int self = omp_get_thread_num();
-        try {
-            for (std::size_t i; (i = next.fetch_add(1)) < chunks;) {
-                found.chunks[i].thread = std::uint32_t(self);
-                find_chunk(store, data.clusters.size(), task, i, found.threads[std::size_t(self)],
-                           found.chunks[i]);
-            }
-        } catch (...) {
-#pragma omp critical(laplacian_lines_failure)
-            failure = std::current_exception();
-            next = chunks;
+    share(chunks, workers, [&](unsigned worker, Blocks& shared) {
+        for (std::size_t i; shared.take(i);) {
+            found.chunks[i].thread = worker;
+            find_chunk(store, data.clusters.size(), task, i, found.threads[worker],
+                       found.chunks[i]);
         }
-    }
-    if (failure) std::rethrow_exception(failure);
+    });
     even_out(task, found);
 }
 

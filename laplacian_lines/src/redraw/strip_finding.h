@@ -34,8 +34,8 @@ struct FoundStrips {
     std::vector<ChunkOfStrips> chunks;
 };
 
-/// Finds all strips of a view on OpenMP's threads. What is found, and its order, does not depend
-/// on their number.
+/// Finds all strips of a view on several threads. What is found, and its order, does not depend on
+/// their number.
 void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found);
 
 }  // namespace laplacian_lines

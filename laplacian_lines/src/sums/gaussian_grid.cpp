@@ -112,7 +112,7 @@ private:
         for (std::size_t c = 1; c < s.first_chunk.size(); ++c)
             s.first_chunk[c] += s.first_chunk[c - 1];
         s.boxes.grow(s.chunks.size() * kBoxNodes);
-        in_parallel<NoScratch>(s.chunks.size(), [&](std::size_t i, NoScratch&) {
+        in_parallel(s.chunks.size(), [&](std::size_t i) {
             Chunk& chunk = s.chunks[i];
             spread_chunk(chunk, points_.first_nodes(block(slab, chunk.site)),
                          s.boxes.get() + i * kBoxNodes);
@@ -144,7 +144,7 @@ private:
                                masks.begin() + std::ptrdiff_t(block(slab + 1, 0)));
         masses_.allocate();
         const std::size_t row = std::size_t(grid_.blocks[0]);
-        in_parallel<NoScratch>(masses_.sites().size(), [&](std::size_t i, NoScratch&) {
+        in_parallel(masses_.sites().size(), [&](std::size_t i) {
             const std::size_t site = masses_.sites()[i];
             Node* nodes = masses_.block(site);
             std::memset(static_cast<void*>(nodes), 0, sizeof(Node) * kBlockNodes);

@@ -32,7 +32,7 @@ float mean_mass(const PreparedMesh& mesh) {
 std::vector<SourceLeaf> pack_sources(const PreparedMesh& mesh, const SpatialTree& tree,
                                      const std::vector<Eigen::Vector3d>& normals, float unit_mass) {
     std::vector<SourceLeaf> packed = large_array<SourceLeaf>(tree.leaves().size());
-    in_parallel<NoScratch>(packed.size(), [&](std::size_t i, NoScratch&) {
+    in_parallel(packed.size(), [&](std::size_t i) {
         const SpatialTree::Leaf& leaf = tree.leaves()[i];
         SourceLeaf& to = packed[i];
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {

@@ -141,7 +141,7 @@ private:
 
     template <class BlockAt, class MaskAt>
     void convolve_blocks(int axis, Slab& to, BlockAt block_at, MaskAt mask_at) {
-        in_parallel<NoScratch>(to.sites().size(), [&](std::size_t i, NoScratch&) {
+        in_parallel(to.sites().size(), [&](std::size_t i) {
             const std::size_t site = to.sites()[i];
             const Node* blocks[2 * kMaxReach + 1];
             RowMask rows[2 * kMaxReach + 1];

@@ -37,8 +37,7 @@ std::vector<BlockMask> reached_nodes(const GridGeometry& grid, const ReachedNode
             BlockMask& other =
                 nodes[block + std::size_t(part & 1) + row * std::size_t(part >> 1 & 1) +
                       grid.sites() * std::size_t(part >> 2)];
-#pragma omp atomic
-            other |= parts[part];
+            __atomic_fetch_or(&other, parts[part], __ATOMIC_RELAXED);
         }
     });
     return nodes;
@@ -92,9 +91,7 @@ GridPoints::GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector
     for_each_element(positions.size(), [&](std::size_t i) {
         const Eigen::Array3i node = grid.first_node(positions[i]);
         block[i] = std::uint32_t(block_of(grid, node));
-        BlockMask& first_nodes = first_nodes_[block[i]];
-#pragma omp atomic
-        first_nodes |= bit_of(node);
+        __atomic_fetch_or(&first_nodes_[block[i]], bit_of(node), __ATOMIC_RELAXED);
     });
     source_nodes_ = reached_nodes(grid, kSpreadNodes, first_nodes_);
     target_nodes_ = reached_nodes(grid, kInterpolatedNodes, first_nodes_);

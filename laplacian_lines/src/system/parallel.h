@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <omp.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <exception>
 #include <vector>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/progress.h"
-#include "system/affordable_threads.h"
+#include "system/thread_pool.h"
 
 namespace laplacian_lines {
 
@@ -39,45 +36,36 @@ private:
     const char* name_;
 };
 
-/// Runs body(i, scratch) for i in [0, count) on OpenMP's threads, each with a Scratch of its own,
+/// Runs body(i, scratch) for i in [0, count) on several threads, each with a Scratch of its own,
 /// `grain` of them at a time. The body must write only to places that belong to i, so that the
-/// number of threads cannot change the result. Calls finished(n) from the calling thread now and
+/// number of threads cannot change the result. Calls report(n) from the calling thread now and
 /// then, n growing up to count; the first exception stops all threads and is thrown again here.
-template <class Scratch, class Body, class Finished>
-void parallel_for(std::size_t count, int grain, Body body, Finished report) {
-    std::atomic<bool> stop{false};
+template <class Scratch, class Body, class Report>
+void parallel_for(std::size_t count, std::size_t grain, Body body, Report report) {
     std::atomic<std::size_t> finished{0};
-    std::exception_ptr failure;
     const std::size_t report_every = std::max<std::size_t>(1, count / 100);
-    const int threads = count > std::size_t(grain) ? affordable_threads(omp_get_max_threads()) : 1;
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
+    const std::size_t blocks = (count + grain - 1) / grain;
+    share(blocks, workers_for(blocks), [&](unsigned worker, Blocks& shared) {
         Scratch scratch;
         std::size_t next_report = 0;
-#pragma omp for schedule(dynamic, grain)
-        for (std::size_t i = 0; i < count; ++i) {
-            if (stop.load(std::memory_order_relaxed)) continue;
-            try {
+        for (std::size_t block; shared.take(block);) {
+            const std::size_t begin = block * grain, end = std::min(count, begin + grain);
+            for (std::size_t i = begin; i < end; ++i)
                 body(i, scratch);
-                const std::size_t done = finished.fetch_add(1, std::memory_order_relaxed);
-                if (omp_get_thread_num() == 0 && done >= next_report) {
-                    next_report = done + report_every;
-                    report(done);
-                }
-            } catch (...) {
-#pragma omp critical(laplacian_lines_failure)
-                if (!failure) failure = std::current_exception();
-                stop = true;
+            const std::size_t done = finished.fetch_add(end - begin, std::memory_order_relaxed);
+            if (worker == 0 && done >= next_report) {
+                next_report = done + report_every;
+                report(done);
             }
         }
-    }
-    if (failure) std::rethrow_exception(failure);
+    });
 }
 
 /// The same as a step of a longer computation, whose end is told in any case: the calling thread
 /// may have got no part of the work.
 template <class Scratch, class Body>
-void parallel_for(std::size_t count, const StageProgress& stage, Body body, int grain = 16) {
+void parallel_for(std::size_t count, const StageProgress& stage, Body body,
+                  std::size_t grain = 16) {
     parallel_for<Scratch>(count, grain, body,
                           [&](std::size_t done) { stage.report(double(done) / double(count)); });
     stage.report(1);
@@ -91,6 +79,11 @@ void in_parallel(std::size_t count, Body body) {
 
 struct NoScratch {};
 
+template <class Body>
+void in_parallel(std::size_t count, Body body) {
+    in_parallel<NoScratch>(count, [&](std::size_t i, NoScratch&) { body(i); });
+}
+
 constexpr std::size_t kBlockElements = 8192;
 
 inline std::size_t block_count(std::size_t count) {
@@ -101,7 +94,7 @@ inline std::size_t block_count(std::size_t count) {
 /// each element.
 template <class Body>
 void in_blocks(std::size_t count, Body body) {
-    in_parallel<NoScratch>(block_count(count), [&](std::size_t i, NoScratch&) {
+    in_parallel(block_count(count), [&](std::size_t i) {
         body(i * kBlockElements, std::min(count, (i + 1) * kBlockElements));
     });
 }

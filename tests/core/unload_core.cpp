@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// unload_core LIBRARY: a plugin's threads end before its code goes.
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+
+namespace {
+
+long thread_count() {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {});
+}
+
+bool expect(bool holds, const char* what) {
+    if (!holds) std::printf("not so: %s\n", what);
+    return holds;
+}
+
+bool load_and_unload(const char* file) {
+    const long before = thread_count();
+    void* const library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
+    if (!expect(library, "the library can be loaded")) return false;
+    const auto count = reinterpret_cast<int (*)(int)>(dlsym(library, "count_on_threads"));
+    return expect(count && count(1000) == 1000, "it counts") &&
+           expect(thread_count() > before, "it has threads") &&
+           expect(dlclose(library) == 0 && !dlopen(file, RTLD_NOLOAD | RTLD_LAZY), "it goes") &&
+           expect(thread_count() == before, "its threads are gone");
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    for (int round = 0; round < 10; ++round)
+        if (count != 2 || !load_and_unload(arguments[1])) return 1;
+}
