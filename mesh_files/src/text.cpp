@@ -54,19 +54,18 @@ bool Text::next_line(std::string_view& line) {
 
 std::string_view Text::next_word() {
     std::string_view line;
-    for (std::string_view word;;) {
-        const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
-        std::string_view here = rest_.substr(0, end);
-        word = take_word(here);
-        if (!word.empty()) {
+    while (!rest_.empty()) {
+        if (rest_[0] == '\n' || rest_[0] == '\r') {
+            next_line(line);
+        } else if (is_space(rest_[0])) {
+            rest_.remove_prefix(1);
+        } else {
             if (!is_in_line_) ++line_;
             is_in_line_ = true;
-            rest_ = std::string_view(here.data(),
-                                     std::size_t(rest_.data() + rest_.size() - here.data()));
-            return word;
+            return take_word(rest_);
         }
-        if (!next_line(line)) return {};
     }
+    return {};
 }
 
 void Text::skip_line() {

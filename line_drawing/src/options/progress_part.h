@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
+#include <thread>
+#include <utility>
+#include <vector>
+
 #include "laplacian_lines/progress.h"
 
 namespace line_drawing {
@@ -13,5 +18,35 @@ inline laplacian_lines::Progress part(const laplacian_lines::Progress& progress,
         return progress((1 - done) * begin + done * end, stage);
     };
 }
+
+/// The progress of equal works that threads do at the same time: told by the thread alone that made
+/// it, since windows may show it.
+class SharedProgress {
+public:
+    SharedProgress(laplacian_lines::Progress all, std::size_t works)
+        : all_(std::move(all)), done_(works) {}
+
+    laplacian_lines::Progress of(std::size_t work) {
+        if (!all_) return {};
+        return [this, work](double done, const char* stage) { return tell(work, done, stage); };
+    }
+
+private:
+    bool tell(std::size_t work, double done, const char* stage) {
+        done_[work] = done;
+        if (std::this_thread::get_id() == teller_ && !is_stopped_) {
+            double sum = 0;
+            for (const std::atomic<double>& of_work : done_)
+                sum += of_work;
+            is_stopped_ = !all_(sum / double(done_.size()), stage);
+        }
+        return !is_stopped_;
+    }
+
+    const laplacian_lines::Progress all_;
+    const std::thread::id teller_ = std::this_thread::get_id();
+    std::vector<std::atomic<double>> done_;
+    std::atomic<bool> is_stopped_{false};
+};
 
 }  // namespace line_drawing

@@ -11,6 +11,7 @@
 #include "sheet/sheet_furniture.h"
 #include "sheet/view_drawing.h"
 #include "sight/observer.h"
+#include "system/parallel.h"
 #include "views/joined_surface.h"
 
 namespace line_drawing {
@@ -20,8 +21,9 @@ using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
 constexpr double check_pixel = 0.25;  // mm on the sheet
-// Of the work: what is done before the first view, for all sheets and for one.
-constexpr double sight_share = 0.1, fields_share = 0.3;
+// Of the work: the ends of finding lines, and of preparing what hides them.
+constexpr double lines_share = 0.4, sight_share = 0.55;
+constexpr std::size_t most_triangles_at_once = 2000000;  // of views that are looked at together
 
 void check(const SheetOptions& options) {
     if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
@@ -93,49 +95,92 @@ QString remarkOn(const QString& note) {
         .arg(note);
 }
 
-std::vector<DrawnView> standAll(Observer& observer, const SheetOptions& options) {
+/// A sheet on its way.
+struct Draft {
+    SheetOptions options;
+    std::vector<DrawnView> views;  ///< and behind these the sections
+    SheetLayout layout;
+    std::vector<std::vector<laplacian_lines::LineSet>> lines;  ///< within faces, by view
+};
+
+Draft layOut(const Observer& observer, const SheetOptions& options) {
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : options.views)
         views.push_back(observer.stand(frame, options));
     for (const Section& section : options.sections)
         views.push_back(observer.cut(section, options));
     nameSections(views);
-    return views;
+    SheetLayout layout = layOut(views, options);
+    SheetOptions with_pens = withPensFor(layout, options);
+    return {std::move(with_pens), std::move(views), std::move(layout), {}};
 }
 
-Sheet drawSheet(Observer& observer, const SheetOptions& wanted, const Progress& progress) {
-    std::vector<DrawnView> views = standAll(observer, wanted);
-    const SheetLayout layout = layOut(views, wanted);  // before much work, since it may refuse
-    SheetOptions options = withPensFor(layout, wanted);
-    if (!options.views.empty()) {
-        const double scale = layout.placements[0].scale;
-        observer.makeReady(options, scale, part(progress, 0, fields_share));
-        options.kernel = {observer.kernelSize() * options.mm_per_unit * scale, false};
-    }
-    const auto share = [&](std::size_t views_done) {
-        const double all = std::max<double>(1, double(options.views.size()));
-        return 1 - (1 - fields_share) * (1 - double(views_done) / all);
+void findLines(const Observer& observer, ObjectLines& lines, Draft& draft,
+               const Progress& progress) {
+    SheetOptions& options = draft.options;
+    if (options.views.empty()) return;  // sections have their lines
+    const double scale = draft.layout.placements[0].scale;
+    lines.makeReady(options, scale, progress);
+    options.kernel = {lines.kernelSize() * options.mm_per_unit * scale, false};
+    for (std::size_t i = 0; i < options.views.size(); ++i)
+        draft.lines.push_back(observer.linesOf(draft.views[i], options, lines));
+}
+
+/// Adds what is missing of outlines. Returns how long that is, by view, mm.
+std::vector<double> look(const Observer& observer, Draft& draft, const Progress& progress) {
+    const std::size_t count = draft.options.views.size();
+    std::vector<double> missing(count);
+    SharedProgress shared(progress, count);
+    const auto look_at = [&](std::size_t i, laplacian_lines::NoScratch&) {
+        observer.look(draft.views[i], draft.lines[i], draft.options, shared.of(i));
+        draft.lines[i].clear();
+        missing[i] = observer.checkOutlines(draft.views[i], draft.options,
+                                            check_pixel / draft.layout.placements[i].scale);
     };
+    laplacian_lines::NoScratch none;
+    if (observer.triangleCount() <= most_triangles_at_once)
+        laplacian_lines::in_parallel<laplacian_lines::NoScratch>(count, look_at);
+    else  // by all threads, in the memory of one
+        for (std::size_t i = 0; i < count; ++i)
+            look_at(i, none);
+    return missing;
+}
+
+Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
+    const SheetOptions& options = draft.options;
+    const SheetLayout& layout = draft.layout;
+    std::vector<DrawnView>& views = draft.views;
     Sheet sheet{layout.size,
                 options.title,
                 {},
                 layout.scale,
                 options.views.empty() ? 0 : options.kernel.size};
-    for (std::size_t i = 0; i < options.views.size(); ++i) {  // sections have their lines
-        observer.look(views[i], options, part(progress, share(i), share(i + 1)));
-        const double missing =
-            observer.checkOutlines(views[i], options, check_pixel / layout.placements[i].scale);
-        if (missing > 0) sheet.remarks << remarkOn(views[i], missing);
+    const std::vector<double> missing = look(observer, draft, progress);
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        if (missing[i] > 0) sheet.remarks << remarkOn(views[i], missing[i]);
         if (!views[i].note.isEmpty()) sheet.remarks << remarkOn(views[i].note);
     }
-    for (std::size_t i = 0; i < views.size(); ++i)
-        sheet.groups.push_back(
-            drawView(views[i], i + 1, layout.placements[i], layout.places[i], options));
+    sheet.groups.resize(views.size());
+    laplacian_lines::in_parallel<laplacian_lines::NoScratch>(
+        views.size(), [&](std::size_t i, laplacian_lines::NoScratch&) {
+            sheet.groups[i] =
+                drawView(views[i], i + 1, layout.placements[i], layout.places[i], options);
+        });
     tellApart(sheet.groups);
     SheetGroup furniture =
         drawFurniture(views, layout, options.mm_per_unit * observer.objectSize(), options);
     if (!furniture.layers.empty()) sheet.groups.push_back(std::move(furniture));
     return sheet;
+}
+
+/// Runs run(item, progress) for each item, which all take the same time.
+template <class Items, class Run>
+void forEach(Items& items, const Progress& progress, Run run) {
+    double done = 0;
+    for (auto& item : items) {
+        run(item, part(progress, done / double(items.size()), (done + 1) / double(items.size())));
+        ++done;
+    }
 }
 
 }  // namespace
@@ -145,20 +190,24 @@ std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOpt
     if (objects.empty()) refuse("A drawing needs an object.");
     for (const SheetOptions& o : options)
         check(o);
-    std::vector<SheetOptions> plain = options;
-    for (SheetOptions& o : plain) {
+    Observer observer(objects);
+    std::vector<Draft> drafts;
+    for (SheetOptions o : options) {
         o.title = oneLine(o.title);
         o.source = oneLine(o.source);
+        drafts.push_back(layOut(observer, o));  // before much work, since it may refuse
     }
-    Observer observer(objects, part(progress, 0, sight_share));
-    const double share = (1 - sight_share) / std::max<double>(1, double(options.size()));
+    {
+        ObjectLines lines(objects);  // gone before what hides them is there: both are large
+        forEach(drafts, part(progress, 0, lines_share), [&](Draft& draft, const Progress& own) {
+            findLines(observer, lines, draft, own);
+        });
+    }
+    observer.prepare(options, part(progress, lines_share, sight_share));
     std::vector<Sheet> sheets;
-    for (const SheetOptions& o : plain) {
-        const double begin = sight_share + share * double(sheets.size());
-        const bool is_last = sheets.size() + 1 == options.size();
-        sheets.push_back(
-            drawSheet(observer, o, part(progress, begin, is_last ? 1 : begin + share)));
-    }
+    forEach(drafts, part(progress, sight_share, 1), [&](Draft& draft, const Progress& own) {
+        sheets.push_back(draw(observer, draft, own));
+    });
     return sheets;
 }
 

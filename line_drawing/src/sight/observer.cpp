@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "laplacian_lines/error.h"
 #include "options/progress_part.h"
 #include "options/words.h"
 #include "planes/cutting.h"
@@ -52,40 +53,60 @@ DrawnView standBefore(const TriangleMesh& surface, const Eigen::AlignedBox3d& bo
     return drawn;
 }
 
-Observer::Observer(const Objects& objects, const Progress& progress)
-    : objects_(objects),
-      surface_(objects),
-      box_(boundsOf(surface_.mesh())),
-      visibility_(surface_.mesh(), progress),
-      lines_(objects_) {}
+Observer::Observer(const Objects& objects)
+    : objects_(objects), surface_(objects), box_(boundsOf(surface_.mesh())) {
+    for (const laplacian_lines::Triangle& t : surface_.mesh().triangles)
+        for (const std::uint32_t v : t)
+            if (v >= surface_.mesh().positions.size())
+                throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidMesh,
+                                             "A triangle names a vertex that is not there.");
+}
 
 DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) const {
     return standBefore(surface_.mesh(), box_, frame, options);
 }
 
-void Observer::look(DrawnView& drawn, const SheetOptions& options, const Progress& progress) {
+void Observer::prepare(const std::vector<SheetOptions>& sheets, const Progress& progress) {
+    visibility_.emplace(surface_.mesh(), progress);
+    const bool are_alone = std::any_of(sheets.begin(), sheets.end(), [](const SheetOptions& o) {
+        return o.area == OutlineArea::Objects;
+    });
+    for (std::size_t i = 0; are_alone && i < objects_.size(); ++i)
+        alone_.emplace_back(objects_[i].mesh);
+}
+
+laplacian_lines::View Observer::viewOf(const DrawnView& drawn, const SheetOptions& options) const {
     laplacian_lines::View view = Projection(drawn.frame, box_.center()).view();
-    if (drawn.frame.eye && visibility_.encloses(*drawn.frame.eye))
+    if (options.light) view.light = inMesh(*options.light, drawn.frame);
+    return view;
+}
+
+std::vector<laplacian_lines::LineSet> Observer::linesOf(const DrawnView& drawn,
+                                                        const SheetOptions& options,
+                                                        ObjectLines& lines) const {
+    return lines.extract(viewOf(drawn, options), options.style);
+}
+
+void Observer::look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
+                    const SheetOptions& options, const Progress& progress) const {
+    if (drawn.frame.eye && visibility_->encloses(*drawn.frame.eye))
         refuse(
             "The eye of a view in perspective is inside the surface. Move it outside, or take a "
             "view without perspective.");
-    if (options.light) view.light = inMesh(*options.light, drawn.frame);
-    const std::vector<laplacian_lines::LineSet> lines = lines_.extract(view, options.style);
+    const laplacian_lines::View view = viewOf(drawn, options);
     if (drawn.frame.is_half_section) return lookHalf(drawn, view, lines, options, progress);
     drawn.lines =
-        draw(visibility_.look(view, lines, sightOf(options), progress), drawn.frame, options);
+        draw(visibility_->look(view, lines, sightOf(options), progress), drawn.frame, options);
     if (options.area == OutlineArea::Objects) addSilhouettes(drawn, options);
 }
 
-void Observer::addSilhouettes(DrawnView& drawn, const SheetOptions& options) {
+void Observer::addSilhouettes(DrawnView& drawn, const SheetOptions& options) const {
     laplacian_lines::SightOptions outlines = sightOf(options);
     outlines.has_hidden = false;
     outlines.shows = {};
     outlines.shows[laplacian_lines::LineKind::Contour] = true;
     outlines.shows[laplacian_lines::LineKind::Border] = true;
     const laplacian_lines::View view = Projection(drawn.frame, box_.center()).view();
-    while (alone_.size() < objects_.size())
-        alone_.emplace_back(objects_[alone_.size()].mesh);
     for (const laplacian_lines::LineVisibility& alone : alone_)
         drawn.silhouettes.push_back(draw(alone.look(view, {}, outlines), drawn.frame, options));
 }
@@ -110,7 +131,7 @@ void Observer::lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
     for (DrawnLine& line : drawn.lines)  // the outline of this half is the section's
         if (line.line_class == LineClass::Outline) line.line_class = LineClass::Contour;
     half.draw(drawn, box_.center(), options.mm_per_unit);
-    const SightLines all = visibility_.look(view, lines, sightOf(options), part(progress, 0.6, 1));
+    const SightLines all = visibility_->look(view, lines, sightOf(options), part(progress, 0.6, 1));
     const std::vector<DrawnLine> outside = draw(clip(all, half.right()), drawn.frame, options);
     drawn.lines.insert(drawn.lines.end(), outside.begin(), outside.end());
 }
@@ -127,7 +148,7 @@ double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, do
     if (missing.empty()) return 0;
     laplacian_lines::SightOptions all = sightOf(options);
     all.has_hidden = true;
-    const SightLines edges = visibility_.look(projection.view(), {}, all);
+    const SightLines edges = visibility_->look(projection.view(), {}, all);
     for (DrawnLine& line : linesAt(missing, draw(edges, drawn.frame, options), pixel))
         drawn.lines.push_back(std::move(line));
     return pixel * double(missing.size());

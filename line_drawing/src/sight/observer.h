@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
@@ -23,21 +25,22 @@ DrawnView standBefore(const laplacian_lines::TriangleMesh& surface,
 /// Looks at objects from all sides. They have to outlive it.
 class Observer {
 public:
-    /// @throws laplacian_lines::Error: InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
-    Observer(const Objects& objects, const laplacian_lines::Progress& progress);
+    /// @throws laplacian_lines::Error(InvalidMesh)
+    explicit Observer(const Objects& objects);
 
     /// A view without its lines.
     DrawnView stand(const ViewFrame& frame, const SheetOptions& options) const;
-    /// Before lines are looked at: as fine ones as a scale asks for, see ObjectLines.
-    void makeReady(const SheetOptions& options, double scale,
-                   const laplacian_lines::Progress& progress) {
-        lines_.makeReady(options, scale, progress);
-    }
-    /// The largest √h, mesh units.
-    double kernelSize() const { return lines_.kernelSize(); }
-    /// Adds the lines that are seen.
-    void look(DrawnView& drawn, const SheetOptions& options,
-              const laplacian_lines::Progress& progress);
+    /// The lines within the faces, of each object, as the view has them before anything hides them.
+    std::vector<laplacian_lines::LineSet> linesOf(const DrawnView& drawn,
+                                                  const SheetOptions& options,
+                                                  ObjectLines& lines) const;
+    /// Before looking. @throws laplacian_lines::Error(Cancelled)
+    void prepare(const std::vector<SheetOptions>& sheets,
+                 const laplacian_lines::Progress& progress);
+    /// Adds the lines that are seen, of the mesh's edges and of those of linesOf(). Thread-safe for
+    /// different views, as what follows.
+    void look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
+              const SheetOptions& options, const laplacian_lines::Progress& progress) const;
     /// Holds the outlines against what the surface covers, in pixels of this size, mm of the
     /// object, and adds lines where there is none. Returns how long what was missing is, in mm.
     double checkOutlines(DrawnView& drawn, const SheetOptions& options, double pixel) const;
@@ -45,6 +48,7 @@ public:
     DrawnView cut(const Section& section, const SheetOptions& options) const;
     /// In units of the mesh.
     Eigen::Vector3d objectSize() const { return box_.sizes(); }
+    std::size_t triangleCount() const { return surface_.mesh().triangles.size(); }
 
 private:
     using SightLines = std::vector<laplacian_lines::SightLine>;
@@ -53,16 +57,16 @@ private:
                   const std::vector<laplacian_lines::LineSet>& lines, const SheetOptions& options,
                   const laplacian_lines::Progress& progress) const;
 
-    void addSilhouettes(DrawnView& drawn, const SheetOptions& options);
+    laplacian_lines::View viewOf(const DrawnView& drawn, const SheetOptions& options) const;
+    void addSilhouettes(DrawnView& drawn, const SheetOptions& options) const;
     std::vector<DrawnLine> draw(const SightLines& lines, const ViewFrame& frame,
                                 const SheetOptions& options) const;
 
     const Objects objects_;
     const JoinedSurface surface_;
     const Eigen::AlignedBox3d box_;
-    const laplacian_lines::LineVisibility visibility_;
-    ObjectLines lines_;
-    std::vector<laplacian_lines::LineVisibility> alone_;  ///< of each object, when first wanted
+    std::optional<const laplacian_lines::LineVisibility> visibility_;
+    std::vector<laplacian_lines::LineVisibility> alone_;  ///< of each object, if wanted
 };
 
 }  // namespace line_drawing

@@ -125,7 +125,6 @@ private:
         const double turn = -a.outwards.dot(b.outwards);
         const bool meets = gap <= meeting * pen_;
         if (turn < (meets ? meeting_cosine : gap_cosine)) return {};
-        if (gap > same_place * pen_ && isCrossed(a, b)) return {};
         if (!meets) {
             const double shorter = std::min(lengths_[a.line], lengths_[b.line]);
             if (isContour(a) || isContour(b) || gap > longest_gap * pen_ ||
@@ -133,6 +132,7 @@ private:
                 -b.outwards.dot(way) < gap_cosine * gap)
                 return {};
         }
+        if (gap > same_place * pen_ && isCrossed(a, b)) return {};  // which takes longest
         return gap + (1 - turn) * longest_gap * pen_;
     }
 

@@ -11,6 +11,7 @@ using Eigen::Vector2d;
 
 constexpr double least_cosine = 0.94;  // of 20°
 constexpr double end_share = 0.5;      // of a piece of a line: beyond its end is not beside it
+constexpr double piece_share = 0.51;   // of the reach: half a piece, and rounding
 
 Vector2d nearestTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
     const Vector2d way = end - begin;
@@ -44,12 +45,16 @@ void DrawnLines::add(const std::vector<Vector2d>& line, std::size_t number) {
     }
 }
 
+/// In squares with the middle of a piece that comes so near to a point: pieces are no longer than
+/// the reach.
 template <class Visit>
-void DrawnLines::forEachPieceNear(const Vector2d& point, Visit visit) const {
-    const std::int64_t x = squareOf(point.x()), y = squareOf(point.y());
-    for (const int dx : {-1, 0, 1})
-        for (const int dy : {-1, 0, 1}) {
-            const auto found = pieces_.find(cell(x + dx, y + dy));
+void DrawnLines::forEachPieceNear(const Vector2d& point, double within, Visit visit) const {
+    const double to_middle = within + piece_share * reach_;
+    const auto low = [&](double x) { return squareOf(x - to_middle); };
+    const auto high = [&](double x) { return squareOf(x + to_middle); };
+    for (std::int64_t x = low(point.x()); x <= high(point.x()); ++x)
+        for (std::int64_t y = low(point.y()); y <= high(point.y()); ++y) {
+            const auto found = pieces_.find(cell(x, y));
             if (found == pieces_.end()) continue;
             for (const Piece& piece : found->second)
                 visit(piece);
@@ -58,7 +63,7 @@ void DrawnLines::forEachPieceNear(const Vector2d& point, Visit visit) const {
 
 double DrawnLines::distanceAlong(const Vector2d& point, const Vector2d& way) const {
     double least = reach_;
-    forEachPieceNear(point, [&](const Piece& piece) {
+    forEachPieceNear(point, reach_, [&](const Piece& piece) {
         const Vector2d along = (piece.end - piece.begin).normalized();
         if (std::abs(along.dot(way)) >= least_cosine)
             least = std::min(least, distanceTo(piece.begin, piece.end, point));
@@ -68,7 +73,7 @@ double DrawnLines::distanceAlong(const Vector2d& point, const Vector2d& way) con
 
 bool DrawnLines::isBeside(const Vector2d& point, double within) const {
     bool is_beside = false;
-    forEachPieceNear(point, [&](const Piece& piece) {
+    forEachPieceNear(point, within, [&](const Piece& piece) {
         const Vector2d way = piece.end - piece.begin;
         const double t = way.dot(point - piece.begin) / way.squaredNorm();
         const bool is_past = t < -end_share || t > 1 + end_share;
@@ -80,7 +85,7 @@ bool DrawnLines::isBeside(const Vector2d& point, double within) const {
 std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, std::size_t except,
                                                        double within) const {
     std::optional<Place> nearest;
-    forEachPieceNear(point, [&](const Piece& piece) {
+    forEachPieceNear(point, within, [&](const Piece& piece) {
         if (piece.line == except) return;
         const Vector2d place = nearestTo(piece.begin, piece.end, point);
         const double distance = (place - point).norm();

@@ -30,12 +30,12 @@ public:
     /// reach if none is nearer.
     double distanceAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way) const;
 
-    /// Whether `point` is within this distance, 1.4 reaches at most, beside a line, whichever way
-    /// that runs, not beyond its end.
+    /// Whether `point` is within this distance beside a line, whichever way that runs, not beyond
+    /// its end.
     bool isBeside(const Eigen::Vector2d& point, double within) const;
 
-    /// The nearest place on another line than that of a number, within the distance, 1.4 reaches at
-    /// most, and the number of that line.
+    /// The nearest place on another line than that of a number, within the distance, and the number
+    /// of that line.
     struct Place {
         Eigen::Vector2d position;
         std::size_t line;
@@ -53,7 +53,7 @@ private:
     std::int64_t squareOf(double coordinate) const;
     static Cell cell(std::int64_t x, std::int64_t y);
     template <class Visit>
-    void forEachPieceNear(const Eigen::Vector2d& point, Visit visit) const;
+    void forEachPieceNear(const Eigen::Vector2d& point, double within, Visit visit) const;
 
     const double reach_;
     std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares of twice the reach
