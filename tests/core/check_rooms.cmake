@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Includes between rooms go one way: a file of a room includes files of its own room, of those that come before it, and
-# public headers of the core and of the library PUBLIC. With -P; needs FOLDER, with a folder for each room, and ROOMS in
+# public headers of the core, and those of PUBLIC. With -P; needs FOLDER, with a folder for each room, and ROOMS in
 # their order, separated by commas. With SOME, the folder holds other things, too, and files include those beside them without naming the room.
 cmake_minimum_required(VERSION 3.18)
 string(REPLACE "," ";" ROOMS "${ROOMS}")
+string(REPLACE "," ";" PUBLIC "${PUBLIC}")
 file(GLOB entries RELATIVE "${FOLDER}" "${FOLDER}/*")
 set(found ${entries})
 list(SORT found)

@@ -10,15 +10,8 @@ namespace {
 using Eigen::Vector3d;
 
 void mark_edge(const SightMesh& mesh, std::uint32_t a, std::uint32_t b, CreaseMarks& marks) {
-    const std::uint32_t ends[2] = {std::min(a, b), std::max(a, b)};
-    const auto last = mesh.edges.begin() + std::ptrdiff_t(mesh.edge_count());
-    const auto edge = std::lower_bound(
-        mesh.edges.begin(), last, ends, [](const SightMesh::Edge& e, const std::uint32_t* wanted) {
-            return e.vertices[0] != wanted[0] ? e.vertices[0] < wanted[0]
-                                              : e.vertices[1] < wanted[1];
-        });
-    if (edge != last && edge->vertices[0] == ends[0] && edge->vertices[1] == ends[1])
-        marks[std::size_t(edge - mesh.edges.begin())] = true;
+    const std::uint32_t edge = mesh.edge_between(a, b);
+    if (edge != SightMesh::kNoEdge) marks[edge] = true;
 }
 
 }  // namespace

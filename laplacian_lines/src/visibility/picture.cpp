@@ -18,7 +18,7 @@ bool is_less(const Vector3d& a, const Vector3d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
 }
 
-BoxLevels<2>::Box flat_box(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+Eigen::AlignedBox2f flat_box(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c).head<2>(),
                           high = a.cwiseMax(b).cwiseMax(c).head<2>();
     // outwards by more than floats round
@@ -45,8 +45,8 @@ Picture::Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgre
         facing_[t] = std::int8_t(turn(corner(t, 0), corner(t, 1), corner(t, 2)));
     });
     stage.report(0.4);
-    levels_ = {mesh.triangles.size(),
-               [&](std::uint32_t t) { return flat_box(corner(t, 0), corner(t, 1), corner(t, 2)); }};
+    tree_ = {mesh.along_curve,
+             [&](std::uint32_t t) { return flat_box(corner(t, 0), corner(t, 1), corner(t, 2)); }};
     stage.report(1);
 }
 
@@ -78,15 +78,16 @@ Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::si
         return place != own + own_count && place->triangle == triangle;
     };
     Backing result;
-    levels_.visit(BoxLevels<2>::Box(at.head<2>().cast<float>().eval()),
-                  [&](std::uint32_t triangle, const BoxLevels<2>::Box&) {
-                      if (result.is_hidden || is_own(triangle) || !covers(triangle, at)) return;
-                      const Vector3d& corner = mesh_.positions[mesh_.triangles[triangle][0]];
-                      const Vector3d normal = facing_[triangle] * mesh_.normal(triangle);
-                      const double height = normal.dot(point - corner);  // above it for the eye
-                      result.is_hidden = height < -precision;
-                      result.gap = std::min(result.gap, std::max(height, 0.) / normal.dot(to_eye));
-                  });
+    tree_.visit(Eigen::AlignedBox2f(at.head<2>().cast<float>().eval()),
+                [&](std::uint32_t triangle) {
+                    if (is_own(triangle) || !covers(triangle, at)) return true;
+                    const Vector3d& corner = mesh_.positions[mesh_.triangles[triangle][0]];
+                    const Vector3d normal = facing_[triangle] * mesh_.normal(triangle);
+                    const double height = normal.dot(point - corner);  // above it for the eye
+                    result.is_hidden = height < -precision;
+                    result.gap = std::min(result.gap, std::max(height, 0.) / normal.dot(to_eye));
+                    return !result.is_hidden;
+                });
     return result;
 }
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "visibility/box_levels.h"
+#include "visibility/box_tree.h"
 #include "visibility/eye_frame.h"
 #include "visibility/sight_mesh.h"
 
@@ -65,7 +65,7 @@ private:
     const EyeFrame frame_;
     std::vector<Eigen::Vector3d> places_;
     std::vector<std::int8_t> facing_;  // of triangles: 1 if counter-clockwise in the picture
-    BoxLevels<2> levels_;              // of triangles
+    BoxTree<2> tree_;                  // of triangles
 };
 
 }  // namespace laplacian_lines

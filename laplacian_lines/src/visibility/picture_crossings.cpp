@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "visibility/box_levels.h"
+#include "visibility/box_tree.h"
 
 namespace laplacian_lines {
 namespace {
 
 using Eigen::Vector3d;
-using Box = BoxLevels<2>::Box;
+using Box = BoxTree<2>::Box;
 
 constexpr double kRounding = 4;  // precisions: what a line may seem to be before its own surface
 
@@ -27,22 +27,29 @@ double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, const V
 class CrossingFinder {
 public:
     explicit CrossingFinder(const SightSegments& all) : all_(all) {
+        std::vector<std::uint32_t> dividing;
+        Box bounds;
         for (std::uint32_t i = 0; i < all.segments.size(); ++i)
-            (all.segments[i].divides ? dividing_ : others_).push_back(i);
-        dividing_levels_ = levels_of(dividing_);
-        other_levels_ = levels_of(others_);
+            if (all.segments[i].divides) {
+                dividing.push_back(i);
+                bounds.extend(box_of(i));
+            }
+        dividing_ = order_along_curve<2>(
+            dividing.size(), bounds,
+            [&](std::uint32_t i) -> Eigen::Vector2f { return box_of(dividing[i]).center(); });
+        for (std::uint32_t& i : dividing_)
+            i = dividing[i];
+        tree_ = {dividing_, [&](std::uint32_t i) { return box_of(i); }};
     }
 
     std::vector<PictureCrossing> find(const StageProgress& stage) const {
-        const std::size_t count = dividing_.size() + others_.size();
+        const std::size_t count = all_.segments.size();
         std::vector<std::vector<PictureCrossing>> found((count + kBlock - 1) / kBlock);
         parallel_for<NoScratch>(
             found.size(), stage,
             [&](std::size_t block, NoScratch&) {
                 for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
-                    i < dividing_.size()
-                        ? find_from_dividing(std::uint32_t(i), found[block])
-                        : find_from_other(std::uint32_t(i - dividing_.size()), found[block]);
+                    find_from(std::uint32_t(i), found[block]);
             },
             1);
         std::vector<PictureCrossing> crossings;
@@ -53,7 +60,6 @@ public:
 
 private:
     static constexpr std::size_t kBlock = 512;
-    using Numbers = std::vector<std::uint32_t>;
 
     Box box_of(std::uint32_t segment) const {
         const SightSegment& s = all_.segments[segment];
@@ -65,35 +71,17 @@ private:
         return {box.min() - rounding(box.min()), box.max() + rounding(box.max())};
     }
 
-    BoxLevels<2> levels_of(const Numbers& numbers) const {
-        return {numbers.size(), [&](std::uint32_t i) { return box_of(numbers[i]); }};
-    }
-
-    /// With dividing ones of its own level, once a pair, and of larger ones, and with larger
-    /// others.
-    void find_from_dividing(std::uint32_t i, std::vector<PictureCrossing>& found) const {
-        const Box box = box_of(dividing_[i]);
-        const int level = dividing_levels_.level_of(box);
-        dividing_levels_.visit(
-            box,
-            [&](std::uint32_t k, const Box& other) {
-                if (k > i || dividing_levels_.level_of(other) > level)
-                    test(dividing_[i], dividing_[k], found);
-            },
-            level);
-        other_levels_.visit(
-            box,
-            [&](std::uint32_t k, const Box& other) {
-                if (dividing_levels_.level_of(other) > level) test(others_[k], dividing_[i], found);
-            },
-            other_levels_.level_of(box));
-    }
-
-    void find_from_other(std::uint32_t i, std::vector<PictureCrossing>& found) const {
-        const Box box = box_of(others_[i]);
-        dividing_levels_.visit(
-            box, [&](std::uint32_t k, const Box&) { test(others_[i], dividing_[k], found); },
-            dividing_levels_.level_of(box));
+    /// With dividing ones, once a pair.
+    void find_from(std::uint32_t i, std::vector<PictureCrossing>& found) const {
+        const bool divides = all_.segments[i].divides;
+        std::vector<std::uint32_t> others;
+        tree_.visit(box_of(i), [&](std::uint32_t k) {
+            if (!divides || k > i) others.push_back(k);
+            return true;
+        });
+        std::sort(others.begin(), others.end());
+        for (const std::uint32_t k : others)
+            test(i, k, found);
     }
 
     void test(std::uint32_t i, std::uint32_t k, std::vector<PictureCrossing>& found) const {
@@ -122,8 +110,8 @@ private:
     }
 
     const SightSegments& all_;
-    Numbers dividing_, others_;
-    BoxLevels<2> dividing_levels_, other_levels_;
+    std::vector<std::uint32_t> dividing_;  // along a curve
+    BoxTree<2> tree_;                      // of these
 };
 
 }  // namespace

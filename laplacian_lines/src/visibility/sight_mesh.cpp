@@ -4,13 +4,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <tuple>
 
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
 #include "mesh/equal_positions.h"
+#include "system/buckets.h"
 #include "system/disjoint_sets.h"
-#include "system/equal_elements.h"
+#include "visibility/box_tree.h"
 #include "visibility/surface_contacts.h"
 #include "visibility/vertex_places.h"
 
@@ -81,21 +84,42 @@ bool weld_borders(SightMesh& mesh) {
     return any;
 }
 
+/// What find(i, found) adds for all i < count, in their order.
+template <class T, class Find>
+std::vector<T> find_in_order(std::size_t count, Find find) {
+    std::vector<std::vector<T>> found(block_count(count));
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            find(std::uint32_t(i), found[begin / kBlockElements]);
+    });
+    std::vector<T> all;
+    for (const auto& of_block : found)
+        all.insert(all.end(), of_block.begin(), of_block.end());
+    return all;
+}
+
 /// For each end of cuts, the vertices from `first_end` on, the first vertex at its place.
 std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::size_t first_end) {
-    std::vector<bool> wanted = vertices_of_edges(mesh);
-    std::fill(wanted.begin() + std::ptrdiff_t(first_end), wanted.end(), true);
-    const VertexPlaces places(mesh, wanted);
-    std::vector<std::uint32_t> first;
-    for (auto v = std::uint32_t(first_end); v < mesh.positions.size(); ++v) {
+    const std::size_t count = mesh.positions.size();
+    const std::vector<bool> are_used = vertices_of_edges(mesh);
+    std::vector<bool> are_ends(count);
+    std::fill(are_ends.begin() + std::ptrdiff_t(first_end), are_ends.end(), true);
+    const VertexPlaces ends(mesh, are_ends);
+    using Pair = std::pair<std::uint32_t, std::uint32_t>;  // an end, another vertex at its place
+    const auto find = [&](std::uint32_t v, std::vector<Pair>& found) {
         const Vector3d& p = mesh.positions[v];
-        std::uint32_t nearest = v;
-        places.visit_along(p, p, mesh.precision, [&](std::uint32_t other) {
-            if (other < nearest && (mesh.positions[other] - p).norm() <= mesh.precision)
-                nearest = other;
+        if (!are_used[v] && v < first_end) return;
+        ends.visit_along(p, p, mesh.precision, [&](std::uint32_t end) {
+            if (v < end && (mesh.positions[end] - p).norm() <= mesh.precision)
+                found.emplace_back(end, v);
         });
-        first.push_back(nearest < first_end || nearest == v ? nearest : first[nearest - first_end]);
-    }
+    };
+    std::vector<std::uint32_t> first(count - first_end);
+    std::iota(first.begin(), first.end(), std::uint32_t(first_end));
+    for (const auto& [end, v] : find_in_order<Pair>(count, find))
+        first[end - first_end] = std::min(first[end - first_end], v);
+    for (std::uint32_t& nearest : first)  // what stands for an end before it
+        if (nearest >= first_end) nearest = first[nearest - first_end];
     return first;
 }
 
@@ -131,38 +155,43 @@ bool come_before(const SurfaceContacts::OnEdge& a, const SurfaceContacts::OnEdge
     return a.edge != b.edge ? a.edge < b.edge : a.vertex < b.vertex;
 }
 
-/// Adds which of the vertices lie on the ways between `ends_of` each of `count` numbers.
-template <class EndsOf>
-void find_on_ways(const SightMesh& mesh, std::size_t count, const VertexPlaces& vertices,
-                  std::vector<SurfaceContacts::OnEdge>& on_edges, EndsOf ends_of) {
-    std::vector<std::vector<SurfaceContacts::OnEdge>> found(block_count(count));
-    in_blocks(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t* const ends = ends_of(i);
-            vertices.visit_along(
-                mesh.positions[ends[0]], mesh.positions[ends[1]], mesh.precision,
-                [&](std::uint32_t v) {
-                    if (lies_between(mesh, v, ends[0], ends[1], mesh.precision))
-                        found[begin / kBlockElements].push_back({{ends[0], ends[1]}, v});
-                });
-        }
-    });
-    for (const auto& of_block : found)
-        on_edges.insert(on_edges.end(), of_block.begin(), of_block.end());
-}
-
 /// Finds vertices on cuts, and ends of cuts on edges that no triangle of the cut has.
 void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
+    using OnEdge = SurfaceContacts::OnEdge;
     if (contacts.cuts.empty()) return;
     std::vector<bool> are_ends(mesh.positions.size()), are_used = vertices_of_edges(mesh);
     for (const SurfaceContacts::Cut& cut : contacts.cuts)
         for (const std::uint32_t v : cut.vertices)
             are_ends[v] = are_used[v] = true;
-    const VertexPlaces used(mesh, are_used), ends(mesh, are_ends);
-    find_on_ways(mesh, contacts.cuts.size(), used, contacts.on_edges,
-                 [&](std::size_t i) { return contacts.cuts[i].vertices; });
-    find_on_ways(mesh, mesh.edge_count(), ends, contacts.on_edges,
-                 [&](std::size_t e) { return mesh.edges[e].vertices; });
+    const auto box_of = [&](std::uint32_t c) {
+        const std::uint32_t* const ends = contacts.cuts[c].vertices;
+        return box_around(mesh.positions[ends[0]], mesh.positions[ends[1]], mesh.precision);
+    };
+    const auto order = order_along_curve<3>(
+        contacts.cuts.size(), local_box(),
+        [&](std::uint32_t c) -> Eigen::Vector3f { return box_of(c).center(); });
+    const BoxTree<3> cuts(order, box_of);
+    const auto add_if_on = [&](std::uint32_t v, const std::uint32_t* ends,
+                               std::vector<OnEdge>& found) {
+        if (lies_between(mesh, v, ends[0], ends[1], mesh.precision))
+            found.push_back({{ends[0], ends[1]}, v});
+    };
+    const auto find_cuts = [&](std::uint32_t v, std::vector<OnEdge>& found) {
+        if (!are_used[v]) return;
+        cuts.visit(BoxTree<3>::Box(mesh.positions[v].cast<float>().eval()), [&](std::uint32_t c) {
+            add_if_on(v, contacts.cuts[c].vertices, found);
+            return true;
+        });
+    };
+    const VertexPlaces ends(mesh, are_ends);
+    const auto find_ends = [&](std::uint32_t e, std::vector<OnEdge>& found) {
+        const std::uint32_t* const edge = mesh.edges[e].vertices;
+        ends.visit_along(mesh.positions[edge[0]], mesh.positions[edge[1]], mesh.precision,
+                         [&](std::uint32_t v) { add_if_on(v, edge, found); });
+    };
+    for (const auto& found : {find_in_order<OnEdge>(mesh.positions.size(), find_cuts),
+                              find_in_order<OnEdge>(mesh.edge_count(), find_ends)})
+        contacts.on_edges.insert(contacts.on_edges.end(), found.begin(), found.end());
     std::sort(contacts.on_edges.begin(), contacts.on_edges.end(), come_before);
 }
 
@@ -172,29 +201,15 @@ double height_of(const SightMesh& mesh, const Triangle& t) {
     return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
-Triangle sorted(Triangle t) {
-    std::sort(t.begin(), t.end());
-    return t;
-}
-
-/// Takes away triangles that have no height, and all but one of those with the same corners.
-void drop_degenerate(SightMesh& mesh) {
-    const std::vector<Triangle> all = std::move(mesh.triangles);
-    const auto first = first_equals(
-        all.size(),
-        [&](std::uint32_t i) {
-            const Triangle t = sorted(all[i]);
-            return mix_hash(mix_hash(t[0], t[1]), t[2]);
-        },
-        [&](std::uint32_t i, std::uint32_t k) { return sorted(all[i]) == sorted(all[k]); });
-    std::vector<std::uint8_t> is_kept(all.size());
-    for_each_element(all.size(), [&](std::size_t i) {
-        is_kept[i] = first[i] == i && height_of(mesh, all[i]) > mesh.precision;
-    });
-    mesh.triangles.clear();
-    mesh.triangles.reserve(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (is_kept[i]) mesh.triangles.push_back(all[i]);
+/// Keeps those of the triangles for which keep(t), in their order.
+template <class Keep>
+void keep_triangles(SightMesh& mesh, Keep keep) {
+    std::vector<std::uint8_t> is_kept(mesh.triangles.size());
+    for_each_element(is_kept.size(), [&](std::size_t t) { is_kept[t] = keep(std::uint32_t(t)); });
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < is_kept.size(); ++t)
+        if (is_kept[t]) mesh.triangles[count++] = mesh.triangles[t];
+    mesh.triangles.resize(count);
 }
 
 /// A side between two vertices, before sides are gathered by edges.
@@ -204,70 +219,164 @@ struct LooseSide {
     bool is_reversed;
 };
 
-bool are_equal(const SightMesh::Side& a, const LooseSide& b) {
-    return a.triangle == b.triangle && a.is_reversed == b.is_reversed;
+LooseSide side_between(std::uint32_t from, std::uint32_t to, std::uint32_t triangle) {
+    return {{std::min(from, to), std::max(from, to)}, triangle, from > to};
 }
 
-/// By edges, in the order of their vertices; those of one edge in the order of the triangles, each
-/// once.
-void gather_edges(std::vector<LooseSide> loose, SightMesh& mesh) {
-    std::vector<std::uint32_t> begins(mesh.positions.size() + 2, 0);
-    for (const LooseSide& side : loose)
-        ++begins[side.vertices[0] + 2];
-    for (std::size_t v = 2; v < begins.size(); ++v)
-        begins[v] += begins[v - 1];
-    std::vector<LooseSide> sorted(loose.size());
-    for (const LooseSide& side : loose)
-        sorted[begins[side.vertices[0] + 1]++] = side;
-    loose = {};
-    for_each_element(mesh.positions.size(), [&](std::size_t v) {
-        std::sort(sorted.begin() + begins[v], sorted.begin() + begins[v + 1],
-                  [](const LooseSide& a, const LooseSide& b) {
-                      return std::tie(a.vertices[1], a.triangle, a.is_reversed) <
-                             std::tie(b.vertices[1], b.triangle, b.is_reversed);
-                  });
+/// The sides side_of(i) by edges, in the order of their vertices; those of one edge in the order of
+/// the triangles, each once.
+template <class SideOf>
+void gather_edges(std::size_t count, SideOf side_of, std::size_t vertices, SightMesh& mesh) {
+    struct Key {
+        std::uint64_t edge;
+        std::uint32_t side, number;
+        bool operator<(const Key& other) const {
+            return edge != other.edge ? edge < other.edge : side < other.side;
+        }
+        bool operator==(const Key& other) const { return edge == other.edge && side == other.side; }
+    };
+    const auto key_of = [&](std::uint32_t i) {
+        const LooseSide side = side_of(i);
+        return Key{std::uint64_t(side.vertices[0]) << 32 | side.vertices[1],
+                   2 * side.triangle + side.is_reversed, i};
+    };
+    constexpr std::size_t kBucket = 1024;
+    const std::size_t bucket_count = count / kBucket + 1;
+    Buckets buckets = sort_in_buckets(count, bucket_count, [&](std::uint32_t i) {
+        return std::size_t(side_of(i).vertices[0]) * bucket_count / vertices;
     });
-    mesh.edges.clear();
-    mesh.sides.clear();
-    mesh.sides.reserve(sorted.size());
-    for (const LooseSide& side : sorted) {
-        const bool is_new = mesh.edges.empty() ||
-                            mesh.edges.back().vertices[0] != side.vertices[0] ||
-                            mesh.edges.back().vertices[1] != side.vertices[1];
-        if (is_new)
-            mesh.edges.push_back(
-                {{side.vertices[0], side.vertices[1]}, std::uint32_t(mesh.sides.size())});
-        if (is_new || !are_equal(mesh.sides.back(), side))
-            mesh.sides.push_back({side.triangle, side.is_reversed});
+    std::vector<std::uint32_t> first_edges(bucket_count + 1), first_sides(bucket_count + 1);
+    buckets.for_each([&](std::size_t bucket, std::uint32_t* begin, std::uint32_t* end) {
+        std::vector<Key> keys;
+        for (const std::uint32_t* i = begin; i != end; ++i)
+            keys.push_back(key_of(*i));
+        std::sort(keys.begin(), keys.end());
+        keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            begin[k] = keys[k].number;
+            first_edges[bucket] += k == 0 || keys[k - 1].edge != keys[k].edge;
+        }
+        first_sides[bucket] = std::uint32_t(keys.size());
+    });
+    std::exclusive_scan(first_edges.begin(), first_edges.end(), first_edges.begin(), 0u);
+    std::exclusive_scan(first_sides.begin(), first_sides.end(), first_sides.begin(), 0u);
+    mesh.edges = large_array<SightMesh::Edge>(first_edges[bucket_count] + 1);
+    mesh.sides = large_array<SightMesh::Side>(first_sides[bucket_count]);
+    buckets.for_each([&](std::size_t bucket, const std::uint32_t* number, std::uint32_t*) {
+        std::uint32_t edge = first_edges[bucket];
+        std::uint64_t last = ~std::uint64_t(0);  // no edge
+        for (std::uint32_t s = first_sides[bucket]; s < first_sides[bucket + 1]; ++s, ++number) {
+            const LooseSide side = side_of(*number);
+            const std::uint64_t ends = key_of(*number).edge;
+            if (ends != last) mesh.edges[edge++] = {{side.vertices[0], side.vertices[1]}, s};
+            mesh.sides[s] = {side.triangle, side.is_reversed};
+            last = ends;
+        }
+    });
+    mesh.edges.back() = {{0, 0}, first_sides[bucket_count]};
+}
+
+void gather_edges(const std::vector<LooseSide>& sides, std::size_t vertices, SightMesh& mesh) {
+    gather_edges(
+        sides.size(), [&](std::uint32_t i) { return sides[i]; }, vertices, mesh);
+}
+
+/// Triangles that have the corners of an earlier one.
+std::vector<std::uint8_t> find_equal_triangles(const SightMesh& mesh) {
+    std::vector<std::uint8_t> are_equal(mesh.triangles.size());
+    for_each_element(mesh.edge_count(), [&](std::size_t e) {
+        const SightMesh::Edge& edge = mesh.edges[e];
+        if (mesh.side_count(std::uint32_t(e)) < 2) return;
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> by_third;  // corner, triangle
+        const SightMesh::Side* sides = mesh.sides_of(std::uint32_t(e));
+        for (std::size_t i = 0; i < mesh.side_count(std::uint32_t(e)); ++i)
+            for (const std::uint32_t v : mesh.triangles[sides[i].triangle])
+                if (v > edge.vertices[1]) by_third.emplace_back(v, sides[i].triangle);
+        std::sort(by_third.begin(), by_third.end());
+        for (std::size_t i = 1; i < by_third.size(); ++i)
+            if (by_third[i].first == by_third[i - 1].first) are_equal[by_third[i].second] = 1;
+    });
+    return are_equal;
+}
+
+/// The edges of triangles, of which those without height are taken away, and all but one of those
+/// with the same corners.
+void build_edges(SightMesh& mesh) {
+    keep_triangles(
+        mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
+    const auto gather = [&] {
+        gather_edges(
+            3 * mesh.triangles.size(),
+            [&](std::uint32_t i) {
+                const Triangle& t = mesh.triangles[i / 3];
+                return side_between(t[i % 3], t[(i + 1) % 3], i / 3);
+            },
+            mesh.positions.size(), mesh);
+    };
+    gather();
+    const std::vector<std::uint8_t> are_equal = find_equal_triangles(mesh);
+    if (std::find(are_equal.begin(), are_equal.end(), 1) == are_equal.end()) return;
+    keep_triangles(mesh, [&](std::uint32_t t) { return !are_equal[t]; });
+    gather();
+}
+
+/// Adds sides of triangles; `gone` are edges, ascending, that are no longer there.
+void change_edges(const std::vector<LooseSide>& sides, const std::vector<std::uint32_t>& gone,
+                  SightMesh& mesh) {
+    SightMesh added, all;
+    gather_edges(sides, mesh.positions.size(), added);
+    all.edges.reserve(mesh.edges.size() + added.edges.size());
+    all.sides.reserve(mesh.sides.size() + added.sides.size());
+    const auto ends = [](const SightMesh& of, std::uint32_t e) {
+        return std::tie(of.edges[e].vertices[0], of.edges[e].vertices[1]);
+    };
+    const auto append = [&](const SightMesh& from, std::uint32_t e) {
+        const SightMesh::Edge& edge = from.edges[e];
+        all.edges.push_back(
+            {{edge.vertices[0], edge.vertices[1]}, std::uint32_t(all.sides.size())});
+        all.sides.insert(all.sides.end(), from.sides_of(e), from.sides_of(e) + from.side_count(e));
+    };
+    const auto append_both = [&](std::uint32_t e, std::uint32_t a) {
+        all.edges.push_back({{mesh.edges[e].vertices[0], mesh.edges[e].vertices[1]},
+                             std::uint32_t(all.sides.size())});
+        const auto less = [](const SightMesh::Side& s, const SightMesh::Side& t) {
+            return s.triangle != t.triangle ? s.triangle < t.triangle
+                                            : s.is_reversed < t.is_reversed;
+        };
+        std::set_union(mesh.sides_of(e), mesh.sides_of(e) + mesh.side_count(e), added.sides_of(a),
+                       added.sides_of(a) + added.side_count(a), std::back_inserter(all.sides),
+                       less);
+    };
+    auto next_gone = gone.begin();
+    std::uint32_t a = 0;
+    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+        if (next_gone != gone.end() && *next_gone == e) {
+            ++next_gone;
+            continue;
+        }
+        while (a < added.edge_count() && ends(added, a) < ends(mesh, e))
+            append(added, a++);
+        if (a < added.edge_count() && ends(added, a) == ends(mesh, e))
+            append_both(e, a++);
+        else
+            append(mesh, e);
     }
-    mesh.edges.push_back({{0, 0}, std::uint32_t(mesh.sides.size())});
-}
-
-void add_side(std::uint32_t from, std::uint32_t to, std::uint32_t triangle,
-              std::vector<LooseSide>& sides) {
-    if (from != to)
-        sides.push_back({{std::min(from, to), std::max(from, to)}, triangle, from > to});
-}
-
-std::vector<LooseSide> sides_of_triangles(const SightMesh& mesh) {
-    std::vector<LooseSide> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k)
-            add_side(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3], t, sides);
-    return sides;
+    while (a < added.edge_count())
+        append(added, a++);
+    all.edges.push_back({{0, 0}, std::uint32_t(all.sides.size())});
+    mesh.edges = std::move(all.edges);
+    mesh.sides = std::move(all.sides);
 }
 
 /// Both triangles of a cut lie on both sides of it.
 void add_cuts(const std::vector<SurfaceContacts::Cut>& cuts, SightMesh& mesh) {
     if (cuts.empty()) return;
-    std::vector<LooseSide> sides = sides_of_triangles(mesh);
+    std::vector<LooseSide> sides;
     for (const SurfaceContacts::Cut& cut : cuts)
-        for (const std::uint32_t triangle : cut.triangles) {
-            add_side(cut.vertices[0], cut.vertices[1], triangle, sides);
-            add_side(cut.vertices[1], cut.vertices[0], triangle, sides);
-        }
-    gather_edges(std::move(sides), mesh);
+        for (const std::uint32_t triangle : cut.triangles)
+            for (const int i : {0, 1})
+                sides.push_back(side_between(cut.vertices[i], cut.vertices[1 - i], triangle));
+    change_edges(sides, {}, mesh);
 }
 
 /// The vertices on an edge, from its first to its second.
@@ -291,35 +400,32 @@ std::vector<std::uint32_t> way_along(const SightMesh& mesh, const SightMesh::Edg
 void divide_edges(const std::vector<SurfaceContacts::OnEdge>& on_edges, SightMesh& mesh) {
     if (on_edges.empty()) return;
     std::vector<LooseSide> sides;
-    sides.reserve(mesh.sides.size());
+    std::vector<std::uint32_t> gone;
     const SurfaceContacts::OnEdge* next = on_edges.data();
     const SurfaceContacts::OnEdge* const end = next + on_edges.size();
-    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
-        const SightMesh::Edge& edge = mesh.edges[e];
+    while (next != end) {
         const SurfaceContacts::OnEdge* const begin = next;
-        while (next != end && next->edge[0] == edge.vertices[0] &&
-               next->edge[1] == edge.vertices[1])
+        while (next != end && next->edge == begin->edge)
             ++next;
-        const std::vector<std::uint32_t> way = way_along(mesh, edge, begin, next);
+        const std::uint32_t e = mesh.edge_between(begin->edge[0], begin->edge[1]);
+        if (e == SightMesh::kNoEdge) continue;
+        gone.push_back(e);
+        const std::vector<std::uint32_t> way = way_along(mesh, mesh.edges[e], begin, next);
         for (std::size_t s = 0; s < mesh.side_count(e); ++s) {
             const SightMesh::Side side = mesh.sides_of(e)[s];
             for (std::size_t i = 1; i < way.size(); ++i)
-                add_side(way[i - (side.is_reversed ? 0 : 1)], way[i - (side.is_reversed ? 1 : 0)],
-                         side.triangle, sides);
+                sides.push_back(side_between(way[i - (side.is_reversed ? 0 : 1)],
+                                             way[i - (side.is_reversed ? 1 : 0)], side.triangle));
         }
     }
-    gather_edges(std::move(sides), mesh);
+    change_edges(sides, gone, mesh);
 }
 
 void find_edges(SightMesh& mesh, const StageProgress& stage) {
     weld_equal(mesh);
-    drop_degenerate(mesh);
-    gather_edges(sides_of_triangles(mesh), mesh);
+    build_edges(mesh);
     stage.report(0.3);
-    if (weld_borders(mesh)) {
-        drop_degenerate(mesh);
-        gather_edges(sides_of_triangles(mesh), mesh);
-    }
+    if (weld_borders(mesh)) build_edges(mesh);
     const std::size_t corners = mesh.positions.size();
     SurfaceContacts contacts = find_surface_contacts(mesh, stage.part(0.4, 1));
     weld_ends(corners, mesh, contacts);
@@ -329,6 +435,18 @@ void find_edges(SightMesh& mesh, const StageProgress& stage) {
 }
 
 }  // namespace
+
+std::uint32_t SightMesh::edge_between(std::uint32_t a, std::uint32_t b) const {
+    const auto ends = std::minmax(a, b);
+    const auto last = edges.begin() + std::ptrdiff_t(edge_count());
+    const auto edge =
+        std::lower_bound(edges.begin(), last, ends, [](const Edge& e, const auto& of) {
+            return std::tie(e.vertices[0], e.vertices[1]) < std::tie(of.first, of.second);
+        });
+    const bool is_there =
+        edge != last && edge->vertices[0] == ends.first && edge->vertices[1] == ends.second;
+    return is_there ? std::uint32_t(edge - edges.begin()) : kNoEdge;
+}
 
 Vector3d SightMesh::normal(std::uint32_t triangle) const {
     const Triangle& t = triangles[triangle];

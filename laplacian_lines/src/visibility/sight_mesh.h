@@ -19,8 +19,9 @@ struct SightMesh {
     /// A side of a triangle, or a part of one between vertices that lie on it. A triangle that goes
     /// on to both sides of an edge has two, of both directions.
     struct Side {
-        std::uint32_t triangle;
-        bool is_reversed;  ///< the triangle goes from the edge's second vertex to its first
+        std::uint32_t triangle : 31;
+        std::uint32_t
+            is_reversed : 1;  ///< the triangle goes from the edge's second vertex to its first
     };
     struct Edge {
         std::uint32_t vertices[2];  ///< ascending
@@ -33,7 +34,8 @@ struct SightMesh {
     double line_precision = 0;  ///< the same of points of lines, which are floats
     std::vector<Eigen::Vector3d> positions;
     std::vector<Triangle> triangles;
-    std::vector<Edge> edges;  ///< and one more, behind the last
+    std::vector<std::uint32_t> along_curve;  ///< numbers of triangles: see order_along_curve()
+    std::vector<Edge> edges;                 ///< and one more, behind the last
     std::vector<Side> sides;
 
     std::size_t edge_count() const { return edges.empty() ? 0 : edges.size() - 1; }
@@ -45,6 +47,9 @@ struct SightMesh {
 
     Eigen::Vector3d local(const Eigen::Vector3d& point) const { return (point - centre) / size; }
     Eigen::Vector3d in_mesh(const Eigen::Vector3d& local) const { return centre + size * local; }
+    static constexpr std::uint32_t kNoEdge = 0xffffffffu;
+    /// The number of the edge between two vertices, kNoEdge if there is none.
+    std::uint32_t edge_between(std::uint32_t a, std::uint32_t b) const;
     /// Unit normal of a triangle.
     Eigen::Vector3d normal(std::uint32_t triangle) const;
 };

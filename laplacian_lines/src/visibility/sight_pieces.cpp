@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "visibility/box_tree.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -43,11 +45,11 @@ private:
     std::vector<Division> all_;
 };
 
-Eigen::Vector2d middle_of(const SightSegments& all, const SightPiece& piece) {
+Eigen::Vector2f middle_of(const SightSegments& all, const SightPiece& piece) {
     const SightSegment& segment = all.segments[piece.segment];
     const double t = (piece.shares[0] + piece.shares[1]) / 2;
     const Vector3d &a = all.place(segment.points[0]), &b = all.place(segment.points[1]);
-    return (a + t * (b - a)).head<2>();
+    return (a + t * (b - a)).head<2>().cast<float>();
 }
 
 /// Looks at the middle of a piece.
@@ -92,43 +94,18 @@ std::vector<std::size_t> runs_of(const SightSegments& all, std::uint32_t first_c
     return begins;
 }
 
-/// By places in the picture, along a curve that fills it (Morton): rays that follow each other then
-/// read the same memory.
-std::vector<std::uint32_t> order_in_picture(const std::vector<Eigen::Vector2d>& places) {
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& place : places)
-        box.extend(place);
-    const Eigen::Array2d scale = 65535 / box.sizes().array().max(1e-300);
-    const auto spread = [](std::uint32_t x) {
-        x = (x | x << 8) & 0x00ff00ffu;
-        x = (x | x << 4) & 0x0f0f0f0fu;
-        x = (x | x << 2) & 0x33333333u;
-        return (x | x << 1) & 0x55555555u;
-    };
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> order(places.size());
-    for_each_element(places.size(), [&](std::size_t i) {
-        const Eigen::Array2d at = (places[i] - box.min()).array() * scale;
-        order[i] = {spread(std::uint32_t(at.x())) | spread(std::uint32_t(at.y())) << 1,
-                    std::uint32_t(i)};
-    });
-    std::sort(order.begin(), order.end());
-    std::vector<std::uint32_t> numbers;
-    numbers.reserve(order.size());
-    for (const auto& [place, number] : order)
-        numbers.push_back(number);
-    return numbers;
-}
-
 /// Looks at one piece of each run.
 void decide_runs(const SightSegments& all, const std::vector<std::size_t>& runs,
                  const StageProgress& stage, std::vector<SightPiece>& pieces) {
     const auto chosen = [&](std::size_t run) -> SightPiece& {
         return pieces[(runs[run] + runs[run + 1]) / 2];
     };
-    std::vector<Eigen::Vector2d> places(runs.size() - 1);
-    for_each_element(places.size(),
-                     [&](std::size_t run) { places[run] = middle_of(all, chosen(run)); });
-    const std::vector<std::uint32_t> order = order_in_picture(places);
+    Eigen::AlignedBox2f bounds;
+    for (std::size_t run = 0; run + 1 < runs.size(); ++run)
+        bounds.extend(middle_of(all, chosen(run)));
+    // rays that follow each other then read the same memory
+    const std::vector<std::uint32_t> order = order_along_curve<2>(
+        runs.size() - 1, bounds, [&](std::uint32_t run) { return middle_of(all, chosen(run)); });
     parallel_for<NoScratch>(
         order.size(), stage,
         [&](std::size_t i, NoScratch&) {

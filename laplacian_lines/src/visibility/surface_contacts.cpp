@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "system/large_array.h"
-#include "visibility/near_pairs.h"
+#include "visibility/box_tree.h"
 #include "visibility/vertex_places.h"
 
 namespace laplacian_lines {
@@ -29,6 +29,7 @@ struct CutEnd {
 struct FoundCut {
     CutEnd ends[2];
     std::uint32_t triangles[2];
+    std::array<std::uint32_t, 4> place = {};  // among all, whoever finds them
 };
 
 bool has_corner(const Triangle& t, std::uint32_t vertex) {
@@ -110,7 +111,8 @@ public:
     /// Within which triangles can meet.
     double reach() const { return std::max(kCrack, mesh_.precision); }
 
-    void judge(std::uint32_t t, std::uint32_t other, Found& found) const {
+    void judge(std::uint32_t t, std::uint32_t other, const std::array<std::uint32_t, 4>& place,
+               Found& found) const {
         const Triangle &a = mesh_.triangles[t], &b = mesh_.triangles[other];
         if (common_corners(a, b) > 1) return;
         const Vector3d& m = normals_[other];
@@ -122,6 +124,7 @@ public:
         find_touching(a, of_t, b, found);
         find_touching(b, of_other, a, found);
         FoundCut cut;
+        cut.place = place;
         if (!of_t.reach_across() || !of_other.reach_across() ||
             !find_cut(t, of_t, other, of_other, n.cross(m), cut))
             return;
@@ -173,7 +176,10 @@ private:
             along(ends_of_t[0]) > along(ends_of_other[0]) ? ends_of_t[0] : ends_of_other[0];
         const CutEnd& end =
             along(ends_of_t[1]) < along(ends_of_other[1]) ? ends_of_t[1] : ends_of_other[1];
-        cut = {{begin, end}, {t, other}};
+        cut.ends[0] = begin;
+        cut.ends[1] = end;
+        cut.triangles[0] = t;
+        cut.triangles[1] = other;
         return along(end) > along(begin) &&
                (end.position - begin.position).norm() > mesh_.precision;
     }
@@ -207,37 +213,52 @@ private:
     std::vector<bool> on_border_;
 };
 
-NearPairs::Box box_of(const SightMesh& mesh, std::uint32_t triangle, double reach) {
-    NearPairs::Box box;
+using Tree = BoxTree<3>;
+
+Tree::Box box_of(const SightMesh& mesh, std::uint32_t triangle, double reach) {
+    Tree::Box box;
     for (const std::uint32_t v : mesh.triangles[triangle])
         box.extend(mesh.positions[v].cast<float>().eval());
     const Eigen::Vector3f room = Eigen::Vector3f::Constant(float(reach) + 1e-7f);
     return {box.min() - room, box.max() + room};
 }
 
-Found find_pairs(const SightMesh& mesh, const StageProgress& stage) {
+template <class T>
+void append(const std::vector<T>& from, std::vector<T>& to) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+Found find_pairs(SightMesh& mesh, const StageProgress& stage) {
     const PairJudge judge(mesh);
-    const double reach = judge.reach() / 2;
-    const NearPairs pairs(mesh.triangles.size(),
-                          [&](std::uint32_t t) { return box_of(mesh, t, reach); });
+    const auto box = [&, reach = judge.reach() / 2](std::uint32_t t) {
+        return box_of(mesh, t, reach);
+    };
+    mesh.along_curve =
+        order_along_curve<3>(mesh.triangles.size(), local_box(),
+                             [&](std::uint32_t t) -> Eigen::Vector3f { return box(t).center(); });
+    const std::vector<std::uint32_t>& order = mesh.along_curve;
+    const Tree tree(order, box);
+    const std::vector<Tree::Pair> pairs = tree.pairs();
     stage.report(0.3);
-    constexpr std::size_t groups = 2048;  // worked on by one thread at a time
-    std::vector<Found> found((pairs.group_count() + groups - 1) / groups);
-    const auto find_in = [&](std::size_t part, NoScratch&) {
-        const auto end = std::min(pairs.group_count(), (part + 1) * groups);
-        for (std::size_t group = part * groups; group < end; ++group)
-            pairs.visit_pairs(group, [&](std::uint32_t t, std::uint32_t other) {
-                judge.judge(t, other, found[part]);
-            });
+    std::vector<Found> found(pairs.size());
+    const auto find_in = [&](std::size_t pair, NoScratch&) {
+        tree.visit_pairs(pairs[pair], [&](std::size_t i, std::size_t k) {
+            const auto a = std::uint32_t(i), b = std::uint32_t(k);
+            judge.judge(order[i], order[k], {a / 4, b / 4, a, b}, found[pair]);
+        });
     };
     parallel_for<NoScratch>(found.size(), stage.part(0.3, 1), find_in, 1);
     Found all;
-    for (const Found& of_block : found) {
-        all.cuts.insert(all.cuts.end(), of_block.cuts.begin(), of_block.cuts.end());
-        all.along_edges.insert(all.along_edges.end(), of_block.along_edges.begin(),
-                               of_block.along_edges.end());
-        all.on_edges.insert(all.on_edges.end(), of_block.on_edges.begin(), of_block.on_edges.end());
+    for (const Found& of_pair : found) {
+        append(of_pair.cuts, all.cuts);
+        append(of_pair.along_edges, all.along_edges);
+        append(of_pair.on_edges, all.on_edges);
     }
+    std::sort(all.cuts.begin(), all.cuts.end(),
+              [](const FoundCut& a, const FoundCut& b) { return a.place < b.place; });
+    std::sort(
+        all.along_edges.begin(), all.along_edges.end(),
+        [](const CutAlongEdge& a, const CutAlongEdge& b) { return a.cut.place < b.cut.place; });
     return all;
 }
 

@@ -5,8 +5,8 @@ namespace laplacian_lines {
 
 using Eigen::Vector3d;
 
-BoxLevels<3>::Box box_around(const Vector3d& a, const Vector3d& b, double reach) {
-    BoxLevels<3>::Box box(a.cwiseMin(b).cast<float>());
+BoxTree<3>::Box box_around(const Vector3d& a, const Vector3d& b, double reach) {
+    BoxTree<3>::Box box(a.cwiseMin(b).cast<float>());
     box.extend(a.cwiseMax(b).cast<float>().eval());
     // floats round by less than 1e-7 here
     const Eigen::Vector3f more = Eigen::Vector3f::Constant(float(reach) + 1e-7f);
@@ -34,11 +34,18 @@ bool lies_between(const SightMesh& mesh, std::uint32_t vertex, std::uint32_t fro
 }
 
 VertexPlaces::VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted)
-    : step_(1 / std::sqrt(double(mesh.positions.size()))),
-      levels_(mesh.positions.size(), [&](std::uint32_t v) {
-          // as large as the way to the next vertex, so that a query has few cells
-          const Vector3d& p = mesh.positions[v];
-          return wanted[v] ? box_around(p, p, step_ / 2) : BoxLevels<3>::Box();
-      }) {}
+    : step_(1 / std::sqrt(double(mesh.positions.size()))) {
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+        if (wanted[v]) vertices.push_back(v);
+    const auto point = [&](std::uint32_t v) -> Eigen::Vector3f {
+        return mesh.positions[v].cast<float>();
+    };
+    vertices_ = order_along_curve<3>(vertices.size(), local_box(),
+                                     [&](std::uint32_t i) { return point(vertices[i]); });
+    for (std::uint32_t& i : vertices_)
+        i = vertices[i];
+    tree_ = {vertices_, [&](std::uint32_t v) { return BoxTree<3>::Box(point(v)); }};
+}
 
 }  // namespace laplacian_lines

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <vector>
 
-#include "visibility/box_levels.h"
+#include "visibility/box_tree.h"
 #include "visibility/sight_mesh.h"
 
 namespace laplacian_lines {
 
 /// A box around a straight way, with room of `reach` and for the rounding of floats.
-BoxLevels<3>::Box box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reach);
+BoxTree<3>::Box box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reach);
 
 /// Those that edges have, by vertex.
 std::vector<bool> vertices_of_edges(const SightMesh& mesh);
@@ -25,6 +25,8 @@ class VertexPlaces {
 public:
     /// Of those that are `wanted`.
     VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted);
+    VertexPlaces(const VertexPlaces&) = delete;
+    VertexPlaces& operator=(const VertexPlaces&) = delete;
 
     /// Calls visit(vertex) for all vertices within `reach` of a straight way, some of them more
     /// than once.
@@ -35,15 +37,17 @@ public:
         for (double i = 0; i < pieces; ++i) {
             const auto box = box_around(from + i / pieces * (to - from),
                                         from + (i + 1) / pieces * (to - from), reach);
-            levels_.visit(box, [&](std::uint32_t vertex, const BoxLevels<3>::Box& at) {
-                if (box.contains(at.center())) visit(vertex);
+            tree_.visit(box, [&](std::uint32_t vertex) {
+                visit(vertex);
+                return true;
             });
         }
     }
 
 private:
     double step_;
-    BoxLevels<3> levels_;
+    std::vector<std::uint32_t> vertices_;  // along a curve
+    BoxTree<3> tree_;                      // of these
 };
 
 }  // namespace laplacian_lines
