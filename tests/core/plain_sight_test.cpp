@@ -254,7 +254,7 @@ TEST(PictureCrossings, AreThoseOfAllPairs) {
 }
 
 template <int Dim>
-typename BoxLevels<Dim>::Box random_box(std::mt19937& random, double largest) {
+typename BoxTree<Dim>::Box random_box(std::mt19937& random, double largest) {
     using Point = Eigen::Matrix<float, Dim, 1>;
     Point low, high;
     const double size = largest * std::pow(2, -12 * random_unit(random));
@@ -266,39 +266,75 @@ typename BoxLevels<Dim>::Box random_box(std::mt19937& random, double largest) {
 }
 
 template <int Dim>
-void expect_plain_visits() {
-    using Levels = BoxLevels<Dim>;
-    std::mt19937 random(Dim);
-    for (int trial = 0; trial < 20; ++trial) {
-        std::vector<typename Levels::Box> boxes;
-        for (int i = 0; i < 40 * trial; ++i)
-            boxes.push_back(random() % 16 == 0 ? typename Levels::Box()
-                                               : random_box<Dim>(random, 1));
-        const Levels levels(boxes.size(), [&](std::uint32_t i) { return boxes[i]; });
-        for (int query = 0; query < 50; ++query) {
-            const typename Levels::Box box = random_box<Dim>(random, 0.5);
-            for (const int least : {Levels::kEveryLevel, levels.level_of(box), -3}) {
-                std::multiset<std::uint32_t> found, expected;
-                levels.visit(
-                    box,
-                    [&](std::uint32_t i, const typename Levels::Box& at) {
-                        EXPECT_TRUE(at.isApprox(boxes[i]));
-                        found.insert(i);
-                    },
-                    least);
-                for (std::uint32_t i = 0; i < boxes.size(); ++i)
-                    if (!boxes[i].isEmpty() && boxes[i].intersects(box) &&
-                        levels.level_of(boxes[i]) >= least)
-                        expected.insert(i);
-                EXPECT_EQ(found, expected);
-            }
-        }
+std::vector<std::uint32_t> order_of(const std::vector<typename BoxTree<Dim>::Box>& boxes) {
+    using Point = Eigen::Matrix<float, Dim, 1>;
+    return order_along_curve<Dim>(boxes.size(), {Point::Constant(-1), Point::Constant(1)},
+                                  [&](std::uint32_t i) -> Point { return boxes[i].center(); });
+}
+
+/// Of so many boxes, what meets another box, and which pairs meet.
+template <int Dim>
+void expect_plain_visits(std::size_t count) {
+    using Tree = BoxTree<Dim>;
+    std::mt19937 random{unsigned(count)};
+    std::vector<typename Tree::Box> boxes;
+    for (std::size_t i = 0; i < count; ++i)
+        boxes.push_back(random_box<Dim>(random, 1));
+    const std::vector<std::uint32_t> order = order_of<Dim>(boxes);
+    const Tree tree(order, [&](std::uint32_t i) { return boxes[i]; });
+    for (int query = 0; query < 50; ++query) {
+        const typename Tree::Box box = random_box<Dim>(random, 0.5);
+        std::multiset<std::uint32_t> found, expected;
+        tree.visit(box, [&](std::uint32_t i) {
+            found.insert(i);
+            return true;
+        });
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (boxes[i].intersects(box)) expected.insert(i);
+        EXPECT_EQ(found, expected);
+    }
+    std::multiset<std::pair<std::size_t, std::size_t>> found, expected;
+    for (const auto& pair : tree.pairs())
+        tree.visit_pairs(pair, [&](std::size_t i, std::size_t k) { found.emplace(i, k); });
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = i + 1; k < count; ++k)
+            if (boxes[order[i]].intersects(boxes[order[k]])) expected.emplace(i, k);
+    EXPECT_EQ(found, expected);
+}
+
+TEST(BoxTree, VisitsWhatMeetsABoxAndAllPairs) {
+    for (const std::size_t count : {0, 1, 2, 5, 17, 200, 3000}) {
+        expect_plain_visits<2>(count);
+        expect_plain_visits<3>(count);
     }
 }
 
-TEST(BoxLevels, VisitAllBoxesThatMeetOne) {
-    expect_plain_visits<2>();
-    expect_plain_visits<3>();
+TEST(BoxTree, StopsWhereAVisitSaysSo) {
+    std::mt19937 random(1);
+    std::vector<BoxTree<2>::Box> boxes(100, {Eigen::Vector2f(-1, -1), Eigen::Vector2f(1, 1)});
+    const std::vector<std::uint32_t> order = order_of<2>(boxes);
+    int visits = 0;
+    BoxTree<2>(order, [&](std::uint32_t i) {
+        return boxes[i];
+    }).visit(boxes[0], [&](std::uint32_t) { return ++visits < 7; });
+    EXPECT_EQ(visits, 7);
+}
+
+/// The order has each number once, and steps of it are short: in a plane of n points of the order
+/// of 1 / √n.
+TEST(OrderAlongCurve, KeepsNeighboursTogether) {
+    std::mt19937 random(5);
+    std::vector<BoxTree<2>::Box> points;
+    for (int i = 0; i < 20000; ++i)
+        points.push_back(random_box<2>(random, 0));
+    std::vector<std::uint32_t> order = order_of<2>(points);
+    double way = 0;
+    for (std::size_t i = 1; i < order.size(); ++i)
+        way += double((points[order[i]].center() - points[order[i - 1]].center()).norm());
+    EXPECT_LT(way / double(order.size()), 3 * 2 / std::sqrt(double(order.size())));
+    std::sort(order.begin(), order.end());
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        ASSERT_EQ(order[i], i);
 }
 
 }  // namespace

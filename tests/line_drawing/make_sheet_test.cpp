@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
 #include "strokes/strokes.h"
+#include "thrown_vessel.h"
 #include "with_threads.h"
 
 using namespace line_drawing;
@@ -33,6 +37,28 @@ TEST(MeasuredDrawing, OfOneViewTwiceTellsThemApart) {
     EXPECT_EQ(sheet.groups.at(0).key, "front");
     EXPECT_EQ(sheet.groups.at(1).key, "front-2");
     EXPECT_EQ(sheet.groups.at(2).key, "front-3");
+}
+
+/// Views are looked at by several threads, but windows that show progress belong to one.
+TEST(MeasuredDrawing, TellsProgressOnTheThreadThatAskedForIt) {
+    const laplacian_lines::TriangleMesh vessel = test_meshes::thrown_vessel({150, 180});
+    const auto here = std::this_thread::get_id();
+    double last = 0;
+    std::atomic<int> elsewhere{0};
+    omp_set_num_threads(4);
+    makeSheets({{vessel}}, {plainViews("six")}, [&](double done, const char*) {
+        if (std::this_thread::get_id() != here) {
+            ++elsewhere;
+            return true;
+        }
+        EXPECT_GE(done, last);
+        last = done;
+        return true;
+    });
+    omp_set_num_threads(omp_get_num_procs());
+    EXPECT_EQ(elsewhere, 0);
+    EXPECT_GT(last, 0.6);  // also of the views
+    EXPECT_LE(last, 1);
 }
 
 /// Names of files may hold what is no text.

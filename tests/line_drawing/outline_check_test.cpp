@@ -32,7 +32,8 @@ DrawnLine squareOutline(int sides) {
 std::vector<Vector2d> missingOf(const std::vector<DrawnLine>& lines) {
     const ViewFrame front = frameOfSide(Side::Front, UpAxis::Z);
     const Projection projection(front, Vector3d::Zero());
-    return borderWithoutOutline(cubeOf100(), projection, 1, lines, pixel);
+    const Eigen::AlignedBox2d bounds(Vector2d(-50, -50), Vector2d(50, 50));
+    return borderWithoutOutline(cubeOf100(), projection, 1, bounds, lines, pixel);
 }
 
 TEST(OutlineCheck, HasNothingToSayOfAWholeOutline) {

@@ -97,7 +97,7 @@ public:
     /// Calls visit(number) for the elements whose boxes meet one, until it returns false.
     template <class Visit>
     void visit(const Box& box, Visit visit) const {
-        if (!is_empty())
+        if (!is_empty() && levels_.back()[0].intersects(box))
             visit_nodes(top(), 0, box, 0, [&](std::size_t i) { return visit((*order_)[i]); });
     }
 
@@ -133,15 +133,16 @@ private:
         return std::min(levels_[level - 1].size(), (node + 1) * kFan);
     }
 
-    /// Calls visit(node) for nodes of a level that meet a box, until it returns false; returns
-    /// whether it never has.
+    /// Calls visit(node) for nodes of a level that meet a box, below one that does, until it
+    /// returns false; returns whether it never has.
     template <class Visit>
     bool visit_nodes(std::size_t at, std::size_t node, const Box& box, std::size_t level,
                      const Visit& visit) const {
-        if (!levels_[at][node].intersects(box)) return true;
         if (at == level) return visit(node);
         for (std::size_t child = node * kFan; child < end_of(node, at); ++child)
-            if (!visit_nodes(at - 1, child, box, level, visit)) return false;
+            if (levels_[at - 1][child].intersects(box) &&
+                !visit_nodes(at - 1, child, box, level, visit))
+                return false;
         return true;
     }
 

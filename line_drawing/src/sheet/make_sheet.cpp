@@ -143,6 +143,7 @@ std::vector<double> look(const Observer& observer, Draft& draft, const Progress&
     else  // by all threads, in the memory of one
         for (std::size_t i = 0; i < count; ++i)
             look_at(i, none);
+    laplacian_lines::StageProgress(progress, 0, 1, "Finding what is seen").report(1);
     return missing;
 }
 
@@ -199,9 +200,8 @@ std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOpt
     }
     {
         ObjectLines lines(objects);  // gone before what hides them is there: both are large
-        forEach(drafts, part(progress, 0, lines_share), [&](Draft& draft, const Progress& own) {
-            findLines(observer, lines, draft, own);
-        });
+        forEach(drafts, part(progress, 0, lines_share),
+                [&](Draft& draft, const Progress& own) { findLines(observer, lines, draft, own); });
     }
     observer.prepare(options, part(progress, lines_share, sight_share));
     std::vector<Sheet> sheets;

@@ -143,8 +143,8 @@ double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, do
         !shows[laplacian_lines::LineKind::Contour] || !shows[laplacian_lines::LineKind::Border])
         return 0;
     const Projection projection(drawn.frame, box_.center());
-    const auto missing =
-        borderWithoutOutline(surface_.mesh(), projection, options.mm_per_unit, drawn.lines, pixel);
+    const auto missing = borderWithoutOutline(surface_.mesh(), projection, options.mm_per_unit,
+                                              drawn.bounds, drawn.lines, pixel);
     if (missing.empty()) return 0;
     laplacian_lines::SightOptions all = sightOf(options);
     all.has_hidden = true;

@@ -74,27 +74,17 @@ private:
     std::vector<char> is_set_;
 };
 
-Mask coverOf(const TriangleMesh& mesh, const Projection& projection, double unit, double pixel) {
-    std::vector<Vector2d> places;
-    Eigen::AlignedBox2d box;
+Mask coverOf(const TriangleMesh& mesh, const Projection& projection, double unit,
+             const Eigen::AlignedBox2d& bounds, double pixel) {
+    Mask cover(bounds.isEmpty() ? Eigen::AlignedBox2d(Vector2d(0, 0)) : bounds, pixel);
+    std::vector<Vector2d> places;  // in pixels; not finite where vertices are not
     places.reserve(mesh.positions.size());
     for (const Eigen::Vector3d& p : mesh.positions)
-        places.push_back(unit * projection(p));
-    const auto is_usable = [&](const laplacian_lines::Triangle& t) {
-        return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
-            return v < places.size() && mesh.positions[v].allFinite();
-        });
-    };
-    for (const laplacian_lines::Triangle& t : mesh.triangles)
-        if (is_usable(t))
-            for (const std::uint32_t v : t)
-                box.extend(places[v]);
-    if (box.isEmpty()) box.extend(Vector2d::Zero().eval());
-    Mask cover(box, pixel);
-    for (const laplacian_lines::Triangle& t : mesh.triangles)
-        if (is_usable(t))
-            cover.fill(cover.inPixels(places[t[0]]), cover.inPixels(places[t[1]]),
-                       cover.inPixels(places[t[2]]));
+        places.push_back(cover.inPixels(unit * projection(p)));
+    for (const laplacian_lines::Triangle& t : mesh.triangles) {
+        const Vector2d &a = places[t[0]], &b = places[t[1]], &c = places[t[2]];
+        if (std::isfinite(a.sum() + b.sum() + c.sum())) cover.fill(a, b, c);
+    }
     return cover;
 }
 
@@ -106,9 +96,9 @@ bool isAtBorder(const Mask& cover, std::size_t x, std::size_t y) {
 }  // namespace
 
 std::vector<Vector2d> borderWithoutOutline(const TriangleMesh& mesh, const Projection& projection,
-                                           double unit, const std::vector<DrawnLine>& lines,
-                                           double pixel) {
-    const Mask cover = coverOf(mesh, projection, unit, pixel);
+                                           double unit, const Eigen::AlignedBox2d& bounds,
+                                           const std::vector<DrawnLine>& lines, double pixel) {
+    const Mask cover = coverOf(mesh, projection, unit, bounds, pixel);
     Mask outlines = cover;
     outlines.clear();
     for (const DrawnLine& line : lines)

@@ -41,10 +41,12 @@ Eigen::AlignedBox2d Projection::boundsOf(const TriangleMesh& mesh) const {
             box.extend(-reach - middle_);
         }
     };
+    std::vector<char> is_used(mesh.positions.size());
     for (const laplacian_lines::Triangle& t : mesh.triangles)
         for (const std::uint32_t v : t)
-            if (v < mesh.positions.size() && mesh.positions[v].allFinite())
-                extend(mesh.positions[v]);
+            if (v < is_used.size()) is_used[v] = 1;
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+        if (is_used[v] && mesh.positions[v].allFinite()) extend(mesh.positions[v]);
     return is_ahead ? box : Eigen::AlignedBox2d();
 }
 
