@@ -17,13 +17,13 @@ namespace laplacian_lines {
 
 /// Numbers of seven bits with room for those of the other axes between them.
 template <int Dim>
-constexpr std::array<std::uint64_t, 128> kSpread = [] {
+std::array<std::uint64_t, 128> spread_numbers() {
     std::array<std::uint64_t, 128> table{};
     for (std::uint64_t x = 0; x < 128; ++x)
         for (int bit = 0; bit < 7; ++bit)
             table[x] |= (x >> bit & 1) << (bit * Dim);
     return table;
-}();
+}
 
 /// Numbers from 0 on in the order of their points along a curve that fills a box (G. Morton, 1966),
 /// so that those near each other are mostly near each other in space. Points beside the box are
@@ -34,10 +34,11 @@ std::vector<std::uint32_t> order_along_curve(std::size_t count,
                                              PointOf point_of) {
     constexpr int kBits = 21;
     const int bucket_bits = count > kBlockElements ? 12 : 0;
-    const auto spread = [](std::uint64_t x) {
+    const auto table = spread_numbers<Dim>();
+    const auto spread = [&](std::uint64_t x) {
         std::uint64_t result = 0;
         for (int bit = 0; bit < kBits; bit += 7)  // seven bits at a time
-            result |= kSpread<Dim>[x >> bit & 127] << (bit * Dim);
+            result |= table[x >> bit & 127] << (bit * Dim);
         return result;
     };
     auto places = large_array<std::uint64_t>(count);

@@ -10,7 +10,7 @@ namespace laplacian_lines {
 namespace {
 
 using Eigen::Vector3d;
-using Box = BoxTree<2>::Box;
+using Box = Eigen::AlignedBox2f;
 
 constexpr double kRounding = 4;  // precisions: what a line may seem to be before its own surface
 

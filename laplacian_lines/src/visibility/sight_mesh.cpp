@@ -178,10 +178,11 @@ void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
     };
     const auto find_cuts = [&](std::uint32_t v, std::vector<OnEdge>& found) {
         if (!are_used[v]) return;
-        cuts.visit(BoxTree<3>::Box(mesh.positions[v].cast<float>().eval()), [&](std::uint32_t c) {
-            add_if_on(v, contacts.cuts[c].vertices, found);
-            return true;
-        });
+        cuts.visit(Eigen::AlignedBox3f(mesh.positions[v].cast<float>().eval()),
+                   [&](std::uint32_t c) {
+                       add_if_on(v, contacts.cuts[c].vertices, found);
+                       return true;
+                   });
     };
     const VertexPlaces ends(mesh, are_ends);
     const auto find_ends = [&](std::uint32_t e, std::vector<OnEdge>& found) {

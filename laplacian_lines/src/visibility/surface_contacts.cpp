@@ -215,8 +215,8 @@ private:
 
 using Tree = BoxTree<3>;
 
-Tree::Box box_of(const SightMesh& mesh, std::uint32_t triangle, double reach) {
-    Tree::Box box;
+Eigen::AlignedBox3f box_of(const SightMesh& mesh, std::uint32_t triangle, double reach) {
+    Eigen::AlignedBox3f box;
     for (const std::uint32_t v : mesh.triangles[triangle])
         box.extend(mesh.positions[v].cast<float>().eval());
     const Eigen::Vector3f room = Eigen::Vector3f::Constant(float(reach) + 1e-7f);

@@ -5,8 +5,8 @@ namespace laplacian_lines {
 
 using Eigen::Vector3d;
 
-BoxTree<3>::Box box_around(const Vector3d& a, const Vector3d& b, double reach) {
-    BoxTree<3>::Box box(a.cwiseMin(b).cast<float>());
+Eigen::AlignedBox3f box_around(const Vector3d& a, const Vector3d& b, double reach) {
+    Eigen::AlignedBox3f box(a.cwiseMin(b).cast<float>());
     box.extend(a.cwiseMax(b).cast<float>().eval());
     // floats round by less than 1e-7 here
     const Eigen::Vector3f more = Eigen::Vector3f::Constant(float(reach) + 1e-7f);
@@ -45,7 +45,7 @@ VertexPlaces::VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wante
                                      [&](std::uint32_t i) { return point(vertices[i]); });
     for (std::uint32_t& i : vertices_)
         i = vertices[i];
-    tree_ = {vertices_, [&](std::uint32_t v) { return BoxTree<3>::Box(point(v)); }};
+    tree_ = {vertices_, [&](std::uint32_t v) { return Eigen::AlignedBox3f(point(v)); }};
 }
 
 }  // namespace laplacian_lines

@@ -11,7 +11,7 @@
 namespace laplacian_lines {
 
 /// A box around a straight way, with room of `reach` and for the rounding of floats.
-BoxTree<3>::Box box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reach);
+Eigen::AlignedBox3f box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reach);
 
 /// Those that edges have, by vertex.
 std::vector<bool> vertices_of_edges(const SightMesh& mesh);
