@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "visibility/sight_edges.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "system/buckets.h"
+#include "system/large_array.h"
+
+namespace laplacian_lines {
+namespace {
+
+using Eigen::Vector3d;
+
+double height_of(const SightMesh& mesh, const Triangle& t) {
+    const Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
+}
+
+/// Keeps those of the triangles for which keep(t), in their order.
+template <class Keep>
+void keep_triangles(SightMesh& mesh, Keep keep) {
+    std::vector<std::uint8_t> is_kept(mesh.triangles.size());
+    for_each_element(is_kept.size(), [&](std::size_t t) { is_kept[t] = keep(std::uint32_t(t)); });
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < is_kept.size(); ++t)
+        if (is_kept[t]) mesh.triangles[count++] = mesh.triangles[t];
+    mesh.triangles.resize(count);
+}
+
+/// The sides side_of(i) by edges, in the order of their vertices; those of one edge in the order of
+/// the triangles, each once.
+template <class SideOf>
+void gather_edges(std::size_t count, SideOf side_of, std::size_t vertices, SightMesh& mesh) {
+    struct Key {
+        std::uint64_t edge;
+        std::uint32_t side, number;
+        bool operator<(const Key& other) const {
+            return edge != other.edge ? edge < other.edge : side < other.side;
+        }
+        bool operator==(const Key& other) const { return edge == other.edge && side == other.side; }
+    };
+    const auto key_of = [&](std::uint32_t i) {
+        const LooseSide side = side_of(i);
+        return Key{std::uint64_t(side.vertices[0]) << 32 | side.vertices[1],
+                   2 * side.triangle + side.is_reversed, i};
+    };
+    constexpr std::size_t kBucket = 1024;
+    const std::size_t bucket_count = count / kBucket + 1;
+    Buckets buckets = sort_in_buckets(count, bucket_count, [&](std::uint32_t i) {
+        return std::size_t(side_of(i).vertices[0]) * bucket_count / vertices;
+    });
+    std::vector<std::uint32_t> first_edges(bucket_count + 1), first_sides(bucket_count + 1);
+    buckets.for_each([&](std::size_t bucket, std::uint32_t* begin, std::uint32_t* end) {
+        std::vector<Key> keys;
+        for (const std::uint32_t* i = begin; i != end; ++i)
+            keys.push_back(key_of(*i));
+        std::sort(keys.begin(), keys.end());
+        keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            begin[k] = keys[k].number;
+            first_edges[bucket] += k == 0 || keys[k - 1].edge != keys[k].edge;
+        }
+        first_sides[bucket] = std::uint32_t(keys.size());
+    });
+    std::exclusive_scan(first_edges.begin(), first_edges.end(), first_edges.begin(), 0u);
+    std::exclusive_scan(first_sides.begin(), first_sides.end(), first_sides.begin(), 0u);
+    mesh.edges = large_array<SightMesh::Edge>(first_edges[bucket_count] + 1);
+    mesh.sides = large_array<SightMesh::Side>(first_sides[bucket_count]);
+    buckets.for_each([&](std::size_t bucket, const std::uint32_t* number, std::uint32_t*) {
+        std::uint32_t edge = first_edges[bucket];
+        std::uint64_t last = ~std::uint64_t(0);  // no edge
+        for (std::uint32_t s = first_sides[bucket]; s < first_sides[bucket + 1]; ++s, ++number) {
+            const LooseSide side = side_of(*number);
+            const std::uint64_t ends = key_of(*number).edge;
+            if (ends != last) mesh.edges[edge++] = {{side.vertices[0], side.vertices[1]}, s};
+            mesh.sides[s] = {side.triangle, side.is_reversed};
+            last = ends;
+        }
+    });
+    mesh.edges.back() = {{0, 0}, first_sides[bucket_count]};
+}
+
+void gather_edges(const std::vector<LooseSide>& sides, std::size_t vertices, SightMesh& mesh) {
+    gather_edges(
+        sides.size(), [&](std::uint32_t i) { return sides[i]; }, vertices, mesh);
+}
+
+/// Triangles that have the corners of an earlier one.
+std::vector<std::uint8_t> find_equal_triangles(const SightMesh& mesh) {
+    std::vector<std::uint8_t> are_equal(mesh.triangles.size());
+    for_each_element(mesh.edge_count(), [&](std::size_t e) {
+        const SightMesh::Edge& edge = mesh.edges[e];
+        if (mesh.side_count(std::uint32_t(e)) < 2) return;
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> by_third;  // corner, triangle
+        const SightMesh::Side* sides = mesh.sides_of(std::uint32_t(e));
+        for (std::size_t i = 0; i < mesh.side_count(std::uint32_t(e)); ++i)
+            for (const std::uint32_t v : mesh.triangles[sides[i].triangle])
+                if (v > edge.vertices[1]) by_third.emplace_back(v, sides[i].triangle);
+        std::sort(by_third.begin(), by_third.end());
+        for (std::size_t i = 1; i < by_third.size(); ++i)
+            if (by_third[i].first == by_third[i - 1].first) are_equal[by_third[i].second] = 1;
+    });
+    return are_equal;
+}
+
+}  // namespace
+
+void build_edges(SightMesh& mesh) {
+    keep_triangles(
+        mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
+    const auto gather = [&] {
+        gather_edges(
+            3 * mesh.triangles.size(),
+            [&](std::uint32_t i) {
+                const Triangle& t = mesh.triangles[i / 3];
+                return side_between(t[i % 3], t[(i + 1) % 3], i / 3);
+            },
+            mesh.positions.size(), mesh);
+    };
+    gather();
+    const std::vector<std::uint8_t> are_equal = find_equal_triangles(mesh);
+    if (std::find(are_equal.begin(), are_equal.end(), 1) == are_equal.end()) return;
+    keep_triangles(mesh, [&](std::uint32_t t) { return !are_equal[t]; });
+    gather();
+}
+
+void change_edges(const std::vector<LooseSide>& sides, const std::vector<std::uint32_t>& gone,
+                  SightMesh& mesh) {
+    SightMesh added, all;
+    gather_edges(sides, mesh.positions.size(), added);
+    all.edges.reserve(mesh.edges.size() + added.edges.size());
+    all.sides.reserve(mesh.sides.size() + added.sides.size());
+    const auto ends = [](const SightMesh& of, std::uint32_t e) {
+        return std::tie(of.edges[e].vertices[0], of.edges[e].vertices[1]);
+    };
+    const auto append = [&](const SightMesh& from, std::uint32_t e) {
+        const SightMesh::Edge& edge = from.edges[e];
+        all.edges.push_back(
+            {{edge.vertices[0], edge.vertices[1]}, std::uint32_t(all.sides.size())});
+        all.sides.insert(all.sides.end(), from.sides_of(e), from.sides_of(e) + from.side_count(e));
+    };
+    const auto append_both = [&](std::uint32_t e, std::uint32_t a) {
+        all.edges.push_back({{mesh.edges[e].vertices[0], mesh.edges[e].vertices[1]},
+                             std::uint32_t(all.sides.size())});
+        const auto less = [](const SightMesh::Side& s, const SightMesh::Side& t) {
+            return s.triangle != t.triangle ? s.triangle < t.triangle
+                                            : s.is_reversed < t.is_reversed;
+        };
+        std::set_union(mesh.sides_of(e), mesh.sides_of(e) + mesh.side_count(e), added.sides_of(a),
+                       added.sides_of(a) + added.side_count(a), std::back_inserter(all.sides),
+                       less);
+    };
+    auto next_gone = gone.begin();
+    std::uint32_t a = 0;
+    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+        if (next_gone != gone.end() && *next_gone == e) {
+            ++next_gone;
+            continue;
+        }
+        while (a < added.edge_count() && ends(added, a) < ends(mesh, e))
+            append(added, a++);
+        if (a < added.edge_count() && ends(added, a) == ends(mesh, e))
+            append_both(e, a++);
+        else
+            append(mesh, e);
+    }
+    while (a < added.edge_count())
+        append(added, a++);
+    all.edges.push_back({{0, 0}, std::uint32_t(all.sides.size())});
+    mesh.edges = std::move(all.edges);
+    mesh.sides = std::move(all.sides);
+}
+
+}  // namespace laplacian_lines
