@@ -35,8 +35,8 @@ struct PrecomputeOptions {
     /// standard deviation √2·√h). 0 means automatic: max(2 ē, 0.45 % of D).
     double kernel_size = 0;
     /// If > 0, the √h, mesh units, that a drawing at a certain size asks for, instead of
-    /// kernel_size. Used as far as the mesh has the detail, at least 2 ē, and up to 4 % of D; an
-    /// automatic normal_sigma is at least a quarter of it then.
+    /// kernel_size. Used within drawn_kernel_range(); an automatic normal_sigma is at least a
+    /// quarter of it then.
     double drawn_kernel_size = 0;
     /// Adaptive: √h(p) = √h · clamp(ē(p)/ē, 1/4, 4), with ē(p) the mean length of the edges at p,
     /// averaged over one-rings ten times. Normal smoothing scales by the same factor.
@@ -66,6 +66,17 @@ struct PrecomputeOptions {
 
 /// The automatic √h. Lengths in any unit; the result has the same one.
 double automatic_kernel_size(double mean_edge, double diagonal);
+
+/// √h in widths of the lines inside a form that is drawn at a size: finer detail clots, coarser
+/// kernels lose what can be drawn.
+constexpr double kDrawnKernelWidths = 4;
+
+/// The kernel sizes that a drawing at any size may have: from 2 ē, since the mesh has no more
+/// detail, to 4 % of D, or 2 ē where that is more. Lengths as above.
+struct KernelRange {
+    double least, most;
+};
+KernelRange drawn_kernel_range(double mean_edge, double diagonal);
 
 /// The automatic smoothing of normals in mean edges, given MeshReport::roughness.
 double automatic_normal_sigma(double roughness);

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <limits>
 
+#include "clusters/bounded.h"
 #include "clusters/cluster_sides.h"
 #include "clusters/coarseness.h"
-#include "clusters/curvature_records.h"
+#include "clusters/linear_forms.h"
 #include "rules/convexity.h"
 #include "system/parallel.h"
 
@@ -24,26 +24,7 @@ constexpr double kPartitioned = 0.4, kLinked = 0.6, kLaidOut = 0.65;
 // Least length of borders over the root of the area: 4 for a square, 2.5 for half a sphere.
 constexpr double kLeastSheetBorders = 2;
 
-/// The vectors of the linear forms, by VertexForm.
-constexpr Eigen::Vector3d LocalVertex::*kForms[] = {&LocalVertex::normal, &LocalVertex::laplacian};
-static_assert(std::size(kForms) == kVertexFormCount, "a vector for each form");
-
-/// Writes a vector v at p as the linear form of place i.
-void write_form(float* forms, std::size_t i, const Eigen::Vector3d& v, const Eigen::Vector3d& p) {
-    float* place = forms + i / kFormGroup * 4 * kFormGroup + i % kFormGroup;
-    for (unsigned k = 0; k < 3; ++k)
-        place[k * kFormGroup] = float(v[k]);
-    place[3 * kFormGroup] = float(v.dot(p));
-}
-
-// Whatever a caller's field holds, floats can take powers of what is kept of it.
-constexpr double kLargestLaplacian = 1e12, kLargestSlopeScale = 1e15;
-
-Eigen::Vector3d bounded(const Eigen::Vector3f& v, double factor, double limit) {
-    return (v.cast<double>() * factor).unaryExpr([=](double x) {
-        return laplacian_lines::bounded(x, limit);
-    });
-}
+constexpr double kLargestSlopeScale = 1e15;
 
 VertexRecord make_record(const LocalVertex& v) {
     const ShapeOperator& s = v.shape_operator;
@@ -127,7 +108,7 @@ std::size_t ClusterBuilder::lay_out() {
             std::uint32_t(std::count_if(sides + 3 * std::size_t(range.begin),
                                         sides + 3 * std::size_t(range.end), is_shared_edge));
     });
-    std::size_t units = 0, vertices = 0, edges = 0;
+    std::size_t units = 0, vertices = 0, edges = 0, groups = 0;
     for (std::size_t c = 0; c < clusters; ++c) {
         const ClusterRange& range = partition_.ranges[c];
         Cluster& cluster = data_.clusters[c];
@@ -136,6 +117,8 @@ std::size_t ClusterBuilder::lay_out() {
         cluster.vertex_count = std::uint8_t(range.vertex_count);
         cluster.first_vertex = std::uint32_t(vertices);
         cluster.triangle_count = std::uint8_t(range.end - range.begin);
+        cluster.first_form_group = std::uint32_t(groups);
+        groups += form_groups(cluster);
         units += cluster_layout(cluster).end / kCacheUnit;
         vertices += range.vertex_count;
         edges += shared_edges[c];
@@ -169,7 +152,6 @@ LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
     const double squared_effective = size * size + sigma * sigma / 2;  // h_e
     return {mesh_.positions[prepared],
             bounded(field_.normals[v], 1, 2),
-            bounded(field_.laplacian_normals[v], d * d, kLargestLaplacian),
             {curvature(s.xx), curvature(s.yy), curvature(s.zz), curvature(s.yz), curvature(s.xz),
              curvature(s.xy)},
             float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
@@ -238,13 +220,9 @@ void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
     auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
     for (std::size_t i = 0; i < values.size(); ++i)
         records[i] = make_record(values[i]);
-    // The places that are left over repeat the last vertex, which changes no "all" or "any".
-    for (std::size_t i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
-        const LocalVertex& v = values[std::min(i, values.size() - 1)];
-        for (unsigned form = 0; form < kVertexFormCount; ++form)
-            write_form(reinterpret_cast<float*>(memory + layout.forms[form]), i, v.*kForms[form],
-                       v.position);
-    }
+    write_forms(reinterpret_cast<FormGroup*>(memory), cluster, [&](unsigned i) {
+        return FormVector{values[i].normal, values[i].position};
+    });
 }
 
 void ClusterBuilder::write_bounds(std::size_t c, const Values& values) {

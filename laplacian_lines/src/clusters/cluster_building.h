@@ -10,9 +10,9 @@ namespace laplacian_lines {
 
 /// Values of a vertex as clusters hold them, local.
 struct LocalVertex {
-    Eigen::Vector3d position, normal, laplacian;  ///< laplacian: Δn·D²
-    ShapeOperator shape_operator;                 ///< S·D
-    float slope_scale;                            ///< h_e(p)^1.5
+    Eigen::Vector3d position, normal;
+    ShapeOperator shape_operator;  ///< S·D
+    float slope_scale;             ///< h_e(p)^1.5
 };
 
 /// Writes the clusters of a mesh into `data`, whose centre and diagonal are set. The number of

@@ -56,10 +56,13 @@ struct ClusterTriangle {
 };
 static_assert(sizeof(ClusterTriangle) == 8, "shuffled as 8 bytes");
 
+/// The linear forms of some vertices: v.x of all, then v.y, v.z, and v·p.
+struct alignas(kCacheUnit) FormGroup {
+    float numbers[4][kFormGroup];
+};
+
 /// The memory of a cluster, from `first_unit` on, each part beginning a cache unit:
-///  - the linear forms of all vertices, one VertexForm after the other: for each kFormGroup
-///  vertices
-///    v.x of all, then v.y, v.z, and v·p,
+///  - the FormGroups of all vertices, of kFacingForm,
 ///  - corners as bytes for the sign tests: for each kMaskGroup triangles all first corners, then
 ///    all second, all third ones,
 ///  - ClusterTriangle of each triangle,
@@ -67,6 +70,7 @@ static_assert(sizeof(ClusterTriangle) == 8, "shuffled as 8 bytes");
 struct Cluster {
     std::uint32_t first_unit;         ///< in units of kCacheUnit
     std::uint32_t first_border_edge;  ///< in ClusterStore::border_edges
+    std::uint32_t first_form_group;   ///< in ClusterStore::laplacians
     std::uint8_t vertex_count, triangle_count;
     std::uint32_t first_vertex;  ///< the first of its vertices, over all clusters
     /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex.
@@ -79,7 +83,7 @@ struct Cluster {
 
 /// Offsets of the parts, in bytes.
 struct ClusterLayout {
-    std::size_t forms[kVertexFormCount], corners, triangles, records, end;
+    std::size_t corners, triangles, records, end;
 };
 
 static inline unsigned form_groups(const Cluster& c) {
@@ -89,11 +93,8 @@ static inline unsigned mask_groups(const Cluster& c) {
     return (c.triangle_count + kMaskGroup - 1) / kMaskGroup;
 }
 static inline ClusterLayout cluster_layout(const Cluster& c) {
-    const std::size_t size_of_form = form_groups(c) * 4 * kFormGroup * sizeof(float);
     ClusterLayout layout;
-    for (unsigned form = 0; form < kVertexFormCount; ++form)
-        layout.forms[form] = form * size_of_form;
-    layout.corners = kVertexFormCount * size_of_form;
+    layout.corners = form_groups(c) * sizeof(FormGroup);
     layout.triangles = layout.corners + mask_groups(c) * 3 * kMaskGroup;
     layout.records =
         layout.triangles +
@@ -118,6 +119,7 @@ struct ClusterStore {
     const unsigned char* memory;
     const Cluster* clusters;
     const std::uint32_t* border_edges;  ///< numbers of edges over the whole mesh
+    const FormGroup* laplacians;        ///< linear forms of Δn, cluster by cluster
     FacingBounds facing;
     const CurvatureRecord* curvatures;  ///< of the vertices of clusters; or null
 };

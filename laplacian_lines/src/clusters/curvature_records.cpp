@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "clusters/curvature_records.h"
 
+#include "clusters/bounded.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {

@@ -61,11 +61,12 @@ std::size_t ExtractorData::padded_cluster_count() const {
     return (clusters.size() + kFormGroup - 1) / kFormGroup * kFormGroup;
 }
 
-ClusterStore ExtractorData::store() const {
+ClusterStore ExtractorData::store(const LaplacianForms& forms) const {
     const auto array = [&](std::size_t i) { return bounds.data() + i * padded_cluster_count(); };
     return {memory_of_clusters.get(),
             clusters.data(),
             border_edges.data(),
+            forms.groups.data(),
             {{array(0), array(1), array(2)},
              {array(3), array(4), array(5)},
              {{array(6), array(7), array(8)},
@@ -78,7 +79,7 @@ ClusterStore ExtractorData::store() const {
 
 std::size_t ExtractorData::memory() const {
     return sizeof(*this) + bytes_of_clusters + bytes(clusters) + bytes(vertices_of_clusters) +
-           bytes(border_edges) + bytes(bounds) + bytes(curvatures);
+           bytes(border_edges) + bytes(bounds) + bytes(curvatures) + laplacians.memory();
 }
 
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
@@ -92,7 +93,7 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
             {&cluster, data.vertices_of_clusters.data() + cluster.first_vertex,
              reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
              reinterpret_cast<const VertexRecord*>(memory + layout.records),
-             reinterpret_cast<const float*>(memory + layout.forms[kLaplacianForm]),
+             data.laplacians.groups.data() + cluster.first_form_group,
              data.curvatures.empty() ? nullptr : data.curvatures.data() + cluster.first_vertex});
     }
     return placed;
@@ -100,6 +101,13 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
 
 bool has_needs_of(LineKind kind, const ExtractorData& data) {
     return !describe(kind).needs_derivatives || !data.curvatures.empty();
+}
+
+LaplacianForms build_laplacian_forms(const TriangleMesh& mesh, const Field& field,
+                                     const ExtractorData& data) {
+    const PreparedMesh prepared = prepare(mesh, field);
+    if (prepared.size() != data.vertex_count) refuse_field();
+    return laplacian_forms(prepared, field, data);
 }
 
 void add_derivatives(const TriangleMesh& mesh, const Field& field, ExtractorData& data) {
@@ -116,9 +124,9 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     ExtractorData data;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
-    data.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
     data.is_rough = is_rough(field.report);
     ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
+    data.laplacians = laplacian_forms(prepared, field, data);
     if (field.has_derivatives()) data.curvatures = curvature_records(prepared, field, data);
     return data;
 }

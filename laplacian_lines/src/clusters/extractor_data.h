@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clusters/cluster_data.h"
+#include "clusters/laplacian_forms.h"
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/progress.h"
@@ -33,7 +34,7 @@ struct ExtractorData {
     std::vector<float> bounds;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     double diagonal = 1;                               ///< D, mesh units
-    float kernel_size = 0;  ///< √h, D
+    LaplacianForms laplacians;                         ///< of the field that it was built of
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
 
@@ -42,8 +43,9 @@ struct ExtractorData {
     /// @throws std::bad_alloc
     void allocate(std::size_t bytes);
     std::size_t padded_cluster_count() const;  ///< to whole groups of kFormGroup
-    ClusterStore store() const;
-    std::size_t memory() const;  ///< bytes
+    ClusterStore store() const { return store(laplacians); }
+    ClusterStore store(const LaplacianForms& forms) const;  ///< with these instead of its own
+    std::size_t memory() const;                             ///< bytes
 };
 
 inline Eigen::Vector3f position_of(const VertexRecord& record) {
@@ -60,13 +62,17 @@ struct PlacedCluster {
     const std::uint32_t* vertices;  ///< numbers in the prepared mesh
     const ClusterTriangle* triangles;
     const VertexRecord* records;
-    const float* laplacians;            ///< linear forms
+    const FormGroup* laplacians;        ///< those of ExtractorData
     const CurvatureRecord* curvatures;  ///< by vertex; null if there are none
 };
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
 
 /// Whether lines of a kind can be found: those of some need derivatives.
 bool has_needs_of(LineKind kind, const ExtractorData& data);
+
+/// LineExtractor::laplacian().
+LaplacianForms build_laplacian_forms(const TriangleMesh& mesh, const Field& field,
+                                     const ExtractorData& data);
 
 /// LineExtractor::add_derivatives().
 void add_derivatives(const TriangleMesh& mesh, const Field& field, ExtractorData& data);

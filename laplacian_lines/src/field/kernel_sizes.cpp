@@ -45,10 +45,15 @@ double automatic_kernel_size(double mean_edge, double diagonal) {
     return std::max(2 * mean_edge, 0.0045 * diagonal);
 }
 
+KernelRange drawn_kernel_range(double mean_edge, double diagonal) {
+    return {2 * mean_edge, std::max(2 * mean_edge, kLargestDrawnKernel * diagonal)};
+}
+
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options) {
-    if (options.drawn_kernel_size > 0)
-        return std::max(2 * mesh.mean_edge,
-                        std::min(options.drawn_kernel_size / mesh.diagonal, kLargestDrawnKernel));
+    if (options.drawn_kernel_size > 0) {
+        const KernelRange range = drawn_kernel_range(mesh.mean_edge, 1);
+        return std::clamp(options.drawn_kernel_size / mesh.diagonal, range.least, range.most);
+    }
     return options.kernel_size > 0
                ? std::clamp(options.kernel_size / mesh.diagonal, kSmallestKernel, kLargestKernel)
                : automatic_kernel_size(mesh.mean_edge, 1);

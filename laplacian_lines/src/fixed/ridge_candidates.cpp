@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clusters/linear_forms.h"
 #include "fixed/cluster_zeros.h"
 #include "fixed/stretches.h"
 #include "system/parallel.h"
@@ -22,12 +23,6 @@ struct Bend {
     float curvature = 0;                                  ///< k₁; 0: no candidate
     float derivative = 0;                                 ///< ∇(tr S)·e₁
 };
-
-/// The vector of place v of linear forms.
-Eigen::Vector3f read_form(const float* forms, unsigned v) {
-    const float* form = forms + v / kFormGroup * 4 * kFormGroup + v % kFormGroup;
-    return {form[0], form[kFormGroup], form[2 * kFormGroup]};
-}
 
 /// `laplacian`: Δn·D²
 Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float sign) {
@@ -56,7 +51,7 @@ public:
     ClusterRidges(const PlacedCluster& placed, std::uint32_t number, float sign)
         : placed_(placed), zeros_(placed, number) {
         for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
-            bends_[v] = bend(placed.records[v], read_form(placed.laplacians, v), sign);
+            bends_[v] = bend(placed.records[v], vector_of_form(placed.laplacians, v), sign);
     }
 
     void find(ZeroPieces& pieces) const {

@@ -16,8 +16,6 @@ using laplacian_lines::Field;
 using laplacian_lines::PrecomputeOptions;
 using laplacian_lines::Progress;
 
-// Of inner lines' pens: finer detail clots, coarser kernels lose what can be drawn.
-constexpr double pens_of_kernel = 4;
 constexpr double field_share = 0.8;  // of the time
 
 /// In units of the mesh, whose bounding box has this diagonal.
@@ -28,7 +26,8 @@ double lengthOf(const DetailSize& detail, double mm, double diagonal) {
 /// `mm`: on paper, of a unit of the mesh.
 PrecomputeOptions fieldOptions(const SheetOptions& options, double mm) {
     PrecomputeOptions result;
-    result.drawn_kernel_size = pens_of_kernel * options.pens[std::size_t(LineClass::Inner)] / mm;
+    result.drawn_kernel_size =
+        laplacian_lines::kDrawnKernelWidths * options.pens[std::size_t(LineClass::Inner)] / mm;
     result.curvature_derivatives = options.style.shows.needs_derivatives();
     return result;
 }

@@ -75,9 +75,9 @@ struct LaplacianLines : FacingKind {
                                         const BelowBound&, float* values) {
         const unsigned groups = form_groups(place.cluster);
         float* own = in_slot(values, place);
-        evaluate(form_of(place, kLaplacianForm), groups, task.light, own);
-        if (task.exact_point_light)
-            subtract_traces(records_of(place), place.cluster, task.light[3], own);
+        evaluate(place.laplacians, groups, task.light, own);
+        if (task.trace_weight != 0)
+            subtract_traces(records_of(place), place.cluster, task.trace_weight, own);
         return below(own, groups, 0);
     }
 

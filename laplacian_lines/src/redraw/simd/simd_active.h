@@ -103,7 +103,7 @@ static inline ClusterSigns find_all_signs(const ExtractionTask& task, const Kept
     if (kept.test_facing) {
         const unsigned groups = form_groups(place.cluster);
         float* values = in_slot(batch.facing, place);
-        evaluate(form_of(place, kFacingForm), groups, task.eye, values);
+        evaluate(facing_of(place), groups, task.eye, values);
         facing = below(values, groups, 0);
     }
     ClusterSigns signs;

@@ -27,10 +27,12 @@ static inline void touch(const ClusterStore& store, const KeptCluster& kept) {
     Kinds::for_each([&](auto kind, unsigned number) {
         if (kept.may_hold[number]) forms |= kind.kForms;
     });
-    for (unsigned form = 0; form < kVertexFormCount; ++form)
-        if (forms >> form & 1)
-            touch(memory + layout.forms[form],
-                  memory + layout.forms[form] + layout.corners / kVertexFormCount);
+    if (forms >> kFacingForm & 1) touch(memory, memory + layout.corners);
+    if (forms >> kLaplacianForm & 1) {
+        const auto* laplacians =
+            reinterpret_cast<const unsigned char*>(store.laplacians + cluster.first_form_group);
+        touch(laplacians, laplacians + layout.corners);
+    }
     if (Kinds::kReadsCurvatures) {
         const CurvatureRecord* curvatures = store.curvatures + cluster.first_vertex;
         touch(reinterpret_cast<const unsigned char*>(curvatures),
@@ -58,7 +60,12 @@ static inline void begin_batch(const ClusterStore& store, const KeptCluster* clu
 
 static inline ClusterInSlot place_of(const ClusterStore& store, const Batch& batch, unsigned slot) {
     const Cluster& cluster = *batch.clusters[slot];
-    return {cluster, cluster_layout(cluster), memory_of(store, cluster), store.curvatures, slot};
+    return {cluster,
+            cluster_layout(cluster),
+            memory_of(store, cluster),
+            store.laplacians + cluster.first_form_group,
+            store.curvatures,
+            slot};
 }
 
 }  // namespace SIMD_NAMESPACE

@@ -12,14 +12,14 @@ namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
 
 /// Linear forms v·(e − w p) of all vertices.
-static inline void evaluate(const float* forms, unsigned groups, const float eye[4],
+static inline void evaluate(const FormGroup* forms, unsigned groups, const float eye[4],
                             float* values) {
     const float ex = eye[0], ey = eye[1], ez = eye[2], w = eye[3];
-    for (unsigned g = 0; g < groups; ++g, forms += 4 * kFormGroup, values += kFormGroup)
+    for (unsigned g = 0; g < groups; ++g, ++forms, values += kFormGroup)
         for (unsigned i = 0; i < kFormGroup; i += kLanes)
-            store(values + i, load(forms + i) * ex + load(forms + kFormGroup + i) * ey +
-                                  load(forms + 2 * kFormGroup + i) * ez -
-                                  w * load(forms + 3 * kFormGroup + i));
+            store(values + i, load(forms->numbers[0] + i) * ex + load(forms->numbers[1] + i) * ey +
+                                  load(forms->numbers[2] + i) * ez -
+                                  w * load(forms->numbers[3] + i));
 }
 
 /// How many of a cluster's values are below a bound, and which.
@@ -47,11 +47,12 @@ struct ClusterInSlot {
     const Cluster& cluster;
     ClusterLayout layout;
     const unsigned char* memory;
+    const FormGroup* laplacians;
     const CurvatureRecord* curvatures;  ///< the store's
     unsigned slot;
 };
-static inline const float* form_of(const ClusterInSlot& place, VertexForm form) {
-    return reinterpret_cast<const float*>(place.memory + place.layout.forms[form]);
+static inline const FormGroup* facing_of(const ClusterInSlot& place) {
+    return reinterpret_cast<const FormGroup*>(place.memory);
 }
 static inline const VertexRecord* records_of(const ClusterInSlot& place) {
     return reinterpret_cast<const VertexRecord*>(place.memory + place.layout.records);

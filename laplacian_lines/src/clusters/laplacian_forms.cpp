@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clusters/laplacian_forms.h"
+
+#include <cmath>
+
+#include "clusters/bounded.h"
+#include "clusters/extractor_data.h"
+#include "clusters/linear_forms.h"
+#include "system/large_array.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr double kLargestLaplacian = 1e12;
+
+/// h_e, D²
+double squared_scale(const FieldScale& scale) {
+    const double size = scale.kernel_size / scale.diagonal,
+                 sigma = scale.normal_sigma / scale.diagonal;
+    return size * size + sigma * sigma / 2;
+}
+
+}  // namespace
+
+LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
+                               const ExtractorData& data) {
+    LaplacianForms forms;
+    forms.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
+    forms.squared_scale = squared_scale(field.scale);
+    const double own = data.laplacians.squared_scale;
+    if (own > 0) forms.factor = float(std::pow(forms.squared_scale / own, 1.5));
+    const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
+    forms.groups = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
+    const double factor = data.diagonal * data.diagonal * forms.factor;
+    in_parallel<NoScratch>(data.clusters.size(), [&](std::size_t c, NoScratch&) {
+        const Cluster& cluster = data.clusters[c];
+        write_forms(&forms.groups[cluster.first_form_group], cluster, [&](unsigned i) {
+            const std::uint32_t v = data.vertices_of_clusters[cluster.first_vertex + i];
+            const Eigen::Vector3f& laplacian = field.laplacian_normals[mesh.original_vertex[v]];
+            return FormVector{bounded(laplacian, factor, kLargestLaplacian), mesh.positions[v]};
+        });
+    });
+    return forms;
+}
+
+}  // namespace laplacian_lines

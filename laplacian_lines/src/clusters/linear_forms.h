@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "clusters/cluster_data.h"
+
+namespace laplacian_lines {
+
+/// A vector at a point, whose linear form is v·(e − w p).
+struct FormVector {
+    Eigen::Vector3d v, p;
+};
+
+/// Writes the linear forms of a cluster's vertices, each of vector_of(i). The places that are left
+/// over repeat the last vertex, which changes no "all" or "any".
+template <class VectorOf>
+void write_forms(FormGroup* groups, const Cluster& cluster, const VectorOf& vector_of) {
+    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
+        const FormVector vector = vector_of(std::min(i, cluster.vertex_count - 1u));
+        FormGroup& group = groups[i / kFormGroup];
+        for (unsigned k = 0; k < 3; ++k)
+            group.numbers[k][i % kFormGroup] = float(vector.v[k]);
+        group.numbers[3][i % kFormGroup] = float(vector.v.dot(vector.p));
+    }
+}
+
+/// The vector of a vertex's form.
+inline Eigen::Vector3f vector_of_form(const FormGroup* groups, unsigned vertex) {
+    const auto& numbers = groups[vertex / kFormGroup].numbers;
+    const unsigned i = vertex % kFormGroup;
+    return {numbers[0][i], numbers[1][i], numbers[2][i]};
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// LineExtractor::laplacian_of(): lines at another kernel size, without another extractor.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "helpers.h"
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/precompute.h"
+
+using namespace laplacian_lines;
+
+namespace {
+
+const View kViews[] = {View::perspective({1.5, 1, 2.5}), View::orthographic({0.2, -1, 0.4})};
+
+struct Kernels {
+    TriangleMesh mesh;
+    Field fine, coarse;
+
+    explicit Kernels(KernelMode mode = KernelMode::Uniform)
+        : mesh(test_meshes::mesh_named("bumpy_sphere").mesh) {
+        PrecomputeOptions options;
+        options.kernel_mode = mode;
+        fine = precompute(mesh, options);
+        options.kernel_size = 1.6 * fine.scale.kernel_size;
+        options.normal_sigma = 1.2;
+        coarse = precompute(mesh, options);
+    }
+    /// What an extractor of its own would be built of.
+    Field mixed() const {
+        Field field = fine;
+        field.laplacian_normals = coarse.laplacian_normals;
+        field.kernel_sizes = coarse.kernel_sizes;
+        field.scale = coarse.scale;
+        return field;
+    }
+};
+
+LineSet extract(const LineExtractor& extractor, const View& view, const LineStyle& style,
+                const KernelLaplacian* laplacian) {
+    ExtractionScratch scratch;
+    LineSet lines;
+    extractor.extract(view, style, scratch, lines, laplacian);
+    return lines;
+}
+
+std::vector<LineStyle> styles() {
+    LineStyle usual = helpers::all_kinds(), whole = usual, exact = usual;
+    whole.whole_lines = true;
+    exact.exact_point_light = true;
+    return {usual, whole, exact};
+}
+
+/// The same but for rounding.
+void expect_alike(const LineSet& a, const LineSet& b) {
+    ASSERT_EQ(a.lines.size(), b.lines.size());
+    ASSERT_EQ(a.points.size(), b.points.size());
+    for (std::size_t i = 0; i < a.points.size(); ++i) {
+        EXPECT_LT((a.points[i].position - b.points[i].position).norm(), 1e-5f) << i;
+        EXPECT_NEAR(a.points[i].weight, b.points[i].weight, 1e-3f) << i;
+        EXPECT_NEAR(a.points[i].opacity, b.points[i].opacity, 1e-3f) << i;
+    }
+}
+
+}  // namespace
+
+TEST(KernelLaplacian, OfTheSameFieldDrawsTheSameBits) {
+    const Kernels kernels;
+    const LineExtractor extractor(kernels.mesh, kernels.fine);
+    const KernelLaplacian same = extractor.laplacian_of(kernels.mesh, kernels.fine);
+    for (const LineStyle& style : styles())
+        for (const View& view : kViews)
+            EXPECT_TRUE(helpers::same_lines(extract(extractor, view, style, &same),
+                                            extract(extractor, view, style, nullptr)));
+}
+
+TEST(KernelLaplacian, DrawsAsAnExtractorOfItsOwn) {
+    for (const KernelMode mode : {KernelMode::Uniform, KernelMode::Adaptive}) {
+        const Kernels kernels(mode);
+        const LineExtractor extractor(kernels.mesh, kernels.fine),
+            own(kernels.mesh, kernels.mixed());
+        const KernelLaplacian coarse = extractor.laplacian_of(kernels.mesh, kernels.coarse);
+        for (LineStyle style : styles()) {
+            style.shows = {};
+            style.shows[LineKind::Laplacian] = style.shows[LineKind::Contour] = true;
+            for (const View& view : kViews) {
+                const LineSet lines = extract(extractor, view, style, &coarse);
+                EXPECT_FALSE(lines.lines.empty());
+                expect_alike(lines, extract(own, view, style, nullptr));
+                EXPECT_FALSE(helpers::same_lines(lines, extract(extractor, view, style, nullptr)));
+            }
+        }
+    }
+}
+
+TEST(KernelLaplacian, LeavesOtherKindsAsTheyAre) {
+    const Kernels kernels;
+    const LineExtractor extractor(kernels.mesh, kernels.fine);
+    const KernelLaplacian coarse = extractor.laplacian_of(kernels.mesh, kernels.coarse);
+    LineStyle style = helpers::all_kinds();
+    style.shows[LineKind::Laplacian] = false;
+    for (const View& view : kViews)
+        EXPECT_TRUE(helpers::same_lines(extract(extractor, view, style, &coarse),
+                                        extract(extractor, view, style, nullptr)));
+}
+
+TEST(KernelLaplacian, TakesLittleMemory) {
+    const Kernels kernels;
+    const LineExtractor extractor(kernels.mesh, kernels.fine);
+    EXPECT_LT(double(extractor.laplacian_of(kernels.mesh, kernels.coarse).memory()),
+              0.2 * double(extractor.memory()));
+}
+
+TEST(KernelLaplacian, OfAnotherMeshIsRefused) {
+    const Kernels kernels;
+    const LineExtractor extractor(kernels.mesh, kernels.fine);
+    const TriangleMesh other = test_meshes::mesh_named("torus").mesh;
+    EXPECT_THROW(extractor.laplacian_of(other, precompute(other)), Error);
+    EXPECT_THROW(extractor.laplacian_of(kernels.mesh, precompute(other)), Error);
+}
+
+TEST(KernelLaplacian, DrawnKernelsAreWithinTheirRange) {
+    const TriangleMesh mesh = test_meshes::bumpy_sphere(6, 0.15).mesh;
+    const FieldScale scale = measure_scale(mesh);
+    const KernelRange range = drawn_kernel_range(scale.mean_edge, scale.diagonal);
+    PrecomputeOptions options;
+    ASSERT_GT(range.most, 1.2 * range.least);
+    for (const double wanted : {1e-6 * range.least, 1.1 * range.least, 1e6 * range.most}) {
+        options.drawn_kernel_size = wanted;
+        EXPECT_NEAR(measure_scale(mesh, options).kernel_size,
+                    std::min(std::max(wanted, range.least), range.most), 1e-9 * range.most);
+    }
+    EXPECT_EQ(drawn_kernel_range(0.1, 1).most, 0.2);
+}
