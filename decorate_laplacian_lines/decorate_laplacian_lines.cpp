@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "decoration_parameters.h"
-#include "line_scale.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/layer_drawing.h"
@@ -13,7 +12,9 @@
 #include "meshlab_host/log.h"
 #include "panel_lines.h"
 #include "redraw_mark.h"
+#include "view_properties.h"
 
+using laplacian_lines::DrawnKernel;
 using line_renderer::RedrawClock;
 using meshlab_host::CameraMatrices;
 
@@ -39,6 +40,12 @@ laplacian_lines::View viewOf(const CameraMatrices& camera, const Eigen::Matrix4d
     return *view;
 }
 
+QString kernelSize(const DrawnKernel& kernel, const PreparedLines& lines) {
+    return kernel.laplacian
+               ? QString("√h %1 % of D; ").arg(100 * kernel.size / lines.diagonal, 0, 'f', 2)
+               : QString();
+}
+
 QString statistics(const laplacian_lines::LineSet& lines, const RedrawClock& clock,
                    double switching_on) {
     const auto spent = [&](const char* name, RedrawClock::Part part) {
@@ -62,6 +69,21 @@ double lineScale(QPainter* painter) {
     const QWidget* widget = widgetOf(painter);
     const QVariant scale = widget ? widget->property(line_scale_property) : QVariant();
     return scale.isValid() ? scale.toDouble() : 1;
+}
+
+/// The whole picture that the layer is in, of which a tile shows a part. The view's viewport must
+/// be OpenGL's.
+PictureOfMesh pictureOf(const LayerInView& layer, const laplacian_lines::View& eye,
+                        const Eigen::Matrix4d& middle_of_tiles, double tiles) {
+    GLint viewport[4] = {};
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    PictureOfMesh picture{eye, layer.placement.to_eye, layer.placement.projection,
+                          tiles * viewport[3]};
+    if (tiles > 1) {
+        picture.projection = middle_of_tiles;
+        picture.projection.topRows<2>() /= tiles;
+    }
+    return picture;
 }
 
 double devicePixelRatio(QPainter* painter) {
@@ -151,9 +173,11 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
         if (!lines || (needs_derivatives && isWithoutDerivatives(*lines)))
             lines = demandLines(mesh, view, needs_derivatives);
         is_drawn = lines->failure.isEmpty();
-        if (is_drawn) text = drawLines(mesh, *lines, valid.chosen, view, painter, clock);
+        if (is_drawn) text = drawLines(mesh, lines, valid.chosen, view, painter, clock);
         const QString& lack = needs_derivatives ? lines->lack : QString();
         complaints += QStringList{lines->failure, lack};
+        if (valid.chosen.scale == Scale::WithTheView && !lines->failed_levels.empty())
+            complaints << lines->failed_levels.begin()->second;
     } catch (const std::exception& error) {
         is_drawn = false;
         complaints << QString::fromUtf8(error.what());
@@ -166,7 +190,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
         complain(mesh, &log, refusal);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
-    emit drawingEnds(mesh, valid.chosen, is_drawn ? &lines_ : nullptr, refusal);
+    emit drawingEnds(mesh, valid.chosen, kernels_, is_drawn ? &lines_ : nullptr, refusal);
 }
 
 void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
@@ -226,31 +250,47 @@ PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh,
     return lines;
 }
 
-QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, PreparedLines& lines,
+std::vector<DrawnKernel> DecorateLaplacianLines::kernelsFor(
+    const MeshModel& mesh, const PreparedLinesPointer& lines, const DecorationParameters& chosen,
+    const laplacian_lines::View& eye, const LayerInView& layer, double tiles) {
+    if (chosen.scale == Scale::AsComputed) return {DrawnKernel()};
+    const PictureOfMesh picture = pictureOf(layer, eye, tiles_.camera().projection, tiles);
+    const double width = chosen.lines.width * layer.placement.pixel_scale;
+    const double wanted =
+        laplacian_lines::kDrawnKernelWidths * width * lines->samples.pixelSize(picture);
+    const bool waits =
+        tiles > 1 || (layer.widget && layer.widget->property(waits_property).toBool());
+    return levels_.demand(lines, mesh.cm, wanted, layer.widget, waits);
+}
+
+QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,
                                           const DecorationParameters& chosen, GLArea* view,
                                           QPainter* painter, RedrawClock& clock) {
     shows_statistics_ = chosen.show_statistics;
     const CameraMatrices camera = meshlab_host::cameraFromGl();
     const laplacian_lines::View eye = viewOf(camera, meshlab_host::layerTransform(mesh.cm), chosen);
-    clock.count(RedrawClock::DrawCalls);
-    lines.extractor->extract(eye, chosen.style, scratch_, lines_);
-    clock.count(RedrawClock::Extraction);
-
-    LayerInView layer = layerInView(mesh, lines, camera);
+    LayerInView layer = layerInView(mesh, *lines, camera);
     layer.view = view;
     layer.widget = widgetOf(painter);
-    layer.is_first = beginsRedraw(painter);
     const double tiles = tiles_.scale(camera);
     layer.placement.pixel_scale = devicePixelRatio(painter) * lineScale(painter) * tiles;
     if (tiles > 1)
         layer.placement.picture_to_clip = tiles_.camera().projection * tiles_.camera().modelview *
                                           meshlab_host::layerTransform(mesh.cm);
+    kernels_ = kernelsFor(mesh, lines, chosen, eye, layer, tiles);
+    clock.count(RedrawClock::DrawCalls);
+    laplacian_lines::extract_kernels(*lines->extractor, eye, chosen.style, kernels_, scratch_,
+                                     faded_lines_, lines_);
+    clock.count(RedrawClock::Extraction);
+
+    layer.is_first = beginsRedraw(painter);
     drawing_.draw(layer, lines_, chosen, clock);
-    if (!lines.first_redraw) lines.first_redraw = clock.ownMilliseconds();
+    if (!lines->first_redraw) lines->first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};
     glFinish();
     clock.count(RedrawClock::Drawing);
-    return statistics(lines_, clock, lines.preparation + *lines.first_redraw);
+    return kernelSize(kernels_.front(), *lines) +
+           statistics(lines_, clock, lines->preparation + *lines->first_redraw);
 }
 
 void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream* log,

@@ -12,6 +12,7 @@
 #include "meshlab_host/parameter_panel.h"
 #include "meshlab_host/snapshot_tiles.h"
 #include "view_drawing.h"
+#include "view_levels.h"
 
 /// MeshLab's side of drawing: mesh attributes, camera and parameters in, lines on the screen out.
 /// Never draws lines of a geometry that the mesh does not have any more.
@@ -27,9 +28,10 @@ signals:
     /// For observers, around each drawing of a layer and with MeshLab's GL context current, which
     /// they must leave as it is. `lines` in mesh coordinates, valid during the call; null if none
     /// could be drawn, for the reason in `refusal`, which also says what of the parameters is not
-    /// `drawn`.
+    /// `drawn`. `kernels` are those of the lines.
     void drawingBegins(const MeshModel& mesh);
     void drawingEnds(const MeshModel& mesh, const DecorationParameters& drawn,
+                     const std::vector<laplacian_lines::DrawnKernel>& kernels,
                      const laplacian_lines::LineSet* lines, const QString& refusal);
 
 protected:
@@ -52,9 +54,16 @@ private:
     /// camera moves; otherwise null.
     PreparedLinesPointer currentLines(const MeshModel& mesh, GLArea* view, QPainter* painter);
     /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
-    QString drawLines(const MeshModel& mesh, PreparedLines& lines,
+    QString drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,
                       const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                       line_renderer::RedrawClock& clock);
+    /// The kernels that `layer` is to be drawn with, as `eye` sees it; `tiles` as
+    /// meshlab_host::SnapshotTiles has them.
+    std::vector<laplacian_lines::DrawnKernel> kernelsFor(const MeshModel& mesh,
+                                                         const PreparedLinesPointer& lines,
+                                                         const DecorationParameters& chosen,
+                                                         const laplacian_lines::View& eye,
+                                                         const LayerInView& layer, double tiles);
     /// Adds why a mesh has no lines to its document's log, which is `log`.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
@@ -65,11 +74,13 @@ private:
     DecorationParameters last_good_;
     LineCache cache_;
     KeptLines kept_;
+    ViewLevels levels_{[this] { kept_.fit(); }};
     std::set<QObject*> watched_documents_;
     Complaints complaints_;
     meshlab_host::SnapshotTiles tiles_;
     ViewDrawing drawing_;
     laplacian_lines::ExtractionScratch scratch_;
-    laplacian_lines::LineSet lines_;
+    laplacian_lines::LineSet lines_, faded_lines_;
+    std::vector<laplacian_lines::DrawnKernel> kernels_;
     bool shows_statistics_ = false;
 };

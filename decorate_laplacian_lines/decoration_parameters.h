@@ -26,6 +26,10 @@ enum class Background { AsMeshLabDrawsIt, Paper };
 /// Which parameters the layer dialog shows.
 enum class ShownParameters { Basic, All };
 
+/// At which size lines show the form: that of the field as it was computed, or one that follows
+/// the size of the surface in the view.
+enum class Scale { AsComputed, WithTheView };
+
 enum class Light { AtTheEye, FixedToTheCamera };
 
 /// What the user chose in MeshLab's decoration parameters, which are the same for all views.
@@ -37,6 +41,7 @@ struct DecorationParameters {
     line_renderer::LineAppearance appearance;  ///< its looks are those of `lines` and the style
     line_renderer::SurfaceAppearance surface;
     Background background = Background::AsMeshLabDrawsIt;
+    Scale scale = Scale::AsComputed;
     Light light = Light::AtTheEye;
     meshlab_host::CameraLight camera_light;
     ShownParameters shown = ShownParameters::Basic;

@@ -74,6 +74,12 @@ ParameterGroup everyday() {
          choice<&Parameters::appearance, &LineAppearance::hidden>(
              "hidden_lines", "Hidden Lines", {"Left Out", "Faint", "Dashed"},
              "What is drawn of lines that the surface hides: nothing, faint lines, or dashes."),
+         choice<&Parameters::scale>(
+             "scale", "Scale", {"As Computed", "With the View"},
+             "Which detail Laplacian lines show. As Computed: that of the kernel size of Compute "
+             "Laplacian Lines, or of the default one, whatever the zoom. With the View: what is "
+             "large enough to be drawn at this zoom, a kernel of four line widths; others are "
+             "computed in the background as soon as they are needed."),
          style("contours"), style("laplacian_lines"), forExperts(style("single_strokes")),
          forExperts(style("ridges")), style("ridge_angle"), forExperts(style("creases")),
          style("crease_angle"), forExperts(style("borders")),

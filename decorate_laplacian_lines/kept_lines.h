@@ -19,6 +19,8 @@ public:
 
     /// The mesh uses these lines now and no others. Those that lacked memory are not kept.
     void keep(Document document, int mesh, PreparedLinesPointer lines);
+    /// To be called when lines that may be kept have grown.
+    void fit();
     /// Meshes of the document that are not in `alive` (ascending ids) are gone.
     void forgetAllBut(Document document, const std::vector<int>& alive);
     /// Gives all back, for those who lack memory. False if there is nothing.

@@ -18,6 +18,8 @@ namespace {
 constexpr double field_share = 0.65;
 /// Share of the time of adding derivatives that computing them takes.
 constexpr double derivatives_share = 0.95;
+/// Of an extractor's memory, for levels.
+constexpr double share_of_levels = 0.7;
 
 /// An hourglass while the GUI thread is busy.
 class WaitCursor {
@@ -33,11 +35,16 @@ laplacian_lines::Progress step(meshlab_host::WindowProgress* shown, double begin
 }
 
 std::size_t bytesOf(const PreparedLines& lines) {
-    std::size_t sum = lines.extractor->memory() + line_renderer::bytesOf(*lines.surface);
+    std::size_t sum = lines.extractor->memory() + line_renderer::bytesOf(*lines.surface) +
+                      lines.kept_levels.bytes() + lines.samples.bytes();
     if (lines.field)
         for (const auto& column : laplacian_lines::present_columns(*lines.field))
             sum += column.size(*lines.field) * std::size_t(column.floats) * sizeof(float);
     return sum;
+}
+
+std::size_t bytesForLevels(const PreparedLines& lines) {
+    return std::size_t(share_of_levels * double(lines.extractor->memory()));
 }
 
 }  // namespace
@@ -57,6 +64,9 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                                 step(shown, 0, field_share));
         result->diagonal = field.scale.diagonal;
         result->sight_edge = laplacian_lines::sight_edge(field);
+        result->options = source.options;
+        result->levels = laplacian_lines::KernelLevels(field.scale.mean_edge, field.scale.diagonal);
+        result->samples = SurfaceSamples(triangles, field);
         result->surface = line_renderer::makeSurface(triangles, field);
         result->extractor.emplace(triangles, field, step(shown, field_share, 1));
         result->has_derivatives = field.has_derivatives();
@@ -71,6 +81,15 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
     }
     result->preparation = 1e-6 * double(clock.nsecsElapsed());
     return result;
+}
+
+void addLevel(PreparedLines& lines, int level, laplacian_lines::KernelLaplacian laplacian) {
+    lines.kept_levels.add(level, std::move(laplacian), bytesForLevels(lines));
+    lines.bytes = bytesOf(lines);
+}
+
+bool hasRoomForLevel(const PreparedLines& lines) {
+    return lines.kept_levels.hasRoom(bytesForLevels(lines));
 }
 
 void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,

@@ -3,13 +3,16 @@
 
 #include <QString>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
-#include "laplacian_lines/line_extractor.h"
+#include "kept_levels.h"
+#include "laplacian_lines/kernel_levels.h"
 #include "line_renderer/surface.h"
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/window_progress.h"
+#include "surface_samples.h"
 
 /// A mesh made ready for line extraction, or the reason why it cannot be.
 struct PreparedLines {
@@ -20,12 +23,17 @@ struct PreparedLines {
     line_renderer::SurfacePointer surface;        ///< set if there is an extractor
     QString failure;                              ///< one sentence, empty if there is an extractor
     bool lacked_memory = false;                   ///< why it failed: another try may succeed
-    std::size_t bytes = 0;                        ///< of extractor, surface and field
+    std::size_t bytes = 0;                        ///< of all members
     bool has_derivatives = false;                 ///< for kinds of lines that need them
     QString lack;                                 ///< why it has none although they were asked for
     std::optional<laplacian_lines::Field> field;  ///< to compute them from, if it was computed
-    double preparation = 0;                       ///< time it took, milliseconds
-    std::optional<double> first_redraw;           ///< the plugin's time of it, milliseconds
+    laplacian_lines::PrecomputeOptions options;   ///< of the extractor's field
+    laplacian_lines::KernelLevels levels;         ///< other kernels than the extractor's
+    KeptLevels kept_levels;                       ///< those that are there
+    std::map<int, QString> failed_levels;         ///< why they cannot be
+    SurfaceSamples samples;
+    double preparation = 0;              ///< time it took, milliseconds
+    std::optional<double> first_redraw;  ///< the plugin's time of it, milliseconds
 };
 using PreparedLinesPointer = std::shared_ptr<PreparedLines>;
 
@@ -37,6 +45,12 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
                                   const std::function<void(const QString&)>& say,
                                   meshlab_host::WindowProgress* shown = nullptr);
+
+/// Adds a level. Those of a mesh take at most .7 times the memory of its extractor, unless drawings
+/// need more at once.
+void addLevel(PreparedLines& lines, int level, laplacian_lines::KernelLaplacian laplacian);
+/// Whether another one would push out none.
+bool hasRoomForLevel(const PreparedLines& lines);
 
 /// Adds derivatives to lines of this mesh, and computes nothing else anew; or says in `lack` why
 /// not, and leaves the lines as they are. Throws nothing but std::bad_alloc from the very end.

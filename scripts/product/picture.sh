@@ -136,7 +136,7 @@ drawing_script() {
     local row view column settings=()
     mapfile -t settings < <(user_settings "$2")
     printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "check Show Layer Dialog on" "check Show Info Panel off" \
-        "check Show Trackball off" "size $PICTURE_SIZE" "scale-lines $LINE_SIDE"
+        "check Show Trackball off" "size $PICTURE_SIZE" "scale-lines $LINE_SIDE" wait-for-levels
     for ((row = $1; row < ${#MESH_FILES[@]}; ++row)); do
         load_commands "$row"
         printf '%s\n' "size $PICTURE_SIZE"

@@ -11,6 +11,7 @@
 
 namespace driver {
 
+using laplacian_lines::DrawnKernel;
 using laplacian_lines::LineExtractor;
 using laplacian_lines::LineSet;
 using laplacian_lines::PrecomputeOptions;
@@ -72,15 +73,38 @@ TriangleMesh liveTriangles(const CMeshO& mesh) {
     return result;
 }
 
-const LineSet& CoreLines::of(const MeshModel& mesh, const DecorationParameters& chosen) {
+const LineSet& CoreLines::of(const MeshModel& mesh, const DecorationParameters& chosen,
+                             const std::vector<DrawnKernel>& kernels) {
     const View view = viewOf(mesh.cm, chosen);
     PrecomputeOptions options = optionsFor(mesh.cm);
     options.curvature_derivatives = chosen.style.shows.needs_derivatives();
-    extractor(mesh.cm, options).extract(view, chosen.style, scratch_, lines_);
+    Known& found = known(mesh.cm, options);
+    options.curvature_derivatives = false;
+    std::vector<DrawnKernel> own;
+    for (const DrawnKernel& kernel : kernels) {
+        own.push_back({kernel.size, nullptr, kernel.share});
+        if (kernel.size > 0) own.back().laplacian = &laplacian(found, options, kernel.size);
+    }
+    laplacian_lines::extract_kernels(found.extractor, view, chosen.style, own, scratch_,
+                                     faded_lines_, lines_);
     return lines_;
 }
 
-const LineExtractor& CoreLines::extractor(const CMeshO& mesh, const PrecomputeOptions& options) {
+const laplacian_lines::KernelLaplacian& CoreLines::laplacian(Known& known,
+                                                             PrecomputeOptions options,
+                                                             double kernel_size) {
+    auto found = known.laplacians.find(kernel_size);
+    if (found == known.laplacians.end()) {
+        options.drawn_kernel_size = kernel_size;
+        const auto field = laplacian_lines::precompute(known.triangles, options);
+        found = known.laplacians
+                    .emplace(kernel_size, known.extractor.laplacian_of(known.triangles, field))
+                    .first;
+    }
+    return found->second;
+}
+
+CoreLines::Known& CoreLines::known(const CMeshO& mesh, const PrecomputeOptions& options) {
     TriangleMesh triangles = liveTriangles(mesh);
     std::vector<double> values = valuesOf(options);
     const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known& known) {
@@ -92,10 +116,10 @@ const LineExtractor& CoreLines::extractor(const CMeshO& mesh, const PrecomputeOp
         known_.splice(known_.begin(), known_, found);
     } else {
         LineExtractor fresh(triangles, laplacian_lines::precompute(triangles, options));
-        known_.push_front({std::move(triangles), std::move(values), std::move(fresh)});
+        known_.push_front({std::move(triangles), std::move(values), std::move(fresh), {}});
         if (known_.size() > most_known) known_.pop_back();
     }
-    return known_.front().extractor;
+    return known_.front();
 }
 
 }  // namespace driver

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <laplacian_lines/line_extractor.h>
+#include <laplacian_lines/kernel_levels.h>
 #include <laplacian_lines/precompute_options.h>
 #include <meshlab_host/meshlab_api.h>
 #include "decoration_parameters.h"
 
 #include <list>
+#include <map>
 
 namespace driver {
 
@@ -18,22 +19,26 @@ laplacian_lines::TriangleMesh liveTriangles(const CMeshO& mesh);
 /// are kept.
 class CoreLines {
 public:
-    /// For the camera of the current GL context. Valid until the next call.
+    /// For the camera of the current GL context, with kernels of these sizes and shares. Valid
+    /// until the next call.
     /// @throws std::exception if the layer can have no lines
-    const laplacian_lines::LineSet& of(const MeshModel& mesh, const DecorationParameters& chosen);
+    const laplacian_lines::LineSet& of(const MeshModel& mesh, const DecorationParameters& chosen,
+                                       const std::vector<laplacian_lines::DrawnKernel>& kernels);
 
 private:
     struct Known {
         laplacian_lines::TriangleMesh triangles;
         std::vector<double> options;
         laplacian_lines::LineExtractor extractor;
+        std::map<double, laplacian_lines::KernelLaplacian> laplacians;  ///< by √h
     };
-    const laplacian_lines::LineExtractor& extractor(
-        const CMeshO& mesh, const laplacian_lines::PrecomputeOptions& options);
+    static const laplacian_lines::KernelLaplacian& laplacian(
+        Known& known, laplacian_lines::PrecomputeOptions options, double kernel_size);
+    Known& known(const CMeshO& mesh, const laplacian_lines::PrecomputeOptions& options);
 
     std::list<Known> known_;  ///< the latest first
     laplacian_lines::ExtractionScratch scratch_;
-    laplacian_lines::LineSet lines_;
+    laplacian_lines::LineSet lines_, faded_lines_;
 };
 
 }  // namespace driver

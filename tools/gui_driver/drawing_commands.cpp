@@ -8,10 +8,10 @@
 #include "command_table.h"
 #include "core_lines.h"
 #include "gui.h"
-#include "line_scale.h"
 #include "mesh_noise.h"
 #include "process.h"
 #include "situation.h"
+#include "view_properties.h"
 
 namespace driver {
 namespace {
@@ -106,6 +106,11 @@ void writeNoisy(const Command& command) {
              command.word(2));
 }
 
+/// For pictures that do not depend on the time.
+void waitForLevels(const Command&) {
+    requireView()->setProperty(waits_property, true);
+}
+
 }  // namespace
 
 void addDrawingCommands(CommandTable& table) {
@@ -114,6 +119,7 @@ void addDrawingCommands(CommandTable& table) {
     table.addSimple("draw-lines", drawLines);
     table.addSimple("draw-all-lines", drawAllLines);
     table.addSimple("scale-lines", scaleLines);
+    table.addSimple("wait-for-levels", waitForLevels);
     table.addSimple("write-noisy", writeNoisy);
 }
 

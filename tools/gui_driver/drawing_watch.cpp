@@ -13,6 +13,7 @@
 
 namespace driver {
 
+using laplacian_lines::DrawnKernel;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 
@@ -67,9 +68,11 @@ DrawingWatch::DrawingWatch() {
                                    SLOT(drawingBegins(MeshModel)), Qt::DirectConnection) &&
                            connect(decoration,
                                    SIGNAL(drawingEnds(MeshModel, DecorationParameters,
+                                                      std::vector<laplacian_lines::DrawnKernel>,
                                                       const laplacian_lines::LineSet*, QString)),
                                    this,
                                    SLOT(drawingEnds(MeshModel, DecorationParameters,
+                                                    std::vector<laplacian_lines::DrawnKernel>,
                                                     const laplacian_lines::LineSet*, QString)),
                                    Qt::DirectConnection);
     if (!connected) throw CommandError("the decoration Laplacian Lines has no signals to watch");
@@ -102,22 +105,24 @@ void DrawingWatch::drawingBegins(const MeshModel& mesh) {
 }
 
 void DrawingWatch::drawingEnds(const MeshModel& mesh, const DecorationParameters& drawn,
-                               const LineSet* lines, const QString& refusal) {
+                               const std::vector<DrawnKernel>& kernels, const LineSet* lines,
+                               const QString& refusal) {
+    kernels_ = kernels;
     drawn_[int(mesh.id())] = refusal.isEmpty() ? refusal : mesh.label() + ": " + refusal;
     const QString gl_change = firstDifference(gl_state_, contextText() + glStateText());
     if (!gl_change.isEmpty()) complain(mesh, "OpenGL's state: " + gl_change);
     const QString mesh_change = firstDifference(mesh_state_, meshText(mesh));
     if (!mesh_change.isEmpty()) complain(mesh, "drawing changed the mesh: " + mesh_change);
     if (lines)
-        compare(mesh, drawn, *lines);
+        compare(mesh, drawn, kernels, *lines);
     else
         justify(mesh, drawn, refusal);
 }
 
 void DrawingWatch::compare(const MeshModel& mesh, const DecorationParameters& drawn,
-                           const LineSet& lines) {
+                           const std::vector<DrawnKernel>& kernels, const LineSet& lines) {
     try {
-        const LineSet& expected = core_.of(mesh, drawn);
+        const LineSet& expected = core_.of(mesh, drawn, kernels);
         const bool equal =
             expected.lines.size() == lines.lines.size() &&
             expected.points.size() == lines.points.size() &&
@@ -135,8 +140,8 @@ void DrawingWatch::justify(const MeshModel& mesh, const DecorationParameters& dr
     ++refusals_;
     if (refusal.isEmpty()) complain(mesh, "no lines, and no reason is given");
     try {
-        complain(mesh,
-                 "no lines: '" + refusal + "', but there are " + describe(core_.of(mesh, drawn)));
+        complain(mesh, "no lines: '" + refusal + "', but there are " +
+                           describe(core_.of(mesh, drawn, {DrawnKernel()})));
     } catch (const std::exception&) {  // so it is right to refuse
     }
 }

@@ -24,6 +24,8 @@ public:
     bool endsWell() const { return !drawn_.empty() && latest_problems_.isEmpty(); }
     /// Meshes drawn since the last call, by id; with label and reason if drawn without lines.
     std::map<int, QString> takeDrawn();
+    /// Of the latest drawing; without entries if there was none.
+    const std::vector<laplacian_lines::DrawnKernel>& kernels() const { return kernels_; }
     /// For people: how much was looked at since the beginning.
     QString summary() const;
     int comparisons() const { return comparisons_; }
@@ -31,11 +33,13 @@ public:
 private slots:
     void drawingBegins(const MeshModel& mesh);
     void drawingEnds(const MeshModel& mesh, const DecorationParameters& drawn,
+                     const std::vector<laplacian_lines::DrawnKernel>& kernels,
                      const laplacian_lines::LineSet* lines, const QString& refusal);
 
 private:
     void complain(const MeshModel& mesh, const QString& what);
     void compare(const MeshModel& mesh, const DecorationParameters& drawn,
+                 const std::vector<laplacian_lines::DrawnKernel>& kernels,
                  const laplacian_lines::LineSet& lines);
     void justify(const MeshModel& mesh, const DecorationParameters& drawn, const QString& refusal);
 
@@ -43,6 +47,7 @@ private:
     QString gl_state_, mesh_state_;  ///< when the drawing began
     QStringList problems_, latest_problems_;
     std::map<int, QString> drawn_;
+    std::vector<laplacian_lines::DrawnKernel> kernels_;
     int comparisons_ = 0, refusals_ = 0;
     long lines_ = 0;
 };

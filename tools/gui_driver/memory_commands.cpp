@@ -3,6 +3,7 @@
 #include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <QDir>
 #include <QFile>
 
 #include "command_table.h"
@@ -59,12 +60,28 @@ void limitMemory(const Command& command) {
     setAddressSpace(rlim_t(pages * double(sysconf(_SC_PAGESIZE)) + command.number(0) * megabyte));
 }
 
+int threads() {
+    return QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot).size();
+}
+
+int noted_threads = 0;
+
+void noteThreads(const Command&) {
+    noted_threads = threads();
+}
+
+Outcome expectNoMoreThreads(const Command&) {
+    return threads() <= noted_threads ? Outcome::Done : Outcome::Retry;
+}
+
 }  // namespace
 
 void addMemoryCommands(CommandTable& table) {
     table.addSimple("note-memory", noteMemory);
     table.addSimple("allow-memory-growth", allowMemoryGrowth);
     table.addSimple("expect-memory-growth", expectMemoryGrowth);
+    table.addSimple("note-threads", noteThreads);
+    table.add("expect-no-more-threads", expectNoMoreThreads);
     table.addSimple("limit-memory", limitMemory);
     table.addSimple(
         "unlimit-memory", [](const Command&) { setAddressSpace(RLIM_INFINITY); }, Place::ModalBox);

@@ -38,6 +38,24 @@ Outcome awaitTrueDrawing(const Command&) {
     return requireWatch().endsWell() ? Outcome::Done : Outcome::Retry;
 }
 
+/// √h in mesh units of the first kernel of the latest drawing, 0 as it was computed.
+double drawnKernel() {
+    const std::vector<laplacian_lines::DrawnKernel>& kernels = requireWatch().kernels();
+    return kernels.empty() ? 0 : kernels.front().size;
+}
+
+/// "LEAST MOST"
+Outcome awaitKernel(const Command& command) {
+    const double size = drawnKernel();
+    return size >= command.number(0) && size <= command.number(1) ? Outcome::Done : Outcome::Retry;
+}
+
+void expectKernel(const Command& command) {
+    const double size = drawnKernel();
+    if (size < command.number(0) || size > command.number(1))
+        throw CommandError(QString("the kernel size is %1").arg(size));
+}
+
 void stretch(const Command& command) {
     MeshModel* mesh = presentSituation().current;
     if (!mesh) throw CommandError("there is no layer");
@@ -55,6 +73,8 @@ void addWatchCommands(CommandTable& table) {
     table.addSimple("expect-true-drawings", expectTrueDrawings);
     table.addSimple("expect-no-drawings", expectNoDrawings);
     table.add("await-true-drawing", awaitTrueDrawing);
+    table.add("await-kernel", awaitKernel);
+    table.addSimple("expect-kernel", expectKernel);
     table.addSimple("stretch", stretch);
     table.addSimple("redraw", [](const Command&) { requireView()->repaint(); });
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "level_worker.h"
+
+#include <QCoreApplication>
+#include <new>
+
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/precompute.h"
+
+using laplacian_lines::Error;
+using laplacian_lines::ErrorCode;
+
+namespace {
+
+constexpr int milliseconds_between_looks = 20;
+constexpr double field_share = 0.9;  // of the time
+
+}  // namespace
+
+laplacian_lines::KernelLaplacian computeLevel(const LevelJob& job,
+                                              const laplacian_lines::Progress& progress) {
+    laplacian_lines::PrecomputeOptions options = job.lines->options;
+    options.drawn_kernel_size = job.lines->levels.size(job.level);
+    options.curvature_derivatives = false;
+    const laplacian_lines::Field field = laplacian_lines::precompute(job.mesh, options, progress);
+    return job.lines->extractor->laplacian_of(job.mesh, field);
+}
+
+LevelWorker::LevelWorker(std::function<void()> finished) : finished_(std::move(finished)) {
+    QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { finishIfDone(); });
+    // Threads must not outlive what the program takes down on its way out.
+    if (QCoreApplication* program = QCoreApplication::instance())
+        QObject::connect(program, &QCoreApplication::aboutToQuit, &timer_, [this] { stop(); });
+}
+
+LevelWorker::~LevelWorker() {
+    stop();
+}
+
+void LevelWorker::start(LevelJob job) {
+    if (is_stopped_) return;
+    running_ = std::make_unique<Running>();
+    running_->job = std::move(job);
+    try {
+        thread_ = std::thread([running = running_.get()] { run(*running); });
+    } catch (...) {
+        running_.reset();
+        throw;
+    }
+    timer_.start(milliseconds_between_looks);
+}
+
+void LevelWorker::redrawAtEnd(QWidget* widget) {
+    for (const QPointer<QWidget>& known : waiting_)
+        if (known == widget) return;
+    if (widget) waiting_.emplace_back(widget);
+}
+
+void LevelWorker::stop() {
+    is_stopped_ = true;
+    timer_.stop();
+    if (!running_) return;
+    running_->is_given_up = true;
+    thread_.join();
+    running_.reset();
+}
+
+void LevelWorker::run(Running& running) noexcept {
+    try {
+        const auto is_wanted = [&](double, const char*) {
+            return !running.is_given_up && running.job.lines.use_count() > 1;
+        };
+        running.result = computeLevel(running.job, is_wanted);
+    } catch (const std::bad_alloc&) {
+        running.failure = "There is not enough memory for lines of this size.";
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::Cancelled) running.failure = QString::fromUtf8(error.what());
+    } catch (const std::exception& error) {
+        running.failure = QString::fromUtf8(error.what());
+    }
+    running.is_done = true;
+}
+
+void LevelWorker::finishIfDone() {
+    if (running_ && running_->is_done) finish();
+}
+
+void LevelWorker::finish() {
+    thread_.join();
+    timer_.stop();
+    const std::unique_ptr<Running> done = std::move(running_);
+    PreparedLines& lines = *done->job.lines;
+    if (done->result)
+        addLevel(lines, done->job.level, std::move(*done->result));
+    else if (!done->failure.isEmpty())
+        lines.failed_levels[done->job.level] = done->failure;
+    finished_();
+    for (const QPointer<QWidget>& widget : waiting_)
+        if (widget) widget->update();
+    waiting_.clear();
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view_levels.h"
+
+#include <algorithm>
+#include <new>
+#include <optional>
+
+#include "meshlab_host/geometry_stamp.h"
+#include "meshlab_host/mesh_conversion.h"
+
+using laplacian_lines::DrawnKernel;
+using laplacian_lines::KernelLevels;
+using laplacian_lines::LevelShare;
+
+namespace {
+
+bool isMissing(const PreparedLines& lines, int level) {
+    return !lines.kept_levels.has(level) && !lines.failed_levels.count(level);
+}
+
+/// The first missing one of those of a drawing, or else of those that it may come to next.
+std::optional<int> levelToCompute(const PreparedLines& lines,
+                                  const std::vector<LevelShare>& shares) {
+    for (const LevelShare& share : shares)
+        if (isMissing(lines, share.level)) return share.level;
+    const int drawn = shares.front().level;
+    for (const int next : {drawn - 1, drawn + 1})
+        if (next >= 0 && next < lines.levels.count() && isMissing(lines, next) &&
+            hasRoomForLevel(lines))
+            return next;
+    return std::nullopt;
+}
+
+void computeNow(const PreparedLinesPointer& lines, const CMeshO& mesh, int level) {
+    try {
+        addLevel(*lines, level, computeLevel({lines, meshlab_host::toTriangleMesh(mesh), level}));
+    } catch (const std::bad_alloc&) {
+        lines->failed_levels[level] = "There is not enough memory for lines of this size.";
+    } catch (const std::exception& error) {
+        lines->failed_levels[level] = QString::fromUtf8(error.what());
+    }
+}
+
+std::vector<DrawnKernel> kernelsThatAreThere(PreparedLines& lines, std::vector<LevelShare> shares) {
+    std::vector<DrawnKernel> kernels;
+    const int nearest = lines.kept_levels.nearest(shares.front().level);
+    if (nearest != shares.front().level) shares = {{nearest, 1}};
+    for (const LevelShare& share : shares)
+        if (const auto* laplacian = lines.kept_levels.use(share.level))
+            kernels.push_back({lines.levels.size(share.level), laplacian, share.share});
+    if (kernels.empty()) kernels.emplace_back();
+    return kernels;
+}
+
+}  // namespace
+
+std::vector<DrawnKernel> ViewLevels::demand(const PreparedLinesPointer& lines, const CMeshO& mesh,
+                                            double wanted, QWidget* widget, bool waits) {
+    if (!(wanted > 0)) return {DrawnKernel()};
+    const std::vector<LevelShare> shares = lines->levels.at(wanted);
+    if (!waits)
+        computeInBackground(lines, mesh, shares, widget);
+    else
+        for (const LevelShare& share : shares)
+            if (isMissing(*lines, share.level)) computeNow(lines, mesh, share.level);
+    return kernelsThatAreThere(*lines, shares);
+}
+
+void ViewLevels::computeInBackground(const PreparedLinesPointer& lines, const CMeshO& mesh,
+                                     const std::vector<LevelShare>& shares, QWidget* widget) {
+    const std::optional<int> level = levelToCompute(*lines, shares);
+    if (!level) return;
+    worker_.redrawAtEnd(widget);
+    if (worker_.isBusy()) return;
+    // Redraws while the camera moves look only now and then whether the mesh has changed.
+    if (meshlab_host::geometryStamp(mesh) != lines->key.stamp) return;
+    try {
+        worker_.start({lines, meshlab_host::toTriangleMesh(mesh), *level});
+    } catch (const std::exception& error) {
+        lines->failed_levels[*level] = QString::fromUtf8(error.what());
+    }
+}
