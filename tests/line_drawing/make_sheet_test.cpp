@@ -45,7 +45,7 @@ TEST(MeasuredDrawing, TellsProgressOnTheThreadThatAskedForIt) {
     const auto here = std::this_thread::get_id();
     double last = 0;
     std::atomic<int> elsewhere{0};
-    omp_set_num_threads(4);
+    const test_meshes::WithThreads several(4);
     makeSheets({{vessel}}, {plainViews("six")}, [&](double done, const char*) {
         if (std::this_thread::get_id() != here) {
             ++elsewhere;
@@ -55,7 +55,6 @@ TEST(MeasuredDrawing, TellsProgressOnTheThreadThatAskedForIt) {
         last = done;
         return true;
     });
-    omp_set_num_threads(omp_get_num_procs());
     EXPECT_EQ(elsewhere, 0);
     EXPECT_GT(last, 0.6);  // also of the views
     EXPECT_LE(last, 1);
