@@ -112,6 +112,9 @@ std::vector<NamedStyle> styles() {
     standard.exact_outlines = false;
     LineStyle all_strokes = standard;
     all_strokes.single_strokes = false;
+    LineStyle whole = standard, whole_all = standard;
+    whole.whole_lines = whole_all.whole_lines = true;
+    whole_all.single_strokes = false;
     LineStyle exact = standard;
     exact.exact_point_light = true;
     LineStyle detailed = standard;
@@ -131,6 +134,8 @@ std::vector<NamedStyle> styles() {
     return {{"default", standard},
             {"with creases", with_creases},
             {"all strokes", all_strokes},
+            {"whole lines", whole},
+            {"whole lines, all strokes", whole_all},
             {"exact point light", exact},
             {"detail 100 without fading", detailed},
             {"all crossings", helpers::all_crossings()},

@@ -8,9 +8,12 @@
 #include <map>
 #include <utility>
 
+#include "clusters/cluster_partition.h"
+#include "clusters/coarseness.h"
 #include "mesh/prepared_mesh.h"
 #include "plain_finishing.h"
 #include "plain_kinds.h"
+#include "plain_parts.h"
 #include "redraw/kinds/contours.h"
 #include "redraw/kinds/strip_kinds.h"
 #include "rules/convexity.h"
@@ -68,12 +71,14 @@ float linear_form(const Eigen::Vector3d& v, const Eigen::Vector3d& p, const Eye&
 struct Crossing {
     Eigen::Vector3f position, gradient;
     float gradient_norm, opacity;
+    float concave;  // ‖∇I‖ times the cosine between −∇I and the tangential part of l
     bool accepted;
 };
 
 struct Segment {
     std::pair<std::uint32_t, std::uint32_t> edges[2];  // sorted vertices; begin and end
     float slope;
+    std::uint32_t cluster = 0;  // and whether it is coarse
 };
 
 constexpr double kSharp = 0.7660444431189781;  // cos 40°
@@ -88,6 +93,7 @@ public:
         for (std::uint32_t v = 0; v < mesh_.size(); ++v)
             vertices_.push_back(make_vertex(field, v, style.exact_point_light));
         find_around();
+        find_clusters(field);
         for (const Triangle& t : mesh_.triangles)
             for (int k = 0; k < 3; ++k)
                 ++triangles_of_edge_[std::minmax(t[k], t[(k + 1) % 3])];
@@ -111,10 +117,12 @@ public:
         function_ = function;
         crossings_.clear();
         segments_.clear();
-        for (const Triangle& t : mesh_.triangles)
+        for (triangle_ = 0; triangle_ < mesh_.triangles.size(); ++triangle_) {
+            const Triangle& t = mesh_.triangles[triangle_];
             for (int k = 0; k < 3; ++k)  // from the corner where the line leaves to the left
                 if (value(t[k]) < 0 && !(value(t[(k + 1) % 3]) < 0))
                     add_segment(rules, t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
+        }
         trace_all(rules, lines);
     }
 
@@ -154,6 +162,23 @@ private:
         vertex.photic = photic(at, light_.e, light_.w);
         vertex.apparent = apparent_curvature(at, eye_.e, eye_.w);
         return vertex;
+    }
+
+    /// Of each triangle its cluster, and whether it is coarse; and which vertices are convex all
+    /// around.
+    void find_clusters(const Field& field) {
+        const std::vector<std::uint8_t> coarse = find_coarse_triangles(mesh_, field);
+        const Partition clusters = partition(mesh_, coarse);
+        clusters_.resize(mesh_.triangles.size());
+        for (std::uint32_t c = 0; c < clusters.ranges.size(); ++c)
+            for (std::uint32_t p = clusters.ranges[c].begin; p < clusters.ranges[c].end; ++p)
+                clusters_[clusters.order[p]] = 2 * c + (coarse[clusters.order[p]] != 0);
+        convex_around_.assign(mesh_.size(), true);
+        for (const Triangle& t : mesh_.triangles)
+            for (const std::uint32_t v : t)
+                for (const std::uint32_t neighbour : t)
+                    convex_around_[v] =
+                        convex_around_[v] && is_convex(vertices_[neighbour].shape_operator);
     }
 
     /// The least cosine between triangles at a vertex and the first one of them.
@@ -217,7 +242,7 @@ private:
             test_radial_zero(rules, facing, towards_eye, c);
             return c;
         }
-        c.accepted = c.gradient_norm >= rules.least_gradient &&
+        c.accepted = (rules.whole || c.gradient_norm >= rules.least_gradient) &&
                      facing >= rules.least_facing * std::sqrt(dot(towards_eye, towards_eye));
         if (rules.contour_clearance > 0) {
             const float distance = facing * std::abs(facing) / (2 * c.gradient_norm);
@@ -225,9 +250,14 @@ private:
                             ? std::clamp(2 * distance / rules.contour_clearance - 1, 0.f, 1.f)
                             : 0;
         }
-        if (rules.concave_only) {
-            const float lit = dot(normal, l);
-            const float tangential = std::sqrt(std::max(dot(l, l) - lit * lit, 0.f));
+        const float lit = dot(normal, l);
+        const float tangential = std::sqrt(std::max(dot(l, l) - lit * lit, 0.f));
+        if (rules.whole) {
+            const float concave = -dot(l, c.gradient) / tangential;
+            c.concave = std::isnan(concave)
+                            ? -c.gradient_norm
+                            : std::clamp(concave, -c.gradient_norm, c.gradient_norm);
+        } else if (rules.concave_only) {
             const float concavity = -dot(l, c.gradient) / (tangential * c.gradient_norm);
             const float begin = -rules.fading / 4, range = rules.fading / 2 - begin;
             c.accepted = c.accepted && concavity > begin;
@@ -284,8 +314,8 @@ private:
             const Eigen::Vector3f n = u.cross(v);
             const float fu = value(above) - value(below), fv = value(third) - value(below);
             const Eigen::Vector3f steepest = fu * v.cross(n) + fv * n.cross(u);
-            if (rules.leave_out_convex && is_convex(a.shape_operator) &&
-                is_convex(b.shape_operator) && is_convex(c.shape_operator))
+            if (rules.leave_out_convex && convex_around_[below] && convex_around_[above] &&
+                convex_around_[third])
                 return;
             if (rules.leave_out_plain && is_plain(a, b, c)) return;
             if (rules.leave_out_away && a.illumination < 0 && b.illumination < 0 &&
@@ -295,16 +325,22 @@ private:
             const float product = dot(steepest, begin.gradient + end.gradient);
             if (rules.kind == LineKind::Laplacian) {
                 slope = std::sqrt(dot(steepest, steepest)) / dot(n, n) * scale;
-                if (!(slope >= rules.segment_slope)) return;
-                if (rules.reject_phantoms && !(product <= 0)) return;
+                if (rules.whole) {
+                    slope = slope >= 0 ? (product <= 0 ? slope : -slope) : 0;
+                } else if (!(slope >= rules.segment_slope)) {
+                    return;
+                } else if (rules.reject_phantoms && !(product <= 0)) {
+                    return;
+                }
             } else {
                 const float change = -product / (2 * dot(n, n));
                 slope = is_suggestive(rules.kind) ? change * std::sqrt(change) : change;
                 if (!accept_change(rules, change, slope *= scale)) return;
             }
         }
-        segments_.push_back(
-            {{std::minmax(entry_below, entry_above), std::minmax(below, above)}, slope});
+        segments_.push_back({{std::minmax(entry_below, entry_above), std::minmax(below, above)},
+                             slope,
+                             clusters_[triangle_]});
     }
 
     /// Steeper ones are no wider.
@@ -401,6 +437,7 @@ private:
                std::vector<bool>& visited, std::vector<PlainLine>& lines) {
         PlainLine line{{}, {}, false};
         Polyline& p = line.polyline;
+        PlainChain chain{{}, {}, false};
         const auto add_point = [&](const Crossing& c, float slope) {
             line.points.push_back({c.position, slope, c.gradient_norm, c.opacity});
         };
@@ -417,6 +454,11 @@ private:
             p.length += length;
             p.strength += (from.gradient_norm + to.gradient_norm) / 2 * length;
             p.slope += s.slope * length;
+            chain.segments.push_back(
+                {{length, s.slope * length, (from.gradient_norm + to.gradient_norm) / 2 * length,
+                  (from.concave + to.concave) / 2 * length},
+                 s.cluster,
+                 side == 0});
             const std::size_t j = next(i, s.edges[1 - side]);
             if (j >= segments_.size() || j == first) {
                 p.closed = j == first;
@@ -424,6 +466,12 @@ private:
             }
             side = segments_[j].edges[0] == s.edges[1 - side] ? 0 : 1;
             i = j;
+        }
+        if (rules.whole) {
+            chain.points = std::move(line.points);
+            chain.closed = p.closed;
+            add_parts(rules, chain, mesh_.centre, mesh_.diagonal, lines);
+            return;
         }
         p.kind = rules.kind;
         p.count = std::uint32_t(line.points.size());
@@ -449,6 +497,9 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles_of_edge_;
     float Vertex::*function_ = nullptr;
     bool has_edges_ = false;
+    std::vector<std::uint32_t> clusters_;  // by triangle
+    std::vector<bool> convex_around_;      // by vertex
+    std::size_t triangle_ = 0;             // whose segment is added
     std::map<std::pair<std::uint32_t, std::uint32_t>, Crossing> crossings_;
     std::vector<Segment> segments_;
 };
@@ -459,7 +510,8 @@ std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& fi
                                        const View& view, const LineStyle& style) {
     PlainExtraction extraction(mesh, field, view, style);
     std::vector<PlainLine> lines;
-    const LineRules laplacian = laplacian_line_strips.rules(style, !view.light);
+    LineRules laplacian = laplacian_line_strips.rules(style, !view.light);
+    laplacian.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
     if (style.shows[LineKind::Laplacian]) extraction.extract(laplacian, &Vertex::laplacian, lines);
     LineRules contours = contour_rules(style);
     if (extraction.is_sheet()) contours.concave_thinning = LineRules::kNoThinning;

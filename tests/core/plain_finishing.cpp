@@ -54,6 +54,15 @@ void slopes_to_means(const Polyline& line, LinePoint* points) {
         if (line.closed || (i > 0 && i < last)) points[i].weight /= 2;
 }
 
+/// From the slope of the segment that ends at a point to the means of its segments.
+void segments_to_means(const Polyline& line, LinePoint* points) {
+    const std::uint32_t last = line.count - 1;
+    points[0].weight = points[line.closed ? last : 1].weight;
+    const float beyond = points[line.closed ? 1 : last].weight;
+    for (std::uint32_t i = 0; i <= last; ++i)
+        points[i].weight = (points[i].weight + (i < last ? points[i + 1].weight : beyond)) / 2;
+}
+
 /// Lets open ends run out over `length`.
 void fade_ends(const Polyline& line, float length, const bool ends_unseen[2], LinePoint* points) {
     if (line.closed || !(length > 0)) return;
@@ -82,12 +91,15 @@ void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points)
             smooth_line(line, points, &LinePoint::weight, LineEnd::Repeated);
         return;
     }
-    slopes_to_means(line, points);
+    if (rules.whole)
+        segments_to_means(line, points);
+    else
+        slopes_to_means(line, points);
     const bool ends_unseen[2] = {points[0].opacity == 0, points[line.count - 1].opacity == 0};
     // A line that only just passes the tests on whole lines is hardly seen, so that it does not
     // jump into the picture when the view turns a little further.
-    const float whole = std::min({above(line.slope, rules.line_slope, rules.fading),
-                                  above(line.length, rules.least_length, rules.fading),
+    const float by_slope = rules.whole ? 1 : above(line.slope, rules.line_slope, rules.fading);
+    const float whole = std::min({by_slope, above(line.length, rules.least_length, rules.fading),
                                   above(line.strength, rules.least_strength, rules.fading)});
     for (std::uint32_t i = 0; i < line.count; ++i) {
         LinePoint& p = points[i];

@@ -78,10 +78,23 @@ void ClusterBuilder::build(const StageProgress& stage) {
     data_.border_edge_count = link_clusters(mesh_, partition_);
     data_.vertex_count = std::uint32_t(mesh_.size());
     data_.is_sheet = is_sheet();
+    convex_ = find_convex();
     stage.report(kLinked);
     data_.allocate(lay_out());
     parallel_for<Values>(partition_.ranges.size(), stage.part(kLaidOut, 1),
                          [&](std::size_t c, Values& values) { write_cluster(c, values); });
+}
+
+std::vector<std::uint8_t> ClusterBuilder::find_convex() const {
+    std::vector<std::uint8_t> convex(mesh_.size());
+    for_each_element(mesh_.size(), [&](std::size_t v) {
+        convex[v] = is_convex(local_vertex(std::uint32_t(v)).shape_operator);
+    });
+    std::vector<std::uint8_t> around = convex;
+    for (const Triangle& t : mesh_.triangles)
+        if (!convex[t[0]] || !convex[t[1]] || !convex[t[2]])
+            around[t[0]] = around[t[1]] = around[t[2]] = 0;
+    return around;
 }
 
 bool ClusterBuilder::is_sheet() const {
@@ -135,7 +148,7 @@ void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
     std::memset(memory, 0, cluster_layout(cluster).end);
     list_vertices(c, values);
     write_triangles(c, memory);
-    mark_triangles(c, values);
+    mark_triangles(c);
     write_vertices(c, values, memory);
     write_bounds(c, values);
 }
@@ -195,19 +208,16 @@ void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
     }
 }
 
-void ClusterBuilder::mark_triangles(std::size_t c, const Values& values) {
+void ClusterBuilder::mark_triangles(std::size_t c) {
     Cluster& cluster = data_.clusters[c];
     const std::uint32_t first = partition_.ranges[c].begin;
     const auto mark = [&](std::uint64_t* bits, const auto& is_marked) {
         for (unsigned i = 0; i < cluster.triangle_count; ++i)
             bits[i / kMaskGroup] |= std::uint64_t(is_marked(i)) << i % kMaskGroup;
     };
-    bool convex[kClusterVertices];
-    std::transform(values.begin(), values.end(), convex,
-                   [](const LocalVertex& v) { return is_convex(v.shape_operator); });
     mark(cluster.convex, [&](unsigned i) {
-        const std::uint8_t* corners = &partition_.corners[3 * std::size_t(first + i)];
-        return convex[corners[0]] && convex[corners[1]] && convex[corners[2]];
+        const Triangle& t = mesh_.triangles[partition_.order[first + i]];
+        return convex_[t[0]] && convex_[t[1]] && convex_[t[2]];
     });
     mark(cluster.coarse, [&](unsigned i) { return coarse_[partition_.order[first + i]] != 0; });
     mark(cluster.plain, [&](unsigned i) { return plain_.contain(partition_.order[first + i]); });

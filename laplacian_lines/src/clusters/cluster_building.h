@@ -27,6 +27,8 @@ private:
     using Values = std::vector<LocalVertex>;  // of a cluster's vertices
 
     bool is_sheet() const;
+    /// Of the vertices: is_convex() there and at all neighbours.
+    std::vector<std::uint8_t> find_convex() const;
     /// Finds where the parts of each cluster begin. Returns the bytes that clusters need.
     std::size_t lay_out();
     void write_cluster(std::size_t cluster, Values& values);
@@ -34,7 +36,7 @@ private:
     /// Lists the cluster's vertices with their values.
     void list_vertices(std::size_t cluster, Values& values);
     void write_triangles(std::size_t cluster, unsigned char* memory);
-    void mark_triangles(std::size_t cluster, const Values& values);
+    void mark_triangles(std::size_t cluster);
     void write_vertices(std::size_t cluster, const Values& values, unsigned char* memory) const;
     void write_bounds(std::size_t cluster, const Values& values);
 
@@ -42,6 +44,7 @@ private:
     const Field& field_;
     ExtractorData& data_;
     std::vector<std::uint8_t> coarse_;  // by triangle of the mesh
+    std::vector<std::uint8_t> convex_;  // by vertex
     const PlainPlaces plain_;
     Partition partition_;
 };

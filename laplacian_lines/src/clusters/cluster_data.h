@@ -73,7 +73,8 @@ struct Cluster {
     std::uint32_t first_form_group;   ///< in ClusterStore::laplacians
     std::uint8_t vertex_count, triangle_count;
     std::uint32_t first_vertex;  ///< the first of its vertices, over all clusters
-    /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex.
+    /// A bit for each triangle: is_convex() at all corners and their neighbours, see
+    /// LineRules::leave_out_convex.
     std::uint64_t convex[kClusterTriangles / kMaskGroup];
     /// Likewise: coarse ones, see coarseness.h, in which contours are no zeros.
     std::uint64_t coarse[kClusterTriangles / kMaskGroup];

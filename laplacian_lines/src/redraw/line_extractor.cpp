@@ -27,6 +27,7 @@ struct LineExtractor::Data : ExtractorData {
 struct ExtractionScratch::Memory {
     FoundStrips found;
     JoiningMemory joining;
+    PartMemory parts;
     TracedLines traced;
     HorizonMemory horizon;
     FinishingMemory finishing;
@@ -139,7 +140,7 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
         const ExtractionTask::Wanted& wanted = task.kinds[kind];
         if (wanted.lines && wanted.rules.leave_out_coarse && !data_->horizon.empty())
             append_horizon(data_->horizon, eye, kind, memory.joining, memory.horizon);
-        trace_lines(task.kinds[kind].rules, memory.joining.strips[kind], memory.traced);
+        trace_lines(wanted.rules, memory.joining.strips[kind], memory.parts, memory.traced);
     }
     finish_lines(*data_, memory.traced, memory.finishing, lines);
     data_->fixed_lines.append(*data_, eye, style, lines);

@@ -2,10 +2,10 @@
 #include "redraw/line_finishing.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 
 #include "redraw/simd/simd_functions.h"
+#include "rules/line_acceptance.h"
 #include "system/thread_pool.h"
 
 namespace laplacian_lines {
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kLeastParallelPoints = 4000;
 constexpr std::size_t kLinesAtOnce = 4;
-constexpr std::size_t kColumns = 8;
+constexpr std::size_t kColumns = 7;
 constexpr std::uint32_t kStripsAhead = 4;
 static_assert(sizeof(LinePoint) == 6 * sizeof(float), "finish_line() writes six floats a point");
 
@@ -35,7 +35,7 @@ LineColumns make_columns(std::vector<float>& memory, std::size_t size) {
     std::align(kCacheUnit, kColumns * size * sizeof(float), begin, bytes);
     float* first = static_cast<float*>(begin) + kFloatsOfUnit;
     const auto column = [&](std::size_t i) { return first + i * size; };
-    return {column(0), column(1), column(2), column(3), column(4), column(5), column(6), column(7)};
+    return {column(0), column(1), column(2), column(3), column(4), column(5), column(6)};
 }
 
 /// Asks for a strip that will be copied soon: strips of a line come from all over the memory.
@@ -52,7 +52,6 @@ void set_point(const LineColumns& c, std::size_t i, const StripPoint& p, float s
     c.gradient[i] = p.gradient;
     c.opacity[i] = p.opacity;
     c.weight[i] = slope;
-    c.concavity[i] = p.concavity;
 }
 
 /// Copies all strips of a line one behind the other; neighbours share a point.
@@ -90,57 +89,56 @@ void finish(const ExtractorData& data, const LineRules& rules, const Polyline& p
         data.centre.data(), data.diagonal, reinterpret_cast<float*>(points));
 }
 
-/// Takes a part of a whole line to columns of its own; weights are mean slopes then.
-void copy_part(const LinePartFinder& finder, const LinePart& part, const LineColumns& from,
-               bool closed, std::uint32_t points, LineColumns& to) {
-    for (std::size_t i = 0; i < part.count; ++i) {
-        const std::size_t k = closed ? (part.begin + i) % (points - 1) : part.begin + i;
-        to.x[i] = from.x[k];
-        to.y[i] = from.y[k];
-        to.z[i] = from.z[k];
-        to.gradient[i] = from.gradient[k];
-        to.weight[i] = finder.slope(k);
-        to.opacity[i] = from.opacity[k] * finder.opacity(k);
+/// Goes from knot to knot along a part of a whole line; visit(point, value) is called for each
+/// point.
+template <class Value, class Visit>
+void interpolate(const TracedLines& traced, const TracedLines::Line& line, Value value,
+                 Visit visit) {
+    const std::uint32_t* ends = traced.ends.data() + line.first_end;
+    const TracedLines::Knot* knots = traced.knots.data() + line.first_knot;
+    visit(0, knots[0].*value);
+    std::size_t place = 1;
+    for (std::uint32_t i = 0; i < line.end_count; ++i) {
+        const std::uint32_t segments = line.strips[ends[i] / 2].count - 1;
+        const float from = knots[i].*value, step = (knots[i + 1].*value - from) / float(segments);
+        for (std::uint32_t k = 1; k <= segments; ++k, ++place)
+            visit(place, from + float(k) * step);
     }
 }
 
-void measure(const LineColumns& c, Polyline& p) {
-    for (std::uint32_t i = 1; i < p.count; ++i) {
-        const Eigen::Vector3f step(c.x[i] - c.x[i - 1], c.y[i] - c.y[i - 1], c.z[i] - c.z[i - 1]);
-        const float length = step.norm();
-        p.length += length;
-        p.strength += (c.gradient[i - 1] + c.gradient[i]) / 2 * length;
-        p.slope += c.weight[i] * length;
+/// Polylines of the points between hairpins.
+void cut(const LineRules& rules, const LineColumns& c, const Polyline& whole,
+         const std::vector<Hairpins::Range>& ranges, std::vector<Polyline>& parts) {
+    for (const Hairpins::Range& range : ranges) {
+        Polyline p = whole;
+        p.first = whole.first + range.begin;
+        p.count = range.end - range.begin;
+        p.closed = false;
+        p.length = p.strength = 0;
+        for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
+            const Eigen::Vector3f step(c.x[i] - c.x[i - 1], c.y[i] - c.y[i - 1],
+                                       c.z[i] - c.z[i - 1]);
+            p.length += step.norm();
+            p.strength += (c.gradient[i - 1] + c.gradient[i]) / 2 * step.norm();
+        }
+        if (accepts(rules, p)) parts.push_back(p);
     }
-    p.slope = p.length > 0 ? p.slope / p.length : 0;
 }
 
-/// The parts of a whole line that are drawn, to the thread's own memory.
-void finish_parts(const ExtractorData& data, const TracedLines& traced,
-                  const TracedLines::Line& line, std::size_t size, FinishingThread& thread) {
-    LineColumns whole = make_columns(thread.columns, size);
-    collect_points(traced, line, whole);
+/// Weights become the mean slopes of a part of a whole line, and opacities what is seen of it.
+void finish_part(const TracedLines& traced, const TracedLines::Line& line, const LineColumns& c,
+                 FinishingThread& thread) {
+    using Knot = TracedLines::Knot;
+    interpolate(traced, line, &Knot::slope, [&](std::size_t i, float v) { c.weight[i] = v; });
+    interpolate(traced, line, &Knot::opacity, [&](std::size_t i, float v) { c.opacity[i] *= v; });
     const Polyline& p = line.polyline;
-    if (p.closed) close_line(p.count, whole);
-    thread.finder.find(*line.rules, {p.count, p.closed, whole.x, whole.y, whole.z, whole.gradient,
-                                     whole.weight, whole.concavity});
-    for (const LinePart& part : thread.finder.parts()) {
-        LineColumns columns = make_columns(thread.part_columns, size);
-        copy_part(thread.finder, part, whole, p.closed, p.count, columns);
-        Polyline found;
-        found.first = std::uint32_t(thread.points.size());
-        found.count = std::uint32_t(part.count);
-        found.kind = p.kind;
-        found.closed = part.closed;
-        measure(columns, found);
-        if (found.length < line.rules->least_length || found.strength < line.rules->least_strength)
-            continue;
-        thread.points.resize(thread.points.size() + part.count);
-        Polyline judged = found;
-        judged.slope = std::numeric_limits<float>::max();  // means have told what is seen
-        finish(data, *line.rules, judged, false, columns, &thread.points[found.first]);
-        thread.parts.push_back(found);
-    }
+    if (!thread.hairpins.find(c, p.count, line.rules->kernel_size)) return;
+    interpolate(traced, line, &Knot::start, [&](std::size_t i, float v) { c.spare[i] = v; });
+    thread.hairpins.fade(c.spare, c.opacity);
+    const std::vector<Hairpins::Range>& ranges = thread.hairpins.ranges();
+    if (ranges.size() == 1 && ranges[0].end - ranges[0].begin == p.count) return;
+    cut(*line.rules, c, p, ranges, thread.cut_parts);
+    thread.cut_lines.push_back(p.first);
 }
 
 /// A traced line, to its place.
@@ -151,27 +149,27 @@ void finish_line(const ExtractorData& data, const TracedLines& traced,
     LineColumns columns = make_columns(thread.columns, size);
     collect_points(traced, line, columns);
     if (p.closed) close_line(p.count, columns);
+    if (line.rules->whole) finish_part(traced, line, columns, thread);
     finish(data, *line.rules, p, line.has_exact, columns, points);
 }
 
-void append_parts(const FinishingMemory& memory, LineSet& lines) {
-    for (const FinishedParts& parts : memory.whole) {
-        const FinishingThread& thread = memory.threads[parts.thread];
-        for (std::uint32_t i = parts.first; i < parts.first + parts.count; ++i) {
-            Polyline p = thread.parts[i];
-            const auto begin = thread.points.begin() + p.first;
-            p.first = std::uint32_t(lines.points.size());
-            lines.points.insert(lines.points.end(), begin, begin + p.count);
-            lines.lines.push_back(p);
-        }
+/// Puts what hairpins have cut in the places of the lines that were cut.
+void replace_cut_lines(const std::vector<FinishingThread>& threads, std::vector<Polyline>& lines) {
+    std::vector<std::uint32_t> cut_lines;
+    std::vector<Polyline> parts;
+    for (const FinishingThread& thread : threads) {
+        cut_lines.insert(cut_lines.end(), thread.cut_lines.begin(), thread.cut_lines.end());
+        parts.insert(parts.end(), thread.cut_parts.begin(), thread.cut_parts.end());
     }
-}
-
-std::uint32_t longest_of(const std::vector<TracedLines::Line>& lines) {
-    std::uint32_t longest = 0;
-    for (const TracedLines::Line& line : lines)
-        longest = std::max(longest, line.polyline.count);
-    return longest;
+    if (cut_lines.empty()) return;
+    std::sort(cut_lines.begin(), cut_lines.end());
+    const auto is_cut = [&](const Polyline& p) {
+        return std::binary_search(cut_lines.begin(), cut_lines.end(), p.first);
+    };
+    lines.erase(std::remove_if(lines.begin(), lines.end(), is_cut), lines.end());
+    lines.insert(lines.end(), parts.begin(), parts.end());
+    std::sort(lines.begin(), lines.end(),
+              [](const Polyline& a, const Polyline& b) { return a.first < b.first; });
 }
 
 }  // namespace
@@ -180,39 +178,30 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
                   LineSet& lines) {
     lines.points.resize(traced.point_count);
     lines.lines.resize(traced.lines.size());
-    const std::size_t size =
-        column_size(std::max(longest_of(traced.lines), longest_of(traced.whole)));
-    const std::size_t whole = traced.whole.size(), count = whole + traced.lines.size();
+    std::uint32_t longest = 0;
+    for (const TracedLines::Line& line : traced.lines)
+        longest = std::max(longest, line.polyline.count);
+    const std::size_t size = column_size(longest);
+    const std::size_t count = traced.lines.size();
     const std::size_t blocks = (count + kLinesAtOnce - 1) / kLinesAtOnce;
-    const bool is_little = traced.point_count < kLeastParallelPoints && whole == 0;
-    const unsigned workers = is_little ? 1 : workers_for(blocks);
-    if (memory.threads.size() < workers) memory.threads.resize(workers);
-    memory.whole.resize(traced.whole.size());
-    for (FinishingThread& thread : memory.threads) {
+    const unsigned workers = traced.point_count < kLeastParallelPoints ? 1 : workers_for(blocks);
+    if (memory.size() < workers) memory.resize(workers);
+    for (FinishingThread& thread : memory) {
         reserve_columns(thread.columns, size);
-        if (!traced.whole.empty()) reserve_columns(thread.part_columns, size);
-        thread.points.clear();
-        thread.parts.clear();
+        thread.cut_lines.clear();
+        thread.cut_parts.clear();
     }
-    const auto finish_one = [&](std::size_t i, unsigned worker) {
-        FinishingThread& thread = memory.threads[worker];
-        if (i < whole) {
-            const auto first = std::uint32_t(thread.parts.size());
-            finish_parts(data, traced, traced.whole[i], size, thread);
-            memory.whole[i] = {worker, first, std::uint32_t(thread.parts.size()) - first};
-        } else {
-            const TracedLines::Line& line = traced.lines[i - whole];
-            finish_line(data, traced, line, size, thread, &lines.points[line.polyline.first]);
-            lines.lines[i - whole] = line.polyline;
-        }
-    };
     share(blocks, workers, [&](unsigned worker, Blocks& shared) {
         for (std::size_t block; shared.take(block);)
             for (std::size_t i = block * kLinesAtOnce;
-                 i < std::min(count, (block + 1) * kLinesAtOnce); ++i)
-                finish_one(i, worker);
+                 i < std::min(count, (block + 1) * kLinesAtOnce); ++i) {
+                const TracedLines::Line& line = traced.lines[i];
+                finish_line(data, traced, line, size, memory[worker],
+                            &lines.points[line.polyline.first]);
+                lines.lines[i] = line.polyline;
+            }
     });
-    append_parts(memory, lines);
+    replace_cut_lines(memory, lines.lines);
 }
 
 }  // namespace laplacian_lines

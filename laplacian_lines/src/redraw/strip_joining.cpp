@@ -18,6 +18,7 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
                       strip.length,
                       strip.strength,
                       strip.slope,
+                      strip.concave,
                       false,
                       false});
     for (std::uint32_t side : {0u, 1u}) {
@@ -25,6 +26,11 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
         if (edge == Strip::kNoEdge) continue;
         if (edge == Strip::kClosed) {
             strips.back().links[side] = end ^ 1;
+            continue;
+        }
+        if (edge == Strip::kContinued) {
+            if (side == 0) strips.back().links[0] = first_end - 1;
+            if (side == 1) strips.back().links[1] = first_end + 2;
             continue;
         }
         std::uint32_t& waiting = end_at_edge[edge];
@@ -47,7 +53,7 @@ void for_each_strip(const FoundStrips& found, unsigned kind,
         for (std::uint32_t i = chunk.begin[kind]; i < chunk.end[kind]; ++i) {
             const Strip& later = thread.strips[std::min(i + kStripsAhead, chunk.end[kind] - 1)];
             for (const std::uint32_t edge : later.edges)
-                if (edge < Strip::kClosed) __builtin_prefetch(&end_at_edge[edge], 1);
+                if (edge < Strip::kContinued) __builtin_prefetch(&end_at_edge[edge], 1);
             visit(thread.strips[i], thread.points.data());
         }
     }
@@ -71,7 +77,7 @@ void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_e
         const JoinedStrip& joined = memory.strips[kind][end / 2];
         for (unsigned side : {0u, 1u}) {  // what still waits
             const std::uint32_t edge = strip.edges[side];
-            if (joined.links[side] != kNoEnd || edge >= Strip::kClosed) continue;
+            if (joined.links[side] != kNoEnd || edge >= Strip::kContinued) continue;
             memory.end_at_edge[edge] = kNoEnd;
             memory.open_ends.push_back({edge, end + side});
         }

@@ -13,7 +13,7 @@ struct JoinedStrip {
     const StripPoint* points;
     std::uint32_t count;
     std::uint32_t links[2];  ///< the end that goes on, or kNoEnd
-    float length, strength, slope;
+    float length, strength, slope, concave;
     bool visited;
     bool exact;  ///< its points stay where they are, see LineSums::has_exact
 };

@@ -5,7 +5,7 @@
 
 #include "laplacian_lines/line_set.h"
 #include "redraw/strip_joining.h"
-#include "rules/line_rules.h"
+#include "rules/line_parts.h"
 
 namespace laplacian_lines {
 
@@ -14,26 +14,39 @@ struct TracedLines {
     struct Line {
         Polyline polyline;  ///< with its place in the line set
         std::uint32_t first_end, end_count;
-        bool has_exact;  ///< as in LineSums
+        std::uint32_t first_knot;  ///< of parts of whole lines
+        bool has_exact;            ///< as in LineSums
         const LineRules* rules;
         const JoinedStrip* strips;
     };
+    /// What LinePartFinder found where two strips meet, and at the ends.
+    struct Knot {
+        float slope, opacity, start;
+    };
     std::vector<Line> lines;
-    std::vector<Line> whole;  ///< by LineRules::whole: of which parts are drawn, not counted yet
     std::vector<std::uint32_t> ends;  ///< where strips are entered, see JoinedStrip
+    std::vector<Knot> knots;
     std::uint32_t point_count = 0;
 
     void clear() {
         lines.clear();
-        whole.clear();
         ends.clear();
+        knots.clear();
         point_count = 0;
     }
 };
 
-/// Appends the lines that strips make and that the rules on whole lines accept, or all of them if
-/// their parts are to be judged. Visits all strips.
+/// What trace_lines() finds parts in.
+struct PartMemory {
+    std::vector<std::uint32_t> ends;
+    std::vector<LinePiece> pieces;
+    LinePartFinder finder;
+};
+
+/// Appends the lines that strips make, or by LineRules::whole their parts that are drawn, and that
+/// the rules on whole lines accept. Visits all strips.
 /// Source: Zhang, He, Seah, step 3 (tracing) and Eq. 4 (strength).
-void trace_lines(const LineRules& rules, std::vector<JoinedStrip>& strips, TracedLines& traced);
+void trace_lines(const LineRules& rules, std::vector<JoinedStrip>& strips, PartMemory& memory,
+                 TracedLines& traced);
 
 }  // namespace laplacian_lines

@@ -19,7 +19,7 @@ LineRules rules_of(const LineStyle& s, bool light_at_eye) {
     rules.reject_phantoms = s.reject_phantoms;
     rules.concave_only = s.single_strokes;
     rules.whole = s.whole_lines;
-    rules.leave_out_convex = !s.whole_lines && s.single_strokes && s.fading <= kMostFadingOfConvex;
+    rules.leave_out_convex = s.single_strokes && s.fading <= kMostFadingOfConvex;
     rules.segment_slope = float(factor * s.segment_slope);
     rules.line_slope = float(factor * s.line_slope);
     rules.full_slope = float(s.full_slope);

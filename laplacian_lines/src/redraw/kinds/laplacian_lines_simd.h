@@ -22,14 +22,16 @@ static inline void subtract_traces(const VertexRecord* records, const Cluster& c
     }
 }
 
-/// The cosine between −∇I and the tangential part w of the light vector l of crossings
-/// [i, i + kLanes): −l·Sl/(‖w‖‖Sl‖), with ∇I = Sl. NaN where there is nothing to see from above.
-static inline Floats concavity_towards(Towards light, const CrossingMemory& m, std::size_t i) {
+/// How the surface curves towards the light vector l at crossings [i, i + kLanes): −l·Sl, and ‖w‖
+/// of l's tangential part w. The cosine between −∇I and w is −l·Sl/(‖w‖‖∇I‖), since ∇I = Sl.
+struct Concavity {
+    Floats product, tangential;
+};
+static inline Concavity concavity_towards(Towards light, const CrossingMemory& m, std::size_t i) {
     const Floats lit = load(m.lit + i);
-    const Floats tangential = square_root(at_least(light.squared - lit * lit, 0));
     const Floats product =
         light.x * load(m.gx + i) + light.y * load(m.gy + i) + light.z * load(m.gz + i);
-    return -product / (tangential * load(m.gradient + i));
+    return {-product, square_root(at_least(light.squared - lit * lit, 0))};
 }
 
 /// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
@@ -50,11 +52,14 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
             opacity = clamp01(2 * distance / rules.contour_clearance - 1);
         }
         if (rules.concave_only || rules.whole) {
-            const Floats concavity =
+            const Concavity concave =
                 concavity_towards(task.light_at_eye ? eye : towards(task.light, m, i), m, i);
             if (rules.whole) {
-                store(m.concavity + i, at_most(at_least(concavity, -1), 1));
+                const Floats part = concave.product / concave.tangential;
+                const Floats most = part < gradient ? part : gradient;
+                store(m.concave + i, part > -gradient ? most : -gradient);  // that for NaN
             } else {
+                const Floats concavity = concave.product / (concave.tangential * gradient);
                 if (range > 0) opacity *= clamp01((concavity - least) / range);
                 accepted &= concavity > least;  // not so for NaN
             }

@@ -133,23 +133,21 @@ static inline void taper(const LineRules& rules, std::size_t count, bool closed,
 /// columns written.
 static void append_points(const StripPoint* points, std::uint32_t count, const LineColumns& c,
                           std::size_t place) {
-    static_assert(sizeof(StripPoint) == 2 * sizeof(Float4), "two rows a point");
+    static_assert(sizeof(StripPoint) == 6 * sizeof(float), "a row of six numbers a point");
+    float* const columns[4] = {c.x, c.y, c.z, c.gradient};
     const float* rows = points->position;
-    for (std::size_t i = place; i < place + count; i += 4, rows += 32) {
+    for (std::size_t i = place; i < place + count; i += 4, rows += 24) {
         Float4 first[4], last[4];
         for (unsigned k = 0; k < 4; ++k) {
-            __builtin_memcpy(&first[k], rows + 8 * k, sizeof(Float4));
-            __builtin_memcpy(&last[k], rows + 8 * k + 4, sizeof(Float4));
+            __builtin_memcpy(&first[k], rows + 6 * k, sizeof(Float4));
+            __builtin_memcpy(&last[k], rows + 6 * k + 2, sizeof(Float4));
         }
         transpose(first);
         transpose(last);
-        store_row(first[0], c.x + i);
-        store_row(first[1], c.y + i);
-        store_row(first[2], c.z + i);
-        store_row(first[3], c.gradient + i);
-        store_row(last[0], c.weight + i);
-        store_row(last[1], c.opacity + i);
-        store_row(last[2], c.concavity + i);
+        for (unsigned k = 0; k < 4; ++k)
+            store_row(first[k], columns[k] + i);
+        store_row(last[2], c.weight + i);
+        store_row(last[3], c.opacity + i);
     }
 }
 
@@ -196,7 +194,7 @@ static void finish_line(const LineRules& rules, const LineSums& line, LineColumn
     if (rules.use_slope) {
         // A line that only just passes the tests on whole lines is hardly seen, so that it does
         // not jump into the picture when the view turns a little further.
-        const float by_slope = above(line.slope, rules.line_slope, rules.fading);
+        const float by_slope = rules.whole ? 1 : above(line.slope, rules.line_slope, rules.fading);
         const float by_length = above(line.length, rules.least_length, rules.fading);
         const float by_strength = above(line.strength, rules.least_strength, rules.fading);
         const float least = by_slope < by_length ? by_slope : by_length;

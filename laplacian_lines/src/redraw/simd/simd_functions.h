@@ -18,7 +18,6 @@ struct LineColumns {
     float* gradient;
     float* weight;   ///< of the segment that ends here, the slope
     float* opacity;  ///< of the crossing alone
-    float* concavity;
     float* spare;
 };
 constexpr unsigned kColumnMargin = 31;

@@ -14,11 +14,9 @@ namespace laplacian_lines {
 /// A point of a strip; local position.
 struct StripPoint {
     float position[3];
-    float gradient;   ///< ‖∇I‖
-    float slope;      ///< of the segment that ends here; 0 at the first point
-    float opacity;    ///< less than 1 where the crossing alone asks for fading
-    float concavity;  ///< of whole lines: the cosine between −∇I and the tangential part of l
-    float unused;
+    float gradient;  ///< ‖∇I‖
+    float slope;     ///< of the segment that ends here; 0 at the first point
+    float opacity;   ///< less than 1 where the crossing alone asks for fading
 };
 
 /// Slope of a segment that no smoothing may move.
@@ -26,12 +24,15 @@ constexpr float kExactSegment = 1;
 
 /// A piece of a line within a cluster, with the positive side on its left.
 struct Strip {
-    static constexpr std::uint32_t kNoEdge = 0xffffffffu, kClosed = 0xfffffffeu;
+    static constexpr std::uint32_t kNoEdge = 0xffffffffu, kClosed = 0xfffffffeu,
+                                   kContinued = 0xfffffffdu;
     std::uint32_t first_point, point_count;
     /// Edges where first and last point lie and other clusters' strips may go on, or kNoEdge; both
-    /// kClosed where the strip is a closed line by itself.
+    /// kClosed where the strip is a closed line by itself. kContinued: the strip before, or the
+    /// one after, goes on there.
     std::uint32_t edges[2];
     float length, strength, slope;  ///< sums over segments; slope times length
+    float concave;                  ///< of whole lines, see LinePiece
 };
 
 constexpr unsigned kPointMargin = 3;
@@ -104,7 +105,8 @@ struct CrossingMemory {
     alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye, n·light
     alignas(64) float x[kPlaces], y[kPlaces], z[kPlaces];
     alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];
-    alignas(64) float gradient[kPlaces], opacity[kPlaces], concavity[kPlaces];
+    alignas(64) float gradient[kPlaces], opacity[kPlaces];
+    alignas(64) float concave[kPlaces];        ///< of whole lines: −l·Sl/‖w‖, see LinePiece
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
     alignas(64) float points[kPlaces][4];  ///< with ‖∇I‖ in the last place, as in StripPoint
     alignas(64) float gradients[kPlaces][4];
@@ -122,8 +124,8 @@ struct SegmentMemory {
     alignas(64) float fu[kPlaces], fv[kPlaces];               ///< differences of the function
     alignas(64) float scale[kPlaces];                         ///< sum of slope_scale
     alignas(64) float slope[kPlaces];                         ///< < 0: refused
-    alignas(64) float sums[kPlaces][4];  ///< length, strength, slope times length, slope
-    std::uint16_t next[kPlaces];         ///< segment, or kNone
+    alignas(64) float sums[kPlaces][4];                       ///< as in Strip
+    std::uint16_t next[kPlaces];                              ///< segment, or kNone
     /// What lies in a cluster's triangle: a place of the above or of ActiveTriangles, or kNone.
     alignas(64) std::uint16_t in_triangle[kBatch][256];
 };

@@ -76,8 +76,11 @@ static inline unsigned keep_all(SegmentMemory& s, unsigned count) {
     return count;
 }
 
-/// Lengths and strengths (Eq. 4) of segments [0, count), whose slopes are known.
+/// Sums over segments [0, count), whose slopes are known; strength: Eq. 4.
 static inline void measure_segments(const CrossingMemory& m, SegmentMemory& s, std::size_t count) {
+    const auto mean = [&](std::size_t i) {
+        return (m.concave[s.begin[i]] + m.concave[s.triangle[i]]) / 2;
+    };
     for (std::size_t i = 0; i < count; i += 4) {
         Float4 rows[4];
         for (unsigned k = 0; k < 4; ++k) {
@@ -92,7 +95,7 @@ static inline void measure_segments(const CrossingMemory& m, SegmentMemory& s, s
         rows[0] = length;
         rows[1] = gradients / 2 * length;
         rows[2] = slope * length;
-        rows[3] = slope;
+        rows[3] = Float4{mean(i), mean(i + 1), mean(i + 2), mean(i + 3)} * length;
         transpose(rows);
         for (unsigned k = 0; k < 4; ++k)
             store4(s.sums[i + k], rows[k]);

@@ -9,6 +9,9 @@
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
 
+/// Means along whole lines are known where strips end, so no strip is much longer than √h.
+constexpr unsigned kSegmentsOfPiece = 8;
+
 class StripWriter {
 public:
     StripWriter(const ClusterStore& store, const Batch& batch, const ActiveTriangles& active,
@@ -22,11 +25,11 @@ public:
           count_(count),
           output_(output) {}
 
-    void write_all() {
+    void write_all(unsigned most_segments = kBatchTriangles) {
         link();
         unsigned written = 0;
         for (unsigned i = 0; i < count_; ++i)
-            if (is_first(i)) written += write(i);
+            if (is_first(i)) written += write(i, most_segments);
         if (written < count_) write_loops();
     }
 
@@ -63,28 +66,36 @@ private:
         store_row(load4(crossings_.points[crossing]), point.position);  // and the gradient
         point.slope = slope;
         point.opacity = crossings_.opacity[crossing];
-        point.concavity = crossings_.concavity[crossing];
     }
 
-    /// Writes the strip that starts with a segment; returns its number of segments.
-    unsigned write(unsigned first) {
-        Strip& strip = output_.strips[output_.strip_count++];
-        strip.first_point = output_.point_count;
-        strip.edges[0] = edge_to_elsewhere(first, triangle(first).previous);
-        add_point(segments_.begin[first], 0);
-        Float4 sums = {0, 0, 0, 0};
-        unsigned last = first;
-        for (unsigned i = first; i != SegmentMemory::kNone; i = segments_.next[i]) {
-            add_point(segments_.triangle[i], segments_.slope[i]);
-            sums += load4(segments_.sums[i]);
-            last = i;
+    /// Writes the strips that start with a segment, each of up to `most` segments; returns the
+    /// number of their segments.
+    unsigned write(unsigned first, unsigned most) {
+        std::uint32_t edge = edge_to_elsewhere(first, triangle(first).previous);
+        unsigned written = 0;
+        for (unsigned next = first; next != SegmentMemory::kNone; edge = Strip::kContinued) {
+            Strip& strip = output_.strips[output_.strip_count++];
+            strip.first_point = output_.point_count;
+            strip.edges[0] = edge;
+            add_point(segments_.begin[next], 0);
+            Float4 sums = {0, 0, 0, 0};
+            unsigned last = next, left = most;
+            for (; next != SegmentMemory::kNone && left > 0; next = segments_.next[next], --left) {
+                add_point(segments_.triangle[next], segments_.slope[next]);
+                sums += load4(segments_.sums[next]);
+                last = next;
+            }
+            strip.edges[1] = next == SegmentMemory::kNone
+                                 ? edge_to_elsewhere(last, triangle(last).successor)
+                                 : Strip::kContinued;
+            strip.point_count = output_.point_count - strip.first_point;
+            strip.length = sums[0];
+            strip.strength = sums[1];
+            strip.slope = sums[2];
+            strip.concave = sums[3];
+            written += strip.point_count - 1;
         }
-        strip.edges[1] = edge_to_elsewhere(last, triangle(last).successor);
-        strip.point_count = output_.point_count - strip.first_point;
-        strip.length = sums[0];
-        strip.strength = sums[1];
-        strip.slope = sums[2];
-        return strip.point_count - 1;
+        return written;
     }
 
     /// What no strip has yet are lines that close within a cluster.
@@ -102,7 +113,7 @@ private:
                 last = segments_.next[last];
             segments_.next[last] = SegmentMemory::kNone;  // cut open
             Strip& strip = output_.strips[output_.strip_count];
-            write(i);
+            write(i, kBatchTriangles);
             strip.edges[0] = strip.edges[1] = Strip::kClosed;
         }
     }
@@ -121,7 +132,7 @@ static inline void name_edges(const ClusterStore& store, std::uint32_t begin,
                               const StripOutput& output) {
     for (std::uint32_t i = begin; i < output.strip_count; ++i)
         for (std::uint32_t& edge : output.strips[i].edges)
-            if (edge < Strip::kClosed) edge = store.border_edges[edge];
+            if (edge < Strip::kContinued) edge = store.border_edges[edge];
 }
 
 /// Makes the places after crossings [0, count) something valid.
@@ -168,7 +179,8 @@ static inline void append_strips(const ClusterStore& store, const ExtractionTask
         __builtin_memset(s.slope, 0, whole_vectors(count) * sizeof(float));
     }
     measure_segments(m, s, count);
-    StripWriter(store, batch, active, m, s, count, output).write_all();
+    StripWriter(store, batch, active, m, s, count, output)
+        .write_all(rules.whole ? kSegmentsOfPiece : kBatchTriangles);
 }
 
 }  // namespace SIMD_NAMESPACE
