@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // line_stability [--zoom] MESH...: how much the lines flicker while the view turns, with the
-// default style and with one that cuts hard instead of fading; and how many lines there are by
-// detail. For each degree of an orbit around the vertical axis, the length of line that appears or
-// vanishes: that has no line of the other view within 0.5 % of D, weighted with its opacity. In D
-// per degree, mean of 90 degrees. The same while the view zooms in, from all of the mesh to a
-// sixteenth in 200 frames, with lines that follow their size: of the length in the picture, within
-// 2 pixels, in all frames and in the worst one; that alone with --zoom.
+// default style, with one that cuts hard instead of fading, and with whole lines; and how many
+// lines there are by detail. For each degree of an orbit around the vertical axis, the length of
+// line that appears or vanishes: that has no line of the other view within 0.5 % of D, weighted
+// with its opacity. In D per degree, mean of 90 degrees. The same while the view zooms in, from all
+// of the mesh to a sixteenth in 200 frames, with lines that follow their size: of the length in the
+// picture, within 2 pixels, in all frames and in the worst one; that alone with --zoom.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
@@ -201,7 +201,11 @@ void print_orbits(const char* file, const LineExtractor& extractor, const Eigen:
                   double d) {
     LineStyle hard;
     hard.fading = hard.end_length = hard.contour_clearance = 0;
-    for (const auto& [name, style] : {std::pair{"hard cut", hard}, {"default", LineStyle()}}) {
+    LineStyle segments, whole;
+    segments.whole_lines = false;
+    whole.whole_lines = true;
+    for (const auto& [name, style] :
+         {std::pair{"hard cut", hard}, {"by segments", segments}, {"whole lines", whole}}) {
         const Length mean = measure_orbit(extractor, centre, d, style);
         std::printf("%s, %s: %.2f D of Laplacian lines, %.4f D appear or vanish per degree\n", file,
                     name, mean.all, mean.alone);

@@ -314,9 +314,10 @@ private:
             const Eigen::Vector3f n = u.cross(v);
             const float fu = value(above) - value(below), fv = value(third) - value(below);
             const Eigen::Vector3f steepest = fu * v.cross(n) + fv * n.cross(u);
-            if (rules.leave_out_convex && convex_around_[below] && convex_around_[above] &&
-                convex_around_[third])
-                return;
+            const auto convex = [&](std::uint32_t v) {
+                return rules.whole ? convex_around_[v] : is_convex(vertices_[v].shape_operator);
+            };
+            if (rules.leave_out_convex && convex(below) && convex(above) && convex(third)) return;
             if (rules.leave_out_plain && is_plain(a, b, c)) return;
             if (rules.leave_out_away && a.illumination < 0 && b.illumination < 0 &&
                 c.illumination < 0)

@@ -78,23 +78,22 @@ void ClusterBuilder::build(const StageProgress& stage) {
     data_.border_edge_count = link_clusters(mesh_, partition_);
     data_.vertex_count = std::uint32_t(mesh_.size());
     data_.is_sheet = is_sheet();
-    convex_ = find_convex();
+    find_convex();
     stage.report(kLinked);
     data_.allocate(lay_out());
     parallel_for<Values>(partition_.ranges.size(), stage.part(kLaidOut, 1),
                          [&](std::size_t c, Values& values) { write_cluster(c, values); });
 }
 
-std::vector<std::uint8_t> ClusterBuilder::find_convex() const {
-    std::vector<std::uint8_t> convex(mesh_.size());
+void ClusterBuilder::find_convex() {
+    convex_.resize(mesh_.size());
     for_each_element(mesh_.size(), [&](std::size_t v) {
-        convex[v] = is_convex(local_vertex(std::uint32_t(v)).shape_operator);
+        convex_[v] = is_convex(local_vertex(std::uint32_t(v)).shape_operator);
     });
-    std::vector<std::uint8_t> around = convex;
+    convex_around_ = convex_;
     for (const Triangle& t : mesh_.triangles)
-        if (!convex[t[0]] || !convex[t[1]] || !convex[t[2]])
-            around[t[0]] = around[t[1]] = around[t[2]] = 0;
-    return around;
+        if (!convex_[t[0]] || !convex_[t[1]] || !convex_[t[2]])
+            convex_around_[t[0]] = convex_around_[t[1]] = convex_around_[t[2]] = 0;
 }
 
 bool ClusterBuilder::is_sheet() const {
@@ -215,10 +214,14 @@ void ClusterBuilder::mark_triangles(std::size_t c) {
         for (unsigned i = 0; i < cluster.triangle_count; ++i)
             bits[i / kMaskGroup] |= std::uint64_t(is_marked(i)) << i % kMaskGroup;
     };
-    mark(cluster.convex, [&](unsigned i) {
-        const Triangle& t = mesh_.triangles[partition_.order[first + i]];
-        return convex_[t[0]] && convex_[t[1]] && convex_[t[2]];
-    });
+    const auto all_corners = [&](const std::vector<std::uint8_t>& vertices) {
+        return [&](unsigned i) {
+            const Triangle& t = mesh_.triangles[partition_.order[first + i]];
+            return vertices[t[0]] && vertices[t[1]] && vertices[t[2]];
+        };
+    };
+    mark(cluster.convex, all_corners(convex_));
+    mark(cluster.convex_around, all_corners(convex_around_));
     mark(cluster.coarse, [&](unsigned i) { return coarse_[partition_.order[first + i]] != 0; });
     mark(cluster.plain, [&](unsigned i) { return plain_.contain(partition_.order[first + i]); });
 }

@@ -27,8 +27,8 @@ private:
     using Values = std::vector<LocalVertex>;  // of a cluster's vertices
 
     bool is_sheet() const;
-    /// Of the vertices: is_convex() there and at all neighbours.
-    std::vector<std::uint8_t> find_convex() const;
+    /// Of the vertices: is_convex() there, and at all neighbours.
+    void find_convex();
     /// Finds where the parts of each cluster begin. Returns the bytes that clusters need.
     std::size_t lay_out();
     void write_cluster(std::size_t cluster, Values& values);
@@ -44,7 +44,7 @@ private:
     const Field& field_;
     ExtractorData& data_;
     std::vector<std::uint8_t> coarse_;  // by triangle of the mesh
-    std::vector<std::uint8_t> convex_;  // by vertex
+    std::vector<std::uint8_t> convex_, convex_around_;  // by vertex
     const PlainPlaces plain_;
     Partition partition_;
 };

@@ -73,9 +73,10 @@ struct Cluster {
     std::uint32_t first_form_group;   ///< in ClusterStore::laplacians
     std::uint8_t vertex_count, triangle_count;
     std::uint32_t first_vertex;  ///< the first of its vertices, over all clusters
-    /// A bit for each triangle: is_convex() at all corners and their neighbours, see
-    /// LineRules::leave_out_convex.
+    /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex; and at
+    /// their neighbours.
     std::uint64_t convex[kClusterTriangles / kMaskGroup];
+    std::uint64_t convex_around[kClusterTriangles / kMaskGroup];
     /// Likewise: coarse ones, see coarseness.h, in which contours are no zeros.
     std::uint64_t coarse[kClusterTriangles / kMaskGroup];
     /// A bit for each triangle: of PlainPlaces, see LineRules::leave_out_plain.

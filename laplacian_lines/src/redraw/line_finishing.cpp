@@ -101,8 +101,9 @@ void interpolate(const TracedLines& traced, const TracedLines::Line& line, Value
     for (std::uint32_t i = 0; i < line.end_count; ++i) {
         const std::uint32_t segments = line.strips[ends[i] / 2].count - 1;
         const float from = knots[i].*value, step = (knots[i + 1].*value - from) / float(segments);
-        for (std::uint32_t k = 1; k <= segments; ++k, ++place)
-            visit(place, from + float(k) * step);
+        for (std::uint32_t k = 1; k < segments; ++k)
+            visit(place++, from + float(k) * step);
+        visit(place++, knots[i + 1].*value);  // exactly: where it is 0, a line has faded
     }
 }
 

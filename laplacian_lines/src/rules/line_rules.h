@@ -18,8 +18,9 @@ struct LineRules {
     float least_facing = kAnything;    ///< n·l/|l|
     bool reject_phantoms = false;
     bool concave_only = false;
-    /// Nothing in triangles with is_convex() at all corners and their neighbours, where
-    /// concave_only would accept crossings at most near n ∥ l, the middle of the lit side.
+    /// Nothing in triangles with is_convex() at all corners, where concave_only would accept
+    /// crossings at most near n ∥ l, the middle of the lit side. Of whole lines, which texture
+    /// should not cut, at the corners' neighbours as well.
     bool leave_out_convex = false;
     /// Nothing in triangles without a form of their own, see PlainPlaces.
     bool leave_out_plain = false;
