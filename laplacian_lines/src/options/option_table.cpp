@@ -197,7 +197,7 @@ std::vector<StyleRow> threshold_rows() {
         boolean<&S::whole_lines>(
             "whole_lines", "Whole Lines",
             "Test means along lines instead of each of their pieces, so that fine texture does not "
-            "cut a line into dashes. Redraws take two to three times as long."),
+            "cut a line into dashes. Redraws take about half as long again."),
         real<&S::segment_slope>(
             "segment_slope", "Least Slope of a Segment", 0, 1e6,
             "How sharply the Laplacian must change sign at each piece of a line (no unit). Larger "
