@@ -13,7 +13,6 @@ using laplacian_lines::ErrorCode;
 namespace {
 
 constexpr int milliseconds_between_looks = 20;
-constexpr double field_share = 0.9;  // of the time
 
 }  // namespace
 
