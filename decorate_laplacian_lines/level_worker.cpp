@@ -25,6 +25,18 @@ laplacian_lines::KernelLaplacian computeLevel(const LevelJob& job,
     return job.lines->extractor->laplacian_of(job.mesh, field);
 }
 
+QString reasonWithoutLevel() {
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        return "There is not enough memory for lines of this size.";
+    } catch (const Error& error) {
+        return error.code() == ErrorCode::Cancelled ? QString() : QString::fromUtf8(error.what());
+    } catch (const std::exception& error) {
+        return QString::fromUtf8(error.what());
+    }
+}
+
 LevelWorker::LevelWorker(std::function<void()> finished) : finished_(std::move(finished)) {
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { finishIfDone(); });
     // Threads must not outlive what the program takes down on its way out.
@@ -70,12 +82,8 @@ void LevelWorker::run(Running& running) noexcept {
             return !running.is_given_up && running.job.lines.use_count() > 1;
         };
         running.result = computeLevel(running.job, is_wanted);
-    } catch (const std::bad_alloc&) {
-        running.failure = "There is not enough memory for lines of this size.";
-    } catch (const Error& error) {
-        if (error.code() != ErrorCode::Cancelled) running.failure = QString::fromUtf8(error.what());
-    } catch (const std::exception& error) {
-        running.failure = QString::fromUtf8(error.what());
+    } catch (...) {
+        running.failure = reasonWithoutLevel();
     }
     running.is_done = true;
 }

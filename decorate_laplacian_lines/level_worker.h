@@ -25,6 +25,9 @@ struct LevelJob {
 laplacian_lines::KernelLaplacian computeLevel(const LevelJob& job,
                                               const laplacian_lines::Progress& progress = {});
 
+/// Why a level cannot be, by the exception that is being handled; empty if it was given up.
+QString reasonWithoutLevel();
+
 /// Computes one level at a time on a thread of its own. A job of which nobody else has the lines
 /// any more, because the mesh has changed or is gone, is given up. GUI thread only.
 class LevelWorker {

@@ -2,7 +2,6 @@
 #include "view_levels.h"
 
 #include <algorithm>
-#include <new>
 #include <optional>
 
 #include "meshlab_host/geometry_stamp.h"
@@ -34,10 +33,8 @@ std::optional<int> levelToCompute(const PreparedLines& lines,
 void computeNow(const PreparedLinesPointer& lines, const CMeshO& mesh, int level) {
     try {
         addLevel(*lines, level, computeLevel({lines, meshlab_host::toTriangleMesh(mesh), level}));
-    } catch (const std::bad_alloc&) {
-        lines->failed_levels[level] = "There is not enough memory for lines of this size.";
-    } catch (const std::exception& error) {
-        lines->failed_levels[level] = QString::fromUtf8(error.what());
+    } catch (...) {
+        lines->failed_levels[level] = reasonWithoutLevel();
     }
 }
 
@@ -76,7 +73,7 @@ void ViewLevels::computeInBackground(const PreparedLinesPointer& lines, const CM
     if (meshlab_host::geometryStamp(mesh) != lines->key.stamp) return;
     try {
         worker_.start({lines, meshlab_host::toTriangleMesh(mesh), *level});
-    } catch (const std::exception& error) {
-        lines->failed_levels[*level] = QString::fromUtf8(error.what());
+    } catch (...) {
+        lines->failed_levels[*level] = reasonWithoutLevel();
     }
 }

@@ -88,7 +88,7 @@ void ClusterBuilder::build(const StageProgress& stage) {
 void ClusterBuilder::find_convex() {
     convex_.resize(mesh_.size());
     for_each_element(mesh_.size(), [&](std::size_t v) {
-        convex_[v] = is_convex(local_vertex(std::uint32_t(v)).shape_operator);
+        convex_[v] = is_convex(local_shape_operator(mesh_.original_vertex[v]));
     });
     convex_around_ = convex_;
     for (const Triangle& t : mesh_.triangles)
@@ -152,20 +152,24 @@ void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
     write_bounds(c, values);
 }
 
+ShapeOperator ClusterBuilder::local_shape_operator(std::uint32_t v) const {
+    const ShapeOperator& s = field_.shape_operators[v];
+    const auto curvature = [&](float x) {
+        return float(bounded(x * data_.diagonal, kLargestCurvature));
+    };
+    return {curvature(s.xx), curvature(s.yy), curvature(s.zz),
+            curvature(s.yz), curvature(s.xz), curvature(s.xy)};
+}
+
 LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
     const std::uint32_t v = mesh_.original_vertex[prepared];
     const double d = data_.diagonal;
-    const ShapeOperator& s = field_.shape_operators[v];
-    const auto curvature = [&](float x) { return float(bounded(x * d, kLargestCurvature)); };
     const double size = field_.kernel_sizes[v] / d;
     // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
     const FieldScale& scale = field_.scale;
     const double sigma = scale.normal_sigma / d * (size / (scale.kernel_size / scale.diagonal));
     const double squared_effective = size * size + sigma * sigma / 2;  // h_e
-    return {mesh_.positions[prepared],
-            bounded(field_.normals[v], 1, 2),
-            {curvature(s.xx), curvature(s.yy), curvature(s.zz), curvature(s.yz), curvature(s.xz),
-             curvature(s.xy)},
+    return {mesh_.positions[prepared], bounded(field_.normals[v], 1, 2), local_shape_operator(v),
             float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
 }
 

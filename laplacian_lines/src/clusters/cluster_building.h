@@ -32,6 +32,8 @@ private:
     /// Finds where the parts of each cluster begin. Returns the bytes that clusters need.
     std::size_t lay_out();
     void write_cluster(std::size_t cluster, Values& values);
+    /// S·D of a vertex of the original mesh.
+    ShapeOperator local_shape_operator(std::uint32_t v) const;
     LocalVertex local_vertex(std::uint32_t v) const;
     /// Lists the cluster's vertices with their values.
     void list_vertices(std::size_t cluster, Values& values);
@@ -43,7 +45,7 @@ private:
     const PreparedMesh& mesh_;
     const Field& field_;
     ExtractorData& data_;
-    std::vector<std::uint8_t> coarse_;  // by triangle of the mesh
+    std::vector<std::uint8_t> coarse_;                  // by triangle of the mesh
     std::vector<std::uint8_t> convex_, convex_around_;  // by vertex
     const PlainPlaces plain_;
     Partition partition_;

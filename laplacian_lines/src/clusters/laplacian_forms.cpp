@@ -33,7 +33,7 @@ LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
     const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
     forms.groups = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
     const double factor = data.diagonal * data.diagonal * forms.factor;
-    in_parallel<NoScratch>(data.clusters.size(), [&](std::size_t c, NoScratch&) {
+    in_parallel(data.clusters.size(), [&](std::size_t c) {
         const Cluster& cluster = data.clusters[c];
         write_forms(&forms.groups[cluster.first_form_group], cluster, [&](unsigned i) {
             const std::uint32_t v = data.vertices_of_clusters[cluster.first_vertex + i];

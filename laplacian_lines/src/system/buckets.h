@@ -20,7 +20,7 @@ struct Buckets {
     /// Calls body(bucket, first, last) for the numbers of each bucket, on several threads.
     template <class Body>
     void for_each(Body body) {
-        in_parallel<NoScratch>(begins.size() - 1, [&](std::size_t bucket, NoScratch&) {
+        in_parallel(begins.size() - 1, [&](std::size_t bucket) {
             body(bucket, numbers.data() + begins[bucket], numbers.data() + begins[bucket + 1]);
         });
     }
@@ -34,7 +34,7 @@ Buckets sort_in_buckets(std::size_t count, std::size_t buckets, BucketOf bucket_
                       parts = (count + size - 1) / size;
     std::vector<std::uint32_t> places(buckets * parts + 1);  // by bucket, then by part
     const auto in_parts = [&](auto body) {
-        in_parallel<NoScratch>(parts, [&](std::size_t part, NoScratch&) {
+        in_parallel(parts, [&](std::size_t part) {
             for (std::size_t i = part * size; i < std::min(count, (part + 1) * size); ++i)
                 body(std::uint32_t(i), places[bucket_of(std::uint32_t(i)) * parts + part]);
         });

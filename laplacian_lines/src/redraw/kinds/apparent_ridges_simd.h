@@ -292,7 +292,7 @@ static void extract_apparent_strips(const ClusterStore& store, const ExtractionT
     collect_apparent_corners(store, batch, active, memory.apparent, s, kept);
     test_segments<SegmentSlope::AlongOnce>(rules, s, kept);
     kept = keep_steep(s, kept);
-    measure_segments(m, s, kept);
+    measure_segments(rules, m, s, kept);
     const std::uint32_t begin = outputs->strip_count;
     StripWriter(store, batch, active, m, s, kept, *outputs).write_all();
     name_edges(store, begin, *outputs);

@@ -77,7 +77,8 @@ static inline unsigned keep_all(SegmentMemory& s, unsigned count) {
 }
 
 /// Sums over segments [0, count), whose slopes are known; strength: Eq. 4.
-static inline void measure_segments(const CrossingMemory& m, SegmentMemory& s, std::size_t count) {
+static inline void measure_segments(const LineRules& rules, const CrossingMemory& m,
+                                    SegmentMemory& s, std::size_t count) {
     const auto mean = [&](std::size_t i) {
         return (m.concave[s.begin[i]] + m.concave[s.triangle[i]]) / 2;
     };
@@ -95,7 +96,8 @@ static inline void measure_segments(const CrossingMemory& m, SegmentMemory& s, s
         rows[0] = length;
         rows[1] = gradients / 2 * length;
         rows[2] = slope * length;
-        rows[3] = Float4{mean(i), mean(i + 1), mean(i + 2), mean(i + 3)} * length;
+        rows[3] = rules.whole ? Float4{mean(i), mean(i + 1), mean(i + 2), mean(i + 3)} * length
+                              : Float4{0, 0, 0, 0};
         transpose(rows);
         for (unsigned k = 0; k < 4; ++k)
             store4(s.sums[i + k], rows[k]);

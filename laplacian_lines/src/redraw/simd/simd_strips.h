@@ -178,7 +178,7 @@ static inline void append_strips(const ClusterStore& store, const ExtractionTask
         count = keep_all(s, count);
         __builtin_memset(s.slope, 0, whole_vectors(count) * sizeof(float));
     }
-    measure_segments(m, s, count);
+    measure_segments(rules, m, s, count);
     StripWriter(store, batch, active, m, s, count, output)
         .write_all(rules.whole ? kSegmentsOfPiece : kBatchTriangles);
 }
