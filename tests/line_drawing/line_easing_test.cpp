@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contours are smoothed within a part of their pen, and specks are left out.
+// Lines are smoothed within a part of their pen; hooks at their ends and specks are left out.
 #include "strokes/line_easing.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "strokes/end_hooks.h"
 #include "strokes/slight_lines.h"
 
 using namespace line_drawing;
@@ -15,11 +17,11 @@ namespace {
 
 constexpr double reach = 0.12;
 
-/// To and fro across the x axis by `height`, every half millimetre.
-DrawnLine zigzag(double height, int points, bool is_exact = false) {
+/// To and fro across the x axis by `height`, every half millimetre or so.
+DrawnLine zigzag(double height, int points, bool is_exact = false, double spacing = 0.5) {
     DrawnLine line{LineClass::Contour, false, {}};
     for (int i = 0; i < points; ++i)
-        line.points.push_back({{0.5 * i, i % 2 ? height : 0}, 1, std::uint32_t(i), is_exact});
+        line.points.push_back({{spacing * i, i % 2 ? height : 0}, 1, std::uint32_t(i), is_exact});
     line.points.front().is_exact = line.points.back().is_exact = true;
     return line;
 }
@@ -83,6 +85,122 @@ TEST(LineEasing, HasEndsFollow) {
     EXPECT_GT((lines[0].points.back().position - contour.points[21].position).norm(), 0.02);
     EXPECT_LT(distanceTo(lines[1], lines[0].points.back().position), 0.01);
     EXPECT_EQ(lines[0].points.front().position, edge.points.front().position);
+}
+
+/// The largest turn at a point, in degrees.
+double sharpest(const DrawnLine& line) {
+    double largest = 0;
+    for (std::size_t i = 2; i < line.points.size(); ++i) {
+        const DrawnLine part{line.line_class,
+                             false,
+                             {line.points.begin() + std::ptrdiff_t(i) - 2,
+                              line.points.begin() + std::ptrdiff_t(i) + 1}};
+        largest = std::max(largest, turning(part));
+    }
+    return largest * 180 / 3.141592653589793;
+}
+
+/// Waves that are too high to be taken out, with a corner each: what bends least within reach of
+/// them touches its tube without corners, where what is shortest would have them.
+TEST(LineEasing, LeavesNoCorners) {
+    const DrawnLine before = zigzag(1.2, 41, false, 2);
+    ASSERT_GT(sharpest(before), 60);
+    std::vector<DrawnLine> lines = {before};
+    easeLines(lines, reach);
+    EXPECT_LT(sharpest(lines[0]), 25);
+    for (const DrawnPoint& point : lines[0].points)
+        EXPECT_LE(distanceTo(before, point.position), reach + 1e-9);
+}
+
+/// Whatever the length of the line is.
+TEST(LineEasing, TakesPointsOfOnePlaceAtTheEnd) {
+    for (int i = 0; i < 1000; ++i) {
+        DrawnLine line = zigzag(0.1, 5, false, 0.5 + 0.00123 * i);
+        line.points.push_back(DrawnPoint(line.points.back()));
+        line.points[4].is_exact = false;
+        std::vector<DrawnLine> lines = {line};
+        easeLines(lines, reach);
+        for (const DrawnPoint& point : lines[0].points)
+            ASSERT_TRUE(point.position.allFinite());
+    }
+}
+
+TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
+    DrawnLine loop{LineClass::Outline, true, {}};
+    for (int i = 0; i <= 40; ++i) {
+        const double angle = 3.141592653589793 * (i % 40) / 20, radius = i % 2 ? 3.1 : 3;
+        loop.points.push_back({radius * Vector2d(std::cos(angle), std::sin(angle))});
+        loop.points.back().is_exact = false;
+    }
+    std::vector<DrawnLine> lines = {loop};
+    easeLines(lines, reach);
+    DrawnLine twice = lines[0];
+    twice.points.insert(twice.points.end(), twice.points.begin() + 1, twice.points.end());
+    EXPECT_LT(sharpest(twice), 5);
+    EXPECT_EQ(lines[0].points.front().position, lines[0].points.back().position);
+}
+
+/// An inner line that goes on as a contour, which stays where it is.
+TEST(LineEasing, OfInnerLinesKeepsContoursAndWidths) {
+    DrawnLine line{LineClass::Contour, false, {}};
+    for (int i = 0; i <= 80; ++i) {
+        const bool is_contour = i < 40;
+        const double y = is_contour ? 0 : 0.002 * (i - 40) * (i - 40) + (i % 2 ? 0.1 : 0);
+        line.points.push_back({{0.25 * i, y}, is_contour ? 1 : 0.5});
+        line.points.back().is_exact = is_contour;
+    }
+    std::vector<DrawnLine> lines = {line};
+    easeInnerLines(lines, reach);
+    EXPECT_LT(turning(lines[0]), 0.2 * turning(line));
+    EXPECT_LT(sharpest(lines[0]), 5);
+    for (const DrawnPoint& point : lines[0].points) {
+        EXPECT_LE(distanceTo(line, point.position), reach + 1e-9);
+        const double step = point.position.x() / 0.25;
+        if (step < 39) {
+            EXPECT_NEAR(point.position.y(), 0, 1e-9);
+        }
+        if (step < 38 || step > 42) {
+            EXPECT_DOUBLE_EQ(point.weight, step < 38 ? 1 : 0.5);
+        }
+    }
+}
+
+constexpr double pen = 0.25;
+
+/// 10 mm along x, then a piece of `length` at `degrees` to it, in steps of .1 mm.
+DrawnLine hooked(double length, double degrees) {
+    DrawnLine line{LineClass::Inner, false, {}};
+    const double angle = degrees * 3.141592653589793 / 180;
+    for (int i = 0; i <= 100; ++i)
+        line.points.push_back({{0.1 * i, 0}});
+    for (double at = 0.1; at < length + 0.05; at += 0.1)
+        line.points.push_back({{10 + at * std::cos(angle), at * std::sin(angle)}});
+    for (DrawnPoint& point : line.points)
+        point.is_exact = false;
+    return line;
+}
+
+double lengthWithoutHooks(std::vector<DrawnLine> lines) {
+    cutHooks(lines, pen);
+    return lengthOf(lines[0].points);
+}
+
+TEST(EndHooks, AreCutAtBothEnds) {
+    DrawnLine line = hooked(1, 100);
+    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+    std::reverse(line.points.begin(), line.points.end());
+    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+}
+
+TEST(EndHooks, AreNoBendsOfTheFeature) {
+    EXPECT_NEAR(lengthWithoutHooks({hooked(1, 40)}), 11, 1e-6);   // slight
+    EXPECT_NEAR(lengthWithoutHooks({hooked(5, 100)}), 15, 1e-6);  // long
+}
+
+TEST(EndHooks, StayWhereTheyMeetALine) {
+    const DrawnLine line = hooked(1, 90);
+    const DrawnLine met{LineClass::Contour, false, {{{5, 1}}, {{15, 1}}}};
+    EXPECT_NEAR(lengthWithoutHooks({line, met}), 11, 1e-6);
 }
 
 std::size_t kept(const std::vector<DrawnLine>& lines) {

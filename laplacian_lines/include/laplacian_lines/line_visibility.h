@@ -66,8 +66,7 @@ struct SightPoint {
     /// Lines that meet in the picture have points of equal numbers there; kNoSightNode: no line
     /// meets this one there.
     std::uint32_t node;
-    /// On an edge of the form, or where a line goes on as another one; elsewhere a line may be
-    /// smoothed.
+    /// On an edge of the form; elsewhere a line may be smoothed.
     bool is_exact;
 };
 

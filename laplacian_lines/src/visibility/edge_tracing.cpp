@@ -153,13 +153,13 @@ private:
                 visited_[half / 2] = true;
                 line.jump = std::max(line.jump, pieces_[half / 2].gap);
                 line.points.push_back(point_at(half));
-                if (half != start) note_change(last, half, line.points.back());
+                line.points.back().is_exact |= half != start && segment_of(last).is_exact;
                 last = half ^ 1;
             });
         line.jump *= float(all_.picture.mesh().size);
         line.points.push_back(point_at(last));
         if (line.closed) {
-            note_change(last, start, line.points.front());
+            line.points.front().is_exact |= segment_of(last).is_exact;
             line.points.back() = line.points.front();
         }
         return line;
@@ -177,13 +177,6 @@ private:
         points.erase(std::remove_if(from, to, is_passed), to);
         if (line.closed) points.push_back(SightPoint(points.front()));
         smooth_between_exact(smoothing_passes(options_.line_smoothing), line);
-    }
-
-    /// A place is exact if what comes before it is, or if the line goes on as another one.
-    void note_change(std::uint32_t from, std::uint32_t to, SightPoint& point) const {
-        const bool changes =
-            point.node >= first_crossing_ && pieces_[from / 2].segment != pieces_[to / 2].segment;
-        point.is_exact = point.is_exact || changes || segment_of(from).is_exact;
     }
 
     const SightSegments& all_;

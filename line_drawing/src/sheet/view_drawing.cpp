@@ -4,6 +4,7 @@
 #include "planes/cutting.h"
 #include "sections/section_marks.h"
 #include "strokes/chaining.h"
+#include "strokes/end_hooks.h"
 #include "strokes/line_easing.h"
 #include "strokes/overlaps.h"
 #include "strokes/slight_lines.h"
@@ -17,6 +18,7 @@ namespace {
 constexpr double double_reach = 0.4;
 constexpr double area_tone = 0.9;
 constexpr double eased_share = 0.16;  // of the width of outlines, by which contours may move
+constexpr double eased_share_of_inner = 0.6;  // of the width of inner lines, by which these may
 constexpr double hatch_spacing = 1.5, hatch_width = 0.5;  // mm; share of an inner line's width
 
 struct LayerName {
@@ -99,13 +101,17 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     const bool has_name = view.frame.side != Side::Other;
     const QString key = has_name ? view.frame.name.toLower() : QString("view-%1").arg(number);
     SheetGroup group{key, view.frame.name, {}};
-    const double pen = options.pens[std::size_t(LineClass::Outline)];
+    const double pen = options.pens[std::size_t(LineClass::Outline)],
+                 inner_pen = options.pens[std::size_t(LineClass::Inner)];
     std::vector<DrawnLine> lines = place(view.lines, placement);
     lines = withoutSlightLines(std::move(lines), options);
     easeLines(lines, eased_share * pen);
     lines = withoutDoubles(std::move(lines), double_reach * pen);
     const bool is_tapered = options.strokes == StrokeStyle::Tapered;
-    lines = thinOut(chain(std::move(lines), options.pens, is_tapered), options.pens);
+    lines = chain(std::move(lines), options.pens, is_tapered);
+    cutHooks(lines, inner_pen);
+    lines = thinOut(std::move(lines), options.pens);
+    easeInnerLines(lines, eased_share_of_inner * inner_pen);
     const std::vector<MergedWalls> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
     if (options.area != OutlineArea::None)

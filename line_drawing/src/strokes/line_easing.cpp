@@ -5,76 +5,73 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "strokes/elastic_line.h"
+#include "strokes/refining.h"
+
 namespace line_drawing {
 namespace {
 
 using Eigen::Vector2d;
 
 constexpr double step_share = 1.5;  // of the reach, between the places that are moved
-constexpr int rounds = 100;         // with the steps, a deviation of some nine reaches
 
-/// A stretch of a line whose ends stay, and all points of which are to be eased.
-class EasedStretch {
+/// Points of a line in a row, put at equal distances.
+class EvenLine {
 public:
-    EasedStretch(const std::vector<DrawnPoint>& points, double reach) : reach_(reach) {
-        double length = 0;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (i > 0) length += (points[i].position - points[i - 1].position).norm();
-            along_.push_back(length);
-        }
-        count_ = std::size_t(std::ceil(length / (step_share * reach)));
-        if (count_ < 2) return;
-        for (std::size_t i = 0; i <= count_; ++i)
-            original_.push_back(placeAt(points, length * double(i) / double(count_)));
-        eased_ = original_;
+    EvenLine(const std::vector<DrawnPoint>& points, double step) : points_(points) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            along_.push_back(i == 0 ? 0 : along_.back() + distance(points[i - 1], points[i]));
+        steps_ = std::size_t(std::ceil(along_.back() / step));
     }
 
     /// Whether it is so long that there is anything to ease.
-    bool isLong() const { return count_ >= 2; }
+    bool isLong() const { return steps_ >= 2; }
 
-    void ease(bool closed) {
-        const std::size_t n = count_;
-        for (int round = 0; round < rounds; ++round) {
-            const std::vector<Vector2d> before = eased_;
-            for (std::size_t i = closed ? 0 : 1; i < n; ++i) {
-                const Vector2d middle = (before[i == 0 ? n - 1 : i - 1] + before[i + 1]) / 2;
-                const Vector2d wanted = (before[i] + middle) / 2, off = wanted - original_[i];
-                const double distance = off.norm();
-                eased_[i] = original_[i] + (distance > reach_ ? reach_ / distance : 1) * off;
-            }
-            if (closed) eased_[n] = eased_[0];
+    /// Points that are exact, and ends, stay.
+    void ease(double reach, bool closed) {
+        const std::size_t count = closed ? steps_ : steps_ + 1;
+        EvenPoints places(Eigen::Index(count), 2);
+        std::vector<double> reaches(count, reach);
+        for (std::size_t i = 0; i < count; ++i) {
+            even_.push_back(pointAt(double(i) / double(steps_) * along_.back()));  // exact at 1
+            places.row(Eigen::Index(i)) = even_[i].position.transpose();
+            if (even_[i].is_exact) reaches[i] = 0;
         }
+        if (!closed) reaches.front() = reaches.back() = 0;
+        places = bendLeast(places, reaches, closed);
+        for (std::size_t i = 0; i < count; ++i)
+            even_[i].position = places.row(Eigen::Index(i)).transpose();
+        if (closed) even_.push_back(even_.front());
+        even_.front().node = points_.front().node;
+        even_.back().node = points_.back().node;
     }
 
-    std::vector<DrawnPoint> result(const std::vector<DrawnPoint>& points) const {
-        std::vector<DrawnPoint> eased;
-        for (std::size_t i = 0; i <= count_; ++i)
-            eased.push_back({eased_[i]});
-        eased.front().node = points.front().node;
-        eased.back().node = points.back().node;
-        return eased;
-    }
+    const std::vector<DrawnPoint>& result() const { return even_; }
 
     /// Where a point of the line is now.
     Vector2d placeOf(std::size_t point) const {
-        const double at = along_[point] / along_.back() * double(count_);
-        const std::size_t i = std::min(std::size_t(at), count_ - 1);
-        return eased_[i] + (at - double(i)) * (eased_[i + 1] - eased_[i]);
+        const double at = along_[point] / along_.back() * double(steps_);
+        const std::size_t i = std::min(std::size_t(at), steps_ - 1);
+        return between(even_[i].position, even_[i + 1].position, at - double(i));
     }
 
 private:
-    Vector2d placeAt(const std::vector<DrawnPoint>& points, double length) const {
-        const auto after = std::lower_bound(along_.begin(), along_.end(), length);
-        const std::size_t i = std::min(std::size_t(after - along_.begin()), along_.size() - 1);
-        if (i == 0) return points[0].position;
-        const double t = (length - along_[i - 1]) / (along_[i] - along_[i - 1]);
-        return points[i - 1].position + t * (points[i].position - points[i - 1].position);
+    static double distance(const DrawnPoint& a, const DrawnPoint& b) {
+        return (b.position - a.position).norm();
     }
 
-    const double reach_;
+    DrawnPoint pointAt(double length) const {
+        const auto after = std::lower_bound(along_.begin(), along_.end(), length);
+        const std::size_t i = std::min(std::size_t(after - along_.begin()), along_.size() - 1);
+        if (i == 0) return points_[0];
+        const double t = (length - along_[i - 1]) / (along_[i] - along_[i - 1]);
+        return between(points_[i - 1], points_[i], t);
+    }
+
+    const std::vector<DrawnPoint>& points_;
     std::vector<double> along_;  // of the points
-    std::size_t count_ = 0;      // of steps
-    std::vector<Vector2d> original_, eased_;
+    std::size_t steps_ = 0;
+    std::vector<DrawnPoint> even_;
 };
 
 class Easing {
@@ -82,17 +79,10 @@ public:
     explicit Easing(double reach) : reach_(reach) {}
 
     void ease(DrawnLine& line) {
-        const auto& points = line.points;
-        const auto first = std::find_if(points.begin(), points.end() - 1,
-                                        [](const DrawnPoint& p) { return p.is_exact; });
-        if (line.closed && first == points.end() - 1) {
+        const std::vector<DrawnPoint>& points = line.points;
+        if (line.closed && !beginAtExact(line)) {
             line.points = easedStretch(points, true);
             return;
-        }
-        if (line.closed) {  // begins at a point that stays
-            std::rotate(line.points.begin(), line.points.begin() + (first - points.begin()),
-                        line.points.end() - 1);
-            line.points.back() = line.points.front();
         }
         std::vector<DrawnPoint> eased;
         for (std::size_t begin = 0, end; begin + 1 < points.size(); begin = end) {
@@ -116,30 +106,62 @@ public:
     }
 
 private:
+    /// Turns a closed line so; false if none of its points is exact.
+    static bool beginAtExact(DrawnLine& line) {
+        std::vector<DrawnPoint>& points = line.points;
+        const auto first = std::find_if(points.begin(), points.end() - 1,
+                                        [](const DrawnPoint& point) { return point.is_exact; });
+        if (first == points.end() - 1) return false;
+        std::rotate(points.begin(), first, points.end() - 1);
+        points.back() = points.front();
+        return true;
+    }
+
     std::vector<DrawnPoint> easedStretch(const std::vector<DrawnPoint>& points, bool closed) {
         if (points.size() < 3) return points;
-        EasedStretch stretch(points, reach_);
-        if (!stretch.isLong()) return points;
-        stretch.ease(closed);
+        EvenLine even(points, step_share * reach_);
+        if (!even.isLong()) return points;
+        even.ease(reach_, closed);
         for (std::size_t i = closed ? 0 : 1; i + 1 < points.size(); ++i)
             if (points[i].node != laplacian_lines::kNoSightNode)
-                moved_.try_emplace(points[i].node, stretch.placeOf(i));
-        return stretch.result(points);
+                moved_.try_emplace(points[i].node, even.placeOf(i));
+        return even.result();
     }
 
     const double reach_;
     std::unordered_map<std::uint32_t, Vector2d> moved_;  // nodes
 };
 
+bool isContour(const DrawnLine& line) {
+    return line.line_class == LineClass::Outline || line.line_class == LineClass::Contour;
+}
+
 }  // namespace
 
 void easeLines(std::vector<DrawnLine>& lines, double reach) {
     Easing easing(reach);
-    for (const LineClass c : {LineClass::Outline, LineClass::Contour})
+    for (const LineClass c : {LineClass::Outline, LineClass::Contour}) {
         for (DrawnLine& line : lines)
             if (line.line_class == c && line.points.size() > 2) easing.ease(line);
+        for (DrawnLine& line : lines)
+            easing.follow(line);
+    }
     for (DrawnLine& line : lines)
-        easing.follow(line);
+        if (isContour(line))
+            for (DrawnPoint& point : line.points)
+                point.is_exact = true;
+}
+
+void easeInnerLines(std::vector<DrawnLine>& lines, double reach) {
+    for (DrawnLine& line : lines) {
+        const bool is_inner = std::any_of(line.points.begin(), line.points.end(),
+                                          [](const DrawnPoint& point) { return !point.is_exact; });
+        if (!is_inner || line.points.size() < 3) continue;
+        EvenLine even(line.points, step_share * reach);
+        if (!even.isLong()) continue;
+        even.ease(reach, line.closed);
+        line.points = even.result();
+    }
 }
 
 }  // namespace line_drawing

@@ -12,4 +12,7 @@ namespace line_drawing {
 /// them follow.
 void easeLines(std::vector<DrawnLine>& lines, double reach);
 
+/// The same for inner lines as they are drawn, with what goes on as them, which stays.
+void easeInnerLines(std::vector<DrawnLine>& lines, double reach);
+
 }  // namespace line_drawing

@@ -19,7 +19,8 @@ inline Eigen::Vector2d between(const Eigen::Vector2d& a, const Eigen::Vector2d& 
     return a + t * (b - a);
 }
 inline DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
-    return {between(a.position, b.position, t), a.weight + t * (b.weight - a.weight)};
+    return {between(a.position, b.position, t), a.weight + t * (b.weight - a.weight),
+            laplacian_lines::kNoSightNode, a.is_exact && b.is_exact};
 }
 
 /// The same line with points at most `step` apart, no two of one place in a row: a line has no
