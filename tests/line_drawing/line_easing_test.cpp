@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines are smoothed within a part of their pen; hooks at their ends and specks are left out.
+// Lines are smoothed within a part of their pen, and specks are left out.
 #include "strokes/line_easing.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "strokes/end_hooks.h"
 #include "strokes/slight_lines.h"
 
 using namespace line_drawing;
@@ -163,44 +162,6 @@ TEST(LineEasing, OfInnerLinesKeepsContoursAndWidths) {
             EXPECT_DOUBLE_EQ(point.weight, step < 38 ? 1 : 0.5);
         }
     }
-}
-
-constexpr double pen = 0.25;
-
-/// 10 mm along x, then a piece of `length` at `degrees` to it, in steps of .1 mm.
-DrawnLine hooked(double length, double degrees) {
-    DrawnLine line{LineClass::Inner, false, {}};
-    const double angle = degrees * 3.141592653589793 / 180;
-    for (int i = 0; i <= 100; ++i)
-        line.points.push_back({{0.1 * i, 0}});
-    for (double at = 0.1; at < length + 0.05; at += 0.1)
-        line.points.push_back({{10 + at * std::cos(angle), at * std::sin(angle)}});
-    for (DrawnPoint& point : line.points)
-        point.is_exact = false;
-    return line;
-}
-
-double lengthWithoutHooks(std::vector<DrawnLine> lines) {
-    cutHooks(lines, pen);
-    return lengthOf(lines[0].points);
-}
-
-TEST(EndHooks, AreCutAtBothEnds) {
-    DrawnLine line = hooked(1, 100);
-    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
-    std::reverse(line.points.begin(), line.points.end());
-    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
-}
-
-TEST(EndHooks, AreNoBendsOfTheFeature) {
-    EXPECT_NEAR(lengthWithoutHooks({hooked(1, 40)}), 11, 1e-6);   // slight
-    EXPECT_NEAR(lengthWithoutHooks({hooked(5, 100)}), 15, 1e-6);  // long
-}
-
-TEST(EndHooks, StayWhereTheyMeetALine) {
-    const DrawnLine line = hooked(1, 90);
-    const DrawnLine met{LineClass::Contour, false, {{{5, 1}}, {{15, 1}}}};
-    EXPECT_NEAR(lengthWithoutHooks({line, met}), 11, 1e-6);
 }
 
 std::size_t kept(const std::vector<DrawnLine>& lines) {

@@ -4,7 +4,7 @@
 #include "planes/cutting.h"
 #include "sections/section_marks.h"
 #include "strokes/chaining.h"
-#include "strokes/end_hooks.h"
+#include "strokes/inner_ends.h"
 #include "strokes/line_easing.h"
 #include "strokes/overlaps.h"
 #include "strokes/slight_lines.h"
@@ -111,7 +111,9 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     lines = chain(std::move(lines), options.pens, is_tapered);
     cutHooks(lines, inner_pen);
     lines = thinOut(std::move(lines), options.pens);
+    const std::vector<MetEnd> met = joinEnds(lines, inner_pen);
     easeInnerLines(lines, eased_share_of_inner * inner_pen);
+    followMet(met, inner_pen, lines);
     const std::vector<MergedWalls> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
     if (options.area != OutlineArea::None)
