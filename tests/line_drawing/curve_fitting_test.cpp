@@ -7,6 +7,7 @@
 #include <QTransform>
 #include <cmath>
 #include <limits>
+#include <random>
 
 using Eigen::Vector2d;
 using line_drawing::findCorners;
@@ -72,6 +73,31 @@ TEST(CurveFitting, OfACircleTakesFewCurvesAndStaysWithinTheTolerance) {
     EXPECT_LE(largestDistance(points, path), 1.01 * tolerance);
     EXPECT_LE(curvesOf(path), 12);
     EXPECT_EQ(QPointF(path.elementAt(0)), path.currentPosition());
+}
+
+/// Between the points, too: a curve with long handles could pass all of them and leap in between.
+TEST(CurveFitting, StaysNearLinesOfAnyShape) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (int line = 0; line < 2000; ++line) {
+        Points points = {{0, 0}};
+        QPolygonF polygon(QVector<QPointF>{QPointF(0, 0)});
+        double angle = 0;
+        const double turn = 3 * share(random), step = 0.01 + 0.5 * share(random);
+        for (int i = 0; i < 40; ++i) {
+            angle += turn * (share(random) - 0.5);
+            points.push_back(points.back() +
+                             step * share(random) * Vector2d(std::cos(angle), std::sin(angle)));
+            polygon << QPointF(points.back().x(), points.back().y());
+        }
+        QPainterPath path;
+        fitCurve(points, false, tolerance, path);
+        const QTransform larger = QTransform::fromScale(1000, 1000);
+        double largest = 0;
+        for (const QPointF& p : larger.inverted().map(path.toSubpathPolygons(larger).value(0)))
+            largest = std::max(largest, distanceTo(polygon, {p.x(), p.y()}));
+        ASSERT_LT(largest, 3 * tolerance) << line;
+    }
 }
 
 TEST(CurveFitting, KeepsCorners) {

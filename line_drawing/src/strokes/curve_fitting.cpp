@@ -108,6 +108,13 @@ private:
         return parameters;
     }
 
+    double lengthOf(std::size_t first, std::size_t last) const {
+        double length = 0;
+        for (std::size_t i = first + 1; i <= last; ++i)
+            length += (points_[i] - points_[i - 1]).norm();
+        return length;
+    }
+
     /// The least squares of the lengths of both tangents.
     Cubic solve(std::size_t first, const std::vector<double>& parameters, const Vector2d& begin,
                 const Vector2d& end) const {
@@ -127,14 +134,15 @@ private:
             x1 += a1.dot(rest);
         }
         const double determinant = c00 * c11 - c01 * c01;
+        // Handles longer than the run itself let the curve leap between the points.
         const double chord = (p3 - p0).norm(), least = 1e-6 * chord;
+        const double most = lengthOf(first, first + parameters.size() - 1);
         double length0 = 0, length1 = 0;
         if (std::abs(determinant) > 1e-12 * c00 * c11) {
             length0 = (x0 * c11 - x1 * c01) / determinant;
             length1 = (c00 * x1 - c01 * x0) / determinant;
         }
-        if (!(length0 > least) || !(length1 > least) || length0 > 10 * chord ||
-            length1 > 10 * chord)
+        if (!(length0 > least) || !(length1 > least) || length0 + length1 > most)
             length0 = length1 = chord / 3;
         return {p0, p0 + length0 * begin, p3 + length1 * end, p3};
     }
