@@ -64,6 +64,18 @@ TEST(Thinning, TakesAwayOnlyThePartBesideAnotherLine) {
     EXPECT_NEAR(lengthOf(thinned[1].points), 10, 0.7);
 }
 
+/// Of a fold that others take most of.
+TEST(Thinning, LeavesNoIslands) {
+    const auto left = [](double begin, double end) {
+        return lengthOfAll(thinOut(
+                   {straight({0, 0}, {20, 0}), straight({begin, 0.2}, {end, 0.2}, 0.5)}, pens)) -
+               20;
+    };
+    EXPECT_NEAR(left(17, 24), 3.5, 0.5);  // half of it
+    EXPECT_NEAR(left(12, 24), 0, 1e-9);
+    EXPECT_NEAR(left(5, 27), 6.5, 0.5);  // long enough to stand alone
+}
+
 TEST(Thinning, LeavesWhiteBesideOutlinesAndEdgesWhichStay) {
     for (const LineClass c : {LineClass::Outline, LineClass::Contour, LineClass::Edge}) {
         const double touching = pens[std::size_t(c)] / 2 + pen / 2;

@@ -21,6 +21,9 @@ constexpr double shortest_loop = 24;    // 6 √h
 constexpr double longest_crossing = 5;  // that a line takes to pass another
 constexpr double longest_touch = 2;     // at an end that meets another line
 constexpr double same_place = 0.2;
+/// What is left of a fold among others is an island between them, unless it is this long or this
+/// share of it.
+constexpr double longest_island = 24, least_share = 0.5;
 constexpr double step = 0.2;
 
 double meanWeight(const DrawnLine& line) {
@@ -55,18 +58,20 @@ public:
         for (std::size_t i = 0; i < points.size(); ++i)
             is_free[i] = isFree(points[i].position);
         bridge(points, is_free);
+        const double shortest =
+            shareOf(points, is_free) < least_share ? longest_island : shortest_stroke;
         for (std::size_t begin = 0; begin < points.size();) {
             std::size_t end = begin;
             while (end < points.size() && is_free[end])
                 ++end;
             if (end - begin == points.size())
-                keep(line, result);
+                keep(line, shortest, result);
             else if (end > begin + 1)
                 keep({line.line_class,
                       false,
                       {points.begin() + std::ptrdiff_t(begin),
                        points.begin() + std::ptrdiff_t(end)}},
-                     result);
+                     shortest, result);
             begin = std::max(end, begin + 1);
         }
     }
@@ -79,6 +84,17 @@ private:
         for (std::size_t c = 0; c < line_class_count; ++c)
             if (outlines_[c].isBeside(point, whiteBeside(pens_[c]))) return false;
         return true;
+    }
+
+    /// How much of a line is free, by length.
+    static double shareOf(const std::vector<DrawnPoint>& points, const std::vector<bool>& is_free) {
+        double length = 0, free = 0;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double piece = (points[i].position - points[i - 1].position).norm();
+            length += piece;
+            if (is_free[i - 1] && is_free[i]) free += piece;
+        }
+        return free / length;
     }
 
     bool touches(const Vector2d& point) const {
@@ -121,9 +137,10 @@ private:
         }
     }
 
-    void keep(const DrawnLine& line, std::vector<DrawnLine>& result) {
+    /// If it is not shorter than that, in pens.
+    void keep(const DrawnLine& line, double shortest, std::vector<DrawnLine>& result) {
         const double length = lengthOf(line.points) / pen_;
-        if (length < shortest_stroke || meanWeight(line) * length < least_ink) return;
+        if (length < shortest || meanWeight(line) * length < least_ink) return;
         kept_.add(positionsOf(line));
         result.push_back(line);
     }
