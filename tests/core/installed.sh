@@ -33,7 +33,7 @@ export -f compile_alone fail say
 export prefix eigen
 printf '%s\n' "${headers[@]}" | xargs -P "$(nproc)" -I{} bash -c 'compile_alone {}' || fail "not all headers compile"
 
-cmake -S "$checkout/examples/lines" -B "$work/example" -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_PREFIX_PATH="$prefix" \
+cmake -S "$checkout/docs/examples/lines" -B "$work/example" -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_PREFIX_PATH="$prefix" \
     >>"$work/log" || fail "the package is not found"
 cmake --build "$work/example" >>"$work/log" || fail "the example cannot be built"
 

@@ -6,14 +6,14 @@ source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/harness.sh"
 require hosts/drawing_tools
 
 # -S: as where no packages are installed
-! python3 -S -B "$HERE/../../examples/draw_with_dask.py" plates one.ply 2>said || fail "Dask is not needed"
+! python3 -S -B "$HERE/../../docs/examples/draw_with_dask.py" plates one.ply 2>said || fail "Dask is not needed"
 grep -q "Install it: .*-m pip install dask distributed" said || fail "it is not said what to install: $(cat said)"
 
 ensure_drawing_tools || skip "$OBSTACLE"
 write_cube
 for name in one two three; do cp cube.ply $name.ply; done
 echo "no mesh" >bad.ply
-draw=("$DRAWING_PYTHON" -B "$HERE/../../examples/draw_with_dask.py" --program "$PROGRAM" plates)
+draw=("$DRAWING_PYTHON" -B "$HERE/../../docs/examples/draw_with_dask.py" --program "$PROGRAM" plates)
 
 "${draw[@]}" one.ply two.ply three.ply -- --views front,left >said
 cat said

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Measured drawings in scripts: the example, the same bytes as from ./run --drawing, and errors.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
-EXAMPLE=$CHECKOUT/examples/laplacian_lines_drawing.mlx
+EXAMPLE=$CHECKOUT/docs/examples/laplacian_lines_drawing.mlx
 PROGRAM=$LAPLACIAN_LINES_BUILD/bin/laplacian_lines_drawing
 
 MESHES=(torus.ply)
@@ -88,7 +88,7 @@ grep -q '>[^<]*behind\.ply<' "$WORK/current.svg" && ! grep -q 'torus\.ply' "$WOR
 MESHES=(torus.ply)
 
 # a field of other options is used
-sed '/<\/FilterScript>/d' "$CHECKOUT/examples/laplacian_lines.mlx" >"$WORK/both.mlx"
+sed '/<\/FilterScript>/d' "$CHECKOUT/docs/examples/laplacian_lines.mlx" >"$WORK/both.mlx"
 sed -i 's/name="kernel_size" \(.*\) value="0"/name="kernel_size" \1 value="0.2"/' "$WORK/both.mlx"
 write_script script.mlx file=coarse.svg
 sed -n '/<filter /,$p' "$WORK/script.mlx" >>"$WORK/both.mlx"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Lines as polylines in scripts: the example, the files that MeshLab writes of them, and errors.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
-EXAMPLE=$CHECKOUT/examples/laplacian_lines_polylines.mlx
+EXAMPLE=$CHECKOUT/docs/examples/laplacian_lines_polylines.mlx
 
 # accept FILE [KEY=VALUE...]
 accept() {

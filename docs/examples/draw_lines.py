@@ -2,7 +2,7 @@
 # %% [markdown]
 # From a scan to a line drawing, with PyMeshLab and Matplotlib; no display is needed.
 #
-#     ./run --python examples/draw_lines.py MESH [PICTURE] [VIEW]
+#     ./run --python docs/examples/draw_lines.py MESH [PICTURE] [VIEW]
 #
 # PICTURE may be a PNG, SVG or PDF file; VIEW is Front, Back, Left, Right, Top or Bottom. In a notebook or an editor
 # with cells, put the names into the next cell instead.

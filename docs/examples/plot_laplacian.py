@@ -2,7 +2,7 @@
 # %% [markdown]
 # How strongly the normal bends: |Δn| on a mesh, with PyMeshLab and Matplotlib.
 #
-#     ./run --python examples/plot_laplacian.py MESH [PICTURE.png]
+#     ./run --python docs/examples/plot_laplacian.py MESH [PICTURE.png]
 #
 # In a notebook or an editor with cells, put the names into the next cell instead.
 

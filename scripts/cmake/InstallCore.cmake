@@ -17,6 +17,6 @@ install(EXPORT LaplacianLinesTargets NAMESPACE LaplacianLines::
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/LaplacianLinesConfigVersion.cmake"
   VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion)
 install(FILES
-  "${PROJECT_SOURCE_DIR}/cmake/LaplacianLinesConfig.cmake"
+  "${PROJECT_SOURCE_DIR}/scripts/cmake/LaplacianLinesConfig.cmake"
   "${PROJECT_BINARY_DIR}/LaplacianLinesConfigVersion.cmake"
   DESTINATION "${package_folder}" COMPONENT core)
