@@ -36,7 +36,7 @@ int main(int argc, char** argv) try {
             print(command + '\n');
     }
     if (std::fflush(stdout) == 0) return 0;
-    std::perror("what the driver has to do cannot be written");
+    std::perror("the commands for the driver cannot be written");
     return 1;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -81,7 +81,7 @@ void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
     if (result.is_collection) return;
     result.meshes = meshesOf(result.meshes);
     if (has_format)
-        refuse("--format goes with a folder of drawings; a file says it by its ending.");
+        refuse("--format is for a folder of drawings; the extension of a file sets its format.");
 }
 
 QString takeValue(QStringList& rest, const QString& option) {
@@ -185,7 +185,7 @@ const char* usage() {
            "vessel\n"
            "                       (half section, half view), or AZIMUTH,ELEVATION in degrees;\n"
            "                       several with commas (front)\n"
-           "  --section x|y|z=0..1 a section across an axis, where on the way through the object;\n"
+           "  --section x|y|z=0..1 a section across an axis, 0 and 1 being the object's ends;\n"
            "                       more than one if repeated\n"
            "  --wall hatched|filled|none  what sections cut (hatched)\n"
            "  --kinds NAMES        of lines, with the outlines: usual, laplacian_lines, ridges,\n"

@@ -26,7 +26,7 @@ void saySize(const std::vector<ReadMesh>& meshes, double unit) {
     const Eigen::Vector3d size = unit * box.sizes();
     const char* advice =
         size.maxCoeff() < 1 ? "if it is in metres, say --unit m" : "--unit says otherwise";
-    say(stdout, QString("%1 %2 x %3 x %4 mm large, with %5 mm to the unit of the mesh; %6")
+    say(stdout, QString("%1 %2 x %3 x %4 mm in size, with %5 mm to the unit of the mesh; %6")
                     .arg(meshes.size() > 1 ? "together the objects are" : "the object is")
                     .arg(size.x())
                     .arg(size.y())

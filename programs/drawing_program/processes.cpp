@@ -34,10 +34,10 @@ struct Running {
 QString complaintOf(QProcess& process, const QString& mesh) {
     if (process.error() == QProcess::FailedToStart) return process.errorString();
     if (process.exitStatus() == QProcess::CrashExit)
-        return "the program was ended by a signal, perhaps for want of memory.";
+        return "the program was ended by a signal, perhaps because it ran out of memory.";
     const QStringList lines =
         QString::fromLocal8Bit(process.readAllStandardError()).split('\n', Qt::SkipEmptyParts);
-    QString last = lines.isEmpty() ? "for no reason that it tells" : lines.last();
+    QString last = lines.isEmpty() ? "without a reason given" : lines.last();
     for (const QString& prefix : {QString("laplacian_lines_drawing: "), mesh + ": "})
         if (last.startsWith(prefix)) last = last.mid(prefix.size());
     return last;

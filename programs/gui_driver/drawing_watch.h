@@ -24,9 +24,9 @@ public:
     bool endsWell() const { return !drawn_.empty() && latest_problems_.isEmpty(); }
     /// Meshes drawn since the last call, by id; with label and reason if drawn without lines.
     std::map<int, QString> takeDrawn();
-    /// Of the latest drawing; without entries if there was none.
+    /// The kernels of the latest drawing; empty if there was none.
     const std::vector<laplacian_lines::DrawnKernel>& kernels() const { return kernels_; }
-    /// For people: how much was looked at since the beginning.
+    /// For people: how much has been watched since the start.
     QString summary() const;
     int comparisons() const { return comparisons_; }
 

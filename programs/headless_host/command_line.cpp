@@ -143,7 +143,7 @@ const char* usage() {
            "                       quality, normals, texture, radius), fc ff fq fn, wc wn wt,\n"
            "                       mp (polygons), va (vertices' attributes), sa (as text)\n"
            "  -w FILE.mlp          saves all as a project, meshes as NAME_out; with -x as NAME\n"
-           "  -l FILE              adds what is said to a log\n"
+           "  -l FILE              appends all messages to a log\n"
            "  -d FILE              writes a list of all filters and their parameters\n"
            "  --plugin FILE        loads one more plugin; replaces MeshLab's of the same name\n"
            "\n"

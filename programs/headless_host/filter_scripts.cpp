@@ -39,7 +39,7 @@ bool isNumberType(const QString& type) {
            type == "RichAbsPerc" || type == "RichDynamicFloat" || type == "RichMesh";
 }
 
-/// MeshLab reads text that is no number as 0 and leaves out parameters of types that it does not
+/// MeshLab reads text that is not a number as 0 and leaves out parameters of types that it does not
 /// know.
 void checkParameter(const QDomElement& element, const RichParameterList& read) {
     const QString name = element.attribute("name"), type = element.attribute("type"),
@@ -90,7 +90,7 @@ void setParameter(const RichParameter& given, const MeshDocument& document,
 
 void checkApplicable(const LoadedFilter& filter, MeshDocument& document) {
     if (filter.plugin->requiresGLContext(filter.action))
-        throw MLException("It needs OpenGL, which there is none of here. Run it in MeshLab.");
+        throw MLException("It needs OpenGL, which is not available here. Run it in MeshLab.");
     if (filter.plugin->filterArity(filter.action) != FilterPlugin::SINGLE_MESH) return;
     if (!document.mm()) throw MLException("There is no mesh. Open one with -i.");
     QStringList missing;

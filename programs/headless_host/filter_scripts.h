@@ -11,7 +11,7 @@ namespace server {
 
 /// Runs all filters of a script (.mlx) on the document. Parameters that the script does not name
 /// have their defaults. Unlike MeshLab itself, refuses what it does not understand: unknown
-/// filters and parameters, values of another type, text that is no number.
+/// filters and parameters, values of another type, text that is not a number.
 /// @throws MLException that names the filter; those before it have changed the document then
 void runScript(const QString& file, MeshDocument& document, Report& report);
 

@@ -68,7 +68,7 @@ bool isCompleteDxfOfEdges(const QString& type, const MeshModel& mesh, const QStr
 void write(const OutputMesh& output, MeshModel& mesh, GLLogStream& log) {
     const QString type = QFileInfo(output.file).suffix().toLower();
     IOPlugin* plugin = meshlab::pluginManagerInstance().outputMeshPlugin(type);
-    if (!plugin) throw MLException("MeshLab writes no files of the type of " + output.file);
+    if (!plugin) throw MLException("MeshLab cannot write files of the type of " + output.file);
     checkWritable(output.file);
     int possible = 0, usual = 0;
     plugin->exportMaskCapability(type, possible, usual);

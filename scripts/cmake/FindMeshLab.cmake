@@ -27,7 +27,7 @@ find_path(MESHLAB_SOURCE_DIR src/common/mlexception.h
           PATHS "${_meshlab_cache}/headers/${_meshlab_package_version}" NO_DEFAULT_PATH
           DOC "Folder with the unpacked source of the installed MeshLab")
 
-# Which API: told by what the headers hold, so that a wrong folder cannot claim another version.
+# Which API: by what the headers hold, so that a wrong folder cannot claim another version.
 set(MESHLAB_API "")
 if(EXISTS "${MESHLAB_SOURCE_DIR}/src/common/interfaces.h")
   set(MESHLAB_API 2020)

@@ -22,7 +22,7 @@ rm -rf "$work"
 mkdir -p "$work"
 cmake --install "$LAPLACIAN_LINES_BUILD" --component core --prefix "$prefix" >"$work/log"
 find "$prefix" -type f | grep -vE '/include/laplacian_lines/[a-z_]+\.h$|/cmake/LaplacianLines/LaplacianLines[A-Za-z-]+\.cmake$|/liblaplacian_lines\.a$' &&
-    fail "that is no part of the core"
+    fail "that is not a part of the core"
 
 mapfile -t headers < <(ls "$prefix/include/laplacian_lines")
 ((${#headers[@]} > 10)) || fail "only ${#headers[@]} public headers"

@@ -24,7 +24,7 @@ done
 grep -qx "0 drawn, 3 unchanged, 0 not drawn" said || fail "drawings of workers were made again"
 [[ -s plates/contact_sheet.pdf ]] || fail "there is no contact sheet"
 
-! "${draw[@]}" bad.ply one.ply -- --views left >said || fail "a mesh that cannot be drawn is no error"
+! "${draw[@]}" bad.ply one.ply -- --views left >said || fail "a mesh that cannot be drawn is not an error"
 grep -q "^bad.ply: not drawn: " said || fail "the bad mesh is not reported: $(cat said)"
 grep -qx "plates/one.pdf: drawn" said || fail "a bad mesh keeps others from being drawn"
 echo passed

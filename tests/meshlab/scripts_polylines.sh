@@ -88,4 +88,4 @@ place viewpoint nan 0 0
 refuse_settings '"Viewpoint" has to be three finite numbers'
 place viewpoint 5 1 1
 place light_direction 0 0 0
-refuse_settings '"Light Direction" is 0 0 0, which is no direction' light=1 view=2
+refuse_settings '"Light Direction" is 0 0 0, which is not a direction' light=1 view=2

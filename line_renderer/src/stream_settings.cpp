@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stream_manner.h"
+#include "stream_settings.h"
 
 #include <cmath>
 
@@ -38,16 +38,16 @@ double lineClearance(std::size_t look, const LinePlacement& placement) {
                                             placement.diagonal, placement.sight_edge);
 }
 
-StreamManner streamManner(const LineAppearance& appearance, const LinePlacement& placement,
-                          const Eigen::Vector2f& half_viewport) {
+StreamSettings streamSettings(const LineAppearance& appearance, const LinePlacement& placement,
+                              const Eigen::Vector2f& half_viewport) {
     const Eigen::Matrix4d to_clip =
         placement.picture_to_clip.value_or(placement.projection * placement.to_eye);
-    StreamManner manner;
-    manner.radii = lineRadii(appearance, placement.pixel_scale);
-    manner.screen = {to_clip.cast<float>(), half_viewport};
-    manner.tolerance = toleranceOf(placement);
-    manner.is_measured = appearance.hidden == HiddenLines::Dashed;
-    return manner;
+    StreamSettings settings;
+    settings.radii = lineRadii(appearance, placement.pixel_scale);
+    settings.screen = {to_clip.cast<float>(), half_viewport};
+    settings.tolerance = toleranceOf(placement);
+    settings.is_measured = appearance.hidden == HiddenLines::Dashed;
+    return settings;
 }
 
 }  // namespace line_renderer

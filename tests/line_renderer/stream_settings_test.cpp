@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From appearance and placement to what lines are written with.
-#include "stream_manner.h"
+#include "stream_settings.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 using laplacian_lines::LineSet;
 using line_renderer::LineAppearance;
 using line_renderer::LinePlacement;
-using line_renderer::StreamManner;
 using line_renderer::StreamPoint;
+using line_renderer::StreamSettings;
 
 const Eigen::Vector2f half_viewport(500, 350);
 
@@ -35,31 +35,31 @@ double depthOf(const LinePlacement& placement, double z) {
 }
 
 /// A quarter of the clearance that the kind has towards the eye.
-TEST(StreamManner, AllowsDepthsAShareOfTheClearance) {
+TEST(StreamSettings, AllowsDepthsAShareOfTheClearance) {
     const LinePlacement placement = perspective();
-    const StreamManner manner = streamManner(LineAppearance(), placement, half_viewport);
+    const StreamSettings settings = streamSettings(LineAppearance(), placement, half_viewport);
     const double z = 1, w = 4 - z;
     const double clearance = line_renderer::lineClearance(0, placement);
-    EXPECT_NEAR(manner.tolerance.depth[0] / (w * w),
+    EXPECT_NEAR(settings.tolerance.depth[0] / (w * w),
                 (depthOf(placement, z) - depthOf(placement, z + clearance)) / 4, 1e-5);
 }
 
-TEST(StreamManner, MeasuresDashesOnly) {
+TEST(StreamSettings, MeasuresDashesOnly) {
     LineAppearance appearance;
-    EXPECT_FALSE(streamManner(appearance, perspective(), half_viewport).is_measured);
+    EXPECT_FALSE(streamSettings(appearance, perspective(), half_viewport).is_measured);
     appearance.hidden = line_renderer::HiddenLines::Dashed;
-    EXPECT_TRUE(streamManner(appearance, perspective(), half_viewport).is_measured);
+    EXPECT_TRUE(streamSettings(appearance, perspective(), half_viewport).is_measured);
 }
 
 std::vector<StreamPoint> streamOf(const LineSet& lines, const LinePlacement& placement) {
     std::vector<StreamPoint> stream(line_renderer::streamLength(lines));
-    stream.resize(writeStream(lines, streamManner(LineAppearance(), placement, half_viewport),
+    stream.resize(writeStream(lines, streamSettings(LineAppearance(), placement, half_viewport),
                               stream.data()));
     return stream;
 }
 
 /// What is left out in one tile of a picture is left out in all.
-TEST(StreamManner, IsTheSameInAllTilesOfAPicture) {
+TEST(StreamSettings, IsTheSameInAllTilesOfAPicture) {
     std::vector<Eigen::Vector3f> wave;
     for (int i = 0; i < 5000; ++i) {
         const float x = 0.0002f * float(i);

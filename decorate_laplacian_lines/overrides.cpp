@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "overrulers.h"
+#include "overrides.h"
 
 #include <algorithm>
 #include <set>
@@ -8,9 +8,9 @@
 
 namespace {
 
-const Overruler drawing_style = {"drawing_style", "Drawing Style", "Custom",
-                                 "The drawing style sets this. Choose Custom to set it here."};
-const Overruler mixture = {
+const Override drawing_style = {"drawing_style", "Drawing Style", "Custom",
+                                "The drawing style sets this. Choose Custom to set it here."};
+const Override mixture = {
     "lines", "Lines", "Laplacian Lines, as Switched",
     "The choice of lines sets this. Choose Laplacian Lines, as Switched, to set it here."};
 
@@ -19,7 +19,7 @@ bool isSwitchOfKind(const std::string& key) {
                        [&](const auto& kind) { return key == kind.key; });
 }
 
-/// Null if this is no color.
+/// Null if this is not a color.
 const ColorRow* colorRow(const std::string& key) {
     for (const ParameterGroup& group : decorationTable())
         for (const ParameterRow& any : group.rows)
@@ -36,15 +36,15 @@ bool isColorOfMixture(const std::string& key, const DecorationParameters& chosen
 
 }  // namespace
 
-const Overruler* overrulerOf(const std::string& key) {
+const Override* overrideOf(const std::string& key) {
     static const std::set<std::string> of_style = {"surface", "tones", "background", "light"};
     if (isSwitchOfKind(key)) return &mixture;
     return of_style.count(key) || colorRow(key) ? &drawing_style : nullptr;
 }
 
-bool isOverruled(const std::string& key, const DecorationParameters& chosen) {
-    const Overruler* overruler = overrulerOf(key);
-    if (overruler == &mixture) return mixtureOf(chosen);
-    return overruler && chosen.drawing_style != DrawingStyle::Custom &&
+bool isOverridden(const std::string& key, const DecorationParameters& chosen) {
+    const Override* overriding = overrideOf(key);
+    if (overriding == &mixture) return mixtureOf(chosen);
+    return overriding && chosen.drawing_style != DrawingStyle::Custom &&
            !isColorOfMixture(key, chosen);
 }

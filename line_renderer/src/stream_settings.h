@@ -13,7 +13,7 @@ LineRadii lineRadii(const LineAppearance& appearance, double pixel_scale);
 double lineClearance(std::size_t look, const LinePlacement& placement);
 
 /// How lines are written for this appearance and placement. `half_viewport` in pixels.
-StreamManner streamManner(const LineAppearance& appearance, const LinePlacement& placement,
-                          const Eigen::Vector2f& half_viewport);
+StreamSettings streamSettings(const LineAppearance& appearance, const LinePlacement& placement,
+                              const Eigen::Vector2f& half_viewport);
 
 }  // namespace line_renderer
