@@ -7,7 +7,7 @@
 #include "decoration_settings.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_mixture.h"
-#include "overrulers.h"
+#include "overrides.h"
 
 namespace {
 
@@ -113,9 +113,9 @@ QStringList settingCommands(const QStringList& texts) {
     const std::vector<DecorationSetting> settings = readAll(texts);
     QStringList commands;
     for (const DecorationSetting& setting : settings) {
-        const Overruler* overruler = overrulerOf(setting.key.toStdString());
-        if (!overruler || isAmong(overruler->label, settings)) continue;
-        const QString release = command(overruler->label, overruler->value);
+        const Override* overriding = overrideOf(setting.key.toStdString());
+        if (!overriding || isAmong(overriding->label, settings)) continue;
+        const QString release = command(overriding->label, overriding->value);
         if (!commands.contains(release)) commands << release;
     }
     for (const DecorationSetting& setting : settings)

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// The GUI driver's commands that set parameters of the decoration, each "NAME=VALUE" as
-/// readDecorationSetting() has it. What would overrule one of them is set to leave it alone, unless
+/// readDecorationSetting() has it. What would override one of them is set to leave it alone, unless
 /// it is among them as well. Thread-safe.
 /// @throws laplacian_lines::Error(InvalidOption) like readDecorationSetting().
 QStringList settingCommands(const QStringList& settings);

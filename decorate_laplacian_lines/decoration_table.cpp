@@ -73,7 +73,7 @@ ParameterGroup everyday() {
              "Color of occluding contours, which go around the form."),
          choice<&Parameters::appearance, &LineAppearance::hidden>(
              "hidden_lines", "Hidden Lines", {"Left Out", "Faint", "Dashed"},
-             "What is drawn of lines that the surface hides: nothing, faint lines, or dashes."),
+             "How lines behind the surface are drawn: not at all, faint, or dashed."),
          choice<&Parameters::scale>(
              "scale", "Scale", {"As Computed", "With the View"},
              "Which detail Laplacian lines show. As Computed: that of the kernel size of Compute "
@@ -146,7 +146,7 @@ ParameterGroup light() {
             {forExperts(choice<&Parameters::light>(
                  "light", "Light Position", {"At the Eye", "Fixed to the Camera"},
                  "Whose shading the Laplacian lines draw: of a light at the eye, or of a distant "
-                 "one that turns with the camera. Contours are the eye's in any case.")),
+                 "one that turns with the camera. Contours always follow the eye.")),
              forExperts(real<lamp, &meshlab_host::CameraLight::azimuth>(
                  "light_azimuth", "Light Azimuth", -360, 360,
                  "For the light that is fixed to the camera: where in the picture it comes from, "

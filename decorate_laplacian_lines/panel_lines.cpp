@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "overrulers.h"
+#include "overrides.h"
 
 using line_renderer::SurfaceAppearance;
 using meshlab_host::PanelField;
@@ -28,7 +28,7 @@ const std::vector<Keys> first_lines = {
 };
 
 QString obstacleOf(const std::string& key, const DecorationParameters& chosen) {
-    if (isOverruled(key, chosen)) return overrulerOf(key)->sentence;
+    if (isOverridden(key, chosen)) return overrideOf(key)->sentence;
     if (chosen.surface.style != SurfaceAppearance::Toon && (key == "tones" || key == "shade_color"))
         return "Only for the surface Toon.";
     if (chosen.light != Light::FixedToTheCamera &&

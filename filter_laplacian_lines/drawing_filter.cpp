@@ -40,7 +40,7 @@ QString lengths(const Eigen::Vector3d& size) {
 QString report(const PlacedLayers& layers, const QString& file, const Sheet& sheet,
                const Eigen::Vector3d& size, const SheetOptions& options) {
     return QString(
-               "Drawing of %1: %2, %3 on paper of %4 x %5 mm. %6 %7 large, with %8 mm to the "
+               "Drawing of %1: %2, %3 on paper of %4 x %5 mm. %6 %7 in size, with %8 mm to the "
                "unit of the mesh.%9")
         .arg(namesOf(layers), file,
              sheet.scale > 0 ? "scale " + line_drawing::scaleInWords(sheet.scale)

@@ -32,7 +32,7 @@ QString sizeInWords(const PlacedLayers& layers, const DrawingParameters& chosen)
     for (const PlacedLayer& layer : layers)
         box.extend(line_drawing::boundsOf(layer.mesh));
     if (box.isEmpty()) return "There is nothing to draw.";
-    return QString("1 unit = 1 %1: %2 %3 large.")
+    return QString("1 unit = 1 %1: %2 %3 in size.")
         .arg(unit.name, layers.size() > 1 ? "together the objects are" : "the object is",
              lengths(unit.mm * box.sizes()));
 }

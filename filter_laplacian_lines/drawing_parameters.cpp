@@ -49,7 +49,7 @@ std::vector<const char*> unitChoices() {
 std::vector<AnyRow> makeRows() {
     return {
         TextRow{{"file", drawing_labels::file,
-                 "Its ending says what it is: .svg, .pdf, .dxf or .png. A file of this name is "
+                 "The extension sets the format: .svg, .pdf, .dxf or .png. A file of this name is "
                  "replaced.",
                  drawing_files},
                 &Parameters::file},
@@ -73,7 +73,7 @@ std::vector<AnyRow> makeRows() {
                                       "The axis of the world that points up in named views."),
         TextRow{{"sections", "Sections",
                  "What planes across the axes of the world cut: such as x=0.5 y=0.3, where 0 to 1 "
-                 "is the way through the object. Empty: none."},
+                 "runs from one end of the object to the other. Empty: none."},
                 &Parameters::sections},
         TextRow{{"title", "Title", "Stands above the note of scale, size and file."},
                 &Parameters::title},
@@ -83,8 +83,8 @@ std::vector<AnyRow> makeRows() {
         rows::choice<&Parameters::settings>(
             "settings", "Settings", settingsNames({"Defaults", "As the Decoration"}),
             "As the Decoration: lines and light as the decoration Laplacian Lines has drawn them "
-            "last. Needs a window in which it has. The others: lines of these kinds, with the "
-            "outlines."),
+            "last. Needs a window in which it has drawn. The others: lines of these kinds, with "
+            "the outlines."),
         folded(rows::choice<&Parameters::arrangement>(
             "arrangement", "Arrangement", {"First Angle", "Third Angle"},
             "How views lie around the front view. First angle (Europe): what is seen from the left "

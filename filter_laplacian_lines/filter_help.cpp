@@ -9,15 +9,12 @@
 
 QString computeHelp() {
     return QStringLiteral(
-        "Chooses how Laplacian lines look at the surface, for every later view. To see them, "
-        "switch "
-        "on <b>Laplacian Lines</b> in the Render menu; without this filter, that does the same "
-        "with "
-        "the default parameters.<br>"
+        "Chooses how the surface is analysed for Laplacian lines, once for all views. To see them, "
+        "switch on <b>Laplacian Lines</b> in the Render menu; without this filter, that does the "
+        "same with the default parameters.<br>"
         "The mesh is not changed: the result is in per-vertex attributes <b>ll_...</b>, until the "
         "mesh changes. Cuts whose sides only nearly meet leave lines along them: run <i>Merge "
-        "Close "
-        "Vertices</i> first.<br>"
+        "Close Vertices</i> first.<br>"
         "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, 2009.");
 }
 

@@ -45,7 +45,7 @@ Row folded(Row row) {
 const Row& viewRow() {
     static const Row row = rows::choice<&Parameters::view>(
         "view", "View", viewNames(),
-        "From where the lines are seen: as in the window, which scripts have none of; from the "
+        "From where the lines are seen: as in the window, which scripts do not have; from the "
         "viewpoint or the direction below; or from one side of the object, orthographic, as in "
         "MeshLab's menu: Front looks along -z with y upward.");
     return row;
@@ -55,8 +55,8 @@ const Row& settingsRow() {
     static const Row row = rows::choice<&Parameters::settings>(
         "settings", "Settings", settingsNames({"As Set Below", "As the Decoration"}),
         "As the Decoration: lines, hidden lines, light and colors as the decoration Laplacian "
-        "Lines has drawn them last, whatever is set below. Needs a window in which it has. The "
-        "others: lines of these kinds, whichever are switched on below, with the outlines.");
+        "Lines has drawn them last, whatever is set below. Needs a window in which it has drawn. "
+        "The others: lines of these kinds, whichever are switched on below, with the outlines.");
     return row;
 }
 
@@ -70,8 +70,8 @@ const Row& visibleRow() {
 const Row& lightRow() {
     static const Row row = folded(rows::choice<&Parameters::light>(
         "light", "Light Position", {"At the Eye", "Along the Light Direction"},
-        "Whose shading the Laplacian lines draw: of a light at the eye, or of a distant one. "
-        "Contours are the eye's in any case."));
+        "Which shading the Laplacian lines draw: that of a light at the eye, or of a distant one. "
+        "Contours always follow the eye."));
     return row;
 }
 

@@ -13,7 +13,7 @@
 #include "line_stream.h"
 #include "mean_scale.h"
 #include "per_share_group.h"
-#include "stream_manner.h"
+#include "stream_settings.h"
 
 namespace line_renderer {
 namespace {
@@ -166,7 +166,7 @@ void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppea
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
     if (StreamPoint* stream = buffers.map(most)) {
         const std::size_t length =
-            writeStream(lines, streamManner(appearance, placement, halfViewport()), stream);
+            writeStream(lines, streamSettings(appearance, placement, halfViewport()), stream);
         if (buffers.unmap()) stream_length_ = length;
     }
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));

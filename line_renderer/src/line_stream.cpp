@@ -29,17 +29,17 @@ float taperedRadius(float full, float least_share, float weight) {
 /// Points of one line as they are seen.
 class LineOnScreen {
 public:
-    LineOnScreen(const StreamManner& manner, LineKind kind)
-        : manner_(manner),
-          full_radius_(manner.radii.full.at(std::size_t(kind))),
-          depth_tolerance_(manner.tolerance.depth.at(std::size_t(kind))) {}
+    LineOnScreen(const StreamSettings& settings, LineKind kind)
+        : settings_(settings),
+          full_radius_(settings.radii.full.at(std::size_t(kind))),
+          depth_tolerance_(settings.tolerance.depth.at(std::size_t(kind))) {}
 
     SeenPoint see(const LinePoint& point) const {
-        const ScreenTransform& screen = manner_.screen;
+        const ScreenTransform& screen = settings_.screen;
         const Eigen::Vector4f clip = screen.to_clip * point.position.homogeneous();
-        const LineTolerance& tolerance = manner_.tolerance;
+        const LineTolerance& tolerance = settings_.tolerance;
         SeenPoint seen;
-        seen.values = {0, taperedRadius(full_radius_, manner_.radii.least_share, point.weight),
+        seen.values = {0, taperedRadius(full_radius_, settings_.radii.least_share, point.weight),
                        point.opacity};
         seen.is_before_eye = clip.w() > 0 && clip.z() > -clip.w();
         if (!seen.is_before_eye) return seen;
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    const StreamManner& manner_;
+    const StreamSettings& settings_;
     const float full_radius_;
     const float depth_tolerance_;
 };
@@ -64,8 +64,8 @@ float lengthBetween(const SeenPoint& a, const SeenPoint& b) {
 /// Writes the points of lines that are needed.
 class StreamWriter {
 public:
-    StreamWriter(const StreamManner& manner, StreamPoint* stream)
-        : manner_(manner), piece_(manner.tolerance.distance), begin_(stream), next_(stream) {}
+    StreamWriter(const StreamSettings& settings, StreamPoint* stream)
+        : settings_(settings), piece_(settings.tolerance.distance), begin_(stream), next_(stream) {}
 
     void write(const LinePoint* first, const LinePoint* last, const Polyline& line) {
         StreamPoint* const before = next_++;
@@ -95,8 +95,8 @@ private:
     }
 
     void writePoints(const LinePoint* first, const LinePoint* last, const Polyline& line) {
-        const LineOnScreen screen(manner_, line.kind);
-        const bool keeps_all = manner_.tolerance.distance <= 0;
+        const LineOnScreen screen(settings_, line.kind);
+        const bool keeps_all = settings_.tolerance.distance <= 0;
         SeenPoint seen = screen.see(*first);
         StreamPoint candidate = at(*first, seen.values[SeenRadius], line.kind, 0);
         float length = 0;
@@ -112,14 +112,14 @@ private:
                 piece_.takes(next);
             }
             was_edge = is_edge;
-            if (manner_.is_measured) length += lengthBetween(seen, next);
+            if (settings_.is_measured) length += lengthBetween(seen, next);
             candidate = at(*point, next.values[SeenRadius], line.kind, length);
             seen = next;
         }
         put(candidate);
     }
 
-    const StreamManner& manner_;
+    const StreamSettings& settings_;
     StraightPiece piece_;
     StreamPoint* const begin_;
     StreamPoint* next_;
@@ -140,8 +140,8 @@ std::size_t streamLength(const LineSet& lines) {
     return length;
 }
 
-std::size_t writeStream(const LineSet& lines, const StreamManner& manner, StreamPoint* stream) {
-    StreamWriter writer(manner, stream);
+std::size_t writeStream(const LineSet& lines, const StreamSettings& settings, StreamPoint* stream) {
+    StreamWriter writer(settings, stream);
     for (const bool outlines : {false, true})  // on top of lines of other colors
         for (const Polyline& line : lines.lines) {
             if (!isDrawn(line) || describe(line.kind).is_outline != outlines) continue;

@@ -11,7 +11,7 @@ namespace line_renderer {
 
 /// Half widths of lines in pixels.
 struct LineRadii {
-    /// Of lines of full weight, by the number of their kind.
+    /// For lines of full weight, by the number of their kind.
     std::array<float, laplacian_lines::line_kind_count> full{};
     float least_share = 0.35f;  ///< share of the radius that is left at weight 0
 };
@@ -53,7 +53,7 @@ constexpr float edge_mark = 0.25f;
 std::size_t streamLength(const laplacian_lines::LineSet& lines);
 
 /// How a stream is written.
-struct StreamManner {
+struct StreamSettings {
     LineRadii radii;
     ScreenTransform screen;
     LineTolerance tolerance;
@@ -64,7 +64,7 @@ struct StreamManner {
 /// Writes up to streamLength() points, reading none, so that `stream` may be memory of the graphics
 /// card. Points that are not needed within the tolerance are left out, but no end of a line.
 /// Outlines come last, above the others. Allocates nothing. Returns the number of points.
-std::size_t writeStream(const laplacian_lines::LineSet& lines, const StreamManner& manner,
+std::size_t writeStream(const laplacian_lines::LineSet& lines, const StreamSettings& settings,
                         StreamPoint* stream);
 
 }  // namespace line_renderer

@@ -34,17 +34,17 @@ void StraightPiece::begin(const SeenPoint& start) {
 
 bool StraightPiece::takes(const SeenPoint& point) {
     is_open_ = is_open_ && point.is_before_eye;
-    const Vector way = point.pixel - start_.pixel;
-    const float distance = way.norm();
-    if (!is_empty_ && !(is_open_ && canEnd(point, way, distance))) return false;
+    const Vector offset = point.pixel - start_.pixel;
+    const float distance = offset.norm();
+    if (!is_empty_ && !(is_open_ && canEnd(point, offset, distance))) return false;
     is_empty_ = false;
-    if (is_open_) narrow(point, way, distance);
+    if (is_open_) narrow(point, offset, distance);
     return true;
 }
 
-bool StraightPiece::canEnd(const SeenPoint& point, const Vector& way, float distance) const {
+bool StraightPiece::canEnd(const SeenPoint& point, const Vector& offset, float distance) const {
     if (!(distance >= reach_ - fallback_)) return false;
-    if (has_cone_ && !(cross(right_, way) >= 0 && cross(way, left_) >= 0)) return false;
+    if (has_cone_ && !(cross(right_, offset) >= 0 && cross(offset, left_) >= 0)) return false;
     const float reach = std::max(reach_, distance);
     for (int i = 0; i < seen_value_count; ++i) {
         const float rise = point.values[i] - start_.values[i];
@@ -53,21 +53,23 @@ bool StraightPiece::canEnd(const SeenPoint& point, const Vector& way, float dist
     return true;
 }
 
-void StraightPiece::narrow(const SeenPoint& point, const Vector& way, float distance) {
+void StraightPiece::narrow(const SeenPoint& point, const Vector& offset, float distance) {
     reach_ = std::max(reach_, distance);
-    narrowDirections(way, distance);
+    narrowDirections(offset, distance);
     narrowSlopes(point);
 }
 
 /// Two points at the same distance from the start, of which the directions differ by an angle, are
 /// 2 sin(angle / 2) times that distance apart. Cones are at most as wide as a half plane.
-void StraightPiece::narrowDirections(const Vector& way, float distance) {
+void StraightPiece::narrowDirections(const Vector& offset, float distance) {
     if (distance <= aside_ / 2) return;
     const float ratio = aside_ / distance;
     const float cosine = std::max(0.0f, 1 - ratio * ratio / 2);
     const float sine = std::sqrt(1 - cosine * cosine);
-    const Vector left(cosine * way.x() - sine * way.y(), cosine * way.y() + sine * way.x());
-    const Vector right(cosine * way.x() + sine * way.y(), cosine * way.y() - sine * way.x());
+    const Vector left(cosine * offset.x() - sine * offset.y(),
+                      cosine * offset.y() + sine * offset.x());
+    const Vector right(cosine * offset.x() + sine * offset.y(),
+                       cosine * offset.y() - sine * offset.x());
     if (!has_cone_ || cross(left, left_) >= 0) left_ = left;
     if (!has_cone_ || cross(right_, right) >= 0) right_ = right;
     has_cone_ = true;

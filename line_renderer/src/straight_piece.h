@@ -21,7 +21,7 @@ struct SeenPoint {
 /// Successive points of a line that one straight segment can stand for, found in one pass without
 /// looking back.
 ///
-/// Of each point p_i that is left out between the ends of such a segment, there is a point q_i of
+/// For each point p_i that is left out between the ends of such a segment, there is a point q_i of
 /// the segment at most `tolerance` pixels away, with all values within p_i's own tolerance; and the
 /// q_i come in the order of the p_i, so that the segment does not only lie near the line but runs
 /// along with it. Method: with s_i the greatest distance from the start up to p_i, and s that up to
@@ -42,9 +42,9 @@ public:
 private:
     using Vector = Eigen::Vector2f;
 
-    bool canEnd(const SeenPoint& point, const Vector& way, float distance) const;
-    void narrow(const SeenPoint& point, const Vector& way, float distance);
-    void narrowDirections(const Vector& way, float distance);
+    bool canEnd(const SeenPoint& point, const Vector& offset, float distance) const;
+    void narrow(const SeenPoint& point, const Vector& offset, float distance);
+    void narrowDirections(const Vector& offset, float distance);
     void narrowSlopes(const SeenPoint& point);
 
     const float aside_;     ///< pixels beside the segment

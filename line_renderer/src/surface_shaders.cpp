@@ -65,7 +65,7 @@ bool isHidden(float slope)
     return texel.x > 0.0 && gl_FragCoord.z > nearest + 0.5 * slope + 1e-6;
 }
 
-// Of the faces within half the width of points and wires.
+// The nearest depth of the faces within half the width of points and wires.
 float nearestAround()
 {
     float nearest = 1.0;

@@ -29,7 +29,7 @@ public:
             else if (statement == "f" || statement == "fo")
                 read_face(line);
             else if (!is_other(statement))
-                throw Defect{quoted(statement) + " is no statement of OBJ files"};
+                throw Defect{quoted(statement) + " is not a statement of OBJ files"};
         }
     }
 

@@ -17,7 +17,7 @@ public:
         for (std::uint64_t i = 0; i < faces_; ++i)
             read_face(i);
         std::string_view line;
-        if (next(line)) throw Defect{"there is more than the file says in its head"};
+        if (next(line)) throw Defect{"it goes on after what its header promises"};
     }
 
 private:
@@ -58,7 +58,7 @@ private:
         std::string_view word = take_word(rest);
         if (word == "BINARY") throw Defect{"binary OFF files are not read"};
         if (word.empty()) {
-            if (!next(rest)) throw Defect{"it ends after its head"};
+            if (!next(rest)) throw Defect{"it ends after its header"};
             word = take_word(rest);
         }
         vertices_ = count_in(word);
@@ -67,7 +67,7 @@ private:
 
     static std::uint64_t count_in(std::string_view word) {
         const std::int64_t count = integer_in(word);
-        if (count < 0) throw Defect{quoted(word) + " is no number of vertices or faces"};
+        if (count < 0) throw Defect{quoted(word) + " is not a number of vertices or faces"};
         return std::uint64_t(count);
     }
 

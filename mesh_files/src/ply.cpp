@@ -110,7 +110,7 @@ public:
     }
 
     void expect_end() const {
-        if (!values_.is_at_end()) throw Defect{"there is more than the file says in its head"};
+        if (!values_.is_at_end()) throw Defect{"it goes on after what its header promises"};
     }
 
 private:
@@ -132,11 +132,11 @@ private:
 
     void read_list(const PlyProperty& property) {
         const double count = values_.next(*property.count_type);
-        if (count < 0) throw Defect{"a list has fewer than no entries"};
+        if (count < 0) throw Defect{"a list has a negative number of entries"};
         list_.clear();
         for (double k = 0; k < count; ++k) {
             const double value = values_.next(property.type);
-            // what is no index is found when it is used as one
+            // what is not an index is found when it is used as one
             list_.push_back(std::abs(value) < 1e18 ? std::int64_t(value) : -2);
         }
     }

@@ -23,7 +23,7 @@ constexpr std::array<TypeNames, 8> kTypes = {{{"char", "int8", 1},
 PlyType type_in(std::string_view word) {
     for (std::size_t i = 0; i < kTypes.size(); ++i)
         if (word == kTypes[i].old_name || word == kTypes[i].name) return PlyType(i);
-    throw Defect{quoted(word) + " is no type of PLY files"};
+    throw Defect{quoted(word) + " is not a type of PLY files"};
 }
 
 PlyHeader::Encoding encoding_in(std::string_view rest) {
@@ -32,7 +32,7 @@ PlyHeader::Encoding encoding_in(std::string_view rest) {
     if (word == "ascii") return PlyHeader::Encoding::Text;
     if (word == "binary_little_endian") return PlyHeader::Encoding::LittleEndian;
     if (word == "binary_big_endian") return PlyHeader::Encoding::BigEndian;
-    throw Defect{quoted(word) + " is no format of PLY files"};
+    throw Defect{quoted(word) + " is not a format of PLY files"};
 }
 
 PlyElement element_in(std::string_view rest) {
@@ -40,7 +40,7 @@ PlyElement element_in(std::string_view rest) {
     element.name = take_word(rest);
     const std::string_view word = take_word(rest);
     const std::int64_t count = integer_in(word);
-    if (count < 0) throw Defect{quoted(word) + " is no number of elements"};
+    if (count < 0) throw Defect{quoted(word) + " is not a number of elements"};
     element.count = std::uint64_t(count);
     return element;
 }
@@ -51,7 +51,7 @@ PlyProperty property_in(std::string_view rest) {
     if (word == "list") {
         property.count_type = type_in(take_word(rest));
         if (*property.count_type >= PlyType::Float32)
-            throw Defect{"lists have no whole numbers of entries"};
+            throw Defect{"the number of entries of a list is not a whole number"};
         word = take_word(rest);
     }
     property.type = type_in(word);
@@ -90,13 +90,13 @@ PlyHeader read_ply_header(Text& text) {
             if (header.elements.empty()) throw Defect{"a property belongs to no element"};
             header.elements.back().properties.push_back(property_in(line));
         } else if (key == "end_header") {
-            if (!has_format) throw Defect{"its head does not say the format"};
+            if (!has_format) throw Defect{"its header does not name the format"};
             return header;
         } else if (!key.empty() && key != "comment" && key != "obj_info") {
-            throw Defect{quoted(key) + " is not known in heads of PLY files"};
+            throw Defect{quoted(key) + " is not known in headers of PLY files"};
         }
     }
-    throw Defect{"it ends in its head"};
+    throw Defect{"it ends within its header"};
 }
 
 }  // namespace mesh_files

@@ -11,8 +11,8 @@ namespace mesh_files {
 class MeshBuilder {
 public:
     void add(const Eigen::Vector3d& position) { mesh_.positions.push_back(position); }
-    /// Of three or more corners. @throws Defect if there are fewer, or if a number cannot be that
-    /// of a vertex.
+    /// Adds one of three or more corners. @throws Defect if there are fewer, or if a number cannot
+    /// be that of a vertex.
     void add(const std::vector<std::int64_t>& corners);
     void add_triangle(std::int64_t a, std::int64_t b, std::int64_t c);
     /// As many more are to be expected.

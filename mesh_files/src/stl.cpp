@@ -88,7 +88,7 @@ private:
 };
 
 void read_binary(std::string_view bytes, MeshBuilder& mesh) {
-    if (bytes.size() < kHeadSize) throw Defect{"it ends in its head"};
+    if (bytes.size() < kHeadSize) throw Defect{"it ends within its header"};
     const std::size_t said = little_endian<std::uint32_t>(bytes.data() + kCountAt);
     const std::size_t held = (bytes.size() - kHeadSize) / kTriangleSize;
     mesh.reserve_vertices(3 * std::min(said, held));

@@ -23,9 +23,9 @@ Number parsed(std::string_view word, const char* what) {
     const bool is_all = end == digits.data() + digits.size();
     if (error == std::errc::result_out_of_range && is_all) {
         if (digits.find_first_of("eE") + 1 == digits.find('-', 1)) return 0;  // 1e-999
-        throw Defect{quoted(word) + " is beyond all numbers"};
+        throw Defect{quoted(word) + " is out of range"};
     }
-    if (error != std::errc() || !is_all) throw Defect{quoted(word) + " is no " + what};
+    if (error != std::errc() || !is_all) throw Defect{quoted(word) + " is not a " + what};
     return number;
 }
 

@@ -49,7 +49,7 @@ void read_lines(const Text& text, Read read) {
     }
 }
 
-/// @throws Defect if a word is no number. Any locale; "nan" and "inf" are numbers.
+/// @throws Defect if a word is not a number. Any locale; "nan" and "inf" are numbers.
 double number_in(std::string_view word);
 std::int64_t integer_in(std::string_view word);
 /// Takes x, y and z off the front of a line. @throws Defect

@@ -19,7 +19,7 @@ bool hasNames(const CMeshO& mesh, const ColumnList& columns);
 /// Whether all attributes are there, with their types and with a value for each slot.
 bool hasColumns(const CMeshO& mesh, const ColumnList& columns);
 
-/// Of the values of all vertices that are not deleted. Needs hasColumns().
+/// Hashes the values of all vertices that are not deleted. Needs hasColumns().
 std::uint64_t contentHash(const CMeshO& mesh, const ColumnList& columns);
 
 /// Resizes the field's columns and fills them. Needs hasColumns().

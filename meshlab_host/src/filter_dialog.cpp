@@ -174,7 +174,7 @@ void FilterDialog::fit() {
     growBy(*dialog, missingHeight());
 }
 
-/// Of what is around the fields, whose description takes more lines than MeshLab expects.
+/// What the frame around the fields lacks: its description takes more lines than MeshLab expects.
 int FilterDialog::missingHeight() const {
     const QWidget* content = frame_->parentWidget();
     if (!content->layout() || !content->layout()->hasHeightForWidth()) return 0;

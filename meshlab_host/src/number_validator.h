@@ -7,8 +7,8 @@ class QLineEdit;
 
 namespace meshlab_host {
 
-/// Of the text in MeshLab's fields for numbers, which takes what it cannot read for 0: a decimal
-/// comma becomes a point, and what is no number "nan", which is refused wherever it is read.
+/// Corrects text in MeshLab's fields for numbers, which read as 0 what is not a number: a decimal
+/// comma becomes a point, and what is not a number "nan", which is refused wherever it is read.
 /// Anything can be typed; this is when the field is left.
 class NumberValidator : public QValidator {
 public:

@@ -71,7 +71,7 @@ void moveHelpAside(QGridLayout& grid) {
     }
 }
 
-/// Of `width` columns: longer labels would widen the column of the short ones.
+/// How many of `width` columns a label takes: long ones would widen the column of the short ones.
 int labelColumns(QLayoutItem& label, int width) {
     return textOf(label).size() <= longest_short_label ? 1 : width / 2;
 }

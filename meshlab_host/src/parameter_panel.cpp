@@ -30,7 +30,7 @@ void setHeight(QWidget& widget, int least, int stretch) {
     widget.setMinimumHeight(least);
 }
 
-/// Of the height that is left, gives the layout with this widget so many parts.
+/// Gives the layout with this widget so many parts of the height that is left.
 void stretchLayoutOf(QWidget& widget, int stretch) {
     for (QBoxLayout* box : widget.parentWidget()->findChildren<QBoxLayout*>())
         for (int i = 0; i < box->count(); ++i)

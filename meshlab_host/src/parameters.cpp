@@ -118,7 +118,7 @@ Eigen::Vector3d readPlace(const PlaceDescription& d, const Eigen::Vector3d& fall
                                  asWritten(float(point[2])));
     if (!result.allFinite()) refuse("has to be three finite numbers.");
     if (d.kind == PlaceKind::Direction && result.isZero(0))
-        refuse("is 0 0 0, which is no direction.");
+        refuse("is 0 0 0, which is not a direction.");
     return result;
 }
 

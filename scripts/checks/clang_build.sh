@@ -15,7 +15,7 @@ build_with_clang() {
     local checkout=$1 LAPLACIAN_LINES_BUILD=$2 sanitizers=$3
     shift 3
     # for ccache, which would take the name of this file for a part of what is compiled: its contents are
-    local -x CCACHE_IGNOREOPTIONS='-fsanitize-ignorelist=*' CCACHE_EXTRAFILES=$checkout/cmake/sanitizer_ignorelist.txt
+    local -x CCACHE_IGNOREOPTIONS='-fsanitize-ignorelist=*' CCACHE_EXTRAFILES=$checkout/scripts/cmake/sanitizer_ignorelist.txt
     ensure_toolchain "${TEST_PACKAGES[@]}" "${CHECK_PACKAGES[@]}"
     say "building with clang and the sanitizers $sanitizers"
     build_targets "$checkout" "$@" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \

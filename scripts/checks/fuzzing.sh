@@ -36,7 +36,7 @@ fuzz() {
     say "fuzzing twice for $2 seconds"
     { in_parallel fuzz_part "$1" "$2" "$3" -- "${FUZZ_PARTS[@]}" &&
         in_parallel fuzz_part "$1" "$2" "$3" -- "${FUZZ_FORMATS[@]}"; } ||
-        fail "an input did harm: copy the file named above to tests/fuzz/found, where a test runs it, and mend the code"
+        fail "an input broke something: copy the file named above to tests/fuzz/found, where a test runs it, and fix the code"
 }
 
 # Forgets what it has learnt, so that it does much the same each time.

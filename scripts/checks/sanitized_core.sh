@@ -31,7 +31,7 @@ run_out_of_memory() {
     folder=$(checks_folder "$1")
     LLVM_PROFILE_FILE="$folder/profile/%m-memory.profraw" LAPLACIAN_LINES_THREADS=3 \
         quietly "$folder/memory.log" "$folder/tests/core/out_of_memory" allocations || {
-        say "running out of memory was not survived; the log is $folder/memory.log"
+        say "running out of memory crashed it; the log is $folder/memory.log"
         return 1
     }
 }

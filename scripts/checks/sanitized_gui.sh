@@ -35,8 +35,8 @@ test_sanitized() {
     find "$reports" -type f -exec cat {} + | leaks_of_plugins >"$folder/leaks.txt"
     if [[ -s $folder/leaks.txt ]]; then
         head -n 40 "$folder/leaks.txt" >&2
-        fail "memory was lost; all of it is in $folder/leaks.txt"
+        fail "memory leaked; all leaks are in $folder/leaks.txt"
     fi
     ((code == 0)) || fail "a test failed; the sanitizers' reports are in $reports"
-    [[ -n $(find "$reports" -type f) ]] || fail "the sanitizers have not looked for leaks: there is no report"
+    [[ -n $(find "$reports" -type f) ]] || fail "the sanitizers did not look for leaks: there is no report"
 }

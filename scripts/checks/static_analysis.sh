@@ -10,8 +10,8 @@ check_statically() {
     (cd "$1" && cppcheck --quiet --error-exitcode=1 --std=c++17 --language=c++ -j "$(nproc)" \
         --enable=warning,performance,portability --suppressions-list=scripts/checks/cppcheck_suppressions.txt \
         -I laplacian_lines/include -I laplacian_lines/src \
-        laplacian_lines line_drawing drawing_program line_renderer filter_laplacian_lines decorate_laplacian_lines meshlab_host headless_host >&2) ||
-        fail "cppcheck has found what is above: mend it, or tell why not in scripts/checks/cppcheck_suppressions.txt"
+        laplacian_lines line_drawing line_renderer filter_laplacian_lines decorate_laplacian_lines meshlab_host programs/drawing_program programs/headless_host >&2) ||
+        fail "cppcheck found the above: fix it, or say why not in scripts/checks/cppcheck_suppressions.txt"
     (cd "$1" && find run test bench .ci/run scripts benchmarks tests -type f -exec grep -lZE '^#!.*bash|^require ' {} + |
-        xargs -0 shellcheck >&2) || fail "shellcheck has found what is above"
+        xargs -0 shellcheck >&2) || fail "shellcheck found the above"
 }

@@ -39,11 +39,11 @@ in_own_group() {
 
 # quietly LOG COMMAND...: the output goes to LOG, its end to the user when the command fails.
 quietly() {
-    local log=$1 manner=()
+    local log=$1 launcher=()
     shift
     mkdir -p "$(dirname "$log")"
-    [[ ! -v COMMAND_GROUP ]] || manner=(in_own_group)
-    "${manner[@]}" "$@" >"$log" 2>&1 && return 0
+    [[ ! -v COMMAND_GROUP ]] || launcher=(in_own_group)
+    "${launcher[@]}" "$@" >"$log" 2>&1 && return 0
     tail -n 40 "$log" >&2
     return 1
 }

@@ -18,7 +18,7 @@ ensure_parts() {
     shift
     ensure_python_environment exact_lines 1 "1 GB" "${EXACT_LINES_TOOLS[@]}" || fail "$OBSTACLE"
     folder=$(part_folder "$checkout")
-    say "making parts and their exact lines, what is missing of them in $folder"
+    say "making the missing parts and their exact lines in $folder"
     "$ENVIRONMENT_PYTHON" -B "$checkout/benchmarks/truth/make_parts.py" "$folder" "$@" >&2 ||
         fail "the parts could not be made"
     PART_FILES=("$folder"/*.part)

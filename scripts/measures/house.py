@@ -9,7 +9,8 @@ import re
 import subprocess
 import sys
 
-KINDS = {"tests": "tests", "benchmarks": "benchmarks and tools", "tools": "benchmarks and tools", "scripts": "Python of scripts"}
+KINDS = {"tests": "tests", "benchmarks": "benchmarks and tools", "scripts": "CMake and Python of scripts"}
+TOOLS = {"decoration_settings", "gui_driver", "mesh_noise", "obj_importer"}  # of programs/
 MOST_PAIRS, FEW_LINES = 20, 30
 
 root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[2])
@@ -29,10 +30,16 @@ def is_code(file):
     return file.suffix in {".cpp", ".h", ".py", ".cmake", ".gui"} or file.name == "CMakeLists.txt" or is_bash(file)
 
 
+def kind_of(file):
+    if file.parts[0] == "programs" and file.parts[1] in TOOLS:
+        return "benchmarks and tools"
+    return KINDS.get(file.parts[0], "product")
+
+
 def options():
     """Parameters that docs/parameters.md has, and words with -- in the usages of the programs."""
     rows = re.findall(r"^\| (?!parameter|---|\|)(?:\*\*[^*]*\*\* )?([^|]+) \|", text_of("docs/parameters.md"), re.M)
-    commands = [root / name for name in ("run", "test", "bench")] + sorted((root / "drawing_program").glob("*.cpp"))
+    commands = [root / name for name in ("run", "test", "bench")] + sorted((root / "programs/drawing_program").glob("*.cpp"))
     words = {(c.parent.name, word) for c in commands for word in re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of(c))}
     return sum(len(row.split(",")) for row in rows), len(words)
 
@@ -40,12 +47,12 @@ def options():
 lines = {file: text_of(file).count("\n") for file in files if is_code(file)}
 by_kind = collections.Counter({"all": sum(lines.values())})
 for file, count in lines.items():
-    by_kind["bash" if is_bash(file) else KINDS.get(file.parts[0], "product")] += count
+    by_kind["bash" if is_bash(file) else kind_of(file)] += count
 cpp = {file for file in lines if file.suffix in {".cpp", ".h"}}
 pairs = collections.Counter(file.parent for file in cpp if file.suffix == ".h" and file.with_suffix(".cpp") in cpp)
 crowded = {str(folder): count for folder, count in pairs.items() if count > MOST_PAIRS}
 parameters, words = options()
-rows = [(f"lines: {kind}", by_kind[kind]) for kind in ("all", "product", "tests", "benchmarks and tools", "Python of scripts", "bash")]
+rows = [(f"lines: {kind}", by_kind[kind]) for kind in ("all", "product", "tests", "benchmarks and tools", "CMake and Python of scripts", "bash")]
 rows += [
     ("parameters that users have", parameters),
     ("options of the commands", words),
@@ -53,6 +60,6 @@ rows += [
     (f"folders of more than {MOST_PAIRS} pairs", ", ".join(f"{f} {n}" for f, n in sorted(crowded.items())) or "none"),
     ("bash files", sum(map(is_bash, lines))),
     ("README.md, lines", text_of("README.md").count("\n")),
-    ("entries at the top level", len({file.parts[0] for file in files})),
+    ("entries at the top level", len({file.parts[0] for file in files if not file.parts[0].startswith(".")})),
 ]
 print("| | |\n|---|--:|\n" + "\n".join(f"| {name} | {value} |" for name, value in rows))

@@ -8,7 +8,7 @@ DRAWING_PACKAGES=(fonts-dejavu-core)
 # build_drawing_program CHECKOUT
 build_drawing_program() {
     ensure_toolchain "${DRAWING_PACKAGES[@]}"
-    [[ -e $(build_folder "$1")/bin/laplacian_lines_drawing ]] || say "building the program of drawings, for some minutes"
+    [[ -e $(build_folder "$1")/bin/laplacian_lines_drawing ]] || say "building laplacian_lines_drawing, for some minutes"
     build_targets "$1" laplacian_lines_drawing
 }
 

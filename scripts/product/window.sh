@@ -12,7 +12,7 @@ find_opening() {
     local project
     if is_project "$1"; then
         project=$(readlink -f -- "$1") # no link elsewhere: the names in it are of files beside it
-        ! is_odd_name "$project" || fail "MeshLab cannot be told the name of the project $1: rename it or its folder"
+        ! is_odd_name "$project" || fail "MeshLab cannot open a project of this name, $1: rename it or its folder"
         OPENING="open-project $project"
     else
         mkdir -p "$2"

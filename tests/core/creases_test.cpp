@@ -232,7 +232,7 @@ TEST(Creases, AreLowEdgesBetweenFlatFaces) {
 }
 
 /// Faces of two triangles each: no edge between two of them is the diagonal of another quad, and
-/// the face on top is no facet of an arc of three, be its neighbours as wide as it or not.
+/// the face on top is not a facet of an arc of three, be its neighbours as wide as it or not.
 TEST(Creases, AreTheLowEdgesOfPyramids) {
     for (const double top : {0.15, 0.25, 0.4, 0.5})
         for (const double height : {0.05, 0.1, 0.2})
@@ -292,9 +292,9 @@ TEST(Creases, DoNotRunOutAlongFacets) {
     for (const int facets : {4, 6, 10, 12, 16}) {
         const TriangleMesh mesh = filleted_block(facets, 0.6, 0);
         for (const auto& [a, b] : edges_of(mesh, creases_of(mesh))) {
-            const Eigen::Vector3d way = mesh.positions[a] - mesh.positions[b];
+            const Eigen::Vector3d edge_vector = mesh.positions[a] - mesh.positions[b];
             const double z = std::min(mesh.positions[a].z(), mesh.positions[b].z());
-            EXPECT_TRUE(z <= 0 || std::abs(way.z()) > 0) << facets << ' ' << z;
+            EXPECT_TRUE(z <= 0 || std::abs(edge_vector.z()) > 0) << facets << ' ' << z;
         }
     }
 }

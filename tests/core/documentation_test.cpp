@@ -39,14 +39,14 @@ void expect_rows(const std::vector<OptionDescription<Options>>& table) {
 
 TEST(Documented, OptionsOfTheField) {
     expect_rows(precompute_option_table());
-    const std::string example = content("examples/laplacian_lines.mlx");
+    const std::string example = content("docs/examples/laplacian_lines.mlx");
     for (const auto& row : precompute_option_table())
         EXPECT_TRUE(contains(example, std::string("\"") + row.key + "\"")) << row.key;
 }
 
 TEST(Documented, OptionsOfTheStyle) {
     expect_rows(line_style_table());
-    const std::string example = content("examples/laplacian_lines_polylines.mlx");
+    const std::string example = content("docs/examples/laplacian_lines_polylines.mlx");
     for (const auto& row : line_style_table()) {
         const bool is_usual_kind =
             std::any_of(line_kinds.begin(), line_kinds.end(), [&](const LineKindDescription& kind) {

@@ -26,7 +26,7 @@ inline std::multiset<Edge> edges_of(const laplacian_lines::TriangleMesh& mesh,
     const auto find = [&](const Eigen::Vector3f& p) -> std::uint32_t {
         for (const auto& [q, v] : vertex)
             if ((p - Eigen::Vector3f(q[0], q[1], q[2])).norm() < 1e-5) return v;
-        ADD_FAILURE() << "a point that is no vertex";
+        ADD_FAILURE() << "a point that is not a vertex";
         return 0;
     };
     std::multiset<Edge> edges;

@@ -22,7 +22,7 @@ rm -rf "$work"
 mkdir -p "$work"
 cmake --install "$LAPLACIAN_LINES_BUILD" --component core --prefix "$prefix" >"$work/log"
 find "$prefix" -type f | grep -vE '/include/laplacian_lines/[a-z_]+\.h$|/cmake/LaplacianLines/LaplacianLines[A-Za-z-]+\.cmake$|/liblaplacian_lines\.a$' &&
-    fail "that is no part of the core"
+    fail "that is not a part of the core"
 
 mapfile -t headers < <(ls "$prefix/include/laplacian_lines")
 ((${#headers[@]} > 10)) || fail "only ${#headers[@]} public headers"
@@ -33,7 +33,7 @@ export -f compile_alone fail say
 export prefix eigen
 printf '%s\n' "${headers[@]}" | xargs -P "$(nproc)" -I{} bash -c 'compile_alone {}' || fail "not all headers compile"
 
-cmake -S "$checkout/examples/lines" -B "$work/example" -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_PREFIX_PATH="$prefix" \
+cmake -S "$checkout/docs/examples/lines" -B "$work/example" -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_PREFIX_PATH="$prefix" \
     >>"$work/log" || fail "the package is not found"
 cmake --build "$work/example" >>"$work/log" || fail "the example cannot be built"
 

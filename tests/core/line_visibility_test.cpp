@@ -113,7 +113,7 @@ TEST(LineVisibility, KeepsWhatNothingHides) {
 
 constexpr test_meshes::Torus kTorus;
 
-/// Whether the straight way from p to the eye is anywhere this deep inside the solid torus, by
+/// Whether the straight line from p to the eye is anywhere this deep inside the solid torus, by
 /// walking along it.
 bool torus_hides(const Vector3d& p, const View& view, double clearance, double depth) {
     const Vector3d to_eye = view.eye - view.w * p;

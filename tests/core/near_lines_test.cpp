@@ -39,10 +39,10 @@ bool any_along_plainly(const LineSet& lines, float distance, const Vector3f& p,
                        const Vector3f& direction) {
     for (const Polyline& line : lines.lines)
         for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i) {
-            const Vector3f a = lines.points[i - 1].position, way = lines.points[i].position - a;
-            const float t = std::min(std::max((p - a).dot(way) / way.squaredNorm(), 0.f), 1.f);
-            const float cosine = std::abs(way.dot(direction)) / (way.norm() * direction.norm());
-            if ((a + t * way - p).norm() <= distance &&
+            const Vector3f a = lines.points[i - 1].position, span = lines.points[i].position - a;
+            const float t = std::min(std::max((p - a).dot(span) / span.squaredNorm(), 0.f), 1.f);
+            const float cosine = std::abs(span.dot(direction)) / (span.norm() * direction.norm());
+            if ((a + t * span - p).norm() <= distance &&
                 (direction.isZero(0) || cosine >= std::sqrt(0.5f)))
                 return true;
         }

@@ -49,14 +49,14 @@ PlainRidgeAngles::PlainRidgeAngles(const TriangleMesh& mesh, const Field& field,
 
 PlainRidgeAngles::Place PlainRidgeAngles::Section::at(double distance) const {
     const std::vector<Place>& side = sides[distance < 0 ? 0 : 1];
-    const double way = std::abs(distance);
+    const double reach = std::abs(distance);
     Place place = side.back();
     for (std::size_t i = 1; i < side.size(); ++i) {
         const Place &a = side[i - 1], &b = side[i];
-        if (b.distance < way) continue;
+        if (b.distance < reach) continue;
         const double t =
-            b.distance > a.distance ? (way - a.distance) / (b.distance - a.distance) : 0;
-        place = {way, (1 - t) * a.angle + t * b.angle, (1 - t) * a.position + t * b.position};
+            b.distance > a.distance ? (reach - a.distance) / (b.distance - a.distance) : 0;
+        place = {reach, (1 - t) * a.angle + t * b.angle, (1 - t) * a.position + t * b.position};
         break;
     }
     if (distance < 0) place.angle = -place.angle;

@@ -18,14 +18,14 @@ namespace {
 
 /// How far along a ray it meets a triangle; NaN, if it does not.
 double meeting(const TriangleMesh& mesh, const Triangle& t, const Vector3d& origin,
-               const Vector3d& way) {
+               const Vector3d& direction) {
     const double nowhere = std::numeric_limits<double>::quiet_NaN();
     const Vector3d &a = mesh.positions[t[0]], ab = mesh.positions[t[1]] - a,
                    ac = mesh.positions[t[2]] - a;
-    const Vector3d p = way.cross(ac), s = origin - a, q = s.cross(ab);
+    const Vector3d p = direction.cross(ac), s = origin - a, q = s.cross(ab);
     const double determinant = ab.dot(p);
     if (determinant == 0) return nowhere;
-    const double u = s.dot(p) / determinant, v = way.dot(q) / determinant;
+    const double u = s.dot(p) / determinant, v = direction.dot(q) / determinant;
     return u >= 0 && v >= 0 && u + v <= 1 ? ac.dot(q) / determinant : nowhere;
 }
 
@@ -54,10 +54,10 @@ private:
 };
 
 double distance_to_segment(const Vector2d& a, const Vector2d& b) {
-    const Vector2d way = b - a;
-    const double length = way.squaredNorm();
-    const double t = length > 0 ? std::clamp(-way.dot(a) / length, 0., 1.) : 0;
-    return (a + t * way).norm();
+    const Vector2d direction = b - a;
+    const double length = direction.squaredNorm();
+    const double t = length > 0 ? std::clamp(-direction.dot(a) / length, 0., 1.) : 0;
+    return (a + t * direction).norm();
 }
 
 }  // namespace
@@ -110,19 +110,19 @@ Vector3d towards_eye(const View& view, const Vector3d& point) {
 }
 
 bool is_hidden(const TriangleMesh& mesh, const View& view, const Vector3d& point, double least) {
-    const Vector3d way = towards_eye(view, point);
+    const Vector3d direction = towards_eye(view, point);
     const double most =
         view.w != 0 ? (view.eye / view.w - point).norm() : std::numeric_limits<double>::infinity();
     return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-        const double at = meeting(mesh, t, point, way);
+        const double at = meeting(mesh, t, point, direction);
         return at > least && at < most;
     });
 }
 
 bool is_before_mesh(const TriangleMesh& mesh, const View& view, const Vector3d& point) {
-    const Vector3d way = towards_eye(view, point);
+    const Vector3d direction = towards_eye(view, point);
     return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-        const double at = meeting(mesh, t, point, way);
+        const double at = meeting(mesh, t, point, direction);
         return view.w != 0 ? at < (view.eye / view.w - point).norm() : at == at;
     });
 }

@@ -59,7 +59,7 @@ public:
         : mesh_(mesh), view_(view), diagonal_(box_of(mesh).diagonal) {}
 
     /// Of a place in the middle of a line: parts and gaps shorter than .3 % of D do not count.
-    Sight look(const Vector3d& p, const Vector3d& way) const {
+    Sight look(const Vector3d& p, const Vector3d& direction) const {
         bool is_first = true, hidden = false;
         for (const double along :
              {0., -3.6e-3, 3.6e-3, -1e-4, 1e-4, -1e-3, 1e-3, -2e-3, 2e-3, -3e-3, 3e-3})
@@ -67,7 +67,7 @@ public:
                 View view = view_;
                 view.eye += 1e-4 * (view_.eye - view_.w * p).norm() * turn;
                 const bool is =
-                    is_hidden(mesh_, view, p + along * diagonal_ * way, 1e-6 * diagonal_);
+                    is_hidden(mesh_, view, p + along * diagonal_ * direction, 1e-6 * diagonal_);
                 if (!is_first && is != hidden) return Sight::Unsure;
                 is_first = false;
                 hidden = is;
@@ -328,10 +328,10 @@ TEST(OrderAlongCurve, KeepsNeighboursTogether) {
     for (int i = 0; i < 20000; ++i)
         points.push_back(random_box<2>(random, 0));
     std::vector<std::uint32_t> order = order_of<2>(points);
-    double way = 0;
+    double path = 0;
     for (std::size_t i = 1; i < order.size(); ++i)
-        way += double((points[order[i]].center() - points[order[i - 1]].center()).norm());
-    EXPECT_LT(way / double(order.size()), 3 * 2 / std::sqrt(double(order.size())));
+        path += double((points[order[i]].center() - points[order[i - 1]].center()).norm());
+    EXPECT_LT(path / double(order.size()), 3 * 2 / std::sqrt(double(order.size())));
     std::sort(order.begin(), order.end());
     for (std::uint32_t i = 0; i < order.size(); ++i)
         ASSERT_EQ(order[i], i);

@@ -190,7 +190,7 @@ TEST(Roughness, DoesNotDependOnTheNumberOfThreads) {
     }
 }
 
-TEST(Roughness, IsOverruledByASigmaAndByNoSmoothing) {
+TEST(Roughness, IsOverriddenByASigmaAndByNoSmoothing) {
     PrecomputeOptions options;
     for (const double sigma : {0.3, 0.8, 3.}) {
         options.normal_sigma = sigma;

@@ -13,7 +13,7 @@ std::string commands(const QStringList& settings) {
     return settingCommands(settings).join("; ").toStdString();
 }
 
-TEST(SettingCommands, ReleaseWhatWouldOverruleThem) {
+TEST(SettingCommands, ReleaseWhatWouldOverrideThem) {
     EXPECT_EQ(commands({"Detail=70"}), "setdeco Detail = 70");
     EXPECT_EQ(commands({"ridges=off", "Laplacian Lines=off", "Line Color=red"}),
               "setdeco Lines = Laplacian Lines, as Switched; setdeco Drawing Style = Custom; "

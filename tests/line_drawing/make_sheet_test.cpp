@@ -60,7 +60,7 @@ TEST(MeasuredDrawing, TellsProgressOnTheThreadThatAskedForIt) {
     EXPECT_LE(last, 1);
 }
 
-/// Names of files may hold what is no text.
+/// Names of files may hold what is not text.
 TEST(MeasuredDrawing, HasTextsOfOneLine) {
     SheetOptions options = plainViews("front");
     options.title = QString("A\nB") + QChar(1);

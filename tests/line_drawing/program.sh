@@ -38,11 +38,11 @@ refused "does not end in" plate.jpg cube.off
 refused "cannot be written" missing/plate.svg cube.off
 refused "there is no such file" plate.svg missing.ply
 refused "PLY, OBJ, STL and OFF" plate.svg "$PROGRAM"
-refused "is no view" plate.svg --views above cube.off
-refused "is no section" plate.svg --section y cube.off
-refused "no scale" plate.svg --scale 2 cube.off
-refused "no size of detail" plate.svg --kernel 2 cube.off
-refused "no size of detail" plate.svg --smoothing 0mm cube.off
+refused "is not a view" plate.svg --views above cube.off
+refused "is not a section" plate.svg --section y cube.off
+refused "not a scale" plate.svg --scale 2 cube.off
+refused "not a size of detail" plate.svg --kernel 2 cube.off
+refused "not a size of detail" plate.svg --smoothing 0mm cube.off
 refused "Take the scale" plate.svg --scale 9:1 cube.off
 refused "has to be one of" plate.svg --up w cube.off
 refused "--kinds is \"ridge\". It has to be some of usual, laplacian_lines, " plate.svg --kinds ridge cube.off
@@ -53,7 +53,7 @@ refused "no faces" plate.svg points.off
 : >empty.ply
 refused "empty.ply: the mesh cannot be read" plate.svg empty.ply
 printf 'nonsense' >nonsense.stl
-refused "nonsense.stl: the mesh cannot be read: it ends in its head." plate.svg nonsense.stl
+refused "nonsense.stl: the mesh cannot be read: it ends within its header." plate.svg nonsense.stl
 sed -E '3,10s/.*/nan nan nan/' cube.off >nowhere.off
 refused "no triangle with an area" plate.svg nowhere.off
 refused "cannot be written" /proc/plate.svg cube.off
@@ -65,7 +65,7 @@ grep -q "hole.off is drawn incomplete: 1 of 8 vertices" error || fail "nothing s
 grep -q "100 x 100 x 100 mm" out || fail "a vertex that is not finite changes the size: $(cat out)"
 awk 'NR > 2 && NR < 11 { print $1 / 1e5, $2 / 1e5, $3 / 1e5; next } { print }' cube.off >metres.off
 "$PROGRAM" metres.svg --scale 1:1 --unit m "${bare[@]}" metres.off >out
-grep -q "1 x 1 x 1 mm large" out || fail "1 mm in metres: $(cat out)"
+grep -q "1 x 1 x 1 mm in size" out || fail "1 mm in metres: $(cat out)"
 "$PROGRAM" metres.svg "${bare[@]}" metres.off >out
 grep -q "if it is in metres, say --unit m" out || fail "no advice: $(cat out)"
 
@@ -143,7 +143,7 @@ says=$(drawn --title "{name}" meshes more/three.ply)
 expect_says "$says" "plates/one.pdf: drawn" "plates/two.pdf: drawn" "plates/three.pdf: drawn" \
     "plates/contact_sheet.pdf: 3 objects" "3 drawn, 0 unchanged, 1 not drawn"
 grep -q "^meshes/bad.ply: not drawn: the mesh cannot be read" <<<"$says" || fail "the bad mesh is not reported: $says"
-! "$PROGRAM" plates/ meshes >/dev/null 2>&1 || fail "a mesh that cannot be drawn is no error"
+! "$PROGRAM" plates/ meshes >/dev/null 2>&1 || fail "a mesh that cannot be drawn is not an error"
 rm meshes/bad.ply
 drawn --title "{name}" meshes more/three.ply >/dev/null
 before=$(stat -c '%n %y' plates/{one,two,three}.pdf)
@@ -158,7 +158,7 @@ expect_says "$(drawn --format svg meshes more)" "plates/one.off.svg: drawn" "pla
 for name in one.off one.obj two three; do
     grep -q ">$name<" plates/contact_sheet.svg || fail "$name is not on the contact sheet"
 done
-refused "--format goes with a folder" plate.svg --format pdf cube.off
+refused "--format is for a folder" plate.svg --format pdf cube.off
 refused "there is no mesh in the folder" plates/ plates
 refused "have the same name" plates/ cube.off meshes/../cube.off
 refused "cannot be written" cube.off/plates/ meshes

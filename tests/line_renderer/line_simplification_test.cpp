@@ -17,14 +17,14 @@ using laplacian_lines::LineKind;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 using laplacian_lines::Polyline;
-using line_renderer::StreamManner;
 using line_renderer::StreamPoint;
+using line_renderer::StreamSettings;
 
 constexpr float full_radius = 3, depth_tolerance = 0.02f;
 
 /// 1000 x 700 pixels; with perspective an eye at z = 3 with the near plane at z = 2.
-StreamManner manner(bool is_perspective) {
-    StreamManner result;
+StreamSettings settings(bool is_perspective) {
+    StreamSettings result;
     result.radii.full.fill(full_radius);
     result.screen.half_viewport = {500, 350};
     result.tolerance.depth.fill(depth_tolerance);
@@ -43,9 +43,9 @@ struct Sight {
     bool is_before_eye = true;
 };
 
-Sight see(const Vector3f& position, float radius, float opacity, const StreamManner& manner) {
+Sight see(const Vector3f& position, float radius, float opacity, const StreamSettings& settings) {
     const Eigen::Vector4d clip =
-        manner.screen.to_clip.cast<double>() * position.cast<double>().homogeneous();
+        settings.screen.to_clip.cast<double>() * position.cast<double>().homogeneous();
     Sight sight;
     sight.w = clip.w();
     sight.is_before_eye = clip.w() > 0 && clip.z() > -clip.w();
@@ -54,32 +54,32 @@ Sight see(const Vector3f& position, float radius, float opacity, const StreamMan
     return sight;
 }
 
-Sight see(const StreamPoint& point, const StreamManner& manner) {
+Sight see(const StreamPoint& point, const StreamSettings& settings) {
     return see({point.position[0], point.position[1], point.position[2]}, point.radius,
-               point.opacity, manner);
+               point.opacity, settings);
 }
 
-Sight see(const LinePoint& point, const StreamManner& manner) {
+Sight see(const LinePoint& point, const StreamSettings& settings) {
     const float radius = full_radius * (0.35f + 0.65f * point.weight);
-    return see(point.position, radius, point.opacity, manner);
+    return see(point.position, radius, point.opacity, settings);
 }
 
-bool looksAs(const Seen& drawn, const Sight& point, const StreamManner& manner) {
+bool looksAs(const Seen& drawn, const Sight& point, const StreamSettings& settings) {
     constexpr double rounding = 2e-3;
     const Seen difference = (drawn - point.seen).cwiseAbs();
-    return (drawn - point.seen).head<2>().norm() <= manner.tolerance.distance + rounding &&
+    return (drawn - point.seen).head<2>().norm() <= settings.tolerance.distance + rounding &&
            difference[2] <= depth_tolerance / (point.w * point.w) + 1e-5 &&
-           difference[3] <= manner.tolerance.radius + rounding &&
-           difference[4] <= manner.tolerance.opacity + rounding;
+           difference[3] <= settings.tolerance.radius + rounding &&
+           difference[4] <= settings.tolerance.opacity + rounding;
 }
 
 /// The first part of a segment, from `part` on, that looks as a point; above 1 if there is none.
 double partThatLooksAs(const Sight& point, const Seen& a, const Seen& b, double part,
-                       const StreamManner& manner) {
+                       const StreamSettings& settings) {
     const double step = 0.02 / std::max(1.0, (b - a).head<2>().norm());
-    while (part <= 1 && !looksAs(a + part * (b - a), point, manner))
+    while (part <= 1 && !looksAs(a + part * (b - a), point, settings))
         part += step;
-    if (part > 1 && looksAs(b, point, manner)) part = 1;
+    if (part > 1 && looksAs(b, point, settings)) part = 1;
     return part;
 }
 
@@ -90,7 +90,7 @@ bool isAt(const StreamPoint& drawn, const LinePoint& point) {
 
 /// Expects what StraightPiece promises of one line. `drawn` has no marks.
 void expectPromise(const LinePoint* points, std::size_t count,
-                   const std::vector<StreamPoint>& drawn, const StreamManner& manner) {
+                   const std::vector<StreamPoint>& drawn, const StreamSettings& settings) {
     ASSERT_GE(drawn.size(), 2u);
     ASSERT_TRUE(isAt(drawn.front(), points[0]));
     ASSERT_TRUE(isAt(drawn.back(), points[count - 1]));
@@ -102,10 +102,10 @@ void expectPromise(const LinePoint* points, std::size_t count,
             part = 0;
             continue;
         }
-        const Sight point = see(points[i], manner);
-        const Sight a = see(drawn[end - 1], manner), b = see(drawn[end], manner);
+        const Sight point = see(points[i], settings);
+        const Sight a = see(drawn[end - 1], settings), b = see(drawn[end], settings);
         ASSERT_TRUE(point.is_before_eye && a.is_before_eye && b.is_before_eye) << i;
-        part = partThatLooksAs(point, a.seen, b.seen, part, manner);
+        part = partThatLooksAs(point, a.seen, b.seen, part, settings);
         ASSERT_LE(part, 1) << "point " << i << " between those drawn as " << end - 1 << ", " << end;
     }
     EXPECT_EQ(end + 1, drawn.size()) << "points that the line does not have, or in another order";
@@ -143,18 +143,18 @@ void append(LineSet& lines, const std::vector<LinePoint>& points, bool closed = 
     lines.points.insert(lines.points.end(), points.begin(), points.end());
 }
 
-std::vector<StreamPoint> streamOf(const LineSet& lines, const StreamManner& manner) {
+std::vector<StreamPoint> streamOf(const LineSet& lines, const StreamSettings& settings) {
     std::vector<StreamPoint> stream(line_renderer::streamLength(lines));
-    stream.resize(line_renderer::writeStream(lines, manner, stream.data()));
+    stream.resize(line_renderer::writeStream(lines, settings, stream.data()));
     return stream;
 }
 
 /// Of a set of one line, without its marks.
 std::vector<StreamPoint> pointsOf(const std::vector<LinePoint>& points,
-                                  const StreamManner& manner) {
+                                  const StreamSettings& settings) {
     LineSet lines;
     append(lines, points);
-    const std::vector<StreamPoint> stream = streamOf(lines, manner);
+    const std::vector<StreamPoint> stream = streamOf(lines, settings);
     return {stream.begin() + 1, stream.end() - 1};
 }
 
@@ -167,8 +167,8 @@ TEST(LineSimplification, LeavesOutOnlyWhatIsNotSeen) {
         for (bool is_perspective : {false, true})
             for (int i = 0; i < 20; ++i) {
                 const std::vector<LinePoint> points = randomChain(chain, 300, random);
-                const std::vector<StreamPoint> kept = pointsOf(points, manner(is_perspective));
-                expectPromise(points.data(), points.size(), kept, manner(is_perspective));
+                const std::vector<StreamPoint> kept = pointsOf(points, settings(is_perspective));
+                expectPromise(points.data(), points.size(), kept, settings(is_perspective));
                 if (HasFatalFailure()) return;
                 all += points.size();
                 drawn += kept.size();
@@ -178,7 +178,7 @@ TEST(LineSimplification, LeavesOutOnlyWhatIsNotSeen) {
 
 /// Lines that pass behind the eye and come back: no point there is left out.
 TEST(LineSimplification, KeepsWhatIsBehindTheEye) {
-    const StreamManner sight = manner(true);
+    const StreamSettings sight = settings(true);
     std::vector<LinePoint> points;
     for (int i = 0; i < 200; ++i)
         points.push_back({{0.001f * float(i), 0, 4 * std::sin(0.05f * float(i))}, 1, 0, 1});
@@ -191,12 +191,12 @@ TEST(LineSimplification, DrawsAStraightLineAsOneSegment) {
     std::vector<LinePoint> points;
     for (int i = 0; i <= 1000; ++i)
         points.push_back({{0.001f * float(i), 0.0005f * float(i), 0}, 0.001f * float(i), 0, 1});
-    EXPECT_EQ(pointsOf(points, manner(false)).size(), 2u) << "tapered";
+    EXPECT_EQ(pointsOf(points, settings(false)).size(), 2u) << "tapered";
     points[500].position.y() += 0.6f / 350;
-    EXPECT_EQ(pointsOf(points, manner(false)).size(), 5u) << "with a tooth of 0.6 pixels";
+    EXPECT_EQ(pointsOf(points, settings(false)).size(), 5u) << "with a tooth of 0.6 pixels";
     points[500].position.y() -= 0.6f / 350;
     points[500].opacity = 0.5f;
-    EXPECT_EQ(pointsOf(points, manner(false)).size(), 5u) << "with a faint place";
+    EXPECT_EQ(pointsOf(points, settings(false)).size(), 5u) << "with a faint place";
 }
 
 /// A line that goes back on itself is drawn up to where it turns.
@@ -207,15 +207,15 @@ TEST(LineSimplification, ReachesThePlaceWhereALineTurnsBack) {
             points.push_back({{x / 500, 0, 0}, 1, 0, 1});
         return points;
     };
-    EXPECT_EQ(pointsOf(line(6), manner(false)).size(), 3u);
-    EXPECT_EQ(pointsOf(line(0.02f), manner(false)).size(), 2u);
+    EXPECT_EQ(pointsOf(line(6), settings(false)).size(), 3u);
+    EXPECT_EQ(pointsOf(line(0.02f), settings(false)).size(), 2u);
 }
 
 TEST(LineSimplification, KeepsTheLengthAlongTheLine) {
     std::vector<LinePoint> points;
     for (int i = 0; i <= 400; ++i)  // teeth of a tenth of a pixel
         points.push_back({{0.1f * float(i) / 500, 0.1f * float(i % 2) / 350, 0}, 1, 0, 1});
-    const std::vector<StreamPoint> drawn = pointsOf(points, manner(false));
+    const std::vector<StreamPoint> drawn = pointsOf(points, settings(false));
     EXPECT_EQ(drawn.size(), 2u);
     EXPECT_NEAR(drawn.back().along, 400 * std::hypot(0.1f, 0.1f), 0.01);
 }
@@ -230,7 +230,7 @@ TEST(LineSimplification, JoinsTheEndsOfClosedLines) {
     LineSet lines;
     append(lines, circle, true);
     append(lines, circle, true);
-    const std::vector<StreamPoint> stream = streamOf(lines, manner(false));
+    const std::vector<StreamPoint> stream = streamOf(lines, settings(false));
     const std::size_t length = stream.size() / 2;
     EXPECT_LT(length, 60u);
     for (std::size_t first : {std::size_t(0), length}) {
@@ -254,9 +254,9 @@ TEST(LineSimplification, DependsOnTheViewAndNotOnTheMesh) {
         }
         return points;
     };
-    const std::size_t coarse = pointsOf(wave(1000), manner(false)).size();
+    const std::size_t coarse = pointsOf(wave(1000), settings(false)).size();
     EXPECT_LT(coarse, 100u);
-    EXPECT_LE(pointsOf(wave(16000), manner(false)).size(), coarse * 11 / 10);
+    EXPECT_LE(pointsOf(wave(16000), settings(false)).size(), coarse * 11 / 10);
 }
 
 }  // namespace

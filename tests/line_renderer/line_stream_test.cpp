@@ -15,8 +15,8 @@ using line_renderer::LineRadii;
 using line_renderer::neighbour_only;
 using line_renderer::nothing_here;
 using line_renderer::ScreenTransform;
-using line_renderer::StreamManner;
 using line_renderer::StreamPoint;
+using line_renderer::StreamSettings;
 
 LineRadii equalRadii(float radius) {
     LineRadii radii;
@@ -27,14 +27,14 @@ LineRadii equalRadii(float radius) {
 /// With all points of the lines.
 std::vector<StreamPoint> streamOf(const LineSet& lines, const LineRadii& radii,
                                   const ScreenTransform* measured_on = nullptr) {
-    StreamManner manner;
-    manner.radii = radii;
-    manner.tolerance.distance = 0;
-    manner.is_measured = measured_on;
-    if (measured_on) manner.screen = *measured_on;
+    StreamSettings settings;
+    settings.radii = radii;
+    settings.tolerance.distance = 0;
+    settings.is_measured = measured_on;
+    if (measured_on) settings.screen = *measured_on;
     const StreamPoint untouched = {{-7, -7, -7}, -7, -7, -7, -7};
     std::vector<StreamPoint> stream(line_renderer::streamLength(lines) + 1, untouched);
-    EXPECT_EQ(line_renderer::writeStream(lines, manner, stream.data()), stream.size() - 1);
+    EXPECT_EQ(line_renderer::writeStream(lines, settings, stream.data()), stream.size() - 1);
     EXPECT_EQ(stream.back().radius, untouched.radius) << "written beyond its length";
     stream.pop_back();
     return stream;
@@ -111,11 +111,11 @@ TEST(LineStream, MarksWhatFollowsEdges) {
         addLine(lines, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}, kind);
         putOnVertices(lines, lines.points.size() - 4, 3);
     }
-    StreamManner manner;
-    manner.radii = equalRadii(2);
-    manner.tolerance.depth.fill(1);
+    StreamSettings settings;
+    settings.radii = equalRadii(2);
+    settings.tolerance.depth.fill(1);
     std::vector<StreamPoint> stream(line_renderer::streamLength(lines));
-    stream.resize(line_renderer::writeStream(lines, manner, stream.data()));
+    stream.resize(line_renderer::writeStream(lines, settings, stream.data()));
     ASSERT_EQ(stream.size(), 4u + 6) << "the Laplacian line first, of one piece";
     for (const std::size_t point : {1, 2})
         EXPECT_EQ(stream[point].look, float(LineKind::Laplacian));

@@ -64,12 +64,12 @@ TEST(DamagedFiles, SayWhatAndWhere) {
     const auto defect = [](Format format, const std::string& bytes) {
         return read_mesh(format, bytes).defect;
     };
-    EXPECT_EQ(defect(Format::Obj, "v 0 0 0\n\nv 1 x 0\n"), "line 3: \"x\" is no number");
+    EXPECT_EQ(defect(Format::Obj, "v 0 0 0\n\nv 1 x 0\n"), "line 3: \"x\" is not a number");
     EXPECT_EQ(defect(Format::Obj, "v 0 0\n"), "line 1: a vertex has 2 of three coordinates");
     EXPECT_EQ(defect(Format::Obj, "v 0 0 0\nf 1 1\n"), "line 2: a face has 2 corners");
     EXPECT_EQ(defect(Format::Obj, "v 0 0 0\nf 1 1 2\n"),
               "a face names vertex 1, counted from 0, of 1");
-    EXPECT_EQ(defect(Format::Obj, "q 0 0 0\n"), "line 1: \"q\" is no statement of OBJ files");
+    EXPECT_EQ(defect(Format::Obj, "q 0 0 0\n"), "line 1: \"q\" is not a statement of OBJ files");
     EXPECT_EQ(defect(Format::Off, "OFF\n1 0 0\n"), "line 2: it ends before vertex 1 of 1");
     EXPECT_EQ(defect(Format::Off, "OFF BINARY\n"), "line 1: binary OFF files are not read");
     EXPECT_EQ(defect(Format::Stl, ""), "it is empty");

@@ -54,17 +54,18 @@ double relief_at(const Vector2d& p, double angle, bool is_inside) {
 std::vector<Vector2d> vessel_profile(int points) {
     constexpr int kFine = 20000;
     std::vector<Vector2d> fine;
-    std::vector<double> way = {0};
+    std::vector<double> lengths = {0};
     for (int i = 0; i <= kFine; ++i) {
         fine.push_back(on_curve(double(kCorners.size() - 1) * i / kFine));
         if (i > 0)
-            way.push_back(way.back() + (fine[std::size_t(i)] - fine[std::size_t(i - 1)]).norm());
+            lengths.push_back(lengths.back() +
+                              (fine[std::size_t(i)] - fine[std::size_t(i - 1)]).norm());
     }
     std::vector<Vector2d> profile;
     std::size_t k = 0;
     for (int i = 0; i < points; ++i) {
-        const double at = way.back() * i / (points - 1);
-        while (k + 1 < way.size() && way[k] < at)
+        const double at = lengths.back() * i / (points - 1);
+        while (k + 1 < lengths.size() && lengths[k] < at)
             ++k;
         profile.push_back(fine[k]);
     }

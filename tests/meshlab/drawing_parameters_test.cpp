@@ -138,7 +138,7 @@ QString content(const char* file) {
 
 TEST(DrawingParameters, AreDocumentedAndInTheExample) {
     const QString table = content("docs/parameters.md");
-    const QString example = content("examples/laplacian_lines_drawing.mlx");
+    const QString example = content("docs/examples/laplacian_lines_drawing.mlx");
     RichParameterList list;
     listDrawingParameters({}, list);
     for (const RichParameter& row : list) {

@@ -42,7 +42,7 @@ screen dialog.png
 set Unit of the Mesh = mm
 apply
 expect-log Inner lines have a kernel of √h = [0-9.]* mm on paper
-expect-log ${drawn}torus_drawing.svg, in perspective and so without a scale on paper of 210 x 297 mm. The object is 2.\S* x 2.\S* x \S* mm large
+expect-log ${drawn}torus_drawing.svg, in perspective and so without a scale on paper of 210 x 297 mm. The object is 2.\S* x 2.\S* x \S* mm in size
 set Views = front
 set File = front.svg
 apply
@@ -87,7 +87,7 @@ END
 expect_same_lines window.svg right.svg
 grep -q '>perspective, not to scale' "$WORK/torus_drawing.svg" || fail "the perspective view is not called one"
 grep -q '>1:\|>[0-9.]*:1 ' "$WORK/front.svg" || fail "the front view says no scale"
-[[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
+[[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is not a PDF"
 [[ ! -e $WORK/refused.svg && ! -e $WORK/refused.bmp ]] || fail "a refused drawing was written"
 
 # A window in perspective: the far face of a cube is to the near one, which hides it, as their distances; an eye within

@@ -70,7 +70,7 @@ expect-modal Filter Failure.*The viewpoint is inside the surface
 button OK
 set View Direction = 0 0 0
 apply
-expect-modal Filter Failure.*"View Direction" is 0 0 0, which is no direction
+expect-modal Filter Failure.*"View Direction" is 0 0 0, which is not a direction
 button OK
 set View Direction = 0 0 1
 set View = Orthographic, along the View Direction

@@ -29,7 +29,7 @@ set -euo pipefail
 
 TEST_NAME=${TEST_NAME:-$(basename "$0" .sh)}
 CHECKOUT=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
-EXAMPLE=$CHECKOUT/examples/laplacian_lines.mlx
+EXAMPLE=$CHECKOUT/docs/examples/laplacian_lines.mlx
 STAGE=$LAPLACIAN_LINES_BUILD/stage
 WORK=$LAPLACIAN_LINES_BUILD/Testing/meshlab/$TEST_NAME
 DISPLAY_SIZE=${DISPLAY_SIZE:-1700x1000}

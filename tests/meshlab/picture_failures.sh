@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A sheet of ./run --picture is made without the meshes that fail, each of which is named with its reason, and ends with
-# an error. What MeshLab mends when it opens a mesh is no failure.
+# an error. What MeshLab mends when it opens a mesh is not a failure.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
 require product/picture
 stop_display # it starts one of its own

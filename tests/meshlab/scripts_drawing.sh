@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Measured drawings in scripts: the example, the same bytes as from ./run --drawing, and errors.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
-EXAMPLE=$CHECKOUT/examples/laplacian_lines_drawing.mlx
+EXAMPLE=$CHECKOUT/docs/examples/laplacian_lines_drawing.mlx
 PROGRAM=$LAPLACIAN_LINES_BUILD/bin/laplacian_lines_drawing
 
 MESHES=(torus.ply)
@@ -40,7 +40,7 @@ torus "$WORK/torus.ply"
 draw front.svg
 expect_same_as_program front.svg
 expect_text "$WORK/log" 'Inner lines have a kernel of √h = [0-9.]* mm on paper'
-expect_text "$WORK/log" 'Drawing of torus\.ply: /.*/front\.svg, scale 50:1 on paper of 210 x 297 mm\. The object is 2\.[0-9]* x 2\.[0-9]* x .* mm large, with 1 mm to the unit'
+expect_text "$WORK/log" 'Drawing of torus\.ply: /.*/front\.svg, scale 50:1 on paper of 210 x 297 mm\. The object is 2\.[0-9]* x 2\.[0-9]* x .* mm in size, with 1 mm to the unit'
 draw plate.dxf views=six paper=2 unit=1 up=2 title=Torus arrangement=1
 expect_same_as_program plate.dxf --views six --paper a3 --unit cm --up z --title Torus --arrangement third
 expect_text "$WORK/log" 'plate\.dxf, scale .* on paper of (297 x 420|420 x 297) mm\. .*, with 10 mm to the unit'
@@ -53,7 +53,7 @@ expect_same_as_program section.svg --views left --section z=0.5 --wall filled
 draw alone.svg views= sections=z=0.5
 expect_same_as_program alone.svg --section z=0.5
 draw plate.pdf views=front,left title="A plate"
-[[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is no PDF"
+[[ $(head -c 5 "$WORK/plate.pdf") == %PDF- ]] || fail "plate.pdf is not a PDF"
 expect_same_as_program plate.pdf --views front,left --title "A plate"
 
 # kinds of lines by mixtures, whose numbers are those of Settings
@@ -88,7 +88,7 @@ grep -q '>[^<]*behind\.ply<' "$WORK/current.svg" && ! grep -q 'torus\.ply' "$WOR
 MESHES=(torus.ply)
 
 # a field of other options is used
-sed '/<\/FilterScript>/d' "$CHECKOUT/examples/laplacian_lines.mlx" >"$WORK/both.mlx"
+sed '/<\/FilterScript>/d' "$CHECKOUT/docs/examples/laplacian_lines.mlx" >"$WORK/both.mlx"
 sed -i 's/name="kernel_size" \(.*\) value="0"/name="kernel_size" \1 value="0.2"/' "$WORK/both.mlx"
 write_script script.mlx file=coarse.svg
 sed -n '/<filter /,$p' "$WORK/script.mlx" >>"$WORK/both.mlx"
@@ -100,9 +100,9 @@ serve -i torus.ply -s both.mlx
 refuse_settings '"plate\.bmp" does not end in \.svg' file=plate.bmp
 refuse_settings '"missing.drawing\.svg" cannot be written' file='missing\/drawing.svg'
 refuse 'At the scale 1000:1 the views take .* Take the scale ' scale=1000:1
-refuse '"half" is no scale' scale=half
-refuse '"above" is no view' views=above
-refuse '"y" is no section' sections=y
+refuse '"half" is not a scale' scale=half
+refuse '"above" is not a view' views=above
+refuse '"y" is not a section' sections=y
 refuse 'There is no window whose view could be drawn' views=window
 refuse 'The decoration Laplacian Lines has drawn nothing here' settings=1
 refuse '"Unit of the Mesh" is 4\. It has to be one of 0 \(mm\)' unit=4

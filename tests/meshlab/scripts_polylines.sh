@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Lines as polylines in scripts: the example, the files that MeshLab writes of them, and errors.
 source "$(dirname "$(readlink -f "$0")")/harness.sh"
-EXAMPLE=$CHECKOUT/examples/laplacian_lines_polylines.mlx
+EXAMPLE=$CHECKOUT/docs/examples/laplacian_lines_polylines.mlx
 
 # accept FILE [KEY=VALUE...]
 accept() {
@@ -88,4 +88,4 @@ place viewpoint nan 0 0
 refuse_settings '"Viewpoint" has to be three finite numbers'
 place viewpoint 5 1 1
 place light_direction 0 0 0
-refuse_settings '"Light Direction" is 0 0 0, which is no direction' light=1 view=2
+refuse_settings '"Light Direction" is 0 0 0, which is not a direction' light=1 view=2

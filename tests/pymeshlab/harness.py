@@ -11,7 +11,7 @@ import pymeshlab
 BUILD = pathlib.Path(os.environ["LAPLACIAN_LINES_BUILD"])
 REFERENCE = BUILD / "Testing" / "reference"
 WORK = BUILD / "Testing" / "pymeshlab"
-EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "docs" / "examples"
 MESH = REFERENCE / "torus.ply"
 
 # PyMeshLab 2025.7 crashes when a mesh is loaded after a set in which a filter has failed is gone: none goes.

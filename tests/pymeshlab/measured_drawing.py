@@ -85,7 +85,7 @@ for name in by_bytes, os.fsdecode(by_bytes), WORK / "ü.svg":
     with open(name, "rb") as file:
         assert file.read() == front, name
     os.unlink(name)
-expect_error(r'null\0off.svg" cannot be written: no name of a file holds a null character',
+expect_error(r'null\0off.svg" cannot be written: the name holds a null character',
              meshes().export_laplacian_lines_drawing, file=str(WORK / "null\0off.svg"))
 assert not list(WORK.glob("null*"))
 
@@ -94,7 +94,7 @@ make = refused.export_laplacian_lines_drawing
 expect_error("does not end in .svg", make, file=str(WORK / "refused.bmp"))
 expect_error("cannot be written", make, file=str(WORK / "missing" / "refused.svg"))
 expect_error("PDF and PNG need fonts", make, file=str(WORK / "refused.pdf"))  # PyMeshLab has no QGuiApplication
-for words, given in (("no view", {"views": "above"}), ("There is no window", {"views": "window"}),
+for words, given in (("not a view", {"views": "above"}), ("There is no window", {"views": "window"}),
                      ("Take the scale", {"scale": "1000:1"}), ("has drawn nothing", {"settings": 1})):
     expect_error(words, make, file=str(WORK / "refused.svg"), **given)
 assert not list(WORK.glob("refused*"))

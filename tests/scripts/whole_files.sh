@@ -23,7 +23,7 @@ for kilobytes in 1 50 97; do
     [[ $(<"$target") == old && $(find place -type f | wc -l) == 1 ]] || fail "something is left, or the old file is lost"
     grep -qF "cannot write $target: File too large; what was there is unchanged" log || fail "nothing says so: $(<log)"
 done
-! (put_file new folder) 2>log && grep -q 'it is a folder' log || fail "a folder is no file: $(<log)"
+! (put_file new folder) 2>log && grep -q 'it is a folder' log || fail "a folder is not a file: $(<log)"
 ! (put_file new nowhere/a.png) 2>log && grep -q 'no such folder' log || fail "of a folder that is not there: $(<log)"
 
 ln -s "$target" link

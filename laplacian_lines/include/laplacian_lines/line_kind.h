@@ -76,11 +76,11 @@ struct LineKindDescription {
         return row;
     }
     constexpr LineKindDescription in_color(std::uint32_t rgb) const {
-        LineKindDescription row = told_by(rgb);
+        LineKindDescription row = with_key_color(rgb);
         row.color = rgb;
         return row;
     }
-    constexpr LineKindDescription told_by(std::uint32_t rgb) const {
+    constexpr LineKindDescription with_key_color(std::uint32_t rgb) const {
         LineKindDescription row = *this;
         row.key_color = rgb;
         return row;
@@ -101,29 +101,29 @@ inline constexpr std::array line_kinds = {
     LineKindDescription{LineKind::Ridge, "ridges", "Ridges",
                         "Draw convex edges of the form, sharp or rounded.", "ridge", "ridges",
                         LineGradient::Angle}
-        .told_by(0x7a4b2a),
+        .with_key_color(0x7a4b2a),
     LineKindDescription{LineKind::Border, "borders", "Borders",
                         "Draw the borders of holes and open surfaces.", "border", "borders",
                         LineGradient::None}
         .as_outline()
-        .told_by(0x6b6b6b),
+        .with_key_color(0x6b6b6b),
     LineKindDescription{
         LineKind::Crease, "creases", "Creases",
         "Draw sharp edges of the form, on meshes of few triangles, such as those of "
         "CAD programs, and of many.",
         "crease", "creases", LineGradient::Angle}
-        .told_by(0x4a5b6b),
+        .with_key_color(0x4a5b6b),
     LineKindDescription{LineKind::Valley, "valleys", "Valleys",
                         "Draw concave edges of the form, sharp or rounded: the bottoms of grooves.",
                         "valley", "valleys", LineGradient::Angle}
         .on_request()
-        .told_by(0x1b8a9c),
+        .with_key_color(0x1b8a9c),
     LineKindDescription{LineKind::DemarcatingCurve, "demarcating_curves", "Demarcating Curves",
                         "Draw the curves along which a relief turns most sharply from hollow to "
                         "bulging: its middle height on every flank.",
                         "demarcating curve", "demarcating curves", LineGradient::Angle}
         .of_derivatives()
-        .told_by(0x8a3c93),
+        .with_key_color(0x8a3c93),
     LineKindDescription{LineKind::SuggestiveContour, "suggestive_contours", "Suggestive Contours",
                         "Draw where outlines would begin if the object turned a little (DeCarlo "
                         "and others 2003).",

@@ -31,7 +31,7 @@ constexpr LineKindSet outlines_and(std::initializer_list<LineKind> kinds) {
            LineKindSet::where([](const LineKindDescription& row) { return row.is_outline; });
 }
 
-/// Those that have a color of their own to be told by.
+/// Those that have a color of their own, to tell them apart.
 constexpr LineKindSet kinds_with_key_color() {
     return LineKindSet::where([](const LineKindDescription& row) { return row.key_color != 0; });
 }

@@ -76,7 +76,7 @@ struct SightLine {
     bool closed;  ///< ends with a copy of its first point
     bool is_hidden;
     bool is_outline;  ///< nothing is on one side of it: the outlines of a view are closed
-    /// Of contours and borders: how far what is behind them is at the most, mesh units.
+    /// For contours and borders: how far behind them the surface is at most, mesh units.
     float jump;
     float strength, slope;  ///< of the whole line that it is part of, see Polyline
     std::vector<SightPoint> points;

@@ -27,7 +27,7 @@ private:
     using Values = std::vector<LocalVertex>;  // of a cluster's vertices
 
     bool is_sheet() const;
-    /// Of the vertices: is_convex() there, and at all neighbours.
+    /// Finds the vertices that are convex by is_convex(), as are all their neighbours.
     void find_convex();
     /// Finds where the parts of each cluster begin. Returns the bytes that clusters need.
     std::size_t lay_out();

@@ -165,7 +165,7 @@ public:
     }
 
 private:
-    /// Of places in centres_.
+    /// A range of places in centres_.
     struct Range {
         std::uint32_t begin, end;
         std::uint32_t size() const { return end - begin; }

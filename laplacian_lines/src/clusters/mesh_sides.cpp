@@ -6,7 +6,7 @@
 namespace laplacian_lines {
 namespace {
 
-/// Of the mesh, in the direction of the side.
+/// The mesh's vertices at the ends of a side, in its direction.
 std::array<std::uint32_t, 2> ends(const PlacedCluster& placed, unsigned triangle, unsigned side) {
     const auto& corners = placed.triangles[triangle].corners;
     return {placed.vertices[corners[side]], placed.vertices[corners[(side + 1) % 3]]};

@@ -16,7 +16,7 @@ struct CurvedVertex {
     SymmetricTensor shape_operator;
 };
 
-/// Of a vertex of the prepared mesh, from the field alone.
+/// Makes the entry of a vertex of the prepared mesh from the field alone.
 inline CurvedVertex curved_vertex(const PreparedMesh& mesh, const Field& field, std::uint32_t v) {
     const std::uint32_t original = mesh.original_vertex[v];
     const Eigen::Vector3f& n = field.normals[original];

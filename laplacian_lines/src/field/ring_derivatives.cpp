@@ -23,7 +23,7 @@ struct PlaneFrame {
     }
 };
 
-/// Of one triangle.
+/// The derivative in one triangle.
 class TriangleDerivative {
 public:
     /// False if the triangle has no part in the derivatives.

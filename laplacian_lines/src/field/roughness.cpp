@@ -21,13 +21,13 @@ constexpr double kWidest = 3.2;
 constexpr double kReach = 2.2 * kWidest;
 // In D. The surface has to be large against the reach.
 constexpr double kLargestEdge = 0.025;
-// Of a normal from the mean around it, in radians, exceeded by three quarters of them: less is
+// Angles of normals to the mean around them, radians, exceeded by three quarters of them: less is
 // smooth, more is rough if the scales say so.
 constexpr double kSmooth = 0.01, kRough = 0.03;
 // In mean edges. What serves scans best is the least; beyond, in proportion to the roughness, as
 // was best for drawings of terraces and of noisy smooth forms.
 constexpr double kLeastSigma = 0.8, kLargestSigma = 2.5, kSigmaOfRoughness = 0.7;
-// Of coarse meshes with noisy facets, at least: rough, but no more smoothing than of a scan.
+// The least roughness of coarse meshes with noisy facets: smoothed no more than scans.
 constexpr double kOfNoisyFacets = 1;
 constexpr double kLongest = 1e4;  // a tenth of a second, in units of pairs_cost()
 
@@ -61,7 +61,7 @@ Turns turns_at(const PreparedMesh& mesh, const SpatialTree& tree,
     return turns;
 }
 
-/// Of the turns at one scale. Noise is as large anywhere, form is not: it shows in the calm places.
+/// The quartile of the turns at one scale. Noise is the same everywhere: it shows in calm places.
 double lower_quartile(std::vector<Turns>& turns, std::size_t scale) {
     const auto place = turns.begin() + std::ptrdiff_t((turns.size() - 1) / 4);
     std::nth_element(turns.begin(), place, turns.end(),

@@ -9,7 +9,7 @@ namespace laplacian_lines {
 struct SymmetricTensor {
     double xx = 0, yy = 0, zz = 0, yz = 0, xz = 0, xy = 0;
 
-    /// Of a square matrix, its symmetric part.
+    /// The symmetric part of a square matrix.
     static SymmetricTensor of(const Eigen::Matrix3d& a) {
         return {a(0, 0),
                 a(1, 1),

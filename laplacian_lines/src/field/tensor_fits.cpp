@@ -11,7 +11,7 @@
 namespace laplacian_lines {
 namespace {
 
-/// Of the places of the neighbours along the direction in which they vary least, in squared radii:
+/// Variance of the neighbours' places in the direction in which they vary least, in squared radii:
 /// 1/8 all around, 1/20 at a border.
 constexpr double kLeastVariance = 0.004;
 constexpr double kMostCost = 1e7;  // as pairs_cost() has it: about ten seconds

@@ -16,7 +16,7 @@ namespace laplacian_lines {
 
 /// In √h, for C: the spread of the weights is that of a kernel of 0.85 √h.
 constexpr double kDerivativeReach = 3.4;
-/// Of C, in mean edges: beyond it nothing gets better, but slower. Smaller reaches are cut as much.
+/// Reach for C, in mean edges: a larger one is slower, not better. Smaller ones are cut as much.
 constexpr double kMostDerivativeReach = 16;
 /// For S̄, the spread of a kernel of 0.35 √h: lines keep what can be seen of the form, and lose what
 /// noise of a fifth of the edges adds.

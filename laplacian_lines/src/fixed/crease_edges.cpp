@@ -17,7 +17,7 @@ namespace {
 constexpr float kDegrees = 57.29577951308232f;
 // Less is not called a crease: two faces that were made to be one meet at angles as large.
 constexpr float kLeastCreaseAngle = 3;  // degrees
-// Of scans: nothing else there is so sharp without being noise.
+// For scans, where anything duller may be noise.
 constexpr float kLeastMeasuredAngle = 20;  // degrees
 // Shares of the edge's angle that are not explained. Half is between a facet, of which all is, and
 // an edge between flat faces, of which nothing is; what goes on from there may be weaker.

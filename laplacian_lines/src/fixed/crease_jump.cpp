@@ -15,7 +15,7 @@ constexpr float kAlike = 3;
 // Three facets between two edges are an arc if they turn so much, degrees; flanks of teeth, drawn
 // as a few straight pieces, turn less, and tessellators' tolerances leave arcs more facets then.
 constexpr float kArcOfThree = 12;
-constexpr float kAcross = 0.5f;  // sine between the way and an edge that ends an arc, not its side
+constexpr float kAcross = 0.5f;  // sine between the path and an edge that ends an arc, not its side
 
 bool are_alike(float a, float b) {
     return a <= kAlike * b && b <= kAlike * a;
@@ -51,9 +51,9 @@ bool may_be_of_three(const TriangleGraph& graph, const TriangleSide& side, float
 
 /// Triangles in one plane, nearly.
 struct Facet {
-    float centre, end;  // along the way
+    float centre, end;  // along the path
     float turn;         // at its end, degrees, positive as the edge in question
-    bool is_flat;       // of several triangles, on the way or beside it
+    bool is_flat;       // of several triangles, on the path or beside it
 };
 
 /// The facets on one side, up to an edge of the form, a border, or where the surface bends back.
@@ -66,7 +66,7 @@ public:
 
     enum class End { None, Edge, Back };
     End end() const { return end_; }
-    /// Whether it ends at an edge that goes about the way that the one in question does.
+    /// Whether it ends at an edge that goes in about the same direction as the one in question.
     bool ends_across() const { return end_ != End::Edge || walk_.slant() >= kAcross; }
 
     /// The next one; false if there is none.
@@ -85,7 +85,7 @@ public:
         }
         facet.centre = moment / area;
         facet.end = walk_.end();
-        // between its bends the way may pass only a corner of a long facet
+        // between its bends the path may pass only a corner of a long facet
         if (facet.turn > 0 && !(facet.centre > begin && facet.centre < facet.end))
             facet.centre = (begin + facet.end) / 2;
         if (!is_over_) walk_.go_on();
@@ -131,7 +131,7 @@ public:
     float half() const { return half_; }            ///< from the edge to the first facet's centre
     float curvature() const { return curvature_; }  ///< beyond the first facet; 0: none
     bool is_arc() const { return is_arc_; }         ///< goes on being curved like this
-    /// Of an arc that ends at the first facet's far edge, tangent to what is beyond; 0: is none.
+    /// Of an arc that ends at the first facet's far edge, tangent to what is beyond; 0: no arc.
     float last_curvature() const { return last_curvature_; }
     bool is_clear() const { return is_flat_ || is_arc_ || last_curvature_ > 0; }
 

@@ -43,12 +43,12 @@ private:
     void for_each_at(std::uint32_t i, int end, const Visit& visit) {
         const PossibleCrease& edge = edges_[i];
         const Vector3f& here = edge.positions[end];
-        const Vector3f way = (here - edge.positions[1 - end]).normalized();
+        const Vector3f direction = (here - edge.positions[1 - end]).normalized();
         for (const std::uint32_t o : at_[places_[edge.vertices[end]]]) {
             if (o == i) continue;
             const PossibleCrease& other = edges_[o];
             const int begin = other.vertices[0] == edge.vertices[end] ? 0 : 1;
-            visit(o, way.dot((other.positions[1 - begin] - here).normalized()));
+            visit(o, direction.dot((other.positions[1 - begin] - here).normalized()));
         }
     }
 

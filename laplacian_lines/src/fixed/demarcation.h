@@ -23,7 +23,7 @@ SteepestBend steepest_bend(const Eigen::Vector4f& derivative);
 ZeroLines find_demarcating_curves(const ExtractorData& data,
                                   const std::vector<PlacedCluster>& placed);
 
-/// Of the curves that are found, in D.
+/// The shortest curve that is found, in D.
 constexpr float kLeastDemarcatingLength = 0.02f;
 
 }  // namespace laplacian_lines

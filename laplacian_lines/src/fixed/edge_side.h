@@ -13,7 +13,7 @@ class EdgeSide {
 public:
     static constexpr std::size_t kMostTriangles = 24;
 
-    /// Of the edge's own triangle, or of the one beyond. Signs turn normals to agree with that of
+    /// The edge's own triangle's side, or the one beyond. Signs turn normals to agree with that of
     /// the edge's own triangle.
     EdgeSide(const TriangleGraph& graph, const BentEdge& edge, bool beyond) : graph_(graph) {
         const TriangleGraph::Node& own = graph.triangles[edge.triangle];
@@ -36,7 +36,7 @@ public:
     float length() const { return length_; }                     ///< of the edge
     const Eigen::Vector3f& middle() const { return middle_; }    ///< of the edge
     const Eigen::Vector3f& direction() const { return along_; }  ///< of the edge, unit
-    /// Of the triangle at the edge.
+    /// Height of the triangle at the edge.
     float height() const { return length_ > 0 ? 2 * graph_.triangles[start_].area / length_ : 0; }
     /// Whether side k of a triangle is the edge itself.
     bool is_edge(std::uint32_t triangle, unsigned k) const {
@@ -46,13 +46,13 @@ public:
     /// Whether a place is on this side of the plane that halves the angle at the edge, and within
     /// these distances of the edge.
     bool is_near(const Eigen::Vector3f& p, float across, float along) const {
-        const Eigen::Vector3f way = p - middle_;
+        const Eigen::Vector3f offset = p - middle_;
         const float farthest = across + along + length_ / 2;
-        return way.dot(away_) > 0 && std::abs(way.dot(along_)) <= length_ / 2 + along &&
-               way.squaredNorm() <= farthest * farthest;
+        return offset.dot(away_) > 0 && std::abs(offset.dot(along_)) <= length_ / 2 + along &&
+               offset.squaredNorm() <= farthest * farthest;
     }
 
-    /// Calls visit(triangle, sign) for triangles as far as there is a way from one to the next with
+    /// Calls visit(triangle, sign) for triangles as far as one leads to the next with
     /// passes(triangle, side) into those for which holds(triangle), and while `visit` is true.
     /// Returns whether it always was.
     template <class Passes, class Holds, class Visit>

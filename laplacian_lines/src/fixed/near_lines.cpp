@@ -57,11 +57,11 @@ void NearLines::add(const Eigen::Vector3f& begin, const Eigen::Vector3f& end) {
 
 bool NearLines::is_along(const Piece& piece, const Eigen::Vector3f& p,
                          const Eigen::Vector3f& direction) const {
-    const Eigen::Vector3f way = piece.end - piece.begin;
-    const float length = way.squaredNorm();
-    const float t = length > 0 ? std::clamp((p - piece.begin).dot(way) / length, 0.f, 1.f) : 0.f;
-    if ((piece.begin + t * way - p).squaredNorm() > distance_ * distance_) return false;
-    const float product = way.dot(direction);
+    const Eigen::Vector3f span = piece.end - piece.begin;
+    const float length = span.squaredNorm();
+    const float t = length > 0 ? std::clamp((p - piece.begin).dot(span) / length, 0.f, 1.f) : 0.f;
+    if ((piece.begin + t * span - p).squaredNorm() > distance_ * distance_) return false;
+    const float product = span.dot(direction);
     return product * product >= kAlong * length * direction.squaredNorm();
 }
 

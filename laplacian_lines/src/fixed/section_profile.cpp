@@ -101,7 +101,8 @@ void SectionProbe::measure(const Section& section, float reach, SectionProfile& 
 
 namespace {
 
-/// Calls read(a, b, t) with the neighbours of a place among others and its share of their way.
+/// Calls read(a, b, t) with the neighbours of a place among others and its share of the distance
+/// between them.
 template <class Side, class Read>
 auto interpolate(const Side& side, float distance, Read read) {
     const auto after =

@@ -39,7 +39,7 @@ void for_each_stretch(const Polyline& line, const LinePoint* points, float least
     }
 }
 
-/// Of what is sharp, each piece counts the more the sharper it is: what noise makes of a smooth
+/// Length in which sharper pieces count more: what noise makes of a smooth
 /// surface is short and dull, the spine of a dragon is short and sharp.
 struct SharpLength {
     static constexpr float kPlainAngle = 45;  ///< degrees; up to which a piece counts once

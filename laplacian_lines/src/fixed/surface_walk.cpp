@@ -77,9 +77,9 @@ void SurfaceWalk::cross() {
         const Vector3f out = outwards(graph_, {at_.triangle, k});
         const float slant = direction_.dot(out);
         if (!(slant > 1e-6f)) continue;
-        const float way = (graph_.position(at_.triangle, k) - place_).dot(out) / slant;
-        if (way >= nearest) continue;
-        nearest = way;
+        const float distance = (graph_.position(at_.triangle, k) - place_).dot(out) / slant;
+        if (distance >= nearest) continue;
+        nearest = distance;
         exit_ = k;
         out_ = out;
         slant_ = slant;

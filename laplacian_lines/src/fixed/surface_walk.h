@@ -18,27 +18,27 @@ TriangleSide side_beyond(const TriangleGraph& graph, const TriangleSide& side);
 /// sees it.
 float signed_angle(const TriangleGraph& graph, const TriangleSide& side);
 
-/// A straight way over the surface: from the middle of an edge at a right angle to it, over one
+/// A straight path over the surface: from the middle of an edge at a right angle to it, over one
 /// triangle after the other.
 class SurfaceWalk {
 public:
     /// Into the triangle of this side.
     SurfaceWalk(const TriangleGraph& graph, const TriangleSide& from);
 
-    /// Where the triangle's centre is along the way, and where the way enters and leaves the
+    /// Where the triangle's centre is along the path, and where it enters and leaves the
     /// triangle; the edge that it began at is at 0.
     float centre() const { return centre_; }
     float begin() const { return begin_; }
     float end() const { return end_; }
     float area() const { return graph_.triangles[at_.triangle].area; }
-    /// Whether the surface goes on beyond another side than that which the way came in by, bent by
+    /// Whether the surface goes on beyond another side than the one it came in by, bent by
     /// less than `most` degrees.
     bool goes_on_flat(float most) const;
     /// By how much the edge there is bent, degrees, positive where the surface is convex as the
-    /// first triangle sees it; and how much of it the way turns, as it may cross at a slant.
+    /// first triangle sees it; and how much of it the path turns, as it may cross at a slant.
     float angle() const { return angle_; }
     float turn() const { return angle_ * slant_; }
-    /// 1 where the way crosses that edge at a right angle, towards 0 along it.
+    /// 1 where the path crosses that edge at a right angle, towards 0 along it.
     float slant() const { return slant_; }
     /// Whether the surface ends there.
     bool is_at_border() const { return !goes_on_; }
@@ -50,7 +50,7 @@ private:
     void cross();
 
     const TriangleGraph& graph_;
-    TriangleSide at_;  // the triangle, and its side that the way came in by
+    TriangleSide at_;  // the triangle, and the side it came in by
     Eigen::Vector3f place_, direction_, out_ = Eigen::Vector3f::Zero();
     float sign_ = 1;  // -1: the triangle has the other orientation than the first one
     float begin_ = 0, centre_ = 0, end_ = 0, angle_ = 0, slant_ = 0;

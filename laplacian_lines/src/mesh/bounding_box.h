@@ -8,7 +8,7 @@
 
 namespace laplacian_lines {
 
-/// Of the points point_of(i), 0 <= i < count; empty if there are none.
+/// The box of the points point_of(i), 0 <= i < count; empty if there are none.
 template <class PointOf>
 Eigen::AlignedBox3d bounding_box(std::size_t count, PointOf point_of) {
     const auto of_block = [&](std::size_t begin, std::size_t end) {

@@ -12,7 +12,7 @@
 
 namespace laplacian_lines {
 
-/// Of the largest coordinate: what is nearer to 0 is 0 but for rounding. CAD programs leave such
+/// Share of the largest coordinate: what is nearer to 0 is 0, but rounded. CAD programs leave such
 /// differences between faces that meet, and files keep them: they round numbers by digits.
 constexpr double kZeroShare = 0x1p-46;
 

@@ -125,7 +125,7 @@ struct VertexCounts {
     }
 };
 
-/// Of each block of vertices, given which are used, those before it; of all at the end.
+/// For each block of vertices, given which are used, the counts before it; the totals come last.
 std::vector<VertexCounts> count_vertices(const Positions& positions,
                                          const std::vector<std::uint32_t>& number) {
     std::vector<VertexCounts> counts(block_count(positions.size()) + 1);

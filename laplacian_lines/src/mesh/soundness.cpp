@@ -31,7 +31,7 @@ struct Side {
     }
 };
 
-/// Of the edges whose smaller vertex is in the range.
+/// Counts the edges whose smaller vertex is in the range.
 void count_edges(const VertexRanges::Range& range, EdgeCounts& counts) {
     std::vector<Side> sides;
     range.for_each_triangle([&](const Triangle& t) {

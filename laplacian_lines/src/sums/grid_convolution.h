@@ -19,7 +19,7 @@ inline int tap_count(double size, const GridResolution& resolution) {
     return int(std::ceil(resolution.cutoff * size + 0.5));
 }
 
-/// The filter of spline_kernel() as a row: taps[size / 2 + d] is for the way from node i to the
+/// The filter of spline_kernel() as a row: taps[size / 2 + d] is for the step from node i to the
 /// value half a cell after node i − d. Zeros beyond the cutoff make up whole blocks.
 template <class Real>
 std::vector<Real> kernel_taps(double size, const GridResolution& resolution, int reach) {

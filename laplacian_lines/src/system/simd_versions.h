@@ -36,7 +36,7 @@ LAPLACIAN_LINES_VECTORS(64)
 #undef LAPLACIAN_LINES_VECTORS
 #undef LAPLACIAN_LINES_VECTOR
 
-/// Of the widest registers that there are versions for and that the processor has, at most what the
+/// The size of the widest registers that have versions and that the processor has, at most what the
 /// environment variable LAPLACIAN_LINES_VECTOR_BYTES says, so that other versions can be tested.
 std::size_t vector_bytes();
 

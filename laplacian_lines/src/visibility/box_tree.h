@@ -46,7 +46,7 @@ std::vector<std::uint32_t> order_along_curve(std::size_t count,
         const Eigen::Matrix<float, Dim, 1> point = point_of(std::uint32_t(i));
         for (int axis = 0; axis < Dim; ++axis) {
             const float share = (point[axis] - box.min()[axis]) / box.sizes()[axis];
-            const float at = share > 0 ? std::min(share, 1.f) : 0;  // also what is no number
+            const float at = share > 0 ? std::min(share, 1.f) : 0;  // also what is not a number
             places[i] |= spread(std::uint64_t(at * float((1 << kBits) - 1))) << axis;
         }
     });
@@ -74,7 +74,7 @@ public:
     using Box = Eigen::AlignedBox<float, Dim>;
 
     BoxTree() = default;
-    /// Of box_of(i) for all i in `order`, which has to outlive the tree.
+    /// Holds box_of(i) for all i in `order`, which has to outlive the tree.
     template <class BoxOf>
     BoxTree(const std::vector<std::uint32_t>& order, BoxOf box_of) : order_(&order) {
         const auto add_level = [&](std::size_t size, auto box_of_node) {

@@ -26,12 +26,12 @@ void CreaseMarker::mark_along(const Vector3d& begin, const Vector3d& end,
                               CreaseMarks& marks) const {
     const double reach = 2 * mesh_.line_precision + mesh_.precision, length = (end - begin).norm();
     if (!(length > 0)) return;
-    const Vector3d way = (end - begin) / length;
+    const Vector3d direction = (end - begin) / length;
     std::vector<std::pair<double, std::uint32_t>> on;
     places().visit_along(begin, end, reach, [&](std::uint32_t v) {
         const Vector3d& p = mesh_.positions[v];
-        const double along = std::clamp(way.dot(p - begin), 0., length);
-        if ((p - begin - along * way).norm() <= reach) on.emplace_back(along, v);
+        const double along = std::clamp(direction.dot(p - begin), 0., length);
+        if ((p - begin - along * direction).norm() <= reach) on.emplace_back(along, v);
     });
     std::sort(on.begin(), on.end());
     on.erase(std::unique(on.begin(), on.end()), on.end());

@@ -21,8 +21,8 @@ public:
     /// The mesh has to outlive it.
     explicit CreaseMarker(const SightMesh& mesh) : mesh_(mesh) {}
 
-    /// The edges between successive points of the creases among the lines. What is no edge is left
-    /// out.
+    /// The edges between successive points of the creases among the lines. What is not an edge is
+    /// left out.
     CreaseMarks mark(const std::vector<LineSet>& lines) const;
 
 private:

@@ -64,8 +64,8 @@ bool EdgeOnWalls::drop_at(std::uint32_t edge) const {
 /// Whether a triangle gets farther from the eye away from its edge.
 bool EdgeOnWalls::recedes(std::uint32_t edge, std::uint32_t triangle) const {
     const auto& ends = mesh_.edges[edge].vertices;
-    const Vector3d &a = picture_.vertex(ends[0]), way = picture_.vertex(ends[1]) - a;
-    const Vector3d normal = way.cross(Vector3d::UnitZ()).cross(way);  // to the eye, off the edge
+    const Vector3d &a = picture_.vertex(ends[0]), span = picture_.vertex(ends[1]) - a;
+    const Vector3d normal = span.cross(Vector3d::UnitZ()).cross(span);  // to the eye, off the edge
     const Triangle& t = mesh_.triangles[triangle];
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
         return v == ends[0] || v == ends[1] || normal.dot(picture_.vertex(v) - a) < 0;
@@ -78,16 +78,16 @@ bool EdgeOnWalls::cover(const std::vector<std::uint32_t>& edges, std::uint32_t o
     const auto at = [&](std::uint32_t e, int end) -> Vector2d {
         return picture_.vertex(mesh_.edges[e].vertices[end]).head<2>();
     };
-    const Vector2d a = at(other, 0), way = at(other, 1) - a;
-    std::vector<std::pair<double, double>> parts;  // of the way, from 0 to its squared length
+    const Vector2d a = at(other, 0), span = at(other, 1) - a;
+    std::vector<std::pair<double, double>> parts;  // of the span, from 0 to its squared length
     for (const std::uint32_t edge : edges)
-        parts.push_back(std::minmax({way.dot(at(edge, 0) - a), way.dot(at(edge, 1) - a)}));
+        parts.push_back(std::minmax({span.dot(at(edge, 0) - a), span.dot(at(edge, 1) - a)}));
     std::sort(parts.begin(), parts.end());
-    const double touch = EyeFrame::turn() * way.norm();  // what is so short may be seen end-on
+    const double touch = EyeFrame::turn() * span.norm();  // what is so short may be seen end-on
     double covered = 0;
     for (const auto& [low, high] : parts)
         if (low <= covered + touch) covered = std::max(covered, high);
-    return covered >= way.squaredNorm() - touch;
+    return covered >= span.squaredNorm() - touch;
 }
 
 }  // namespace laplacian_lines

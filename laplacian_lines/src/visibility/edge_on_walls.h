@@ -17,8 +17,8 @@ class EdgeOnWalls {
 public:
     explicit EdgeOnWalls(const Picture& picture);
 
-    /// Whether an edge of two triangles that is no fold is the near edge of such a face, and other
-    /// edges of the face are no folds beside it all along.
+    /// Whether an edge of two triangles that is not a fold is the near edge of such a face, and
+    /// other edges of the face are no folds beside it all along.
     bool drop_at(std::uint32_t edge) const;
 
 private:

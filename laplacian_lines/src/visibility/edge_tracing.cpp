@@ -106,7 +106,7 @@ private:
             std::size_t first = 0, second = 0;
             for (std::size_t i = 0; i < halves.size(); ++i)
                 for (std::size_t k = i + 1; k < halves.size(); ++k) {
-                    const double straightness = -way(halves[i]).dot(way(halves[k]));
+                    const double straightness = -direction(halves[i]).dot(direction(halves[k]));
                     if (straightness > best) {
                         best = straightness;
                         first = i;
@@ -121,7 +121,7 @@ private:
     }
 
     /// The direction of a piece from one of its ends, in the picture.
-    Vector2d way(std::uint32_t half) const {
+    Vector2d direction(std::uint32_t half) const {
         const SightSegment& segment = segment_of(half);
         const Vector3d along = all_.place(segment.points[1]) - all_.place(segment.points[0]);
         return (half % 2 == 0 ? 1 : -1) * along.head<2>().stableNormalized();

@@ -13,7 +13,7 @@
 
 namespace laplacian_lines {
 
-/// What is before and behind a point on the way to the eye.
+/// What is before and behind a point as seen from the eye.
 struct Backing {
     bool is_hidden = false;
     /// To the next surface behind it, as the eye sees it, local; infinite if there is none.
@@ -39,7 +39,7 @@ public:
     /// Whether all triangles of an edge are on one side of it.
     bool is_fold(std::uint32_t edge) const;
 
-    /// 1 left of the way from a to b or on it, −1 right of it; opposite for the way back.
+    /// 1 left of the line from a to b or on it, −1 right of it; opposite from b to a.
     static int turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
     /// How much larger z is of what is nearer to the eye by a small `distance`, local.
@@ -47,7 +47,7 @@ public:
         return frame_.has_perspective() ? distance * z * z : distance;
     }
 
-    /// Where a share of the way between two places of the picture lies in space.
+    /// Where a share of the line between two places of the picture lies in space.
     double share_in_space(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double t) const {
         return frame_.has_perspective() ? t * to.z() / ((1 - t) * from.z() + t * to.z()) : t;
     }

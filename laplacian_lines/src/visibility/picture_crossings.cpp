@@ -18,7 +18,7 @@ double height_over(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
     return std::abs((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()));
 }
 
-/// Where the way from a to b passes the line through c and d, which are on different sides of it.
+/// Where the line from a to b crosses the line through c and d, which are on different sides of it.
 double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
     const double before = height_over(c, d, a), after = height_over(c, d, b);
     return before + after > 0 ? before / (before + after) : 0.5;

@@ -11,7 +11,7 @@ namespace laplacian_lines {
 /// Where two segments cross each other in the picture.
 struct PictureCrossing {
     std::uint32_t segments[2];
-    double shares[2];  ///< of the way along each, in the picture
+    double shares[2];  ///< of the length of each, in the picture
 };
 
 /// All crossings of segments of which one divides; lines on the surface are crossed only by what is

@@ -21,7 +21,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of the size of the coordinates: four units in the last place of a float, which files hold.
+// Relative to the coordinates: four units in the last place of a float, which files hold.
 constexpr double kPrecision = 0x1p-22;
 // Local. Where coordinates are coarser there is no form left, and all would be at one place.
 constexpr double kWorstPrecision = 1e-3;
@@ -59,7 +59,7 @@ void weld_equal(SightMesh& mesh) {
     replace_vertices(first_equal_positions(mesh.positions), mesh);
 }
 
-/// Of borders, one vertex for all at one place; its number is the smallest.
+/// Merges border vertices at one place into one, with the smallest of their numbers.
 bool weld_borders(SightMesh& mesh) {
     std::vector<bool> on_border(mesh.positions.size());
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
@@ -207,20 +207,20 @@ void add_cuts(const std::vector<SurfaceContacts::Cut>& cuts, SightMesh& mesh) {
 }
 
 /// The vertices on an edge, from its first to its second.
-std::vector<std::uint32_t> way_along(const SightMesh& mesh, const SightMesh::Edge& edge,
-                                     const SurfaceContacts::OnEdge* begin,
-                                     const SurfaceContacts::OnEdge* end) {
+std::vector<std::uint32_t> path_along(const SightMesh& mesh, const SightMesh::Edge& edge,
+                                      const SurfaceContacts::OnEdge* begin,
+                                      const SurfaceContacts::OnEdge* end) {
     const Vector3d& from = mesh.positions[edge.vertices[0]];
     std::vector<std::pair<double, std::uint32_t>> on;
     for (; begin != end; ++begin)
         on.emplace_back((mesh.positions[begin->vertex] - from).squaredNorm(), begin->vertex);
     std::sort(on.begin(), on.end());
     on.erase(std::unique(on.begin(), on.end()), on.end());
-    std::vector<std::uint32_t> way = {edge.vertices[0]};
+    std::vector<std::uint32_t> path = {edge.vertices[0]};
     for (const auto& [distance, vertex] : on)
-        way.push_back(vertex);
-    way.push_back(edge.vertices[1]);
-    return way;
+        path.push_back(vertex);
+    path.push_back(edge.vertices[1]);
+    return path;
 }
 
 /// Divides edges at vertices that lie on them.
@@ -237,12 +237,12 @@ void divide_edges(const std::vector<SurfaceContacts::OnEdge>& on_edges, SightMes
         const std::uint32_t e = mesh.edge_between(begin->edge[0], begin->edge[1]);
         if (e == SightMesh::kNoEdge) continue;
         gone.push_back(e);
-        const std::vector<std::uint32_t> way = way_along(mesh, mesh.edges[e], begin, next);
+        const std::vector<std::uint32_t> path = path_along(mesh, mesh.edges[e], begin, next);
         for (std::size_t s = 0; s < mesh.side_count(e); ++s) {
             const SightMesh::Side side = mesh.sides_of(e)[s];
-            for (std::size_t i = 1; i < way.size(); ++i)
-                sides.push_back(side_between(way[i - (side.is_reversed ? 0 : 1)],
-                                             way[i - (side.is_reversed ? 1 : 0)], side.triangle));
+            for (std::size_t i = 1; i < path.size(); ++i)
+                sides.push_back(side_between(path[i - (side.is_reversed ? 0 : 1)],
+                                             path[i - (side.is_reversed ? 1 : 0)], side.triangle));
         }
     }
     change_edges(sides, gone, mesh);

@@ -57,7 +57,7 @@ struct SightMesh {
 /// Triangles with corners that are not finite are left out.
 /// @throws Error: InvalidMesh if a triangle names a vertex that does not exist, Cancelled.
 SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage);
-/// Of a part of another mesh, in whose local coordinates it is and stays.
+/// The same for a part of another mesh, in whose local coordinates it is and stays.
 SightMesh build_sight_mesh(TriangleMesh part, const SightMesh& whole, const StageProgress& stage);
 
 }  // namespace laplacian_lines

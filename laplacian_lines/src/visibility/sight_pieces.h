@@ -9,12 +9,12 @@
 
 namespace laplacian_lines {
 
-/// A part of a segment between neighbouring crossings or ends: nothing changes on its way.
+/// A part of a segment between neighbouring crossings or ends: nothing changes along it.
 struct SightPiece {
     std::uint32_t segment;
     /// In the picture: points of the segments, and behind these crossings.
     std::uint32_t nodes[2];
-    double shares[2];  ///< of the way along the segment, in the picture
+    double shares[2];  ///< of the length of the segment, in the picture
     bool is_hidden;
     bool is_outline;  ///< seen, and on one side of it is nothing
     float gap;        ///< to what is behind it, local; infinite if there is nothing

@@ -45,16 +45,16 @@ public:
     }
 
 private:
-    /// How much nearer to the eye a triangle gets on the way across an edge.
+    /// How much nearer to the eye a triangle gets across an edge.
     double rise(std::uint32_t edge, const SightMesh::Side& side) const {
         const Triangle& t = mesh_.triangles[side.triangle];
         const Vector3d &a = picture_.vertex(t[0]), &b = picture_.vertex(t[1]),
                        &c = picture_.vertex(t[2]);
         const Vector3d normal = (b - a).cross(c - a);
-        const Vector3d way = picture_.vertex(mesh_.edges[edge].vertices[1]) -
-                             picture_.vertex(mesh_.edges[edge].vertices[0]);
+        const Vector3d span = picture_.vertex(mesh_.edges[edge].vertices[1]) -
+                              picture_.vertex(mesh_.edges[edge].vertices[0]);
         const double sign = picture_.side_of(side);
-        return -sign * (normal.x() * -way.y() + normal.y() * way.x()) / normal.z();
+        return -sign * (normal.x() * -span.y() + normal.y() * span.x()) / normal.z();
     }
 
     /// Whether what is seen first on both sides of an edge of several triangles is one plane.

@@ -149,7 +149,7 @@ private:
         }
     }
 
-    /// Whether a vertex is on the way between two others.
+    /// Whether a vertex lies between two others.
     bool lies_on(std::uint32_t vertex, std::uint32_t from, std::uint32_t to) const {
         const bool are_borders = on_border_[vertex] && on_border_[from] && on_border_[to];
         return lies_between(mesh_, vertex, from, to, are_borders ? reach() : mesh_.precision);
@@ -165,11 +165,11 @@ private:
     }
 
     bool find_cut(std::uint32_t t, const Heights& of_t, std::uint32_t other,
-                  const Heights& of_other, const Vector3d& way, FoundCut& cut) const {
+                  const Heights& of_other, const Vector3d& direction, FoundCut& cut) const {
         std::array<CutEnd, 2> ends_of_t, ends_of_other;
         if (!find_ends(t, of_t, other, ends_of_t) || !find_ends(other, of_other, t, ends_of_other))
             return false;
-        const auto along = [&](const CutEnd& end) { return way.dot(end.position); };
+        const auto along = [&](const CutEnd& end) { return direction.dot(end.position); };
         for (auto* ends : {&ends_of_t, &ends_of_other})
             if (along((*ends)[0]) > along((*ends)[1])) std::swap((*ends)[0], (*ends)[1]);
         const CutEnd& begin =

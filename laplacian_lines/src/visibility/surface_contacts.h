@@ -16,7 +16,7 @@ struct SurfaceContacts {
         std::uint32_t vertices[2];
         std::uint32_t triangles[2];
     };
-    /// A vertex on an edge that it is no end of.
+    /// A vertex on an edge that it is not an end of.
     struct OnEdge {
         std::array<std::uint32_t, 2> edge;  ///< vertices, ascending
         std::uint32_t vertex;

@@ -61,7 +61,7 @@ private:
         return all_.segments[piece.segment].points[0] - pieces_.first_node;
     }
 
-    /// Of the way along the segment.
+    /// Where the end of a piece is, as a share of its segment in space.
     double share(const SightPiece& piece, int end) const {
         const SightSegment& segment = all_.segments[piece.segment];
         return all_.picture.share_in_space(all_.place(segment.points[0]),

@@ -24,13 +24,13 @@ std::vector<bool> vertices_of_edges(const SightMesh& mesh) {
 bool lies_between(const SightMesh& mesh, std::uint32_t vertex, std::uint32_t from, std::uint32_t to,
                   double within) {
     if (vertex == from || vertex == to) return false;
-    const Vector3d way = mesh.positions[to] - mesh.positions[from],
+    const Vector3d span = mesh.positions[to] - mesh.positions[from],
                    aside = mesh.positions[vertex] - mesh.positions[from];
-    const double product = way.dot(aside), square = way.squaredNorm();
+    const double product = span.dot(aside), square = span.squaredNorm();
     if (!(product > 0 && product < square)) return false;  // most, without a root
     const double length = std::sqrt(square), along = product / length;
     return along > within && along < length - within &&
-           (aside - along / length * way).norm() <= within;
+           (aside - along / length * span).norm() <= within;
 }
 
 VertexPlaces::VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted)

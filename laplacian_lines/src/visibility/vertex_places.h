@@ -10,25 +10,25 @@
 
 namespace laplacian_lines {
 
-/// A box around a straight way, with room of `reach` and for the rounding of floats.
+/// A box around a straight line, with room of `reach` and for the rounding of floats.
 Eigen::AlignedBox3f box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reach);
 
 /// Those that edges have, by vertex.
 std::vector<bool> vertices_of_edges(const SightMesh& mesh);
 
-/// Whether a vertex is within a distance of the way between two others, and not that near to them.
+/// Whether a vertex is within a distance of the line between two others, and not that near to them.
 bool lies_between(const SightMesh& mesh, std::uint32_t vertex, std::uint32_t from, std::uint32_t to,
                   double within);
 
 /// Vertices of a mesh by place.
 class VertexPlaces {
 public:
-    /// Of those that are `wanted`.
+    /// Holds the vertices that are `wanted`.
     VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted);
     VertexPlaces(const VertexPlaces&) = delete;
     VertexPlaces& operator=(const VertexPlaces&) = delete;
 
-    /// Calls visit(vertex) for all vertices within `reach` of a straight way, some of them more
+    /// Calls visit(vertex) for all vertices within `reach` of a straight line, some of them more
     /// than once.
     template <class Visit>
     void visit_along(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double reach,

@@ -11,7 +11,7 @@ namespace line_drawing {
 /// A plane across an axis of the mesh.
 struct Section {
     int axis = 0;        ///< 0 to 2: x, y, z
-    double share = 0.5;  ///< where on the way through the bounding box, 0 to 1
+    double share = 0.5;  ///< where across the bounding box, 0 to 1
 };
 
 /// Sections from their names, such as "y=0.5", separated by commas or spaces; none from no text.

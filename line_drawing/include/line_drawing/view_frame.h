@@ -23,7 +23,7 @@ struct ViewFrame {
     Side side = Side::Front;
     QString name;  ///< for people, "Front" or "30°, 15°"
     Eigen::Vector3d right, up, towards_viewer;
-    /// Of a vessel: left of its axis the section and what is behind it, right of it the outside.
+    /// A vessel: left of its axis the section and what is behind it, right of it the outside.
     bool is_half_section = false;
     /// Where the eye of a perspective view is, in mesh coordinates; none: far away, and lengths
     /// across the view are true. What is farther aside than tangent_of_sight is not in the picture.

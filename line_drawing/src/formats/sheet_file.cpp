@@ -19,7 +19,8 @@ QString endingOf(const QString& file) {
 
 void needFonts() {
     if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance()))
-        refuse("PDF and PNG need fonts, which this program has none of. Write an SVG or DXF file.");
+        refuse(
+            "PDF and PNG need fonts, which this program does not have. Write an SVG or DXF file.");
 }
 
 Format formatOf(const QString& file) {

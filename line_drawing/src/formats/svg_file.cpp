@@ -12,7 +12,7 @@ namespace {
 const char* const svg_namespace = "http://www.w3.org/2000/svg";
 const char* const inkscape_namespace = "http://www.inkscape.org/namespaces/inkscape";
 
-/// Of thousandths, as short as it can be written.
+/// A number given in thousandths, as short as it can be written.
 QString decimal(qint64 thousandths) {
     QString digits = QString::number(std::abs(thousandths)).rightJustified(4, '0');
     digits.insert(digits.size() - 3, '.');

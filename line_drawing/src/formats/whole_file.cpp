@@ -18,7 +18,7 @@ namespace {
 /// The system would take what comes before it.
 void refuseNull(QString file) {
     if (!file.contains(QChar::Null)) return;
-    refuseToWrite(file.replace(QChar::Null, "\\0"), "no name of a file holds a null character");
+    refuseToWrite(file.replace(QChar::Null, "\\0"), "the name holds a null character");
 }
 
 /// A device, a pipe or a link to one.
@@ -61,7 +61,7 @@ void checkWritable(const QString& file) {
     refuseNull(file);
     if (isSpecial(file)) {
         if (QFileInfo(file).isDir()) refuseToWrite(file, "it is a folder");
-        if (!QFileInfo(file).isWritable()) refuseToWrite(file, "it is no file of yours");
+        if (!QFileInfo(file).isWritable()) refuseToWrite(file, "it is not yours to write");
         return;
     }
     QSaveFile output(file);

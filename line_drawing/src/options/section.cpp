@@ -13,10 +13,10 @@ Section parse(const QString& word) {
     bool is_number = axis >= 0;
     const double share = is_number ? parts[1].toDouble(&is_number) : 0;
     if (!is_number || !(share > 0 && share < 1))
-        refuse(
-            QString("\"%1\" is no section. A section is an axis and a place on it, 0 to 1 of the "
-                    "object, such as y=0.5.")
-                .arg(word));
+        refuse(QString(
+                   "\"%1\" is not a section. A section is an axis and a place on it, 0 to 1 of the "
+                   "object, such as y=0.5.")
+                   .arg(word));
     return {axis, share};
 }
 

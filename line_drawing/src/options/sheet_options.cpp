@@ -19,10 +19,10 @@ double parseScale(const QString& text) {
     const double scale = drawn / real;
     if (!is_number || !is_other || !(drawn > 0) || !(real > 0) ||
         !(scale >= 1 / largest_scale && scale <= largest_scale))
-        refuse(
-            QString("\"%1\" is no scale. A scale is drawn to true length, such as 1:2 or 2:1, or "
-                    "fit: the largest usual one.")
-                .arg(text));
+        refuse(QString(
+                   "\"%1\" is not a scale. A scale is drawn to true length, such as 1:2 or 2:1, or "
+                   "fit: the largest usual one.")
+                   .arg(text));
     return scale;
 }
 
@@ -33,9 +33,10 @@ DetailSize parseDetailSize(const QString& text) {
     bool is_number = false;
     const double size = word.chopped(is_share ? 1 : is_length ? 2 : 0).toDouble(&is_number);
     if (!is_number || !(is_share || is_length) || !(size >= 1e-3 && size <= 100))
-        refuse(QString("\"%1\" is no size of detail. Say auto, a length on paper such as 1mm, or a "
-                       "share of the object's diagonal such as 0.9%.")
-                   .arg(text));
+        refuse(
+            QString("\"%1\" is not a size of detail. Say auto, a length on paper such as 1mm, or a "
+                    "share of the object's diagonal such as 0.9%.")
+                .arg(text));
     return {is_share ? size / 100 : size, is_share};
 }
 

@@ -63,7 +63,7 @@ private:
     }
 
     [[noreturn]] static void refuseWord(const QString& word) {
-        refuse(QString("\"%1\" is no view. Views are front, back, left, right, top, bottom, "
+        refuse(QString("\"%1\" is not a view. Views are front, back, left, right, top, bottom, "
                        "six (all of these), vessel, or azimuth and elevation in degrees, such "
                        "as 30,15.")
                    .arg(word));

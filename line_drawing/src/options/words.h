@@ -14,7 +14,7 @@ inline QStringList wordsOf(const QString& text) {
     return text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts);
 }
 
-/// Of a text that may hold anything, what fits a line: no line breaks or other signs to programs.
+/// A text that may hold anything, made to fit a line: no line breaks or other control characters.
 inline QString oneLine(QString text) {
     for (QChar& c : text)
         if (c.category() == QChar::Other_Control || c == QChar::LineSeparator ||

@@ -62,10 +62,11 @@ std::vector<Piece> piecesOf(const TriangleMesh& mesh, int axis, double height) {
 using Strip = std::pair<double, double>;
 
 /// What areas cover of a line together.
-std::vector<Strip> stripsAt(const std::vector<Loops>& areas, const Vector2d& way, double offset) {
+std::vector<Strip> stripsAt(const std::vector<Loops>& areas, const Vector2d& direction,
+                            double offset) {
     std::vector<Strip> all, joined;
     for (const Loops& loops : areas) {
-        const std::vector<double> crossings = crossingsAt(loops, way, offset);
+        const std::vector<double> crossings = crossingsAt(loops, direction, offset);
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
             all.emplace_back(crossings[i], crossings[i + 1]);
     }
@@ -109,22 +110,23 @@ std::vector<Cut> cutMesh(const TriangleMesh& mesh, int axis, double height) {
     return cuts;
 }
 
-std::vector<double> crossingsAt(const Loops& loops, const Vector2d& way, double offset) {
-    const Vector2d across(-way.y(), way.x());
+std::vector<double> crossingsAt(const Loops& loops, const Vector2d& direction, double offset) {
+    const Vector2d across(-direction.y(), direction.x());
     std::vector<double> crossings;
     for (const auto& loop : loops)
         for (std::size_t i = 1; i < loop.size(); ++i) {
             const double a = across.dot(loop[i - 1]) - offset, b = across.dot(loop[i]) - offset;
             if ((a < 0) == (b < 0)) continue;
-            crossings.push_back(way.dot(loop[i - 1] + (loop[i] - loop[i - 1]) * (a / (a - b))));
+            crossings.push_back(
+                direction.dot(loop[i - 1] + (loop[i] - loop[i - 1]) * (a / (a - b))));
         }
     std::sort(crossings.begin(), crossings.end());
     return crossings;
 }
 
-std::vector<std::vector<Vector2d>> hatch(const std::vector<Loops>& areas, const Vector2d& way,
+std::vector<std::vector<Vector2d>> hatch(const std::vector<Loops>& areas, const Vector2d& direction,
                                          double spacing) {
-    const Vector2d across(-way.y(), way.x());
+    const Vector2d across(-direction.y(), direction.x());
     double low = 0, high = 0;
     bool any = false;
     for (const Loops& loops : areas)
@@ -137,8 +139,8 @@ std::vector<std::vector<Vector2d>> hatch(const std::vector<Loops>& areas, const 
             }
     std::vector<std::vector<Vector2d>> lines;
     for (double at = (std::floor(low / spacing) + 0.5) * spacing; any && at < high; at += spacing) {
-        for (const auto& [begin, end] : stripsAt(areas, way, at))
-            lines.push_back({at * across + begin * way, at * across + end * way});
+        for (const auto& [begin, end] : stripsAt(areas, direction, at))
+            lines.push_back({at * across + begin * direction, at * across + end * direction});
     }
     return lines;
 }

@@ -18,13 +18,14 @@ std::vector<Cut> cutMesh(const laplacian_lines::TriangleMesh& mesh, int axis, do
 
 using Loops = std::vector<std::vector<Eigen::Vector2d>>;
 
-/// Where a straight line in the unit direction `way`, `offset` to the left of the origin, goes into
-/// what loops enclose (even-odd) and out of it: places along it, ascending.
-std::vector<double> crossingsAt(const Loops& loops, const Eigen::Vector2d& way, double offset);
+/// Where a straight line in the unit direction `direction`, `offset` to the left of the origin,
+/// goes into what loops enclose (even-odd) and out of it: places along it, ascending.
+std::vector<double> crossingsAt(const Loops& loops, const Eigen::Vector2d& direction,
+                                double offset);
 
-/// Lines of a distance of `spacing` in the unit direction `way`, within areas or what several of
-/// them cover together. Each has two points.
+/// Lines of a distance of `spacing` in the unit direction `direction`, within areas or what several
+/// of them cover together. Each has two points.
 std::vector<std::vector<Eigen::Vector2d>> hatch(const std::vector<Loops>& areas,
-                                                const Eigen::Vector2d& way, double spacing);
+                                                const Eigen::Vector2d& direction, double spacing);
 
 }  // namespace line_drawing

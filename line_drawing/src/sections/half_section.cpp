@@ -15,9 +15,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double level_share = 0.003;  // of the height: what counts as the level of rim or base
-constexpr double least_span = 0.1;     // of the height: a round base is no line
+constexpr double least_span = 0.1;     // of the height: a round base is not a line
 
-// Of VesselAxis. A cube has .25 that is round; a pot of 200 mm that leans by 5 degrees has its
+// For VesselAxis. A cube has .25 that is round; a pot of 200 mm that leans by 5 degrees has its
 // section 9 mm beside its axis above and below.
 constexpr double least_round = 0.4, least_rim = 0.5, most_lean = 5;
 
@@ -35,8 +35,8 @@ DrawnLine lineOf(const Vector2d& begin, const Vector2d& end) {
     return {LineClass::Inner, false, {{begin, 1}, {end, 1}}};
 }
 
-/// Of the points near the height of the highest one (`sign` 1) or the lowest one (−1): the
-/// outermost ones.
+/// The outermost of the points near the height of the highest one (`sign` 1) or the lowest one
+/// (−1).
 struct Level {
     Vector2d left, right;
 };
@@ -65,7 +65,7 @@ HalfSection::HalfSection(const Objects& objects, const laplacian_lines::Triangle
 void HalfSection::expectVessel() const {
     const auto say = [](const QString& what) {
         refuse(what +
-               " Vessel views take a vessel that stands upright, nearly whole. Mend that, or "
+               " Vessel views take a vessel that stands upright, nearly whole. Fix that, or "
                "take other views and a section.");
     };
     if (axis_.round < least_round)

@@ -11,7 +11,7 @@ namespace line_drawing {
 /// The planes of the half section of a vessel: upright, through its axis.
 class HalfSection {
 public:
-    /// Of the objects with the joined surface `all`; `frame` has to look along an axis of the
+    /// For the objects with the joined surface `all`; `frame` has to look along an axis of the
     /// mesh. The objects have to outlive it.
     HalfSection(const Objects& objects, const laplacian_lines::TriangleMesh& all,
                 const ViewFrame& frame);

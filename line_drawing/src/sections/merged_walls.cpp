@@ -22,7 +22,7 @@ Eigen::AlignedBox2d boxOf(const Wall& wall) {
     return box;
 }
 
-/// Of what both cover on a line, each being from the first crossing to the second, and so on.
+/// The length that both cover on a line, each from its first crossing to its second, and so on.
 double sharedLength(const std::vector<double>& a, const std::vector<double>& b) {
     double length = 0;
     for (std::size_t i = 0, k = 0; i + 1 < a.size() && k + 1 < b.size();) {

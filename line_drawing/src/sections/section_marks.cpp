@@ -26,8 +26,8 @@ SheetPath lineOf(const Vector2d& begin, const Vector2d& end, double pen) {
     return line;
 }
 
-SheetPath arrowHead(const Vector2d& tip, const Vector2d& way) {
-    const Vector2d across(-way.y(), way.x()), base = tip - head_length * way;
+SheetPath arrowHead(const Vector2d& tip, const Vector2d& direction) {
+    const Vector2d across(-direction.y(), direction.x()), base = tip - head_length * direction;
     SheetPath head;
     head.path.setFillRule(Qt::WindingFill);
     head.path.moveTo(pointOf(tip));
@@ -37,31 +37,32 @@ SheetPath arrowHead(const Vector2d& tip, const Vector2d& way) {
     return head;
 }
 
-/// How far along `way` a rectangle reaches from `from`.
-double reachOf(const QRectF& place, const Vector2d& from, const Vector2d& way) {
+/// How far along `direction` a rectangle reaches from `from`.
+double reachOf(const QRectF& place, const Vector2d& from, const Vector2d& direction) {
     double reach = 0;
     for (const QPointF& p :
          {place.topLeft(), place.topRight(), place.bottomLeft(), place.bottomRight()})
-        reach = std::max(reach, way.dot(Vector2d(p.x(), p.y()) - from));
+        reach = std::max(reach, direction.dot(Vector2d(p.x(), p.y()) - from));
     return reach;
 }
 
-/// Of a direction in a view, whose y points up.
-Vector2d onSheet(const Vector2d& way) {
-    return {way.x(), -way.y()};
+/// The direction on the sheet for one in a view, whose y points up.
+Vector2d onSheet(const Vector2d& direction) {
+    return {direction.x(), -direction.y()};
 }
 
-/// The end of a mark towards `way`, all in the sheet's coordinates.
-void addEnd(const Vector2d& surface_end, const Vector2d& way, const Vector2d& looking,
+/// The end of a mark towards `direction`, all in the sheet's coordinates.
+void addEnd(const Vector2d& surface_end, const Vector2d& direction, const Vector2d& looking,
             const QString& letter, const SheetOptions& options, SheetLayer& layer) {
-    const Vector2d begin = surface_end + mark_gap * way, end = begin + mark_length * way;
-    const Vector2d foot = end - way * options.pens[std::size_t(LineClass::Outline)] / 2;
+    const Vector2d begin = surface_end + mark_gap * direction,
+                   end = begin + mark_length * direction;
+    const Vector2d foot = end - direction * options.pens[std::size_t(LineClass::Outline)] / 2;
     const Vector2d tip = foot + shaft_length * looking;
     layer.paths.push_back(lineOf(begin, end, options.pens[std::size_t(LineClass::Outline)]));
     layer.paths.push_back(
         lineOf(foot, tip - head_length / 2 * looking, options.pens[std::size_t(LineClass::Inner)]));
     layer.paths.push_back(arrowHead(tip, looking));
-    const Vector2d middle = end + letter_distance * way;
+    const Vector2d middle = end + letter_distance * direction;
     layer.texts.push_back({{middle.x(), middle.y() + capital_height * letter_height / 2},
                            letter_height,
                            Qt::AlignHCenter,
@@ -101,8 +102,9 @@ SheetLayer drawMarks(const DrawnView& view, const Placement& placement, const QR
     SheetLayer layer{"marks", "Marks of sections", {}, {}};
     for (const SectionMark& mark : view.marks) {
         const Vector2d at = placement.onSheet(mark.point), looking = onSheet(mark.looking);
-        for (const Vector2d& way : {onSheet(mark.along), Vector2d(-onSheet(mark.along))})
-            addEnd(at + reachOf(place, at, way) * way, way, looking, mark.letter, options, layer);
+        for (const Vector2d& direction : {onSheet(mark.along), Vector2d(-onSheet(mark.along))})
+            addEnd(at + reachOf(place, at, direction) * direction, direction, looking, mark.letter,
+                   options, layer);
     }
     return layer;
 }

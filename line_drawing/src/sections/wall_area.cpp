@@ -37,7 +37,7 @@ std::vector<Stretch> outside(const WallArea& area, const Vector2d& a, const Vect
     return result;
 }
 
-/// Where a closed line begins is no end of its parts.
+/// Where a closed line begins is not an end of its parts.
 void joinAtBegin(std::vector<DrawnLine>& parts) {
     std::vector<DrawnPoint>& last = parts.back().points;
     const std::vector<DrawnPoint>& first = parts.front().points;
@@ -107,7 +107,7 @@ bool WallArea::contains(const Vector2d& point) const {
 
 std::vector<double> WallArea::crossings(const Vector2d& begin, const Vector2d& end) const {
     std::vector<double> at = {0, 1};
-    const Vector2d way = end - begin;
+    const Vector2d span = end - begin;
     const auto across = [](const Vector2d& a, const Vector2d& b) {
         return a.x() * b.y() - a.y() * b.x();
     };
@@ -115,10 +115,10 @@ std::vector<double> WallArea::crossings(const Vector2d& begin, const Vector2d& e
     for (std::size_t row = rowOf(low); !rows_.empty() && row <= rowOf(high); ++row)
         for (const Edge& edge : rows_[row]) {
             const Vector2d side = edge.end - edge.begin;
-            const double turn = across(way, side);
+            const double turn = across(span, side);
             if (turn == 0) continue;
             const double t = across(edge.begin - begin, side) / turn;
-            const double u = across(edge.begin - begin, way) / turn;
+            const double u = across(edge.begin - begin, span) / turn;
             if (t > 0 && t < 1 && u >= 0 && u <= 1) at.push_back(t);
         }
     std::sort(at.begin(), at.end());
@@ -127,8 +127,8 @@ std::vector<double> WallArea::crossings(const Vector2d& begin, const Vector2d& e
 }
 
 bool WallArea::encloses(const Vector2d& begin, const Vector2d& end) const {
-    const Vector2d way = (end - begin).stableNormalized(), middle = (begin + end) / 2;
-    const Vector2d aside = slight_ * Vector2d(-way.y(), way.x());
+    const Vector2d span = (end - begin).stableNormalized(), middle = (begin + end) / 2;
+    const Vector2d aside = slight_ * Vector2d(-span.y(), span.x());
     return contains(middle + aside) && contains(middle - aside);
 }
 

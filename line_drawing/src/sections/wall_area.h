@@ -12,11 +12,11 @@ public:
 
     bool contains(const Eigen::Vector2d& point) const;
 
-    /// Where the straight way between two places meets the loops, as shares of it: ascending, with
+    /// Where the straight line between two places meets the loops, as shares of it: ascending, with
     /// 0 and 1.
     std::vector<double> crossings(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
 
-    /// Whether such a way, that meets no loop but at its ends, is inside, and not along a loop.
+    /// Whether such a line, that meets no loop but at its ends, is inside, and not along a loop.
     bool encloses(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
 
 private:

@@ -21,9 +21,9 @@ using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
 constexpr double check_pixel = 0.25;  // mm on the sheet
-// Of the work: the ends of finding lines, and of preparing what hides them.
+// Shares of the work at which lines are found, and what hides them is prepared.
 constexpr double lines_share = 0.4, sight_share = 0.55;
-constexpr std::size_t most_triangles_at_once = 2000000;  // of views that are looked at together
+constexpr std::size_t most_triangles_at_once = 2000000;  // in views that are found together
 
 void check(const SheetOptions& options) {
     if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
@@ -82,7 +82,7 @@ void tellApart(std::vector<SheetGroup>& groups) {
 
 QString remarkOn(const DrawnView& view, double missing) {
     return QString(
-               "%1: %2 mm of the outline were missing and are drawn from the mesh's edges. "
+               "%1: %2 mm of the outline were missing and have been drawn from the mesh's edges. "
                "Please report this with the mesh.")
         .arg(view.frame.name)
         .arg(missing, 0, 'f', 1);
@@ -90,7 +90,7 @@ QString remarkOn(const DrawnView& view, double missing) {
 
 QString remarkOn(const QString& note) {
     return QString(
-               "Vessel: %1. So far does the rim go around the axis, and by so much does the "
+               "Vessel: %1. That is how far the rim goes around the axis, and how much the "
                "vessel lean.")
         .arg(note);
 }

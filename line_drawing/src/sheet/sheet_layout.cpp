@@ -47,7 +47,7 @@ struct Cell {
     int row, column;
 };
 
-/// Of the views of an object's sides around its front view, in first angle.
+/// Where a view of a side stands around the front view, in first angle.
 Cell cellOf(Side side) {
     switch (side) {
         case Side::Back:
@@ -147,7 +147,7 @@ public:
         }
     }
 
-    /// Of the views alone.
+    /// The size of the views alone.
     QSizeF sizeAt(double scale) {
         const double below = options_.has_view_names ? 2 * view_name_height : 0;
         return {place(columns_, 0, scale, view_gap),
@@ -193,7 +193,7 @@ std::optional<double> largestScale(Layout& layout, const QSizeF& paper) {
     return {};
 }
 
-/// Of a paper that is as large as the drawing.
+/// The layout on a paper that is as large as the drawing.
 SheetLayout layOutFreely(Layout& layout, double scale) {
     constexpr double least_width = 90;  // of the strip below the drawing
     const QSizeF size = layout.sizeAt(scale);

@@ -43,7 +43,7 @@ Sheet unpackSheet(const QByteArray& bytes) {
     quint32 begin = 0;
     Sheet sheet;
     stream >> begin;
-    if (begin != magic) refuse("This is no packed sheet.");
+    if (begin != magic) refuse("This is not a packed sheet.");
     stream >> sheet.size >> sheet.title >> sheet.scale;
     sheet.groups = readAll<SheetGroup>(stream, [&] {
         SheetGroup group;

@@ -23,7 +23,7 @@ public:
     void makeReady(const SheetOptions& options, double scale,
                    const laplacian_lines::Progress& progress);
 
-    /// Of each object, for LineVisibility.
+    /// The lines of each object, for LineVisibility.
     std::vector<laplacian_lines::LineSet> extract(const laplacian_lines::View& view,
                                                   const laplacian_lines::LineStyle& style);
 

@@ -9,7 +9,7 @@
 namespace line_drawing {
 
 /// Holds the outlines of a view against what the surface covers in its picture, filled triangle by
-/// triangle in pixels of this size, mm of the object: by another way, so that an error of the one
+/// triangle in pixels of this size, mm of the object: by other means, so that an error of the one
 /// is seen by the other. `bounds` are those of the surface in the view. Returns the middles of the
 /// pixels at the border of what is covered that have no outline within two pixels.
 std::vector<Eigen::Vector2d> borderWithoutOutline(const laplacian_lines::TriangleMesh& mesh,

@@ -28,7 +28,7 @@ struct DrawnLine {
 };
 
 std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
-/// Of a line from its point `begin` to its end.
+/// The length of a line from its point `begin` to its end.
 double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin = 0);
 
 /// Whether it is a line within a face of the surface, which a drawing may leave out or join to

@@ -14,7 +14,7 @@ enum class Format { Ply, Stl, Obj, Off };
 
 /// By the ending of a file's name, without the dot, in small letters; none of others.
 std::optional<Format> format_of(std::string_view ending);
-/// Of all formats.
+/// The extensions of all formats.
 std::vector<std::string> endings();
 
 struct MeshInFile {

@@ -10,11 +10,11 @@ namespace meshlab_host {
 /// as the picture does.
 class SnapshotTiles {
 public:
-    /// Number of tiles in a row of the picture that is being drawn; 1 if it is no tile. To be
+    /// Number of tiles in a row of the picture that is being drawn; 1 if it is not a tile. To be
     /// called at every redraw: a tile in the middle is known by those before it.
     double scale(const CameraMatrices& camera);
     /// The camera of the tiles of that picture, moved to its middle: the same for all of them, to
-    /// the bit. Means nothing if it is no tile.
+    /// the bit. Means nothing if it is not a tile.
     const CameraMatrices& camera() const { return middle_; }
 
 private:

@@ -259,7 +259,7 @@ static inline void collect_apparent_corners(const ClusterStore& store, const Bat
     }
 }
 
-/// Of simd_kinds.h what cull() asks for.
+/// The part of a kind (simd_kinds.h) that cull() asks for.
 struct ApparentRidges : FacingKind {
     static constexpr LineKind kKind = LineKind::ApparentRidge;
     static constexpr unsigned kForms = kCurvatures;

@@ -6,7 +6,7 @@
 
 namespace laplacian_lines {
 
-/// Of occluding contours as smooth curves, and of silhouettes along edges but for their smoothing.
+/// The rules of smooth occluding contours, and of silhouettes along edges but for their smoothing.
 LineRules contour_rules(const LineStyle& style);
 
 }  // namespace laplacian_lines

@@ -18,7 +18,7 @@ struct StripKind {
     LineRules (*rules)(const LineStyle&, bool light_at_eye);
 };
 
-/// What rules of kinds that are told by slopes have in common: all but the kinds' own thresholds.
+/// What rules of kinds that are judged by slopes have in common: all but the kinds' own thresholds.
 LineRules rules_by_slope(LineKind kind, const LineStyle& style);
 /// Slopes of a kind with a least slope of a segment as its one option, of which a segment has its
 /// full width `widest` times that above it, whatever the detail.

@@ -35,8 +35,8 @@ enum class InstructionSet { Baseline, Avx2, Avx512 };
 
 /// How the kinds of one of kStripPasses are found.
 struct StripFunctions {
-    /// Of the clusters [begin, end), a multiple of kFormGroup apart from the end of all, writes to
-    /// `kept` those that can hold a line and returns their number.
+    /// Writes to `kept` those of the clusters [begin, end), a multiple of kFormGroup apart from the
+    /// end of all, that can hold a line, and returns their number.
     std::size_t (*cull)(const ClusterStore&, const ExtractionTask&, std::size_t begin,
                         std::size_t end, KeptCluster* kept);
     /// Finds the strips of up to kBatch clusters; an output for each kind of the pass.

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks parameters of the decoration and prints the driver's commands that set them:
+//   decoration_settings NAME=VALUE...
+// or those of the pictures of a comparison, a line each: label, detector of edges or -, commands
+// before and after the picture, with tabs between these four and " ; " between commands:
+//   decoration_settings --kinds NAMES NAME=VALUE...
+#include <cstdio>
+#include <exception>
+
+#include "decoration_commands.h"
+
+namespace {
+
+void print(const QString& text) {
+    std::fputs(text.toLocal8Bit().constData(), stdout);
+}
+
+void printPictures(const QString& names, const QStringList& settings) {
+    for (const ComparedPicture& picture : comparedPictures(names, settings))
+        print(QStringList{picture.label, picture.detector.isEmpty() ? "-" : picture.detector,
+                          picture.before.join(" ; "), picture.after.join(" ; ")}
+                  .join('\t') +
+              '\n');
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    QStringList words;
+    for (int i = 1; i < argc; ++i)
+        words << QString::fromLocal8Bit(argv[i]);
+    if (words.value(0) == "--kinds") {
+        printPictures(words.value(1), words.mid(2));
+    } else {
+        for (const QString& command : settingCommands(words))
+            print(command + '\n');
+    }
+    if (std::fflush(stdout) == 0) return 0;
+    std::perror("the commands for the driver cannot be written");
+    return 1;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+}

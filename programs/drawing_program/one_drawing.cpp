@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "one_drawing.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "file_names.h"
+#include "line_drawing/bounds.h"
+#include "line_drawing/contact_sheet.h"
+#include "line_drawing/make_sheet.h"
+#include "line_drawing/sheet_file.h"
+#include "line_drawing/whole_file.h"
+#include "mesh_reading.h"
+#include "say.h"
+
+namespace {
+
+using laplacian_lines::TriangleMesh;
+
+/// Scans come in metres, too, and nothing in a file tells.
+void saySize(const std::vector<ReadMesh>& meshes, double unit) {
+    Eigen::AlignedBox3d box;
+    for (const ReadMesh& read : meshes)
+        box.extend(line_drawing::boundsOf(read.mesh));
+    if (box.isEmpty()) return;
+    const Eigen::Vector3d size = unit * box.sizes();
+    const char* advice =
+        size.maxCoeff() < 1 ? "if it is in metres, say --unit m" : "--unit says otherwise";
+    say(stdout, QString("%1 %2 x %3 x %4 mm in size, with %5 mm to the unit of the mesh; %6")
+                    .arg(meshes.size() > 1 ? "together the objects are" : "the object is")
+                    .arg(size.x())
+                    .arg(size.y())
+                    .arg(size.z())
+                    .arg(unit)
+                    .arg(advice));
+}
+
+std::vector<ReadMesh> readMeshes(const CommandLine& commands) {
+    std::vector<ReadMesh> meshes;
+    for (const QString& file : commands.meshes)
+        meshes.push_back(readMesh(file, commands.damaged));
+    return meshes;
+}
+
+/// What is not drawn of an object; empty: nothing.
+QString lackOf(const ReadMesh& read) {
+    if (!read.defect.isEmpty()) return read.defect;
+    const auto& all = read.mesh.positions;
+    const auto lacking = std::count_if(all.begin(), all.end(),
+                                       [](const Eigen::Vector3d& p) { return !p.allFinite(); });
+    if (lacking > 0)
+        return QString("%1 of %2 vertices have no finite coordinates").arg(lacking).arg(all.size());
+    return {};
+}
+
+/// The names of the files, with a word before those that are not drawn whole: notes may be cut off
+/// at their end.
+QString sourcesOf(const QStringList& files, const std::vector<ReadMesh>& meshes) {
+    QStringList sources;
+    for (int i = 0; i < files.size(); ++i) {
+        sources << readable(QFileInfo(files[i]).fileName());
+        const QString lack = lackOf(meshes[std::size_t(i)]);
+        if (lack.isEmpty()) continue;
+        say(stderr, QString("%1 is drawn incomplete: %2").arg(files[i], lack));
+        sources.last().prepend("incomplete: ");
+    }
+    return sources.join(", ");
+}
+
+}  // namespace
+
+void drawOne(const CommandLine& commands) {
+    line_drawing::checkSheetFile(commands.drawing);
+    const std::vector<ReadMesh> meshes = readMeshes(commands);
+    saySize(meshes, commands.options.mm_per_unit);
+    std::vector<line_drawing::SheetOptions> options = {commands.options};
+    options[0].source = sourcesOf(commands.meshes, meshes);
+    const bool has_view = !commands.contact_view.isEmpty();
+    if (has_view) options.push_back(line_drawing::contactOptions(meshes.front().mesh, options[0]));
+    line_drawing::Objects objects;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        objects.push_back({meshes[i].mesh, nullptr, commands.meshes[int(i)]});
+    const std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
+    line_drawing::writeSheet(sheets[0], commands.drawing, commands.dpi);
+    for (const QString& remark : sheets[0].remarks)
+        say(stderr, remark);
+    if (has_view)
+        line_drawing::writeWhole(commands.contact_view, line_drawing::packSheet(sheets[1]));
+    say(stdout, "the drawing is " + commands.drawing);
+}

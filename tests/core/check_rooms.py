@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables of rooms in docs/architecture.md hold: every folder of code is a room of theirs, files include what its row
+allows and nothing else, and each room in the first table has a README.md that says what goes in and what does not."""
+
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(__file__).resolve().parents[2]
+complaints = []
+
+
+def tables():
+    """By heading: the rows of the tables whose first column is "room", as {room: cells}, in their order."""
+    found, heading, rows = {}, "", None
+    for line in (root / "docs/architecture.md").read_text().splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")] if line.startswith("|") else []
+        if line.startswith("#"):
+            heading = line.lstrip("# ")
+        if not cells:
+            rows = None
+        elif cells[0] == "room":
+            rows = found.setdefault(heading, {})
+        elif rows is not None and not cells[0].startswith("-"):
+            rows[cells[0]] = cells[1:]
+    return found
+
+
+def sources(folder):
+    return [file for file in sorted(folder.rglob("*")) if file.suffix in {".h", ".cpp"}]
+
+
+def includes(file):
+    return re.findall(r'^#include "([^"]+)"', file.read_text(), re.M)
+
+
+def check_folders(folder, rooms):
+    """Folders with code that no room holds, and rooms that are not there."""
+    for room in rooms:
+        if not (folder / room).is_dir():
+            complaints.append(f"there is no room {room} in {folder.relative_to(root) or '.'}")
+    held = [folder / room for room in rooms]
+    for entry in sorted(folder.iterdir()):
+        if not entry.is_dir() or entry.name.startswith((".", "build")):
+            continue
+        parts = [entry] if entry in held else sorted(p for p in entry.iterdir() if p.is_dir()) if entry.name == "programs" else [entry]
+        complaints.extend(f"{part.relative_to(root)} is in no table of rooms" for part in parts
+                          if part not in held and sources(part))
+
+
+def owner_of(name, file, rooms, headers):
+    """The room that an included header belongs to; None for headers of programs that are not ours."""
+    first = name.split("/")[0]
+    if first in rooms:
+        return first
+    own = next(room for room in rooms if file.is_relative_to(root / room))
+    return own if name in headers[own] else next((room for room in rooms if name in headers[room]), None)
+
+
+def check_top(rooms):
+    """Between folders, by the second column: all that a room may include besides itself."""
+    headers = {}
+    for room in rooms:
+        files = sources(root / room)
+        headers[room] = {str(file.relative_to(base)) for base in (root / room, root / room / "src", root / room / "include")
+                         for file in files if file.is_relative_to(base)} | {file.name for file in files}
+    count = 0
+    for room, (allowed, *_) in rooms.items():
+        allowed = {room, *(word.strip() for word in allowed.split(","))}
+        complaints.extend(f"{room} may include {name}, which is not a room" for name in allowed - set(rooms) - {"nothing"})
+        for file in sources(root / room):
+            for name in includes(file):
+                owner = owner_of(name, file, rooms, headers)
+                count += owner is not None
+                if owner and owner not in allowed:
+                    complaints.append(f"{file.relative_to(root)} includes {name} of {owner}, which its room may not")
+        readme = root / room / "README.md"
+        if not readme.is_file() or not {"Goes in:", "Does not:"} <= set(re.findall(r"Goes in:|Does not:", readme.read_text())):
+            complaints.append(f"{room}/README.md does not say what \"Goes in:\" and what \"Does not:\"")
+    return count
+
+
+def check_library(library, rooms):
+    """Within a library, from a room to itself and those above it in the table, and to public headers."""
+    folder = root / library / "src"
+    check_folders(folder, rooms)
+    allowed, count = {"laplacian_lines", library, "system"}, 0
+    for room in rooms:
+        allowed.add(room)
+        for file in sources(folder / room):
+            for name in includes(file):
+                count += 1
+                if name.split("/")[0] not in allowed:
+                    complaints.append(f"{file.relative_to(root)} includes {name}: of a later room, or without naming the room")
+    return count
+
+
+found = tables()
+top = found.pop("Rooms")
+check_folders(root, {**top, "tests": [], "benchmarks": [], "docs": [], "scripts": []})
+count = check_top(top)
+for heading, rooms in found.items():
+    count += check_library(heading.removeprefix("Rooms of "), rooms)
+print("\n".join(complaints) or f"{count} includes between {len(top) + sum(map(len, found.values()))} rooms")
+sys.exit(bool(complaints) or count == 0)
