@@ -2,12 +2,16 @@
 #include "compute_filter.h"
 
 #include <QElapsedTimer>
+#include <cmath>
+#include <optional>
 
+#include "coarse_copy.h"
 #include "compute_report.h"
 #include "filter_help.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
+#include "line_drawing/bounds.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/parameters.h"
@@ -18,20 +22,44 @@ using laplacian_lines::ErrorCode;
 using laplacian_lines::Field;
 using laplacian_lines::FieldScale;
 using laplacian_lines::PrecomputeOptions;
+using laplacian_lines::TriangleMesh;
 
 namespace {
 
 const QString key_prefix;  // scripts use the keys of the option table as they are
+
+/// As a large mesh has it, near enough to be shown.
+FieldScale scaleByCopy(const TriangleMesh& coarse_copy) {
+    PrecomputeOptions as_it_is;
+    as_it_is.weld_duplicates = false;  // of the copy's triangles, which do not touch
+    FieldScale scale = laplacian_lines::measure_scale(coarse_copy, as_it_is);
+    scale.diagonal = line_drawing::boundsOf(coarse_copy).diagonal().norm();
+    scale.kernel_size = laplacian_lines::automatic_kernel_size(scale.mean_edge, scale.diagonal);
+    return scale;
+}
 
 /// The scale that the defaults are made from; zeros if the mesh cannot be used, in which case the
 /// filter itself will say why.
 FieldScale defaultScale(const MeshModel* mesh) {
     if (!mesh) return {};
     try {
+        if (const std::optional<TriangleMesh> copy = coarseCopy(mesh->cm))
+            return scaleByCopy(*copy);
         return laplacian_lines::measure_scale(meshlab_host::toTriangleMesh(mesh->cm));
     } catch (const std::exception&) {
         return {};
     }
+}
+
+/// The default of a large mesh is shown as nearly as a dialog needs it. Who has left it as it is
+/// wants the kernel that the whole mesh asks for.
+void measureAnew(const CMeshO& mesh, PrecomputeOptions& options) {
+    constexpr double as_shown = 1e-4;  // share by which a text may differ from its number
+    if (options.kernel_size == 0) return;
+    const std::optional<TriangleMesh> copy = coarseCopy(mesh);
+    if (!copy) return;
+    const double shown = scaleByCopy(*copy).kernel_size;
+    if (std::abs(options.kernel_size - shown) <= as_shown * shown) options.kernel_size = 0;
 }
 
 /// Stores the field, unless the mesh was deleted or edited while the progress bar ran the event
@@ -76,9 +104,10 @@ std::vector<meshlab_host::ParameterDescription> ComputeFilter::describeParameter
 void ComputeFilter::run(const meshlab_host::FilterRun& run) const {
     QElapsedTimer clock;
     clock.start();
-    const PrecomputeOptions options = meshlab_host::readOptions(
+    PrecomputeOptions options = meshlab_host::readOptions(
         laplacian_lines::precompute_option_table(), key_prefix, run.parameters);
     const CMeshO& mesh = run.document.mm()->cm;
+    measureAnew(mesh, options);
     const int mesh_id = run.document.mm()->id();
     const meshlab_host::GeometryStamp stamp = meshlab_host::geometryStamp(mesh);
     const Field field = laplacian_lines::precompute(meshlab_host::toTriangleMesh(mesh), options,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "coarse_copy.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 #include "meshlab_host/camera.h"
@@ -105,6 +106,13 @@ void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
                     "0 (Current Layer).");
 }
 
+/// Enough of a mesh to know its bounds in any view.
+laplacian_lines::TriangleMesh shapeOf(const CMeshO& mesh) {
+    if (std::optional<laplacian_lines::TriangleMesh> copy = coarseCopy(mesh))
+        return std::move(*copy);
+    return meshlab_host::toTriangleMesh(mesh);
+}
+
 }  // namespace
 
 PlacedLayers placeLayers(const LayerChoice& choice, const FilterRun& run, double share) {
@@ -133,7 +141,7 @@ PlacedLayers placeShapes(const MeshDocument& document, bool all_visible) {
     PlacedLayers placed;
     for (const MeshModel* layer : layersToDraw(document, all_visible))
         try {
-            PlacedLayer shape{layer->label(), meshlab_host::toTriangleMesh(layer->cm), {}};
+            PlacedLayer shape{layer->label(), shapeOf(layer->cm), {}};
             place(meshlab_host::layerTransform(layer->cm), shape.mesh);
             placed.push_back(std::move(shape));
         } catch (const Error&) {  // left out

@@ -33,7 +33,8 @@ struct LayerChoice {
 PlacedLayers placeLayers(const LayerChoice& choice, const meshlab_host::FilterRun& run,
                          double share);
 
-/// The same without their fields, and without those that cannot be drawn; perhaps none.
+/// The same without their fields, and without those that cannot be drawn; perhaps none. Of large
+/// meshes coarse copies: in some views, their bounds are slightly too small.
 PlacedLayers placeShapes(const MeshDocument& document, bool all_visible);
 
 /// What is different once a layer has moved or was edited, as good as always.

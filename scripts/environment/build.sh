@@ -24,9 +24,41 @@ build_targets() {
         shift
     done
     take_turn "$(build_folder "$checkout")"
-    configure "$checkout" "${@:2}"
-    compile "$checkout" "${targets[@]}"
+    is_built "$checkout" "${targets[@]}" "$@" || {
+        touch "$(build_folder "$checkout")/.begun"
+        configure "$checkout" "${@:2}"
+        compile "$checkout" "${targets[@]}"
+        note_built "$checkout" "${targets[@]}" "$@"
+    }
     end_turn
+}
+
+# note_built CHECKOUT WORDS...: what was built last, by which words, since .begun
+note_built() {
+    local build
+    build=$(build_folder "$1")
+    mv "$build/.begun" "$build/.sources" # what is changed while it is compiled may not be in it
+    build_description "$@" >"$build/.built"
+}
+
+# is_built CHECKOUT WORDS...: whether that was the latest build, and nothing has been touched since that CMake or make
+# would look at. They take seconds to find that out: here are folders of sources, packages, and folders of what was made.
+is_built() {
+    local build folder sources=() made=()
+    build=$(build_folder "$1")
+    [[ -e $build/.built && $(<"$build/.built") == "$(build_description "$@")" ]] || return 1
+    for folder in "$1"/*/; do
+        [[ $folder -ef $build ]] || sources+=("$folder")
+    done
+    for folder in "$build"/{plugins,driver,bin}; do
+        [[ ! -d $folder ]] || made+=("$folder")
+    done
+    [[ -z $(find "${sources[@]}" "$1/CMakeLists.txt" /var/lib/dpkg/status -newer "$build/.sources" -print -quit 2>&1) &&
+        -z $(find "${made[@]}" "$build/CMakeCache.txt" -maxdepth 1 -newer "$build/.built" -print -quit 2>&1) ]]
+}
+
+build_description() {
+    printf '%s\n' "$@" "${MESHLAB_SOURCE_DIR:-}" "${CXX:-}" "${CXXFLAGS:-}" "${CMAKE_CXX_COMPILER_LAUNCHER:-}"
 }
 
 # cached FOLDER NAME: a value of CMake's cache there

@@ -29,10 +29,14 @@ as_root() {
     fi
 }
 
+# missing_packages NAME...: one question for all, since each takes a while
 missing_packages() {
     local package
+    local -A installed=()
+    while read -r package; do installed[$package]=1; done < <(
+        dpkg-query -W -f='${db:Status-Abbrev}${Package}\n' "$@" 2>/dev/null | sed -n 's/^ii //p')
     for package in "$@"; do
-        package_installed "$package" || printf '%s\n' "$package"
+        [[ -n ${installed[$package]:-} ]] || printf '%s\n' "$package"
     done
 }
 

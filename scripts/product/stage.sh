@@ -57,7 +57,7 @@ link_all() {
     done
     for file in "${files[@]}"; do
         link=$folder/${file##*/}
-        [[ $(readlink "$link") == "$file" ]] || ln -sfn "$file" "$link"
+        [[ -L $link && $link -ef $file ]] || ln -sfn "$file" "$link"
     done
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "add_layer.h"
 #include "filter_laplacian_lines.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_attributes.h"
@@ -89,20 +90,11 @@ bool callback(const int percent, const char*) {
     return !record.has_cancelled;
 }
 
-void addMesh(MeshDocument& document, const char* name) {
-    CMeshO& mesh = document.addNewMesh("", name)->cm;
-    const laplacian_lines::TriangleMesh source = test_meshes::mesh_named(name).mesh;
-    auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(mesh, source.positions.size());
-    for (const Eigen::Vector3d& p : source.positions)
-        (vertex++)->P() = Point3m(Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z()));
-    for (const auto& t : source.triangles)
-        vcg::tri::Allocator<CMeshO>::AddFace(mesh, t[0], t[1], t[2]);
-    vcg::tri::UpdateBounding<CMeshO>::Box(mesh);
-}
-
 class FilterProgress : public testing::TestWithParam<FilterNumber> {
 protected:
-    FilterProgress() { addMesh(document, "bumpy_sphere"); }
+    FilterProgress() {
+        addLayer(document, "bumpy_sphere", test_meshes::mesh_named("bumpy_sphere").mesh);
+    }
 
     QString run(int cancel_from) {
         record = {{}, cancel_from};
