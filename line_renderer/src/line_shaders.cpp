@@ -142,7 +142,7 @@ void main()
         end_cut = cutBetween(direction, toScreen(n) - screen_b);
 
     vec2 radii = vec2(start.w, end.w);
-    float reach = max(radii.x, radii.y) + 1.0;
+    float reach = max(radii.x, radii.y) + 0.55;  // half a pixel beyond it, coverage is 0
     place = vec2(corner.x * pixels + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
     bool is_edge = start_look.y > float(look) + 0.125;  // the mark of an edge
     shape = vec4(pixels, radii, is_edge ? edge_reach.y : to_side);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""table.py PROGRAM, with the build in $LAPLACIAN_LINES_BUILD: ./bench's table and its JSON, of a small mesh. The program
-fails by itself when the extractor and the plain loops find zeros of different length."""
+"""table.py PROGRAM BUSY_PROGRAM, with the build in $LAPLACIAN_LINES_BUILD: ./bench's table and its JSON, of a small
+mesh, and the table beside other work. The program fails by itself when the extractor and the plain loops find zeros of different length."""
 
 import json
 import math
@@ -65,3 +65,8 @@ with tempfile.TemporaryDirectory() as folder:
     table = run(program, "--rounds", "1", "--subdivide", "1", torus)
     expect_rows(table, r"\| triangles \| 3,600 \| 14,400 \|", r"\| plain contours \| – \| [-0-9.]+ \|")
     assert "--rounds needs a number, at least 1" in run(program, "--rounds", "0", torus, code=2)
+
+    busy = run(sys.argv[2], "--rounds", "1", torus)
+    columns = "".join(rf" \| {mesh}" for mesh in ("torus, quiet", "torus, memory streamed", "torus, other cores busy"))
+    expect_rows(busy, rf"\|{columns} \|", *(rf"\| {row}( \| [0-9.]+){{3}} \|" for row in (
+        "the field, all threads", "plain contours, not traced", "Laplacian lines and contours : plain contours")))

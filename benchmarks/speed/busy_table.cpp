@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program behind ./bench --busy: the main figures on a machine that others use as well, beside
+// those with nothing else on it. All take turns; medians by the clock.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <functional>
+
+#include "laplacian_lines/precompute.h"
+#include "laplacian_lines/threads.h"
+#include "mesh_file.h"
+#include "neighbours.h"
+#include "program.h"
+#include "redraws.h"
+#include "report.h"
+#ifdef HAS_FILTERS
+#include "add_layer.h"
+#include "compute_filter.h"
+#endif
+
+namespace {
+
+using namespace benchmarks;
+using namespace laplacian_lines;
+
+const Section kTimes{"ms", "ms"};
+const Section kRatios{"ratios", "Ratios"};
+
+struct LoadName {
+    Load load;
+    const char* name;
+};
+constexpr std::array<LoadName, 3> kLoads = {
+    {{Load::Quiet, "quiet"}, {Load::Stream, "memory streamed"}, {Load::Cores, "other cores busy"}}};
+
+/// One of the figures, and its seconds by load and round.
+struct Work {
+    std::string key, text;
+    std::function<double()> seconds_of_one;
+    std::array<std::vector<double>, kLoads.size()> times = {};
+
+    double median(std::size_t load) const {
+        std::vector<double> sorted = times[load];
+        std::sort(sorted.begin(), sorted.end());
+        return sorted[sorted.size() / 2];
+    }
+};
+
+/// Mean over all eyes.
+Work redraw(Contender contender, std::size_t eyes) {
+    const auto all = [run = contender.run, eyes] {
+        for (std::size_t eye = 0; eye < eyes; ++eye)
+            run(eye);
+    };
+    all();  // allocates
+    return {contender.key, contender.text, [all, eyes] { return seconds(all) / double(eyes); }};
+}
+
+void add_redraws(Redraws& redraws, std::vector<Work>& works) {
+    for (Contender& contender : redraws.fast())
+        if (contender.key == "lines" || contender.key == "lines_two_threads")
+            works.push_back(redraw(std::move(contender), redraws.view_count()));
+    works.push_back(redraw(redraws.plain().front(), redraws.view_count()));
+}
+
+Work field(const TriangleMesh& mesh) {
+    return {"field", "the field, all threads", [&mesh] {
+                set_thread_limit(0);
+                return seconds([&] { precompute(mesh); });
+            }};
+}
+
+#ifdef HAS_FILTERS
+Work filter(MeshDocument& document) {
+    return {"filter", "the filter with its dialog's defaults, in MeshLab's document", [&document] {
+                set_thread_limit(0);
+                const ComputeFilter compute;
+                return seconds([&] {
+                    RichParameterList list;
+                    compute.listParameters(document.mm(), list);
+                    meshlab_host::FilterResults results;
+                    compute.run({document, list, nullptr, [](const QString&) {}, results});
+                });
+            }};
+}
+#endif
+
+void take_turns(std::vector<Work>& works, const Neighbours& neighbours, int rounds) {
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t i = 0; i < kLoads.size(); ++i) {
+            const std::size_t load = (i + std::size_t(round)) % kLoads.size();
+            neighbours.set(kLoads[load].load);
+            for (Work& work : works)
+                work.times[load].push_back(work.seconds_of_one());
+        }
+    neighbours.set(Load::Quiet);
+}
+
+std::vector<MeshFigures> figures_of(const std::string& mesh, const std::vector<Work>& works) {
+    std::vector<MeshFigures> columns;
+    for (std::size_t load = 0; load < kLoads.size(); ++load) {
+        MeshFigures column{mesh + ", " + kLoads[load].name};
+        for (const Work& work : works)
+            column.add(kTimes, work.key, work.text, 1e3 * work.median(load));
+        for (const Work& work : works)
+            column.add(kRatios, work.key + "_to_quiet", work.text + " : quiet",
+                       work.median(load) / work.median(0));
+        const double contours = column.value(kTimes, "plain_contours");
+        column.add(kRatios, "lines_to_contours", "Laplacian lines and contours : plain contours",
+                   column.value(kTimes, "lines") / contours);
+        columns.push_back(std::move(column));
+    }
+    return columns;
+}
+
+std::vector<MeshFigures> measure(const std::string& file, const Neighbours& neighbours,
+                                 int rounds) {
+    std::fprintf(stderr, "measuring %s\n", test_meshes::mesh_name(file).c_str());
+    const TriangleMesh mesh = test_meshes::read_mesh(file);
+    const Field of_mesh = precompute(mesh);
+    Redraws redraws(mesh, of_mesh);
+    std::vector<Work> works = {field(mesh)};
+    add_redraws(redraws, works);
+#ifdef HAS_FILTERS
+    MeshDocument document;
+    addLayer(document, "mesh", mesh);
+    works.push_back(filter(document));
+#endif
+    take_turns(works, neighbours, rounds);
+    return figures_of(test_meshes::mesh_name(file), works);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    int rounds = 9;
+    std::string json;
+    const std::vector<Option> options = {number("--rounds N", "(9)", rounds, 1),
+                                         text("--json FILE", "all figures", json)};
+    return run_program(argc, argv, "MESH...", options, [&](const auto& files) {
+        const Neighbours neighbours;
+        std::vector<MeshFigures> columns;
+        for (const std::string& file : files)
+            for (MeshFigures& column : measure(file, neighbours, rounds))
+                columns.push_back(std::move(column));
+        print_report(columns, json);
+        return true;
+    });
+}
