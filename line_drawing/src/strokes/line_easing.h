@@ -8,8 +8,8 @@
 namespace line_drawing {
 
 /// Takes the triangles' edges out of contours of curved surfaces: between points that are exact,
-/// lines turn less, but stay within `reach` of where they were, on the sheet. Lines that end at
-/// them follow.
+/// lines bend as little as they can, but stay within `reach` of where they were, on the sheet.
+/// Lines that end at them follow. Afterwards all points of contours are exact.
 void easeLines(std::vector<DrawnLine>& lines, double reach);
 
 /// The same for inner lines as they are drawn, with what goes on as them, which stays.
