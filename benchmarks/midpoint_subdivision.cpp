@@ -80,4 +80,15 @@ void subdivide(TriangleMesh& mesh, Field& field) {
     field.scale.mean_edge /= 2;
 }
 
+void subdivide(laplacian_lines::TriangleMesh& mesh, int times) {
+    laplacian_lines::Field field;
+    const std::size_t n = mesh.positions.size();
+    field.normals.resize(n, {0, 0, 1});
+    field.laplacian_normals.resize(n, {0, 0, 0});
+    field.shape_operators.resize(n);
+    field.kernel_sizes.resize(n);
+    for (int i = 0; i < times; ++i)
+        subdivide(mesh, field);
+}
+
 }  // namespace benchmarks

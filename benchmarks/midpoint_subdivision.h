@@ -10,4 +10,7 @@ namespace benchmarks {
 /// interpolated, so the lines stay where they are: what grows is the mesh.
 void subdivide(laplacian_lines::TriangleMesh& mesh, laplacian_lines::Field& field);
 
+/// The same, so many times, of a mesh without a field.
+void subdivide(laplacian_lines::TriangleMesh& mesh, int times);
+
 }  // namespace benchmarks

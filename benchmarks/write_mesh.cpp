@@ -32,17 +32,6 @@ TriangleMesh make(const std::string& name) {
     return scaled(test_meshes::FlakedStone(shape).mesh(8), 0.05);
 }
 
-void subdivide(TriangleMesh& mesh, int times) {
-    laplacian_lines::Field field;  // the subdivision wants one
-    const std::size_t n = mesh.positions.size();
-    field.normals.resize(n, {0, 0, 1});
-    field.laplacian_normals.resize(n, {0, 0, 0});
-    field.shape_operators.resize(n);
-    field.kernel_sizes.resize(n);
-    for (int i = 0; i < times; ++i)
-        benchmarks::subdivide(mesh, field);
-}
-
 void write(const TriangleMesh& mesh, const std::string& file) {
     std::ofstream out(file, std::ios::binary);
     out << "ply\nformat binary_little_endian 1.0\nelement vertex " << mesh.positions.size()
@@ -69,7 +58,7 @@ int main(int argc, char** argv) {
     }
     try {
         TriangleMesh mesh = make(argv[1]);
-        if (divides) subdivide(mesh, std::atoi(argv[3]));
+        if (divides) benchmarks::subdivide(mesh, std::atoi(argv[3]));
         write(mesh, argv[argc - 1]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

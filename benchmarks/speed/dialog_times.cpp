@@ -3,8 +3,8 @@
 // on a mesh as MeshLab holds it, its triangles cut in four, N times. Seconds, the best of three.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <functional>
 #include <optional>
 
 #include "add_layer.h"
@@ -13,31 +13,16 @@
 #include "mesh_file.h"
 #include "midpoint_subdivision.h"
 #include "program.h"
+#include "turns.h"
 
 namespace {
 
 using laplacian_lines::TriangleMesh;
 
-void subdivide(TriangleMesh& mesh, int times) {
-    laplacian_lines::Field field;  // the subdivision wants one
-    const std::size_t n = mesh.positions.size();
-    field.normals.resize(n, {0, 0, 1});
-    field.laplacian_normals.resize(n, {0, 0, 0});
-    field.shape_operators.resize(n);
-    field.kernel_sizes.resize(n);
-    for (int i = 0; i < times; ++i)
-        benchmarks::subdivide(mesh, field);
-}
-
-template <class Work>
-double secondsOf(const Work& work) {
-    double best = 1e9;
-    for (int i = 0; i < 3; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-        best = std::min(best, taken.count());
-    }
+double bestSeconds(const std::function<void()>& work) {
+    double best = benchmarks::seconds(work);
+    for (int i = 0; i < 2; ++i)
+        best = std::min(best, benchmarks::seconds(work));
     return best;
 }
 
@@ -45,16 +30,16 @@ void timeDialogs(const MeshDocument& document) {
     for (const auto& filter : makeFilters()) {
         RichParameterList list;
         const double seconds =
-            secondsOf([&] { filter->listParameters(document.mm(), list = RichParameterList()); });
+            bestSeconds([&] { filter->listParameters(document.mm(), list = RichParameterList()); });
         std::printf("%-38s %.4f\n", qUtf8Printable(filter->description().name), seconds);
     }
     const auto fields = [](const QString& label) {
         return label == "Views" ? std::optional<QString>("six") : std::nullopt;
     };
-    const double first = secondsOf([&] { DrawingOutlook().inWords(document, fields); });
+    const double first = bestSeconds([&] { DrawingOutlook().inWords(document, fields); });
     DrawingOutlook outlook;
     outlook.inWords(document, fields);
-    const double next = secondsOf([&] { outlook.inWords(document, fields); });
+    const double next = bestSeconds([&] { outlook.inWords(document, fields); });
     std::printf("%-38s %.4f\n%-38s %.4f\n%s\n", "outlook of a drawing of six views", first,
                 "the same when a field changes", next,
                 qUtf8Printable(outlook.inWords(document, fields).value_or("busy")));
@@ -70,7 +55,7 @@ int main(int argc, char** argv) {
             MeshDocument document;
             {
                 TriangleMesh mesh = test_meshes::read_mesh(files.front());
-                subdivide(mesh, times);
+                benchmarks::subdivide(mesh, times);
                 addLayer(document, "mesh", mesh);
             }
             std::printf("%d triangles\n", document.mm()->cm.fn);

@@ -42,9 +42,8 @@ public:
         : lines_(std::move(lines)),
           pens_(pens),
           pen_(pens[std::size_t(LineClass::Inner)]),
-          all_(longest_gap * pen_) {
+          all_(allOf(lines_, longest_gap * pen_)) {
         for (std::size_t i = 0; i < lines_.size(); ++i) {
-            all_.add(positionsOf(lines_[i]), i);
             const bool is_chained =
                 isInner(lines_[i]) || (with_contours && lines_[i].line_class == LineClass::Contour);
             lengths_.push_back(lengthOf(lines_[i].points));
@@ -78,13 +77,8 @@ private:
 
     End endOf(std::size_t i, bool is_last) const {
         const std::vector<DrawnPoint>& points = lines_[i].points;
-        const auto at = [&](std::size_t k) -> const Vector2d& {
-            return points[is_last ? points.size() - 1 - k : k].position;
-        };
-        std::size_t k = 1;
-        while (k + 1 < points.size() && (at(k) - at(0)).norm() < tangent_reach * pen_)
-            ++k;
-        return {i, is_last, at(0), (at(0) - at(k)).stableNormalized()};
+        return {i, is_last, (is_last ? points.back() : points.front()).position,
+                outwardsAt(points, is_last, tangent_reach * pen_)};
     }
 
     bool isContour(const End& end) const {

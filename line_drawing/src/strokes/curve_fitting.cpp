@@ -45,10 +45,13 @@ public:
         if (isStraight(first, last)) return path_.lineTo(points_[last].x(), points_[last].y());
         if (last - first > longest_run)
             return split(first, first + (last - first) / 2, last, begin, end);
-        std::vector<double> parameters = chordLengths(first, last);
+        std::vector<double> parameters = lengthsTo(first, last);
+        const double length = parameters.back();
+        for (double& t : parameters)
+            t = length > 0 ? t / length : 0;
         std::size_t worst = first;
         for (int round = 0; round <= most_improvements; ++round) {
-            const Cubic cubic = solve(first, parameters, begin, end);
+            const Cubic cubic = solve(first, parameters, length, begin, end);
             const double error = largestError(cubic, first, parameters, worst);
             if (error <= squared_tolerance_) return add(cubic);
             if (error > 16 * squared_tolerance_) break;
@@ -98,26 +101,17 @@ private:
         path_.cubicTo(c[1].x(), c[1].y(), c[2].x(), c[2].y(), c[3].x(), c[3].y());
     }
 
-    std::vector<double> chordLengths(std::size_t first, std::size_t last) const {
-        std::vector<double> parameters = {0};
+    /// Of a run, to each of its points.
+    std::vector<double> lengthsTo(std::size_t first, std::size_t last) const {
+        std::vector<double> lengths = {0};
         for (std::size_t i = first + 1; i <= last; ++i)
-            parameters.push_back(parameters.back() + (points_[i] - points_[i - 1]).norm());
-        const double length = parameters.back();
-        for (double& t : parameters)
-            t = length > 0 ? t / length : 0;
-        return parameters;
+            lengths.push_back(lengths.back() + (points_[i] - points_[i - 1]).norm());
+        return lengths;
     }
 
-    double lengthOf(std::size_t first, std::size_t last) const {
-        double length = 0;
-        for (std::size_t i = first + 1; i <= last; ++i)
-            length += (points_[i] - points_[i - 1]).norm();
-        return length;
-    }
-
-    /// The least squares of the lengths of both tangents.
-    Cubic solve(std::size_t first, const std::vector<double>& parameters, const Vector2d& begin,
-                const Vector2d& end) const {
+    /// The least squares of the lengths of both tangents, for a run of this length.
+    Cubic solve(std::size_t first, const std::vector<double>& parameters, double length,
+                const Vector2d& begin, const Vector2d& end) const {
         const Vector2d& p0 = points_[first];
         const Vector2d& p3 = points_[first + parameters.size() - 1];
         double c00 = 0, c01 = 0, c11 = 0, x0 = 0, x1 = 0;
@@ -136,13 +130,12 @@ private:
         const double determinant = c00 * c11 - c01 * c01;
         // Handles longer than the run itself let the curve leap between the points.
         const double chord = (p3 - p0).norm(), least = 1e-6 * chord;
-        const double most = lengthOf(first, first + parameters.size() - 1);
         double length0 = 0, length1 = 0;
         if (std::abs(determinant) > 1e-12 * c00 * c11) {
             length0 = (x0 * c11 - x1 * c01) / determinant;
             length1 = (c00 * x1 - c01 * x0) / determinant;
         }
-        if (!(length0 > least) || !(length1 > least) || length0 + length1 > most)
+        if (!(length0 > least) || !(length1 > least) || length0 + length1 > length)
             length0 = length1 = chord / 3;
         return {p0, p0 + length0 * begin, p3 + length1 * end, p3};
     }

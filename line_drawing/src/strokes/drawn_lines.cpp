@@ -96,4 +96,11 @@ std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, st
     return nearest;
 }
 
+DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach) {
+    DrawnLines all(reach);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        all.add(positionsOf(lines[i]), i);
+    return all;
+}
+
 }  // namespace line_drawing

@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "views/drawn_view.h"
+
 namespace line_drawing {
 
 /// Nearer than this, in reaches of what doubles a line, nothing white is left beside it.
@@ -58,5 +60,8 @@ private:
     const double reach_;
     std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares of twice the reach
 };
+
+/// Of all lines, by their numbers.
+DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach);
 
 }  // namespace line_drawing

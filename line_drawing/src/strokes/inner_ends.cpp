@@ -46,23 +46,6 @@ std::size_t beginOfHook(const std::vector<DrawnPoint>& points, double pen) {
     return begin;
 }
 
-DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach) {
-    DrawnLines all(reach);
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        all.add(positionsOf(lines[i]), i);
-    return all;
-}
-
-Vector2d outwardsOf(const std::vector<DrawnPoint>& points, bool is_last, double reach) {
-    const auto at = [&](std::size_t k) -> const Vector2d& {
-        return points[is_last ? points.size() - 1 - k : k].position;
-    };
-    std::size_t k = 1;
-    while (k + 1 < points.size() && (at(k) - at(0)).norm() < reach)
-        ++k;
-    return (at(0) - at(k)).stableNormalized();
-}
-
 /// Moves the end by `shift`, and what is nearer to it than `reach` by less and less.
 void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Vector2d& shift, double reach) {
     double length = 0;
@@ -105,7 +88,7 @@ std::vector<MetEnd> joinEnds(std::vector<DrawnLine>& lines, double pen) {
             if (!place) continue;
             const Vector2d way = place->position - end.position;
             if (way.norm() > same_place * pen) {
-                const Vector2d outwards = outwardsOf(points, is_last, direction_reach * pen);
+                const Vector2d outwards = outwardsAt(points, is_last, direction_reach * pen);
                 if (end.weight < least_weight || outwards.dot(way) < lead_cosine * way.norm())
                     continue;
                 points.insert(is_last ? points.end() : points.begin(),

@@ -154,9 +154,7 @@ void easeLines(std::vector<DrawnLine>& lines, double reach) {
 
 void easeInnerLines(std::vector<DrawnLine>& lines, double reach) {
     for (DrawnLine& line : lines) {
-        const bool is_inner = std::any_of(line.points.begin(), line.points.end(),
-                                          [](const DrawnPoint& point) { return !point.is_exact; });
-        if (!is_inner || line.points.size() < 3) continue;
+        if (!isSmooth(line) || line.points.size() < 3) continue;
         EvenLine even(line.points, step_share * reach);
         if (!even.isLong()) continue;
         even.ease(reach, line.closed);

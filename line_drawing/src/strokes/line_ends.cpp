@@ -13,10 +13,7 @@ using Eigen::Vector2d;
 class EndJoining {
 public:
     EndJoining(std::vector<DrawnLine>& lines, double reach)
-        : lines_(lines), reach_(reach), all_(reach) {
-        for (std::size_t i = 0; i < lines.size(); ++i)
-            all_.add(positionsOf(lines[i]), i);
-    }
+        : lines_(lines), reach_(reach), all_(allOf(lines, reach)) {}
 
     void bringBack(const std::vector<DrawnLine>& left_out) {
         DrawnLines loose(reach_);

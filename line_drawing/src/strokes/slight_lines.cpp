@@ -11,9 +11,7 @@ namespace {
 constexpr double shortest_contour_end = 3;
 
 bool isCurvedContour(const DrawnLine& line) {
-    return line.line_class == LineClass::Contour &&
-           std::any_of(line.points.begin(), line.points.end(),
-                       [](const DrawnPoint& point) { return !point.is_exact; });
+    return line.line_class == LineClass::Contour && isSmooth(line);
 }
 
 bool isSlight(const DrawnLine& line, const SheetOptions& options) {

@@ -49,10 +49,24 @@ double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin) {
     return length;
 }
 
+Eigen::Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, double reach) {
+    const auto at = [&](std::size_t k) -> const Eigen::Vector2d& {
+        return points[is_last ? points.size() - 1 - k : k].position;
+    };
+    std::size_t k = 1;
+    while (k + 1 < points.size() && (at(k) - at(0)).norm() < reach)
+        ++k;
+    return (at(0) - at(k)).stableNormalized();
+}
+
+bool isSmooth(const DrawnLine& line) {
+    return std::any_of(line.points.begin(), line.points.end(),
+                       [](const DrawnPoint& point) { return !point.is_exact; });
+}
+
 bool isInner(const DrawnLine& line) {
     return (line.line_class == LineClass::Inner || line.line_class == LineClass::Fine) &&
-           std::any_of(line.points.begin(), line.points.end(),
-                       [](const DrawnPoint& point) { return !point.is_exact; });
+           isSmooth(line);
 }
 
 Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {

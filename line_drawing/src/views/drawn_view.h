@@ -31,6 +31,13 @@ std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
 /// The length of a line from its point `begin` to its end.
 double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin = 0);
 
+/// Out of a line, of two points at least, at one of its ends: from the first point that is `reach`
+/// away from it.
+Eigen::Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, double reach);
+
+/// Whether any of it only stands for a smooth line, and may be smoothed.
+bool isSmooth(const DrawnLine& line);
+
 /// Whether it is a line within a face of the surface, which a drawing may leave out or join to
 /// another one; no edge of the form, nor an axis of a section.
 bool isInner(const DrawnLine& line);
