@@ -1,70 +1,67 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The filters of Laplacian lines in PyMeshLab, and drawings of their lines.
+"""Line drawings of 3D scans by Laplacian lines (Zhang, He, Seah 2009), from and to NumPy arrays.
 
-    import laplacian_lines, pymeshlab
-    laplacian_lines.load()
-    meshes = pymeshlab.MeshSet()
-    meshes.load_new_mesh("scan.ply")
+    import laplacian_lines
+    laplacian_lines.write_svg("dragon.svg", "dragon.ply", direction=(0, 0, 1), unit="m")
+    seen = laplacian_lines.visible_lines("dragon.ply", direction=(0, 0, 1))
 
-    meshes.compute_laplacian_lines_per_vertex()
-    field = laplacian_lines.field(meshes.current_mesh())
+A mesh is a pair of arrays, vertices (n, 3) and faces (m, 3), counter-clockwise seen from outside; a mesh of trimesh, PyVista
+or PyMeshLab; or the name of a PLY, STL, OBJ or OFF file. Lengths are in the mesh's unit.
 
-    view = meshes.generate_polyline_from_laplacian_lines(view="Front")
-    laplacian_lines.picture("lines.png", meshes.current_mesh(), view)
+    field(mesh)                        normals, their Laplacian, curvature and kernel at each vertex
+    lines(mesh, direction=...)         all lines of a view, in space and on the page
+    visible_lines(mesh, direction=...) the parts of them that are seen
+    write_svg(file, mesh, ...)         these as a drawing at true scale
+    Surface(mesh)                      a mesh made ready once, for many views: surface.visible_lines(eye=...)
 
-    meshes.set_current_mesh(0)
-    meshes.export_laplacian_lines_drawing(file="plate.svg", views="six", unit="m")
+Options are keyword arguments, which help() of each function lists with defaults and limits. What cannot be used raises Error,
+a ValueError, or TypeError, and says what can. Computing runs on as many threads as the environment variable
+LAPLACIAN_LINES_THREADS says, or on all processors, and other threads of Python go on meanwhile.
 
-Without Matplotlib, all but picture() and draw() works. parameters(FILTER), parameters(POLYLINE_FILTER) and
-parameters(DRAWING_FILTER) list what the filters take. Works with the version of PyMeshLab that the plugin beside this
-package was built for.
+In PyMeshLab: where the plugin is, beside this package or as the environment variable LAPLACIAN_LINES_PLUGIN says,
+load() brings the filters as methods of MeshSet.
 """
 
-import pymeshlab
+import importlib
+import importlib.util
+import pkgutil
+import typing
 
-from . import filters, tables
-from .drawing import Lines, draw, lines, picture
-from .tables import ATTRIBUTES, DRAWING_FILTER, FILTER, PLUGIN, POLYLINE_FILTER, Attribute, Parameter, parameters
+# The compiled half may be in an installed wheel, the plugin for PyMeshLab in a build that stands before it in the path.
+__path__ = pkgutil.extend_path(__path__, __name__)
 
-__all__ = ["ATTRIBUTES", "DRAWING_FILTER", "FILTER", "PLUGIN", "POLYLINE_FILTER", "Attribute", "Lines", "Parameter",
-           "draw", "field", "lines", "load", "parameters", "picture"]
-_FILTERS = (FILTER, POLYLINE_FILTER, DRAWING_FILTER)
-__doc__ += "\n" + "\n\n".join(filters.summary(name) for name in _FILTERS)
+from .plugin_place import PLUGIN
+from .rows import Attribute, Kind
 
+_OF_PYMESHLAB = ("DRAWING_FILTER", "FILTER", "Lines", "POLYLINE_FILTER", "Parameter", "draw", "load", "parameters",
+                 "picture")
+__all__ = ["Attribute", "Kind", "PLUGIN"]
 
-def load(plugin=PLUGIN):
-    """Loads the plugin and makes its filters methods of MeshSet; loading twice does nothing.
+if typing.TYPE_CHECKING or importlib.util.find_spec("._core", __name__):
+    from ._core import Error
+    from .meshes import as_arrays, read_mesh
+    from .polylines import KINDS, Page, Polyline, Polylines
+    from .surface import ATTRIBUTES, Surface, field, lines, visible_lines
+    from .svg import write_svg
 
-    Raises pymeshlab.PyMeshLabException if PyMeshLab refuses the file.
-    """
-    if FILTER not in pymeshlab.filter_list():
-        pymeshlab.load_plugin(str(plugin))
-    # PyMeshLab itself does this only for the plugins that it has at its import.
-    for name in _FILTERS:
-        if not hasattr(pymeshlab.MeshSet, name):
-            setattr(pymeshlab.MeshSet, name, filters.method(name))
+    __all__ += ["ATTRIBUTES", "Error", "KINDS", "Page", "Polyline", "Polylines", "Surface", "as_arrays", "field", "lines",
+                "read_mesh", "visible_lines", "write_svg"]
+else:
+    from .meshlab import ATTRIBUTES, field, lines
 
+    __all__ += ["ATTRIBUTES", "field", "lines"]
 
-def field(mesh):
-    """The filter's results on a pymeshlab.Mesh: a dictionary of NumPy arrays by attribute name.
+if PLUGIN.exists() and importlib.util.find_spec("pymeshlab"):
+    from .meshlab import DRAWING_FILTER, FILTER, POLYLINE_FILTER, SUMMARY, Lines, Parameter, draw, load, parameters, picture
 
-    Vectors have the shape (vertices, 3), numbers (vertices,). ATTRIBUTES tells what they are and their
-    units; optional ones are in the dictionary if they are on the mesh.
-    Raises pymeshlab.PyMeshLabException, which names the filter, if it has not run on the mesh.
-    """
-    arrays = {}
-    for attribute in ATTRIBUTES:
-        try:
-            arrays[attribute.name] = _values(mesh, attribute)
-        except pymeshlab.PyMeshLabException as error:
-            if not attribute.optional:
-                raise pymeshlab.PyMeshLabException(
-                    f"The mesh has no attribute {attribute.name}: run MeshSet.{FILTER}() on it first, again if other "
-                    "filters have changed the mesh since.") from error
-    return arrays
+    __all__ += _OF_PYMESHLAB
+    __doc__ = f"{__doc__}\n{SUMMARY}"
 
+if not typing.TYPE_CHECKING:
 
-def _values(mesh, attribute):
-    if attribute.numbers == 3:
-        return mesh.vertex_custom_point_attribute_matrix(attribute.name)
-    return mesh.vertex_custom_scalar_attribute_array(attribute.name)
+    def __getattr__(name):
+        """What is for PyMeshLab: an error that says what is missing, where it or the plugin is."""
+        if name in _OF_PYMESHLAB:
+            return getattr(importlib.import_module(".meshlab", __name__), name)
+        missing = "" if "Surface" in __all__ else ": the wheel, which has more, is not installed (pip install programs/python)"
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}{missing}")

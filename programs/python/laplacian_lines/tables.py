@@ -4,15 +4,16 @@
 import ctypes
 import html
 import json
-import pathlib
 import typing
 
 import pymeshlab  # has loaded the libraries that the plugin needs
 
-FILTER = "compute_laplacian_lines_per_vertex"
+from .plugin_place import PLUGIN
+from .rows import Attribute, Kind
+from .stored_field import FILTER
+
 POLYLINE_FILTER = "generate_polyline_from_laplacian_lines"
 DRAWING_FILTER = "export_laplacian_lines_drawing"
-PLUGIN = pathlib.Path(__file__).resolve().parents[1] / "libfilter_laplacian_lines.so"
 
 
 def _read(plugin):
@@ -21,30 +22,10 @@ def _read(plugin):
     except OSError as error:
         raise ImportError(
             f"The plugin of Laplacian lines cannot be used with this PyMeshLab ({error}). Build it for this version: "
-            "./run --python builds it for the one that it installs.", name="laplacian_lines", path=str(plugin)) from error
+            "./run --python builds it for the one that it installs; LAPLACIAN_LINES_PLUGIN may name the file.",
+            name="laplacian_lines", path=str(plugin)) from error
     library.laplacian_lines_tables.restype = ctypes.c_char_p
     return json.loads(library.laplacian_lines_tables().decode())
-
-
-class Attribute(typing.NamedTuple):
-    """What the filter stores under a name; some columns of the core's field are in two attributes."""
-
-    name: str
-    numbers: int  # a vertex: 3 or 1
-    help: str  # on the column
-    unit: str  # empty if it has none
-    optional: bool  # whether a mesh may be without it
-
-
-class Kind(typing.NamedTuple):
-    """A kind of lines; its place in KINDS is its number in the attribute ll_kind."""
-
-    key: str
-    one: str  # "ridge"
-    many: str  # "ridges"
-    outline: bool  # bounds the form; the others describe what is inside
-    color: int  # 0xRRGGBB
-    width: float  # in widths of a Laplacian line of full weight
 
 
 class Parameter(typing.NamedTuple):

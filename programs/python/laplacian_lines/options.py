@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Options as keyword arguments: names, defaults, limits and help are those of the core's tables."""
+
+from __future__ import annotations
+
+import difflib
+import html
+import inspect
+import numbers
+import textwrap
+from typing import Any, Callable, TypeVar
+
+from . import _core
+
+_TYPES = {"real": float, "integer": int, "length": float, "boolean": bool, "choice": str | int}
+FIELD = {row["key"]: row for row in _core.field_options}
+LINES = {row["key"]: row for row in _core.line_options}
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+def takes(*tables: dict[str, dict[str, Any]], told: str = "") -> Callable[[_Function], _Function]:
+    """Shows the options of these tables in the signature and the docstring of a function that takes them as **options.
+
+    With `told`, the docstring names that place instead of telling what they do.
+    """
+    rows = [row for table in tables for row in table.values()]
+
+    def show(function: _Function) -> _Function:
+        signature = inspect.signature(function)
+        own = [p for p in signature.parameters.values() if p.kind is not inspect.Parameter.VAR_KEYWORD]
+        shown = [inspect.Parameter(row["key"], inspect.Parameter.KEYWORD_ONLY, default=_default(row),
+                                   annotation=_TYPES[row["kind"]]) for row in rows]
+        function.__signature__ = signature.replace(parameters=own + shown)  # type: ignore[attr-defined]
+        text = f"Those of {told}." if told else "\n".join(map(_described, rows))
+        function.__doc__ = (f"{inspect.cleandoc(function.__doc__ or '')}\n\nOptions\n-------\n"
+                            f"{textwrap.indent(text, '    ')}\n")
+        return function
+
+    return show
+
+
+def values(given: dict[str, Any], *tables: dict[str, dict[str, Any]]) -> list[dict[str, float]]:
+    """The given options as numbers for the core, by table. Raises TypeError if one is in none or is of a wrong type."""
+    found: list[dict[str, float]] = [{} for _ in tables]
+    for key, value in given.items():
+        for table, numbers_of_table in zip(tables, found):
+            if key in table:
+                numbers_of_table[key] = _number(table[key], value)
+                break
+        else:
+            known = [name for table in tables for name in table]
+            close = difflib.get_close_matches(key, known, 3, 0.5)
+            raise TypeError(f"There is no option {key!r}. {'Did you mean' if close else 'Options are'} "
+                            f"{', '.join(close or known)}{'?' if close else '.'}")
+    return found
+
+
+def _number(row, value):
+    """A core's number for a value; whether it is within its limits is for the core to say."""
+    choices = [choice.lower() for choice in row["choices"]]
+    if choices:
+        if isinstance(value, str) and value.lower() in choices:
+            return float(choices.index(value.lower()))
+        if isinstance(value, numbers.Integral) and 0 <= value < len(choices):
+            return float(value)
+        raise TypeError(f"{row['key']} is {value!r}, but must be {_values(row)}.")
+    if isinstance(value, str) or not hasattr(value, "__float__") or (row["kind"] == "boolean" and value not in (0, 1)):
+        raise TypeError(f"{row['key']} is {value!r}, but must be of type {_TYPES[row['kind']].__name__}.")
+    return float(value)
+
+
+def _default(row):
+    if row["choices"]:
+        return row["choices"][int(row["default"])]
+    return bool(row["default"]) if row["kind"] == "boolean" else row["default"]
+
+
+def _values(row):
+    if row["choices"]:
+        return ", ".join(repr(choice) for choice in row["choices"])
+    if row["kind"] == "boolean":
+        return ""
+    return f"{row['minimum']:g} {'or more' if row['maximum'] is None else 'to {:g}'.format(row['maximum'])}"
+
+
+def _described(row):
+    limits = f"{_values(row)}. " if _values(row) else ""
+    text = textwrap.fill(limits + html.unescape(row["help"]), 106, initial_indent="    ", subsequent_indent="    ")
+    kind = inspect.formatannotation(_TYPES[row["kind"]])
+    return f"{row['key']}: {kind} = {_default(row)!r}\n{text}"

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The field of a mesh and its lines, as NumPy arrays."""
+
+from __future__ import annotations
+
+import typing
+from typing import Any, Iterable, Sequence
+
+import numpy
+from numpy.typing import NDArray
+
+from . import _core, options
+from .meshes import as_arrays
+from .polylines import Page, Polylines, Vector
+from .rows import Attribute
+
+if typing.TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._option_types import FieldOptions, LineOptions, Options
+
+ATTRIBUTES = tuple(Attribute(**row) for row in _core.columns)
+Point = Sequence[float] | Vector
+Kinds = str | Iterable[str] | None
+
+
+class Surface:
+    """A mesh with its field, made ready once for many views.
+
+    `mesh` is what as_arrays() takes. The options, those of the field, and all computing are the core's, which runs on
+    several threads, without Python's lock: other threads go on, and may use the same Surface. Ctrl-C ends it.
+    Raises Error if an option is out of its limits or the mesh has no surface.
+    """
+
+    @options.takes(options.FIELD)
+    def __init__(self, mesh: Any, **field_options: Unpack[FieldOptions]) -> None:
+        vertices, faces = as_arrays(mesh)
+        self._core = _core.Surface(vertices, faces, *options.values(dict(field_options), options.FIELD))
+        used = vertices[numpy.isfinite(vertices).all(axis=1)]
+        self._centre = (used.min(axis=0) + used.max(axis=0)) / 2
+
+    def field(self) -> dict[str, NDArray[numpy.float32]]:
+        """Normals, their Laplacian, curvature and kernel at each vertex, see the function field()."""
+        return self._core.field()
+
+    def measures(self) -> dict[str, float]:
+        """Of the whole mesh, by name.
+
+        In its unit: diagonal (of the bounding box), mean_edge, kernel_size √h and normal_sigma (of smoothing), as they were
+        used. Without unit: roughness (scans have up to 1.1). Numbers of what was left out: non_finite_vertices,
+        unreferenced_vertices, degenerate_triangles; and of welded_vertices.
+        """
+        return self._core.measures()
+
+    @options.takes(options.LINES)
+    def lines(self, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
+              light: Point | None = None, kinds: Kinds = None, **line_options: Unpack[LineOptions]) -> Polylines:
+        """All lines of a view, also those that the surface hides; see the function lines()."""
+        plane, place = self._view(direction, eye, up)
+        return Polylines.of_core(self._core.lines(*place, _light(light), _style(kinds, line_options)), plane)
+
+    @options.takes(options.LINES, told="lines()")
+    def visible_lines(self, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
+                      light: Point | None = None, kinds: Kinds = None, hidden: bool = False,
+                      joined_in_picture: bool = False, **line_options: Unpack[LineOptions]) -> Polylines:
+        """The parts of lines that are seen; see the function visible_lines()."""
+        plane, place = self._view(direction, eye, up)
+        arrays = self._core.visible_lines(*place, _light(light), _style(kinds, line_options), hidden, joined_in_picture)
+        return Polylines.of_core(arrays, plane)
+
+    def _view(self, direction, eye, up):
+        """The plane of the picture, and the eye as the core has it."""
+        if direction is None and eye is None:
+            raise TypeError("Say from where: direction=(0, 0, 1), to a viewer far away, or eye=(x, y, z), a place.")
+        eye = None if eye is None else _vector(eye, "eye")
+        back = _unit(_vector(direction, "direction") if direction is not None else eye - self._centre, "direction")
+        up = _unit(_vector(up, "up"), "up")
+        if numpy.linalg.norm(numpy.cross(up, back)) < 1e-6:  # from above, what is behind is up
+            up = numpy.roll(up, 1)
+        right = _unit(numpy.cross(up, back), "up")
+        plane = Page(right, numpy.cross(back, right), back, eye)
+        return plane, ((back if eye is None else eye).tolist(), float(eye is not None))
+
+
+def _vector(values, name):
+    vector = numpy.asarray(values, dtype=float)
+    if vector.shape != (3,) or not numpy.isfinite(vector).all():
+        raise ValueError(f"{name} is {values!r}, but must be three finite numbers.")
+    return vector
+
+
+def _unit(vector, name):
+    length = numpy.linalg.norm(vector)
+    if length == 0:
+        raise ValueError(f"{name} has no length: an eye has to be outside the middle of the mesh, or needs a direction.")
+    return vector / length
+
+
+def _light(light):
+    return None if light is None else _vector(light, "light").tolist()
+
+
+def _style(kinds, given):
+    """The style as numbers by key: `kinds` sets all switches, and options named by kinds change them."""
+    [style] = options.values(dict(given), options.LINES)
+    if kinds is None:
+        return style
+    chosen = set(_core.keys_of_kinds(kinds if isinstance(kinds, str) else ",".join(kinds)))
+    return {**{kind["key"]: float(kind["key"] in chosen) for kind in _core.kinds}, **style}
+
+
+def _surface(mesh, given):
+    """The surface of a mesh with those of the options that are the field's, and the others."""
+    of_field = {key: given[key] for key in given if key in options.FIELD}
+    others = {key: given[key] for key in given if key not in options.FIELD}
+    if not isinstance(mesh, Surface):
+        return Surface(mesh, **of_field), others
+    if of_field:
+        raise TypeError(f"A Surface has its field: give {', '.join(of_field)} to Surface(mesh, ...).")
+    return mesh, others
+
+
+@options.takes(options.FIELD, told="Surface()")
+def field(mesh: Any, **field_options: Unpack[FieldOptions]) -> dict[str, NDArray[numpy.float32]]:
+    """Normals n, their Laplacian Δn, the derivative S of n (curvature) and the kernel's size at each vertex of a mesh.
+
+    Returns arrays by the names in ATTRIBUTES, which says what they are: (vertices, 3) or (vertices,), in powers of the
+    mesh's unit. Vertices in no face hold zeros. A sphere of radius R with outward normals has S with the eigenvalues
+    1/R, 1/R, 0 and Δn = −2/R² n. Of a mesh of PyMeshLab on which the filter has run, without options here, what the filter
+    has stored. Raises Error if an option is out of its limits or the mesh has no surface.
+    """
+    stored = None if field_options else _stored_field(mesh)
+    if stored is not None:
+        return stored
+    if isinstance(mesh, Surface):
+        raise TypeError("A Surface has its field: surface.field().")
+    return Surface(mesh, **field_options).field()
+
+
+def _stored_field(mesh):
+    """By name, what the filter has left on a mesh of PyMeshLab; None if it has not run since the mesh was changed."""
+    has = getattr(mesh, "has_vertex_custom_scalar_attribute", lambda name: False)
+    if not has("ll_kernel_size"):
+        return None
+    from .stored_field import stored_field
+
+    return stored_field(mesh, ATTRIBUTES)
+
+
+@options.takes(options.LINES, options.FIELD, told="Surface.lines(), and of Surface() for the field")
+def lines(mesh: Any, view: dict[str, Any] | None = None, *, direction: Point | None = None, eye: Point | None = None,
+          up: Point = (0, 1, 0), light: Point | None = None, kinds: Kinds = None,
+          **line_options: Unpack[Options]) -> Any:
+    """All lines of a mesh as they are drawn in a view, also those that the surface hides.
+
+    `mesh` is a Surface or what as_arrays() takes. The viewer is far away in a `direction`, or at the place `eye`, in the
+    mesh's coordinates; `up` is upward on the page. `light` is the direction to a distant light, whose shading the Laplacian
+    lines draw; without one it is at the eye. `kinds` are names of kinds or mixtures, "ridges, valleys" or a list; the usual
+    ones if none are given; the outlines are always among them. Returns Polylines. Raises Error if an option is out of its
+    limits, the mesh has no surface or a kind is not known.
+
+    With `view`, what PyMeshLab's polyline filter returned, `mesh` is the layer that it made: its Lines are returned.
+    """
+    if view is not None:
+        from . import drawing
+
+        return drawing.lines(mesh, view)
+    surface, of_lines = _surface(mesh, line_options)
+    return surface.lines(direction=direction, eye=eye, up=up, light=light, kinds=kinds, **of_lines)
+
+
+@options.takes(options.LINES, options.FIELD, told="Surface.lines(), and of Surface() for the field")
+def visible_lines(mesh: Any, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
+                  light: Point | None = None, kinds: Kinds = None, hidden: bool = False,
+                  joined_in_picture: bool = False, **line_options: Unpack[Options]) -> Polylines:
+    """The parts of a mesh's lines that are seen in a view, cut exactly where the surface hides them.
+
+    What lines() takes. Outlines, borders and creases are edges of the mesh. With `hidden`, Polylines.hidden says which ones
+    are behind the surface: of outlines, borders and creases. With `joined_in_picture`, lines go on as in the picture, from
+    what is before to what is behind it, so that outlines are closed. Returns Polylines, whose `page` is the drawing.
+    """
+    surface, of_lines = _surface(mesh, line_options)
+    return surface.visible_lines(direction=direction, eye=eye, up=up, light=light, kinds=kinds, hidden=hidden,
+                                 joined_in_picture=joined_in_picture, **of_lines)

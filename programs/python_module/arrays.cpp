@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrays.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "laplacian_lines/field_columns.h"
+
+namespace python_module {
+
+namespace nb = nanobind;
+using namespace laplacian_lines;
+
+namespace {
+
+/// An array that owns its numbers; one column makes it flat.
+template <class Number>
+nb::object array(std::vector<Number>&& numbers, std::size_t columns = 1) {
+    auto* kept = new std::vector<Number>(std::move(numbers));
+    const nb::capsule owner(kept,
+                            [](void* p) noexcept { delete static_cast<std::vector<Number>*>(p); });
+    const std::size_t shape[] = {kept->size() / columns, columns};
+    return nb::cast(
+        nb::ndarray<nb::numpy, Number>(kept->data(), columns == 1 ? 1 : 2, shape, owner));
+}
+
+template <class Number, class Rows>
+nb::object array_of_rows(const Rows& rows) {
+    std::vector<Number> numbers;
+    numbers.reserve(3 * rows.size());
+    for (const auto& row : rows)
+        for (int i = 0; i < 3; ++i)
+            numbers.push_back(row[i]);
+    return array(std::move(numbers), 3);
+}
+
+struct LineArrays {
+    std::vector<double> points;
+    std::vector<float> weights, gradients, opacities, strengths;
+    std::vector<std::int64_t> offsets{0};
+    std::vector<std::uint8_t> kinds, closed, hidden, outline;
+
+    template <class Point>
+    void add_point(const Point& point) {
+        for (int i = 0; i < 3; ++i)
+            points.push_back(point.position[i]);
+        weights.push_back(point.weight);
+        gradients.push_back(point.gradient);
+        opacities.push_back(point.opacity);
+    }
+    template <class Line>
+    void end_line(const Line& line, bool is_hidden, bool is_outline) {
+        offsets.push_back(std::int64_t(weights.size()));
+        strengths.push_back(line.strength);
+        kinds.push_back(std::uint8_t(line.kind));
+        closed.push_back(line.closed);
+        hidden.push_back(is_hidden);
+        outline.push_back(is_outline);
+    }
+    nb::dict hand_over() {
+        nb::dict result;
+        result["points"] = array(std::move(points), 3);
+        result["weights"] = array(std::move(weights));
+        result["gradients"] = array(std::move(gradients));
+        result["opacities"] = array(std::move(opacities));
+        result["strengths"] = array(std::move(strengths));
+        result["offsets"] = array(std::move(offsets));
+        result["kinds"] = array(std::move(kinds));
+        result["closed"] = array(std::move(closed));
+        result["hidden"] = array(std::move(hidden));
+        result["outline"] = array(std::move(outline));
+        return result;
+    }
+};
+
+}  // namespace
+
+TriangleMesh mesh_of(const Positions& positions, const Triangles& triangles) {
+    TriangleMesh mesh;
+    mesh.positions.resize(positions.shape(0));
+    std::copy_n(positions.data(), 3 * positions.shape(0), mesh.positions.data()->data());
+    mesh.triangles.resize(triangles.shape(0));
+    std::copy_n(triangles.data(), 3 * triangles.shape(0), mesh.triangles.data()->data());
+    return mesh;
+}
+
+nb::tuple arrays_of(const TriangleMesh& mesh) {
+    return nb::make_tuple(array_of_rows<double>(mesh.positions),
+                          array_of_rows<std::uint32_t>(mesh.triangles));
+}
+
+nb::dict arrays_of(const Field& field) {
+    nb::dict result;
+    for (const FieldColumn& column : present_columns(field)) {
+        const std::size_t entries = column.size(field);
+        int first = 0;
+        for (const FieldAttribute& attribute : column.attributes) {
+            if (attribute.floats == 0) continue;
+            std::vector<float> numbers;
+            numbers.reserve(entries * attribute.floats);
+            for (std::size_t i = 0; i < entries; ++i) {
+                const float* entry = column.read(field) + i * column.floats + first;
+                numbers.insert(numbers.end(), entry, entry + attribute.floats);
+            }
+            result[attribute.name] = array(std::move(numbers), attribute.floats);
+            first += attribute.floats;
+        }
+    }
+    return result;
+}
+
+nb::dict arrays_of(const LineSet& set) {
+    LineArrays arrays;
+    for (const Polyline& line : set.lines) {
+        for (std::uint32_t i = 0; i < line.count; ++i)
+            arrays.add_point(set.points[line.first + i]);
+        arrays.end_line(line, false, false);
+    }
+    return arrays.hand_over();
+}
+
+nb::dict arrays_of(const std::vector<SightLine>& lines) {
+    LineArrays arrays;
+    for (const SightLine& line : lines) {
+        for (const SightPoint& point : line.points)
+            arrays.add_point(point);
+        arrays.end_line(line, line.is_hidden, line.is_outline);
+    }
+    return arrays.hand_over();
+}
+
+}  // namespace python_module

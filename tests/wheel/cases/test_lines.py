@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import concurrent.futures
+import pathlib
+import re
+import tempfile
+import threading
+import unittest
+import xml.etree.ElementTree
+
+import laplacian_lines as ll
+import numpy
+from shapes import REFERENCE, bumpy, sphere, torus
+
+
+def same(a, b):
+    return all(numpy.array_equal(getattr(a, name), getattr(b, name)) for name in ("points", "offsets", "kinds", "weights"))
+
+
+class Lines(unittest.TestCase):
+    def test_outlines_of_a_torus_are_its_circles(self):
+        lines = ll.visible_lines(torus(), direction=(0, 0, 1), kinds=["contours"])
+        self.assertEqual(set(lines.by_kind()), {"contours"})
+        radii = sorted(numpy.hypot(*line.page.T).mean() for line in lines)
+        numpy.testing.assert_allclose(radii, [0.6, 1.4], atol=0.01)
+        self.assertTrue(lines.closed.all())
+        for line in lines:
+            numpy.testing.assert_array_equal(line.points[0], line.points[-1])
+
+    def test_is_what_the_core_finds_in_a_program_of_its_own(self):
+        rows = [line.split() for line in (REFERENCE / "lines.obj").read_text().splitlines()]
+        expected = numpy.array([row[1:] for row in rows if row[0] == "v"], dtype=float)
+        lines = ll.visible_lines(REFERENCE / "torus.ply", direction=(0, 0, 1))
+        self.assertEqual([len(row) - 1 for row in rows if row[0] == "l"], numpy.diff(lines.offsets).tolist())
+        numpy.testing.assert_allclose(lines.points, expected, atol=1e-5)
+
+    def test_shapes(self):
+        lines = ll.lines(bumpy(), eye=(3, 2, 4))
+        self.assertGreater(len(lines), 2)
+        points = len(lines.points)
+        self.assertEqual(lines.points.shape, (points, 3))
+        self.assertEqual(lines.page.shape, (points, 2))
+        self.assertEqual(lines.weights.shape, (points,))
+        self.assertEqual(lines.offsets[-1], points)
+        self.assertEqual(sum(len(line.points) for line in lines), points)
+        self.assertEqual(lines.kinds.shape, lines.closed.shape)
+        self.assertTrue(numpy.isin(lines.kinds, numpy.arange(len(ll.KINDS))).all())
+        self.assertTrue(((lines.weights >= 0) & (lines.weights <= 1)).all())
+
+    def test_the_page(self):
+        lines = ll.lines(torus(), direction=(0, -1, 0), up=(0, 0, 1))
+        numpy.testing.assert_allclose(lines.page, lines.points[:, [0, 2]], atol=1e-12)
+        seen = ll.visible_lines(torus(), eye=(0, 0, 10), kinds="contours")
+        numpy.testing.assert_allclose(seen.page, seen.points[:, :2] / (10 - seen.points[:, 2:]), atol=1e-12)
+        self.assertTrue(numpy.isfinite(ll.lines(torus(), direction=(0, 1, 0)).page).all())  # along the usual up
+
+    def test_hidden_parts(self):
+        side = dict(direction=(0, 1, 0.2), kinds="contours")
+        seen, all_lines = ll.visible_lines(torus(), **side), ll.visible_lines(torus(), hidden=True, **side)
+        self.assertFalse(seen.hidden.any())
+        self.assertTrue(all_lines.hidden.any())
+        self.assertEqual((~all_lines.hidden).sum(), len(seen))
+
+    def test_joined_outlines_are_closed(self):
+        joined = ll.visible_lines(torus(), direction=(0, 1, 0.2), kinds="contours", joined_in_picture=True)
+        self.assertTrue(joined.closed[joined.outline].all())
+
+    def test_options_and_kinds(self):
+        mesh = bumpy()
+        surface = ll.Surface(mesh)
+        few, many = (len(surface.lines(direction=(1, 2, 3), detail=d).points) for d in (10, 90))
+        self.assertLess(few, many)
+        without = surface.lines(direction=(1, 2, 3), kinds="contours", contours=False)
+        self.assertEqual(len(without), 0)
+        self.assertEqual(repr(without), "<Polylines: none; 0 points>")
+        apparent = surface.lines(direction=(1, 2, 3), kinds="apparent ridges", apparent_curvature=1, apparent_slope=0)
+        self.assertIn("apparent_ridges", apparent.by_kind())
+        self.assertTrue(same(ll.lines(mesh, direction=(1, 2, 3), kernel_size=0.2),
+                             ll.Surface(mesh, kernel_size=0.2).lines(direction=(1, 2, 3))))
+
+    def test_light(self):
+        surface = ll.Surface(bumpy())
+        here, there = (surface.lines(direction=(1, 2, 3), light=light) for light in (None, (0, 0, 1)))
+        self.assertFalse(same(here, there))
+
+
+class Threads(unittest.TestCase):
+    def test_several_share_a_surface(self):
+        surface, kinds = ll.Surface(bumpy()), ("usual", "suggestive_contours", "apparent_ridges", "demarcating_curves")
+        views = [dict(direction=(1, 2, z), kinds=kinds[z % 4]) for z in range(8)]
+        with concurrent.futures.ThreadPoolExecutor(8) as pool:
+            at_once = list(pool.map(lambda view: surface.visible_lines(**view), views))
+        alone = ll.Surface(bumpy())
+        for found, view in zip(at_once, views):
+            self.assertTrue(same(found, alone.visible_lines(**view)))
+
+    def test_others_go_on(self):
+        """While the core works, another thread gets Python's lock many times."""
+        count, done = 0, threading.Event()
+
+        def work():
+            ll.field(torus(600, 300))
+            done.set()
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        while not done.wait(0.0005):
+            count += 1
+        thread.join()
+        self.assertGreater(count, 20)
+
+
+class Svg(unittest.TestCase):
+    def test_is_at_true_scale(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "sphere.svg"
+            ll.write_svg(file, sphere(radius=2, steps=5), unit="cm", scale=0.5, margin=5)
+            root = xml.etree.ElementTree.parse(file).getroot()
+            for side in ("width", "height"):  # 4 cm, half as large
+                self.assertAlmostEqual(float(root.get(side).removesuffix("mm")), 20 + 10, delta=0.1)
+            self.assertEqual(root.get("viewBox").split()[2:], [root.get("width")[:-2], root.get("height")[:-2]])
+            text = file.read_text()
+            numbers = numpy.array(re.findall(r"(-?[\d.]+),(-?[\d.]+)", text), dtype=float)
+            radii = numpy.hypot(*(numbers - 15).T)
+            numpy.testing.assert_allclose(radii, 10, atol=0.1)  # no line but the outline
+
+    def test_hidden_lines_are_dashed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "torus.svg"
+            ll.write_svg(file, torus(), direction=(0, 1, 0.2), hidden=True)
+            self.assertIn("stroke-dasharray", file.read_text())
+            before = file.read_bytes()
+            with self.assertRaises(ValueError):
+                ll.write_svg(file, torus(), unit="ell")
+            self.assertEqual(file.read_bytes(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

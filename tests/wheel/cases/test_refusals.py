@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What cannot be used raises an exception that says what can."""
+
+import os
+import pathlib
+import pydoc
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import laplacian_lines as ll
+import numpy
+from shapes import sphere, torus
+
+FRONT = dict(direction=(0, 0, 1))
+
+
+class Refusals(unittest.TestCase):
+    def expect(self, error, words, function, *arguments, **keywords):
+        with self.assertRaisesRegex(error, words):
+            function(*arguments, **keywords)
+
+    def test_options(self):
+        mesh = sphere(steps=2)
+        self.assertTrue(issubclass(ll.Error, ValueError))
+        self.expect(TypeError, "'kernelsize'. Did you mean kernel_size", ll.field, mesh, kernelsize=1)
+        self.expect(TypeError, "no option 'detail'", ll.field, mesh, detail=1)
+        self.expect(ll.Error, "Kernel Size is -1, but must be at least 0", ll.field, mesh, kernel_size=-1)
+        self.expect(ll.Error, "Detail is nan, but must be between 0 and 100", ll.lines, mesh, detail=float("nan"), **FRONT)
+        self.expect(TypeError, "'Uniform', 'Adaptive'", ll.field, mesh, kernel_mode="round")
+        self.expect(TypeError, "'Uniform', 'Adaptive'", ll.field, mesh, kernel_mode=2)
+        self.expect(TypeError, "must be of type bool", ll.field, mesh, weld_duplicates=0.5)
+        self.expect(TypeError, "must be of type float", ll.field, mesh, kernel_size="1 mm")
+        self.expect(ll.Error, '"rigdes" are not kinds of lines.*ridges', ll.lines, mesh, kinds="rigdes", **FRONT)
+        self.expect(TypeError, r"give kernel_size to Surface", ll.lines, ll.Surface(mesh), kernel_size=1, **FRONT)
+
+    def test_views(self):
+        mesh = sphere(steps=2)
+        self.expect(TypeError, "Say from where: direction", ll.lines, mesh)
+        self.expect(ValueError, "three finite numbers", ll.lines, mesh, direction=(0, 1))
+        self.expect(ValueError, "three finite numbers", ll.visible_lines, mesh, eye=(0, numpy.nan, 1))
+        self.expect(ValueError, "has no length", ll.lines, mesh, direction=(0, 0, 0))
+        self.expect(ValueError, "has no length", ll.lines, mesh, eye=(0, 0, 0))
+
+    def test_meshes(self):
+        vertices, faces = sphere(steps=2)
+        self.expect(TypeError, "A int is no mesh", ll.field, 3)
+        self.expect(ll.Error, r"shape \(66, 2\)", ll.field, (vertices[:, :2], faces))
+        self.expect(ll.Error, "split into triangles", ll.field, (vertices, numpy.zeros((2, 4), int)))
+        self.expect(ll.Error, "whole", ll.field, (vertices, faces.astype(float)))
+        self.expect(ll.Error, "vertex -1", ll.field, (vertices, faces - 1))
+        self.expect(ll.Error, "vertex", ll.field, (vertices, faces + 1))
+        self.expect(ll.Error, "triangle", ll.field, (vertices, faces[:0]))
+        self.expect(ll.Error, "triangle", ll.field, (numpy.full_like(vertices, numpy.nan), faces))
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder)
+            self.expect(FileNotFoundError, "none.ply", ll.field, place / "none.ply")
+            (place / "mesh.txt").write_text("ply")
+            self.expect(ll.Error, "Save it as .ply", ll.read_mesh, place / "mesh.txt")
+            (place / "mesh.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n")
+            self.expect(ll.Error, "is not whole: ", ll.read_mesh, place / "mesh.off")
+            self.expect(OSError, "", ll.write_svg, place / "none" / "a.svg", (sphere(steps=2)))
+
+    def test_without_pymeshlab(self):
+        try:
+            import pymeshlab  # noqa: F401
+        except ImportError:
+            self.expect(ImportError, "pymeshlab", getattr, ll, "load")
+        else:
+            self.expect(ImportError, "./run --python builds it", getattr, ll, "load")
+        self.expect(AttributeError, "no attribute 'nothing'", getattr, ll, "nothing")
+
+    @unittest.skipIf(threading.current_thread() is not threading.main_thread(), "signals go to the main thread")
+    def test_interrupts(self):
+        mesh = torus(2000, 1000)
+        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+        began = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            while True:
+                ll.field(mesh)
+        self.assertLess(time.monotonic() - began, 60)
+
+
+class Help(unittest.TestCase):
+    def test_tells_options_with_limits(self):
+        text = pydoc.render_doc(ll, renderer=pydoc.plaintext)
+        for words in ("visible_lines(", "write_svg(", "trimesh", "(n, 3)", "kernel_size: float = 0.0", "0 or more", "√h"):
+            self.assertIn(words, text)
+        self.assertNotIn("&radic;", text)
+        self.assertIn("detail: float = 50.0, contours: bool = True", pydoc.render_doc(ll.lines, renderer=pydoc.plaintext))
+
+    def test_star_import_and_dir(self):
+        subprocess.run([sys.executable, "-c", "from laplacian_lines import *; Surface, write_svg"], check=True)
+
+
+class Types(unittest.TestCase):
+    def test_checkers_know_options(self):
+        try:
+            import mypy.api
+        except ImportError:
+            self.skipTest("mypy is not here")
+        good = "import laplacian_lines as ll\nlines: ll.Polylines = ll.visible_lines('a.ply', eye=(0, 0, 1), detail=40)\n"
+        bad = "ll.field('a.ply', kernelsize=1)\nll.Surface('a.ply').lines(direction=(0, 0, 1), detail='much')\n"
+        said, errors, code = mypy.api.run(["--strict", "-c", good])
+        self.assertEqual(code, 0, said + errors)
+        said, errors, _ = mypy.api.run(["--strict", "-c", good + bad])
+        self.assertIn("kernelsize", said)
+        self.assertIn("Found 2 errors", said)
+
+
+if __name__ == "__main__":
+    unittest.main()
