@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "laplacian_lines/field_columns.h"
@@ -77,10 +76,14 @@ struct LineArrays {
 
 TriangleMesh mesh_of(const Positions& positions, const Triangles& triangles) {
     TriangleMesh mesh;
-    mesh.positions.resize(positions.shape(0));
-    std::copy_n(positions.data(), 3 * positions.shape(0), mesh.positions.data()->data());
-    mesh.triangles.resize(triangles.shape(0));
-    std::copy_n(triangles.data(), 3 * triangles.shape(0), mesh.triangles.data()->data());
+    mesh.positions.reserve(positions.shape(0));
+    for (std::size_t i = 0; i < positions.shape(0); ++i)
+        mesh.positions.emplace_back(positions.data() + 3 * i);
+    mesh.triangles.reserve(triangles.shape(0));
+    for (std::size_t i = 0; i < triangles.shape(0); ++i) {
+        const std::uint32_t* corners = triangles.data() + 3 * i;
+        mesh.triangles.push_back({corners[0], corners[1], corners[2]});
+    }
     return mesh;
 }
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Builds the wheel, says what auditwheel finds of it, and runs cases/ with it in environments of their own, without a
-compiler in their PATH: one for each Python here that the wheel is for, with NumPy alone, and one with the other packages
-whose meshes are taken.
+compiler in their PATH: one for each Python here that the wheel is for, with NumPy alone, one for the Python of each
+root that ./test --host has made, which are other systems, and one with the other packages whose meshes are taken.
 
 bare_environments.py --work FOLDER --write-reference PROGRAM --lines PROGRAM [--others PACKAGE,...]
 """
@@ -74,13 +74,29 @@ def check_wheel(wheel, python):
     return tagged
 
 
-def run_cases(python, work):
-    """With nothing in the PATH but the environment's own programs."""
-    environment_variables = {"PATH": str(python.parent), "HOME": str(work), "LAPLACIAN_LINES_REFERENCE": str(work / "reference")}
-    for compiler in ("cc", "c++", "gcc", "g++", "clang", "cmake", "ninja"):
-        if shutil.which(compiler, path=environment_variables["PATH"]):
-            fail(f"{compiler} is in the environment")
-    run(python, "-B", "-m", "unittest", "discover", "--start-directory", CASES, env=environment_variables, cwd=work)
+def run_cases(python, work, **more):
+    """With nothing in the PATH."""
+    variables = {"PATH": "", "HOME": str(work), "LAPLACIAN_LINES_REFERENCE": str(work / "reference"), **more}
+    run(*python, "-B", "-m", "unittest", "discover", "--start-directory", CASES, env=variables, cwd=work)
+
+
+def cache_folder():
+    """As scripts/environment/cache.sh has it."""
+    usual = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "laplacian-lines"
+    return pathlib.Path(os.environ.get("LAPLACIAN_LINES_CACHE") or usual)
+
+
+def run_in_root(root, wheel, work):
+    """With Python and all libraries of another system, which its own loader finds; pip of this one installs."""
+    [python] = root.glob("usr/bin/python3.[0-9]*[0-9]")
+    version = python.name.removeprefix("python")
+    packages = work / f"root-{version}"
+    shutil.rmtree(packages, ignore_errors=True)
+    platforms = [f"--platform=manylinux_2_{minor}_x86_64" for minor in range(17, 60)]
+    run(work / "builder/bin/python", "-m", "pip", "--disable-pip-version-check", "--quiet", "install", "--target", packages,
+        "--python-version", version, "--implementation", "cp", *platforms, "--only-binary", ":all:", wheel)
+    loader = [root / "lib64/ld-linux-x86-64.so.2", "--library-path", root / "usr/lib/x86_64-linux-gnu"]
+    run_cases([*loader, python], work, PYTHONHOME=str(root / "usr"), PYTHONPATH=str(packages))
 
 
 def pythons():
@@ -122,9 +138,11 @@ def main():
     wheel = check_wheel(build_wheel(given.work), builder)
     write_reference(given.work, given.write_reference, given.lines)
     for version, python in pythons().items():
-        run_cases(environment(given.work / f"bare-{version}", python, wheel), given.work)
+        run_cases([environment(given.work / f"bare-{version}", python, wheel)], given.work)
+    for python in cache_folder().glob("roots/*/usr/bin/python3"):
+        run_in_root(python.parents[2], wheel, given.work)
     if given.others:
-        run_cases(environment(given.work / "others", sys.executable, wheel, *given.others.split(",")), given.work)
+        run_cases([environment(given.work / "others", sys.executable, wheel, *given.others.split(","))], given.work)
 
 
 if __name__ == "__main__":

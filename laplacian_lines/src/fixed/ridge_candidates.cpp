@@ -34,7 +34,8 @@ Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float si
     // In the tangent plane's basis (u, v): the mean of the diagonal and what differs from it.
     const float mean = (u.dot(su) + v.dot(sv)) / 2;
     const float x = (u.dot(su) - v.dot(sv)) / 2, y = u.dot(sv);
-    const float range = std::hypot(x, y);
+    // The bits of hypotf(), which is another function from glibc 2.35 on.
+    const float range = float(std::sqrt(double(x) * x + double(y) * y));
     const float k1 = mean + range, k2 = mean - range;
     if (!(k1 >= kLeastCurvature) || !(k1 > kDominance * std::abs(k2))) return {};
     Bend bend;

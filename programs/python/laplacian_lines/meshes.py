@@ -73,7 +73,8 @@ def _checked(values, kind, name):
         what = "Polygons have to be split into triangles first." if name == "faces" else "Each row is x, y, z."
         raise _core.Error(f"The {name} have the shape {array.shape}, but must have (n, 3). {what}")
     if not numpy.issubdtype(array.dtype, numpy.integer) and not (kind is float and numpy.can_cast(array.dtype, float)):
-        raise _core.Error(f"The {name} are of type {array.dtype}, but must be numbers{'' if kind is float else ' of vertices, whole'}.")
+        what = "numbers" if kind is float else "whole numbers, those of vertices"
+        raise _core.Error(f"The {name} are of type {array.dtype}, but must be {what}.")
     return array
 
 

@@ -150,7 +150,7 @@ def _stored_field(mesh):
 @options.takes(options.LINES, options.FIELD, told="Surface.lines(), and of Surface() for the field")
 def lines(mesh: Any, view: dict[str, Any] | None = None, *, direction: Point | None = None, eye: Point | None = None,
           up: Point = (0, 1, 0), light: Point | None = None, kinds: Kinds = None,
-          **line_options: Unpack[Options]) -> Any:
+          **line_options: Unpack[Options]) -> Polylines:
     """All lines of a mesh as they are drawn in a view, also those that the surface hides.
 
     `mesh` is a Surface or what as_arrays() takes. The viewer is far away in a `direction`, or at the place `eye`, in the
@@ -164,7 +164,7 @@ def lines(mesh: Any, view: dict[str, Any] | None = None, *, direction: Point | N
     if view is not None:
         from . import drawing
 
-        return drawing.lines(mesh, view)
+        return typing.cast(Polylines, drawing.lines(mesh, view))
     surface, of_lines = _surface(mesh, line_options)
     return surface.lines(direction=direction, eye=eye, up=up, light=light, kinds=kinds, **of_lines)
 

@@ -33,17 +33,18 @@ def write_svg(file: str | os.PathLike[str], mesh: Any, *, direction: Point = (0,
     """Writes what is seen of a mesh's lines from a direction as SVG, at true scale.
 
     `unit` is that of the mesh: mm, cm, m or in. `scale` is drawn over true length: 0.5 for 1:2. `pen` is the width of a
-    line of full weight, `margin` what is left around the drawing, `shortest` the length below which lines,
-    with those that they go on to, are left out; all in mm on paper, which is as large as the drawing. Lines of a kind are a group of the file. `hidden` lines are dashed. What else it takes is that of visible_lines(), whose
-    Polylines are returned; whole_lines, which suits paper, is on. Raises OSError, and what visible_lines() does.
+    line of full weight, `margin` what is left around the drawing, `shortest` the length below which lines, with those that
+    they go on to, are left out; all in mm on paper, which is as large as the drawing. Lines of a kind are a group of the
+    file. `hidden` lines are dashed. What else it takes is that of visible_lines(), whose Polylines are returned; whole_lines,
+    which suits paper, is on. Raises OSError, and what visible_lines() does.
     """
     if unit not in UNITS:
         raise ValueError(f"{unit!r} is not a unit of the mesh: say one of {', '.join(UNITS)}.")
     if not 0 < scale < numpy.inf:
         raise ValueError(f"scale is {scale!r}, but must be drawn length over true length, such as 0.5 for 1:2.")
     line_options.setdefault("whole_lines", True)
-    lines = visible_lines(mesh, direction=direction, up=up, kinds=kinds, hidden=hidden,
-                          joined_in_picture=True, **line_options)
+    lines = visible_lines(mesh, direction=direction, up=up, kinds=kinds, hidden=hidden, joined_in_picture=True,
+                          **line_options)
     write_whole(file, _text(lines, UNITS[unit] * scale, pen, margin, shortest).encode())
     return lines
 

@@ -123,6 +123,12 @@ class Svg(unittest.TestCase):
             radii = numpy.hypot(*(numbers - 15).T)
             numpy.testing.assert_allclose(radii, 10, atol=0.1)  # no line but the outline
 
+    def test_of_nothing_is_an_empty_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "nothing.svg"
+            ll.write_svg(file, sphere(steps=3), kinds="contours", contours=False)
+            self.assertEqual(len(xml.etree.ElementTree.parse(file).getroot()[0]), 0)
+
     def test_hidden_lines_are_dashed(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "torus.svg"

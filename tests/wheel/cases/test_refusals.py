@@ -5,8 +5,6 @@ import os
 import pathlib
 import pydoc
 import signal
-import subprocess
-import sys
 import tempfile
 import threading
 import time
@@ -93,10 +91,13 @@ class Help(unittest.TestCase):
         for words in ("visible_lines(", "write_svg(", "trimesh", "(n, 3)", "kernel_size: float = 0.0", "0 or more", "√h"):
             self.assertIn(words, text)
         self.assertNotIn("&radic;", text)
-        self.assertIn("detail: float = 50.0, contours: bool = True", pydoc.render_doc(ll.lines, renderer=pydoc.plaintext))
+        text = " ".join(pydoc.render_doc(ll.lines, renderer=pydoc.plaintext).split())
+        self.assertIn("detail: float = 50.0, contours: bool = True", text)
 
-    def test_star_import_and_dir(self):
-        subprocess.run([sys.executable, "-c", "from laplacian_lines import *; Surface, write_svg"], check=True)
+    def test_star_import(self):
+        names = {}
+        exec("from laplacian_lines import *", names)
+        self.assertLessEqual({"Surface", "write_svg", "field"}, set(names))
 
 
 class Types(unittest.TestCase):
