@@ -42,7 +42,8 @@ def environment(folder, python, *packages):
 
 def build_wheel(work):
     shutil.rmtree(work / "wheels", ignore_errors=True)
-    launcher = {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache"} if shutil.which("ccache") else {}
+    launcher = {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CCACHE_DIR": str(cache_folder() / "ccache"), "CCACHE_MAXSIZE": "1G",
+                "CCACHE_BASEDIR": str(ROOT), "CCACHE_NOHASHDIR": "1"} if shutil.which("ccache") else {}
     began = time.monotonic()
     run(work / "builder/bin/python", "-m", "pip", "--disable-pip-version-check", "wheel", "--no-deps", ROOT / "programs/python",
         "--wheel-dir", work / "wheels", "--config-settings", f"build-dir={work / 'build'}", env={**launcher, **os.environ})
