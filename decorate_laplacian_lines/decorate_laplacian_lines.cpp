@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "decoration_parameters.h"
+#include "laplacian_lines/version.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/layer_drawing.h"
@@ -23,10 +24,12 @@ namespace {
 const QString title = "Laplacian Lines";
 
 meshlab_host::DecorationDescription description() {
-    return {"DecorateLaplacianLines", title,
-            "Draws Laplacian lines: the zero crossings of the illumination's Laplacian, with the "
-            "light at the eye, and the occluding contours. Run the filter Compute Laplacian Lines "
-            "first to choose how they are computed; otherwise the default parameters are used."};
+    const QString help =
+        "Draws Laplacian lines: the zero crossings of the illumination's Laplacian, with the "
+        "light at the eye, and the occluding contours. Run the filter Compute Laplacian Lines "
+        "first to choose how they are computed; otherwise the default parameters are used. "
+        "Version ";
+    return {"DecorateLaplacianLines", title, help + laplacian_lines::version() + '.'};
 }
 
 /// Eye and light in mesh coordinates.

@@ -10,6 +10,7 @@
 #include "kept_settings.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/provenance.h"
 #include "line_drawing/sheet_file.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/progress.h"
@@ -53,6 +54,14 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
                               : QString());
 }
 
+/// Without hashes: a layer need not be any more what its file has.
+QString provenanceOf(const PlacedLayers& layers) {
+    std::vector<line_drawing::Provenance::Mesh> meshes;
+    for (const PlacedLayer& layer : layers)
+        meshes.push_back({layer.name, {}});
+    return line_drawing::provenanceText(meshes);
+}
+
 }  // namespace
 
 meshlab_host::FilterDescription DrawingFilter::description() const {
@@ -93,11 +102,12 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const PlacedLayers layers = placeLayers(
         {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, field_share);
     options.source = namesOf(layers);
-    const Sheet sheet =
+    Sheet sheet =
         line_drawing::makeSheets(objectsOf(layers), {options},
                                  meshlab_host::progressTo(run.progress, field_share, sheet_share))
             .front();
     meshlab_host::beginStep(run.progress, 1, "Writing the drawing");
+    sheet.provenance = provenanceOf(layers);
     line_drawing::writeSheet(sheet, chosen.file);
     const QString file = QFileInfo(chosen.file).absoluteFilePath();
     const Eigen::Vector3d size = options.mm_per_unit * sizeOf(layers);

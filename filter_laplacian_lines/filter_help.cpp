@@ -4,18 +4,26 @@
 #include <QStringList>
 
 #include "laplacian_lines/line_kind.h"
+#include "laplacian_lines/version.h"
 
 // Dialogs have to fit small screens, and not all scroll: a few lines, the rest is in the documents.
 
 QString computeHelp() {
     return QStringLiteral(
-        "Chooses how the surface is analysed for Laplacian lines, once for all views. To see them, "
-        "switch on <b>Laplacian Lines</b> in the Render menu; without this filter, that does the "
-        "same with the default parameters.<br>"
-        "The mesh is not changed: the result is in per-vertex attributes <b>ll_...</b>, until the "
-        "mesh changes. Cuts whose sides only nearly meet leave lines along them: run <i>Merge "
-        "Close Vertices</i> first.<br>"
-        "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, 2009.");
+               "Chooses how the surface is analysed for Laplacian lines, once for all views. To "
+               "see them, "
+               "switch on <b>Laplacian Lines</b> in the Render menu; without this filter, that "
+               "does the "
+               "same with the default parameters.<br>"
+               "The mesh is not changed: the result is in per-vertex attributes <b>ll_...</b>, "
+               "until the "
+               "mesh changes. Cuts whose sides only nearly meet leave lines along them: run "
+               "<i>Merge "
+               "Close Vertices</i> first.<br>"
+               "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, "
+               "2009. "
+               "Version ") +
+           laplacian_lines::version() + '.';
 }
 
 QString polylineHelp() {

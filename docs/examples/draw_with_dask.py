@@ -18,7 +18,7 @@ try:
 except ImportError as error:
     sys.exit(f"draw_with_dask.py needs Dask ({error}). Install it: {sys.executable} -m pip install dask distributed")
 
-PROGRAM = pathlib.Path(__file__).resolve().parent.parent / "build/bin/laplacian_lines_drawing"
+PROGRAM = pathlib.Path(__file__).resolve().parent.parent / "build/bin/laplacian-lines"
 
 
 def draw(program, folder, options, meshes):

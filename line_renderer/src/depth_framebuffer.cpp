@@ -6,7 +6,7 @@
 namespace line_renderer {
 
 bool hasFramebuffers() {
-    return GLEW_VERSION_3_0 || GLEW_ARB_framebuffer_object;
+    return glFeatures().framebuffers;
 }
 
 DepthFramebuffer::DepthFramebuffer(GLuint texture) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <GL/glew.h>
+#include "gl_functions.h"
 
 namespace line_renderer {
 

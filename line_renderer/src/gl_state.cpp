@@ -5,7 +5,7 @@
 
 namespace line_renderer {
 
-GlState::GlState() : has_vertex_arrays_(GLEW_VERSION_3_0 || GLEW_ARB_vertex_array_object) {
+GlState::GlState() : has_vertex_arrays_(glFeatures().array_objects) {
     glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &array_buffer_);
     if (has_vertex_arrays_) {

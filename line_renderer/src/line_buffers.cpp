@@ -43,7 +43,7 @@ LineBuffers::LineBuffers() {
 }
 
 StreamPoint* LineBuffers::map(std::size_t points) {
-    const bool has_ranges = GLEW_VERSION_3_0 || GLEW_ARB_map_buffer_range;
+    const bool has_ranges = glFeatures().buffer_ranges;
     glBindBuffer(GL_ARRAY_BUFFER, stream_);
     if (points > capacity_ || !has_ranges) {
         capacity_ = std::max(capacity_, points + points / 4);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <GL/glew.h>
-
 #include <cstddef>
 
+#include "gl_functions.h"
 #include "line_stream.h"
 
 namespace line_renderer {

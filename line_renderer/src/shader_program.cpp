@@ -58,7 +58,7 @@ GLuint link(const Shader& vertex, const Shader& fragment,
 
 GLuint build(const char* vertex_shader, const char* fragment_shader,
              const std::vector<const char*>& attributes) {
-    if (!GLEW_VERSION_2_0) throw std::runtime_error("shaders (OpenGL 2.0) are not available.");
+    if (!glFeatures().shaders) throw std::runtime_error("shaders (OpenGL 2.0) are not available.");
     const Shader vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
     vertex.compile(vertex_shader);
     fragment.compile(fragment_shader);

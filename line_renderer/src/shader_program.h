@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <GL/glew.h>
-
 #include <vector>
+
+#include "gl_functions.h"
 
 namespace line_renderer {
 

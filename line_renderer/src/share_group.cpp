@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "share_group.h"
 
-// Qt's OpenGL headers do not get along with GLEW's; no other file includes them.
 #include <QOpenGLContext>
 
 namespace line_renderer {

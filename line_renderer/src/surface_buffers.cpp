@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_renderer/surface_buffers.h"
 
-#include <GL/glew.h>
-
 #include <map>
 
+#include "gl_functions.h"
 #include "per_share_group.h"
 
 namespace line_renderer {

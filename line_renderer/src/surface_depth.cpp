@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_renderer/surface_depth.h"
 
-#include <GL/glew.h>
-
 #include <algorithm>
 #include <array>
 

@@ -46,23 +46,24 @@ std::vector<Job> jobsFor(const std::vector<CollectionItem>& items, const Collect
 void writeContactSheet(const std::vector<CollectionItem>& items, const CollectionFolder& folder,
                        const CommandLine& commands) {
     std::vector<line_drawing::ContactEntry> entries;
+    std::vector<line_drawing::Provenance::Mesh> meshes;
     for (const CollectionItem& item : items)
-        if (folder.isUpToDate(item))
+        if (folder.isUpToDate(item)) {
             entries.push_back({readable(item.name), folder.readView(item)});
+            meshes.push_back({readable(QFileInfo(item.mesh).fileName()), item.hash.toHex()});
+        }
     if (entries.empty()) return;
     const QString file = QDir(folder.path).filePath(contact_name + ('.' + folder.format));
     const QString title = commands.options.title.contains("{name}") ? "" : commands.options.title;
-    line_drawing::writeSheet(line_drawing::makeContactSheet(entries, title), file, commands.dpi);
+    line_drawing::Sheet sheet = line_drawing::makeContactSheet(entries, title);
+    sheet.provenance = line_drawing::provenanceText(meshes, commands.words);
+    line_drawing::writeSheet(sheet, file, commands.dpi);
     say(stdout, QString("%1: %2 objects").arg(file, QString::number(entries.size())));
 }
 
 }  // namespace
 
-bool drawCollection(const CommandLine& given) {
-    CommandLine commands = given;
-    const int format = commands.words.indexOf("--format");
-    if (format >= 0)
-        commands.words.erase(commands.words.begin() + format, commands.words.begin() + format + 2);
+bool drawCollection(const CommandLine& commands) {
     const CollectionFolder folder{commands.drawing, commands.format};
     const std::vector<CollectionItem> items =
         itemsOf(commands.meshes, commands.words, {contact_name});

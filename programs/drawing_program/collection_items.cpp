@@ -51,9 +51,10 @@ std::vector<CollectionItem> itemsOf(const QStringList& named, const QStringList&
         names[name] = mesh;
         QCryptographicHash key(QCryptographicHash::Sha256);
         key.addData(program);
-        key.addData(hashOfFile(mesh));
+        const QByteArray hash = hashOfFile(mesh);
+        key.addData(hash);
         key.addData((options + QStringList{info.fileName()}).join('\n').toUtf8());
-        items.push_back({mesh, name, key.result().toHex()});
+        items.push_back({mesh, name, hash, key.result().toHex()});
     }
     return items;
 }

@@ -8,9 +8,10 @@
 
 /// A mesh of a collection.
 struct CollectionItem {
-    QString mesh;    ///< its file
-    QString name;    ///< of its drawing, without ending; no two have the same
-    QByteArray key;  ///< tells mesh, options and program from others
+    QString mesh;     ///< its file
+    QString name;     ///< of its drawing, without ending; no two have the same
+    QByteArray hash;  ///< SHA-256 of its file
+    QByteArray key;   ///< tells mesh, options and program from others
 };
 
 /// The meshes that are named, and those in the folders that are named, by their names. Where two

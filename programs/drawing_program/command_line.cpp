@@ -8,6 +8,7 @@
 #include "file_names.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_mixture.h"
+#include "like.h"
 #include "line_drawing/sheet_file.h"
 #include "mesh_reading.h"
 
@@ -140,14 +141,21 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         {"--contact-view", [&](const QString&, const QString& v) { result.contact_view = v; }},
         {"--title", [&](const QString&, const QString& v) { options.title = v; }}};
     QStringList rest = arguments, names;
+    bool has_format = false;
     while (!rest.isEmpty()) {
         const QString word = rest.takeFirst();
         if (word == "-h" || word == "--help") {
             result.help = true;
+        } else if (word == "--version") {
+            result.version = true;
+        } else if (word == "--like") {
+            result.like = likeOf(takeValue(rest, word));
+            rest = *result.like->options + rest;
         } else if (const auto reader = readers.find(word); reader != readers.end()) {
             const QString value = takeValue(rest, word);
             reader->second(word, value);
-            result.words << word << value;
+            has_format = has_format || word == "--format";
+            if (word != "--format" && word != "--contact-view") result.words << word << value;
         } else if (word == "--") {
             names << rest;
             rest.clear();
@@ -157,8 +165,8 @@ CommandLine parseCommandLine(const QStringList& arguments) {
             names << word;
         }
     }
-    if (result.help) return result;
-    nameFiles(names, result.words.contains("--format"), result);
+    if (result.help || result.version) return result;
+    nameFiles(names, has_format, result);
     options.up = up;
     options.sections = line_drawing::parseSections(sections);
     if (views.isEmpty() && options.sections.empty()) views = "front";
@@ -173,10 +181,10 @@ CommandLine parseCommandLine(const QStringList& arguments) {
 }
 
 const char* usage() {
-    return "laplacian_lines_drawing FILE.svg|.pdf|.dxf|.png [OPTION...] MESH|FOLDER...\n"
+    return "laplacian-lines FILE.svg|.pdf|.dxf|.png [OPTION...] MESH|FOLDER...\n"
            "                       a measured drawing of a mesh, or of several that hide each "
            "other\n"
-           "laplacian_lines_drawing FOLDER/ [OPTION...] MESH|FOLDER...\n"
+           "laplacian-lines FOLDER/ [OPTION...] MESH|FOLDER...\n"
            "                       one of each, and a contact sheet; what is there and unchanged "
            "is\n"
            "                       not drawn again\n"
@@ -210,5 +218,9 @@ const char* usage() {
            "  --title TEXT         above the note of scale, size and file; {name}: the mesh's\n"
            "  --furniture all|none names of views, scale bar, projection symbol, notes (all)\n"
            "  --dpi 20..2400       of PNG files (300)\n"
-           "  --format pdf|svg|dxf|png    of the drawings in FOLDER (pdf)\n";
+           "  --format pdf|svg|dxf|png    of the drawings in FOLDER (pdf)\n"
+           "  --like FILE          with the options that a drawing (SVG, PDF, DXF) was made with;\n"
+           "                       others that follow count more\n"
+           "  --version            of this program\n"
+           "  --help               this text\n";
 }

@@ -3,11 +3,12 @@
 
 #include <QStringList>
 
+#include "line_drawing/provenance.h"
 #include "line_drawing/sheet_options.h"
 #include "mesh_reading.h"
 
 struct CommandLine {
-    bool help = false;
+    bool help = false, version = false;
     QString drawing;     ///< the file to write, or of a collection the folder to write into
     QStringList meshes;  ///< or folders of them; in a file, all are drawn together
     Damaged damaged = Damaged::Refused;
@@ -15,7 +16,9 @@ struct CommandLine {
     QString format = "pdf";  ///< of a collection
     double dpi = 300;        ///< of PNG
     QString contact_view;    ///< a file for the view of a contact sheet; empty: none
-    QStringList words;       ///< of the options as they were given, for drawings of a collection
+    /// Of the options as they were given, but for what only a collection has.
+    QStringList words;
+    std::optional<line_drawing::Provenance> like;  ///< what is to be drawn again
     line_drawing::SheetOptions options;
 };
 

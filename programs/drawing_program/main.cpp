@@ -7,6 +7,7 @@
 
 #include "collection.h"
 #include "file_names.h"
+#include "laplacian_lines/version.h"
 #include "one_drawing.h"
 #include "say.h"
 
@@ -17,15 +18,17 @@ int runCatchingAll(const QStringList& arguments) {
         const CommandLine commands = parseCommandLine(arguments);
         if (commands.help)
             std::fputs(usage(), stdout);
+        else if (commands.version)
+            std::printf("laplacian-lines %s\n", laplacian_lines::version());
         else if (commands.is_collection)
             return drawCollection(commands) ? 0 : 1;
         else
             drawOne(commands);
         return 0;
     } catch (const std::bad_alloc&) {
-        say(stderr, "laplacian_lines_drawing: not enough memory");
+        say(stderr, "laplacian-lines: not enough memory");
     } catch (const std::exception& error) {
-        say(stderr, QString("laplacian_lines_drawing: ") + QString::fromUtf8(error.what()));
+        say(stderr, QString("laplacian-lines: ") + QString::fromUtf8(error.what()));
     }
     return 1;
 }

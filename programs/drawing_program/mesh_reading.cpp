@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_reading.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -62,5 +63,6 @@ ReadMesh readMesh(const QString& name, Damaged damaged) {
                        "that are drawn.")
                    .arg(defect)
                    .arg(triangles));
-    return {std::move(read.mesh), defect};
+    return {std::move(read.mesh), defect,
+            QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex()};
 }

@@ -14,7 +14,8 @@ enum class Damaged { Refused, Drawn };
 
 struct ReadMesh {
     laplacian_lines::TriangleMesh mesh;
-    QString defect;  ///< of a damaged file: why the mesh is not whole
+    QString defect;     ///< of a damaged file: why the mesh is not whole
+    QByteArray sha256;  ///< of the file's bytes, in hexadecimal
 };
 
 /// Reads a mesh of a PLY, OBJ, STL or OFF file. Polygons become triangles.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "file_names.h"
+#include "like.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/make_sheet.h"
@@ -15,7 +16,7 @@
 
 namespace {
 
-using laplacian_lines::TriangleMesh;
+using line_drawing::Provenance;
 
 /// Scans come in metres, too, and nothing in a file tells.
 void saySize(const std::vector<ReadMesh>& meshes, double unit) {
@@ -67,11 +68,21 @@ QString sourcesOf(const QStringList& files, const std::vector<ReadMesh>& meshes)
     return sources.join(", ");
 }
 
+std::vector<Provenance::Mesh> originsOf(const QStringList& files,
+                                        const std::vector<ReadMesh>& meshes) {
+    std::vector<Provenance::Mesh> origins;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        origins.push_back({readable(QFileInfo(files[int(i)]).fileName()), meshes[i].sha256});
+    return origins;
+}
+
 }  // namespace
 
 void drawOne(const CommandLine& commands) {
     line_drawing::checkSheetFile(commands.drawing);
     const std::vector<ReadMesh> meshes = readMeshes(commands);
+    const std::vector<Provenance::Mesh> origins = originsOf(commands.meshes, meshes);
+    if (commands.like) sayWhatDiffers(*commands.like, origins);
     saySize(meshes, commands.options.mm_per_unit);
     std::vector<line_drawing::SheetOptions> options = {commands.options};
     options[0].source = sourcesOf(commands.meshes, meshes);
@@ -80,7 +91,8 @@ void drawOne(const CommandLine& commands) {
     line_drawing::Objects objects;
     for (std::size_t i = 0; i < meshes.size(); ++i)
         objects.push_back({meshes[i].mesh, nullptr, commands.meshes[int(i)]});
-    const std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
+    std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
+    sheets[0].provenance = line_drawing::provenanceText(origins, commands.words);
     line_drawing::writeSheet(sheets[0], commands.drawing, commands.dpi);
     for (const QString& remark : sheets[0].remarks)
         say(stderr, remark);

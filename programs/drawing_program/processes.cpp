@@ -38,7 +38,7 @@ QString complaintOf(QProcess& process, const QString& mesh) {
     const QStringList lines =
         QString::fromLocal8Bit(process.readAllStandardError()).split('\n', Qt::SkipEmptyParts);
     QString last = lines.isEmpty() ? "without a reason given" : lines.last();
-    for (const QString& prefix : {QString("laplacian_lines_drawing: "), mesh + ": "})
+    for (const QString& prefix : {QString("laplacian-lines: "), mesh + ": "})
         if (last.startsWith(prefix)) last = last.mid(prefix.size());
     return last;
 }

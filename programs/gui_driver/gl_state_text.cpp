@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <GL/glew.h>  // before any other GL header
-
 #include "gl_state_text.h"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
 
 #include <QStringList>
 #include <algorithm>

@@ -17,7 +17,8 @@ function(add_loadable_plugin name)
   target_link_libraries(${name} PRIVATE MeshLab::common)
   target_link_options(${name} PRIVATE -Wl,--as-needed)
   if(NOT LAPLACIAN_LINES_SANITIZE) # the program that loads it brings the sanitizers' library
-    target_link_options(${name} PRIVATE -Wl,--no-undefined)
+    target_link_options(${name} PRIVATE -Wl,--no-undefined
+      "-Wl,--version-script=${PROJECT_SOURCE_DIR}/scripts/cmake/plugin_exports.map")
   endif()
   set_target_properties(${name} PROPERTIES
     AUTOMOC ON

@@ -67,36 +67,28 @@ if(MESHLAB_COMMON_LIBRARY)
 endif()
 
 find_package(Qt5 QUIET COMPONENTS Core Gui Widgets OpenGL Xml)
-if(MESHLAB_IN_PYTHON) # as PyMeshLab's own library: a machine with PyMeshLab may have no other
-  set(OpenGL_GL_PREFERENCE LEGACY)
-else()
-  set(OpenGL_GL_PREFERENCE GLVND)
-endif()
+set(OpenGL_GL_PREFERENCE LEGACY) # libGL.so.1, as MeshLab's own library: a machine may have no other
 find_package(OpenGL QUIET)
-find_package(GLEW QUIET)
+find_path(GLEW_INCLUDE_DIR GL/glew.h DOC "GLEW's headers, which MeshLab's include")
 find_package(Eigen3 QUIET NO_MODULE)
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(MeshLab
   REQUIRED_VARS MESHLAB_COMMON_LIBRARY MESHLAB_SOURCE_DIR MESHLAB_API MESHLAB_VCGLIB_DIR Qt5_FOUND OPENGL_FOUND
-                GLEW_FOUND Eigen3_FOUND
+                GLEW_INCLUDE_DIR Eigen3_FOUND
   VERSION_VAR MeshLab_VERSION)
-mark_as_advanced(MESHLAB_COMMON_LIBRARY)
+mark_as_advanced(MESHLAB_COMMON_LIBRARY GLEW_INCLUDE_DIR)
 
 if(MeshLab_FOUND AND NOT TARGET MeshLab::common)
   set(MESHLAB_PLUGIN_DIR "${MESHLAB_LIBRARY_DIR}/plugins")
 
-  set(_meshlab_glew GLEW::GLEW)
-  if(MESHLAB_IN_PYTHON)
-    set(_meshlab_glew "${MESHLAB_LIBRARY_DIR}/libexternal-glew.so")
-  endif()
-
   add_library(MeshLab::common SHARED IMPORTED)
+  # No GLEW: its name differs from system to system, and nothing of ours calls it.
   # Imported targets' include folders count as system folders: vcglib's warnings are not ours to mend.
   set_target_properties(MeshLab::common PROPERTIES
     IMPORTED_LOCATION "${MESHLAB_COMMON_LIBRARY}"
-    INTERFACE_INCLUDE_DIRECTORIES "${MESHLAB_SOURCE_DIR}/src;${MESHLAB_VCGLIB_DIR}"
+    INTERFACE_INCLUDE_DIRECTORIES "${MESHLAB_SOURCE_DIR}/src;${MESHLAB_VCGLIB_DIR};${GLEW_INCLUDE_DIR}"
     INTERFACE_COMPILE_DEFINITIONS "MESHLAB_SCALAR=${MESHLAB_SCALAR};MESHLAB_API=${MESHLAB_API};MESHLAB_VERSION=${MeshLab_VERSION}"
     INTERFACE_LINK_LIBRARIES
-      "Qt5::Core;Qt5::Gui;Qt5::Widgets;Qt5::OpenGL;Qt5::Xml;${_meshlab_glew};OpenGL::GL;OpenGL::GLU;Eigen3::Eigen")
+      "Qt5::Core;Qt5::Gui;Qt5::Widgets;Qt5::OpenGL;Qt5::Xml;OpenGL::GL;OpenGL::GLU;Eigen3::Eigen")
 endif()

@@ -8,7 +8,7 @@ DRAWING_PACKAGES=(fonts-dejavu-core)
 # build_drawing_program CHECKOUT
 build_drawing_program() {
     ensure_toolchain "${DRAWING_PACKAGES[@]}"
-    [[ -e $(build_folder "$1")/bin/laplacian_lines_drawing ]] || say "building laplacian_lines_drawing, for some minutes"
+    [[ -e $(build_folder "$1")/bin/laplacian-lines ]] || say "building laplacian-lines, for some minutes"
     build_targets "$1" laplacian_lines_drawing
 }
 
@@ -34,12 +34,12 @@ unpack_meshes() {
 # takes unpacked copies.
 run_drawing() {
     local program folder=$2 arguments=() files=()
-    program=$(build_folder "$1")/bin/laplacian_lines_drawing
+    program=$(build_folder "$1")/bin/laplacian-lines
     shift 2
     while (($#)); do
         case $1 in
-        -h | --help)
-            "$program" --help
+        -h | --help | --version)
+            "$program" "$1"
             return
             ;;
         --)

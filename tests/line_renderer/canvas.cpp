@@ -3,15 +3,9 @@
 
 #include <stdexcept>
 
-#include "known_functions.h"
-
 using line_renderer::LinePlacement;
 using line_renderer::SurfaceLayer;
 using line_renderer::SurfacePointer;
-
-bool findFunctions() {
-    return glewInit() == GLEW_OK;
-}
 
 Canvas::Canvas(int samples) {
     glGenFramebuffers(1, &framebuffer_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <GL/glew.h>
+#include <GL/gl.h>
 
 #include <Eigen/Core>
 #include <QImage>
@@ -62,7 +62,7 @@ private:
 /// In its place as it is. The surface must live as long as it is to be drawn.
 line_renderer::SurfaceLayer layerOf(const line_renderer::SurfacePointer& surface);
 
-/// Has a function of GLEW's be another one as long as it lives.
+/// Has a function or a value be another one as long as it lives.
 template <class Function>
 class Replaced {
 public:

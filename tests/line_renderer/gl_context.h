@@ -3,8 +3,7 @@
 
 #include <memory>
 
-/// An OpenGL context without a window, on the display, current until another one is. The first one
-/// makes OpenGL's functions known to GLEW.
+/// An OpenGL context without a window, on the display, current until another one is.
 class GlContext {
 public:
     /// In a share group of its own, or in that of `partner`.

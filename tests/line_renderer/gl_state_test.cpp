@@ -2,6 +2,7 @@
 // Whatever is drawn, OpenGL's state is afterwards what it was before.
 #include <map>
 
+#include "gl_functions.h"
 #include "gl_state_text.h"
 #include "line_renderer/background_renderer.h"
 #include "line_renderer/surface_renderer.h"
@@ -138,11 +139,11 @@ TEST_F(GlStateTest, IsAsItWasInAnArrayObject) {
 TEST_F(GlStateTest, HasDivisorsTakenBackOneByOne) {
     static std::map<GLuint, GLuint> divisors;
     static PFNGLVERTEXATTRIBDIVISORPROC original;
-    const Replaced<PFNGLVERTEXATTRIBDIVISORPROC> replaced(__glewVertexAttribDivisor,
-                                                          [](GLuint attribute, GLuint divisor) {
-                                                              original(attribute, divisor);
-                                                              divisors[attribute] = divisor;
-                                                          });
+    const Replaced<PFNGLVERTEXATTRIBDIVISORPROC> replaced(
+        line_renderer::glVertexAttribDivisor.pointer(), [](GLuint attribute, GLuint divisor) {
+            original(attribute, divisor);
+            divisors[attribute] = divisor;
+        });
     original = replaced.before();
     drawn(oneLine({{9, 9, 0}, {90, 80, 0}}), blackLines(3));
     EXPECT_EQ(divisors.size(), 7u);

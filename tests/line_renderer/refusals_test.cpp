@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What OpenGL cannot do is refused with a reason, each time, and is not tried again; what older
 // versions can do in another way is done.
+#include "gl_functions.h"
 #include "line_renderer/background_renderer.h"
 #include "line_renderer/surface_renderer.h"
 #include "line_test.h"
 
 namespace {
 
+using line_renderer::glFeatures;
 using line_renderer::LinePlacement;
 
 int compiled = 0;
@@ -24,6 +26,11 @@ void GLAPIENTRY spoilSource(GLuint shader, GLsizei, const GLchar* const*, const 
     shader_source(shader, 1, &nonsense, nullptr);
 }
 
+/// Has OpenGL miss a feature as long as it lives.
+struct Without : Replaced<bool> {
+    explicit Without(bool& feature) : Replaced(feature, false) {}
+};
+
 /// What `call` says when it refuses, empty if it does not.
 template <class Call>
 std::string refusalOf(Call call) {
@@ -37,7 +44,7 @@ std::string refusalOf(Call call) {
 
 class RefusalsTest : public LineTest {
 protected:
-    RefusalsTest() : counted_(__glewCompileShader, countCompiled) {
+    RefusalsTest() : counted_(line_renderer::glCompileShader.pointer(), countCompiled) {
         compile_shader = counted_.before();
         compiled = 0;
     }
@@ -60,7 +67,8 @@ TEST_F(RefusalsTest, ProgramsThatFailAreCompiledOnce) {
     const auto paintBackground = [&] { background.paint(Qt::red); };
     std::string refusals[3];
     {
-        const Replaced<PFNGLSHADERSOURCEPROC> spoilt(__glewShaderSource, spoilSource);
+        const Replaced<PFNGLSHADERSOURCEPROC> spoilt(line_renderer::glShaderSource.pointer(),
+                                                     spoilSource);
         shader_source = spoilt.before();
         refusals[0] = refusalOf([&] { drawLine(); });
         refusals[1] = refusalOf(paintSurface);
@@ -91,21 +99,19 @@ TEST_F(RefusalsTest, ProgramsThatWorkAreCompiledOnce) {
 }
 
 TEST_F(RefusalsTest, LinesNeedInstancedDrawing) {
-    const Replaced<GLboolean> version(__GLEW_VERSION_3_3, GLboolean(GL_FALSE));
-    const Replaced<GLboolean> extension(__GLEW_ARB_instanced_arrays, GLboolean(GL_FALSE));
+    const Without instancing(glFeatures().instancing), old(glFeatures().old_instancing);
     EXPECT_EQ(refusalOf([&] { drawLine(); }),
               "Lines cannot be drawn: instanced drawing (OpenGL 3.3) is not available.");
 }
 
 TEST_F(RefusalsTest, PaintNeedsShaders) {
-    const Replaced<GLboolean> version(__GLEW_VERSION_2_0, GLboolean(GL_FALSE));
+    const Without shaders(glFeatures().shaders);
     EXPECT_EQ(refusalOf([] { line_renderer::BackgroundRenderer().paint(Qt::red); }),
               "The background cannot be painted: shaders (OpenGL 2.0) are not available.");
 }
 
 TEST_F(RefusalsTest, DepthsOfSurfacesNeedFramebuffers) {
-    const Replaced<GLboolean> version(__GLEW_VERSION_3_0, GLboolean(GL_FALSE));
-    const Replaced<GLboolean> extension(__GLEW_ARB_framebuffer_object, GLboolean(GL_FALSE));
+    const Without framebuffers(glFeatures().framebuffers);
     line_renderer::SurfaceBuffers buffers;
     EXPECT_EQ(refusalOf([&] { depth_.update({}, buffers); }),
               "Lines over points and wires need framebuffer objects (OpenGL 3.0): show the layer "
@@ -114,7 +120,8 @@ TEST_F(RefusalsTest, DepthsOfSurfacesNeedFramebuffers) {
 
 TEST_F(RefusalsTest, DepthsOfSurfacesNeedAFramebufferThatIsComplete) {
     const Replaced<PFNGLCHECKFRAMEBUFFERSTATUSPROC> incomplete(
-        __glewCheckFramebufferStatus, [](GLenum) -> GLenum { return GL_FRAMEBUFFER_UNSUPPORTED; });
+        line_renderer::glCheckFramebufferStatus.pointer(),
+        [](GLenum) -> GLenum { return GL_FRAMEBUFFER_UNSUPPORTED; });
     line_renderer::SurfaceBuffers buffers;
     GLint before = 0, after = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
@@ -129,7 +136,7 @@ TEST_F(RefusalsTest, LinesWithoutMemoryAreNotDrawn) {
     canvas_.clear();
     {
         const Replaced<PFNGLMAPBUFFERRANGEPROC> full(
-            __glewMapBufferRange,
+            line_renderer::glMapBufferRange.pointer(),
             [](GLenum, GLintptr, GLsizeiptr, GLbitfield) -> void* { return nullptr; });
         EXPECT_EQ(refusalOf([&] { drawLine(); }),
                   "Lines cannot be drawn: OpenGL has no memory for them.");
@@ -147,11 +154,8 @@ TEST_F(RefusalsTest, OlderVersionsDrawTheSame) {
     const QImage expected = drawLine();
     ASSERT_GT(inkOf(expected), 100);
     canvas_.clear();
-    const Replaced<GLboolean> without_3_3(__GLEW_VERSION_3_3, GLboolean(GL_FALSE));
-    const Replaced<GLboolean> without_3_0(__GLEW_VERSION_3_0, GLboolean(GL_FALSE));
-    const Replaced<GLboolean> without_ranges(__GLEW_ARB_map_buffer_range, GLboolean(GL_FALSE));
-    const Replaced<GLboolean> without_array_objects(__GLEW_ARB_vertex_array_object,
-                                                    GLboolean(GL_FALSE));
+    const Without instancing(glFeatures().instancing), ranges(glFeatures().buffer_ranges),
+        array_objects(glFeatures().array_objects);
     EXPECT_EQ(drawLine(), expected);
 }
 

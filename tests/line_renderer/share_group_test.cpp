@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What lives in a share group: made once, used by all its contexts, forgotten with it.
+#include "gl_functions.h"
 #include "line_renderer/surface_renderer.h"
 #include "line_test.h"
 #include "per_share_group.h"
@@ -143,7 +144,7 @@ protected:
 
 TEST_F(SurfaceBuffersTest, AreFreedWhenTheirSurfaceIsGone) {
     names.clear();
-    const Replaced<PFNGLGENBUFFERSPROC> replaced(__glewGenBuffers, note);
+    const Replaced<PFNGLGENBUFFERSPROC> replaced(line_renderer::glGenBuffers.pointer(), note);
     original = replaced.before();
     Rectangles rectangles;
     rectangles.add(20, 20, 90, 70, 0);

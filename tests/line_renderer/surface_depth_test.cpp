@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The depths that lines are compared with: copied from the depth buffer, or drawn.
 #include "line_renderer/surface_depth.h"
+#include "gl_functions.h"
 #include "gl_test.h"
 
 namespace {
@@ -36,7 +37,7 @@ private:
 /// Counts the drawings into a texture.
 class DrawingCount {
 public:
-    DrawingCount() : replaced_(__glewGenFramebuffers, count) {
+    DrawingCount() : replaced_(line_renderer::glGenFramebuffers.pointer(), count) {
         drawings = 0;
         original = replaced_.before();
     }

@@ -2,6 +2,7 @@
 #include "system/thread_pool.h"
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <cstdlib>
 #include <exception>
@@ -24,6 +25,8 @@ namespace {
 
 constexpr int kLooksBeforeSleep = 2000;  // some microseconds, in which a short block ends
 constexpr unsigned kWakeAtOnce = 2;      // others are woken by those
+// wait(lock) is a function of libstdc++ that has changed, so that plugins would need a new one.
+constexpr std::chrono::hours kLongest{24};
 
 /// A loop that threads share, in the memory of the one that runs it.
 struct Loop {
@@ -72,7 +75,8 @@ public:
         }
         std::unique_lock<std::mutex> lock(mutex_);
         close(loop);
-        left_.wait(lock, [&] { return loop.inside == 0; });
+        while (!left_.wait_for(lock, kLongest, [&] { return loop.inside == 0; })) {
+        }
     }
 
 private:
@@ -97,7 +101,7 @@ private:
             while (loop && !loop->has_room())
                 loop = loop->next;
             if (!loop) {
-                wake_.wait(lock);
+                wake_.wait_for(lock, kLongest);
                 continue;
             }
             ++loop->inside;

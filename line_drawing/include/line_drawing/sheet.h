@@ -49,6 +49,7 @@ struct Sheet {
     std::vector<SheetGroup> groups;
     double scale = 1;          ///< drawn length over true length; 0: all views are in perspective
     double kernel = 0;         ///< √h of the inner lines in mm of the sheet; 0: there are none
+    QString provenance = {};   ///< metadata of files, as provenanceText() has it; empty: none
     QStringList remarks = {};  ///< what is to be said of the drawing besides
 };
 

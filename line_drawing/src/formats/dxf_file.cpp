@@ -19,6 +19,7 @@ const std::map<QString, QByteArray> colors = {{"outline", "7"}, {"contour", "3"}
                                               {"section", "1"}, {"marks", "6"},   {"area", "9"},
                                               {"names", "30"},  {"scale", "40"},  {"title", "50"}};
 
+constexpr int comment_length = 250;  // R12 has at most 255 characters in a line
 const char* const furniture_key = "sheet";
 
 /// A name as R12 knows them: letters, digits, - and _.
@@ -38,6 +39,8 @@ public:
     }
 
     QByteArray write() {
+        for (int i = 0; i < sheet_.provenance.size(); i += comment_length)
+            write(999, sheet_.provenance.mid(i, comment_length).toLatin1());
         writeHeader();
         writeLayers();
         begin("ENTITIES");

@@ -5,11 +5,24 @@
 
 #include "formats/sheet_painting.h"
 #include "formats/sheet_writers.h"
+#include "laplacian_lines/version.h"
 
 namespace line_drawing {
 namespace {
 
 constexpr int dots_per_inch = 1200;
+
+/// The metadata of PDF, of which readers show what they know.
+QByteArray xmp(const QString& provenance) {
+    return QString(R"(<?xpacket begin="" id="W5M0MpCehiHzreSzNTczkc9d"?>
+<x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">
+<rdf:Description rdf:about="" xmlns:ll="urn:laplacian-lines"><ll:provenance>%1</ll:provenance></rdf:Description>
+</rdf:RDF></x:xmpmeta>
+<?xpacket end="w"?>
+)")
+        .arg(provenance)
+        .toUtf8();
+}
 
 /// The writer notes the time, by which equal drawings would differ.
 void forgetTime(QByteArray& pdf) {
@@ -27,7 +40,8 @@ QByteArray writePdf(const Sheet& sheet) {
     buffer.open(QIODevice::WriteOnly);
     {
         QPdfWriter writer(&buffer);
-        writer.setCreator("Laplacian Lines");
+        writer.setCreator(QString("Laplacian Lines ") + laplacian_lines::version());
+        if (!sheet.provenance.isEmpty()) writer.setDocumentXmpMetadata(xmp(sheet.provenance));
         writer.setTitle(sheet.title);
         writer.setResolution(dots_per_inch);
         writer.setPageSize(

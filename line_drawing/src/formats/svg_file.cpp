@@ -104,6 +104,11 @@ public:
         xml_.writeAttribute("height", height + "mm");
         xml_.writeAttribute("viewBox", QString("0 0 %1 %2").arg(width, height));
         if (!sheet.title.isEmpty()) xml_.writeTextElement(svg_namespace, "title", sheet.title);
+        if (!sheet.provenance.isEmpty()) {
+            xml_.writeStartElement(svg_namespace, "metadata");
+            xml_.writeCDATA(sheet.provenance);  // keeps quotes as they are
+            xml_.writeEndElement();
+        }
         for (const SheetGroup& group : sheet.groups)
             writeGroup(group);
         xml_.writeEndDocument();

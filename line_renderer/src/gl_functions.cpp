@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl_functions.h"
+
+#include <QOpenGLContext>
+#include <cstdio>
+
+namespace line_renderer {
+namespace {
+
+class Version {
+public:
+    Version() {
+        const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+        if (text) std::sscanf(text, "%d.%d", &major_, &minor_);
+    }
+    bool isAtLeast(int major, int minor) const {
+        return major_ > major || (major_ == major && minor_ >= minor);
+    }
+
+private:
+    int major_ = 0, minor_ = 0;
+};
+
+GlFeatures currentFeatures() {
+    const Version version;
+    const auto has = [](const char* extension) {
+        const QOpenGLContext* context = QOpenGLContext::currentContext();
+        return context && context->hasExtension(extension);
+    };
+    const bool is_3_0 = version.isAtLeast(3, 0);
+    GlFeatures features;
+    features.shaders = version.isAtLeast(2, 0);
+    features.array_objects = is_3_0 || has("GL_ARB_vertex_array_object");
+    features.framebuffers = is_3_0 || has("GL_ARB_framebuffer_object");
+    features.buffer_ranges = is_3_0 || has("GL_ARB_map_buffer_range");
+    features.instancing = version.isAtLeast(3, 3);
+    features.old_instancing =
+        features.shaders && has("GL_ARB_instanced_arrays") && has("GL_ARB_draw_instanced");
+    return features;
+}
+
+}  // namespace
+
+void (*findGlFunction(const char* name))() {
+    const QOpenGLContext* context = QOpenGLContext::currentContext();
+    return context ? context->getProcAddress(name) : nullptr;
+}
+
+GlFeatures& glFeatures() {
+    static GlFeatures features = currentFeatures();
+    return features;
+}
+
+}  // namespace line_renderer
