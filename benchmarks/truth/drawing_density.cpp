@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How dense measured drawings of a mesh are from the front, so many mm wide: inner strokes a cm² of
-// what the mesh covers, their median length in mm, and which share of their length has less than
-// half a pen of white beside it.
+// How dense measured drawings of a mesh are from the front, so many mm wide: strokes with inner
+// lines a cm² of what the mesh covers, the length in mm so that half of all is in strokes at least
+// so long, and which share of the length of inner lines has less than half a pen of white beside it.
 #include <QImage>
 #include <QPainter>
 #include <QPolygonF>
@@ -9,46 +9,34 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
 #include "mesh_file.h"
 #include "program.h"
+#include "strokes/drawn_lines.h"
+#include "strokes/refining.h"
 
 namespace {
 
 using Eigen::Vector2d;
 
 constexpr double pixels_of_mm = 10;
-constexpr double sample_step = 0.1;    // mm
-constexpr double own_course = 6;       // pens along a stroke within which it is not beside itself
+constexpr double sample_step = 0.1;  // mm
+constexpr double own_course = 6;     // pens of a stroke, beyond which it can be beside itself
 constexpr double beside_cosine = 0.7;  // of the angle between a stroke and what is beside it
+constexpr double widest_reach = 1;   // mm
 
-struct Sample {
-    Vector2d position, along;
-    std::size_t stroke;
-    double at, width;  // length along the stroke
+/// A piece of a stroke within which it is not beside itself.
+struct Piece {
+    std::vector<Vector2d> points;
+    double length = 0;
 };
-
-struct Density {
-    double strokes_a_cm2, median_length, close_share;
-};
-
-std::vector<Sample> samplesOf(const QPolygonF& line, std::size_t stroke, double width) {
-    std::vector<Sample> samples;
-    double at = 0;
-    for (int i = 1; i < line.size(); ++i) {
-        const Vector2d a(line[i - 1].x(), line[i - 1].y()), b(line[i].x(), line[i].y());
-        const double length = (b - a).norm();
-        if (length == 0) continue;
-        for (double d = 0; d < length; d += sample_step)
-            samples.push_back({a + d / length * (b - a), (b - a) / length, stroke, at + d, width});
-        at += length;
-    }
-    return samples;
-}
 
 double areaOf(const line_drawing::Sheet& sheet) {
     QImage image((sheet.size * pixels_of_mm).toSize(), QImage::Format_Grayscale8);
@@ -67,36 +55,6 @@ double areaOf(const line_drawing::Sheet& sheet) {
     return double(covered) / (pixels_of_mm * pixels_of_mm * 100);
 }
 
-class Neighbours {
-public:
-    void add(const Sample& sample) { cells_[cellOf(sample.position)].push_back(sample); }
-
-    bool isClose(const Sample& s, double pen) const {
-        const auto [x, y] = cellOf(s.position);
-        for (int dx = -1; dx <= 1; ++dx)
-            for (int dy = -1; dy <= 1; ++dy) {
-                const auto found = cells_.find({x + dx, y + dy});
-                if (found == cells_.end()) continue;
-                for (const Sample& other : found->second)
-                    if (isBeside(s, other, pen)) return true;
-            }
-        return false;
-    }
-
-private:
-    static std::pair<int, int> cellOf(const Vector2d& p) {
-        return {int(std::floor(p.x())), int(std::floor(p.y()))};
-    }
-    static bool isBeside(const Sample& s, const Sample& other, double pen) {
-        if (other.stroke == s.stroke && std::abs(other.at - s.at) < own_course * pen) return false;
-        const Vector2d way = other.position - s.position;
-        const double distance = way.norm();
-        return distance < (s.width + other.width + pen) / 2 &&
-               std::abs(way.dot(s.along)) <= beside_cosine * distance;
-    }
-    std::map<std::pair<int, int>, std::vector<Sample>> cells_;
-};
-
 /// Of the inner lines, mm.
 double penOf(const line_drawing::Sheet& sheet) {
     for (const auto& layer : sheet.groups[0].layers)
@@ -105,46 +63,116 @@ double penOf(const line_drawing::Sheet& sheet) {
         line_drawing::Weights::Illustrator)[std::size_t(line_drawing::LineClass::Inner)];
 }
 
-Density densityOf(const line_drawing::Sheet& sheet) {
-    const double pen = penOf(sheet);
-    std::vector<double> lengths;
-    std::vector<Sample> inner;
-    Neighbours all;
-    std::size_t stroke = 0;
-    for (const auto& layer : sheet.groups[0].layers) {
-        if (layer.key == "area") continue;
-        const bool is_inner = layer.key == "inner" || layer.key == "fine";
-        for (const auto& path : layer.paths)
-            for (const QPolygonF& line : path.path.toSubpathPolygons()) {
-                const auto samples = samplesOf(line, stroke++, path.pen_width);
-                if (samples.empty()) continue;
-                for (const Sample& sample : samples)
-                    all.add(sample);
-                if (!is_inner) continue;
-                inner.insert(inner.end(), samples.begin(), samples.end());
-                lengths.push_back(samples.back().at);
-            }
-    }
-    const auto close = std::count_if(inner.begin(), inner.end(),
-                                     [&](const Sample& s) { return all.isClose(s, pen); });
-    std::nth_element(lengths.begin(), lengths.begin() + std::ptrdiff_t(lengths.size() / 2),
-                     lengths.end());
-    return {double(lengths.size()) / areaOf(sheet),
-            lengths.empty() ? 0 : lengths[lengths.size() / 2],
-            double(close) / double(std::max<std::size_t>(1, inner.size()))};
+double lengthOf(const QPolygonF& line) {
+    double length = 0;
+    for (int i = 1; i < line.size(); ++i)
+        length += std::hypot(line[i].x() - line[i - 1].x(), line[i].y() - line[i - 1].y());
+    return length;
 }
 
-line_drawing::Sheet draw(const laplacian_lines::TriangleMesh& mesh, double width, bool segments) {
+bool isInner(const line_drawing::SheetLayer& layer) {
+    return layer.key == "inner" || layer.key == "fine";
+}
+
+/// The lengths of strokes that are inner lines, or have a part that is one: as they are drawn
+/// where strokes taper, from end to end. `plain`: with even strokes, which change from contours to
+/// inner lines.
+std::vector<double> strokeLengths(const line_drawing::Sheet& tapered,
+                                  const line_drawing::Sheet& plain) {
+    std::vector<QPointF> middles;
+    for (const auto& layer : plain.groups[0].layers)
+        for (const auto& path : layer.paths)
+            if (isInner(layer)) middles.push_back(path.path.pointAtPercent(0.5));
+    std::vector<double> lengths;
+    for (const auto& layer : tapered.groups[0].layers)
+        for (const auto& path : layer.paths) {
+            const auto covers = [&](const QPointF& p) { return path.path.contains(p); };
+            if (!isInner(layer) && (layer.key != "contour" ||
+                                    std::none_of(middles.begin(), middles.end(), covers)))
+                continue;
+            lengths.push_back(0);  // half of the edges
+            for (const QPolygonF& line : path.path.toSubpathPolygons())
+                lengths.back() += lengthOf(line) / 2;
+        }
+    std::sort(lengths.begin(), lengths.end());
+    return lengths;
+}
+
+std::vector<Piece> piecesOf(const QPolygonF& line, double longest) {
+    std::vector<Piece> pieces(1);
+    for (int i = 0; i < line.size(); ++i) {
+        const Vector2d p(line[i].x(), line[i].y());
+        if (i > 0) {
+            const Vector2d before = pieces.back().points.back();
+            if (pieces.back().length > longest) pieces.push_back({{before}, 0});
+            pieces.back().length += (p - before).norm();
+        }
+        pieces.back().points.push_back(p);
+    }
+    return pieces;
+}
+
+/// The share of the length of inner lines that has less than half a pen of white beside it. Of
+/// strokes of even width.
+double closeShare(const line_drawing::Sheet& sheet) {
+    const double pen = penOf(sheet);
+    std::map<double, line_drawing::DrawnLines> all;  // by width
+    std::vector<std::tuple<Piece, double, std::size_t>> inner;
+    std::size_t number = 0;
+    for (const auto& layer : sheet.groups[0].layers)
+        for (const auto& path : layer.paths)
+            for (const QPolygonF& line : path.path.toSubpathPolygons()) {
+                if (layer.key == "area") continue;
+                number += 2;  // pieces beside this one belong to one course
+                for (const Piece& piece : piecesOf(line, own_course * pen)) {
+                    all.try_emplace(path.pen_width, widest_reach)
+                        .first->second.add(piece.points, ++number);
+                    if (isInner(layer))
+                        inner.emplace_back(piece, path.pen_width, number);
+                }
+            }
+    double close = 0, length = 0;
+    for (const auto& [piece, width, own] : inner) {
+        const std::vector<Vector2d> points = line_drawing::refine(piece.points, sample_step);
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const Vector2d step = points[i] - points[i - 1];
+            length += step.norm();
+            for (const auto& [other_width, lines] : all) {
+                const auto place =
+                    lines.nearestOn(points[i], {own - 1, own + 1}, (width + other_width + pen) / 2);
+                if (!place) continue;
+                const Vector2d way = place->position - points[i];
+                if (std::abs(way.dot(step)) > beside_cosine * way.norm() * step.norm()) continue;
+                close += step.norm();
+                break;
+            }
+        }
+    }
+    return length > 0 ? close / length : 0;
+}
+
+/// The median by length: half of all length is in strokes at least so long.
+double usualLength(const std::vector<double>& lengths) {
+    double rest = std::accumulate(lengths.begin(), lengths.end(), 0.) / 2;
+    for (const double length : lengths)
+        if ((rest -= length) <= 0) return length;
+    return 0;
+}
+
+/// With strokes that taper, which are whole, and with even ones.
+std::vector<line_drawing::Sheet> draw(const laplacian_lines::TriangleMesh& mesh, double width,
+                                      bool segments) {
     line_drawing::SheetOptions options;
     options.views = line_drawing::parseViews("front", line_drawing::UpAxis::Y);
     options.paper = "fit";
-    options.strokes = line_drawing::StrokeStyle::Plain;
     options.area = line_drawing::OutlineArea::Filled;
     options.scale = width / line_drawing::boundsOf(mesh).sizes().x();
     options.style.whole_lines = !segments;
     const laplacian_lines::Field field =
         segments ? laplacian_lines::precompute(mesh) : laplacian_lines::Field();
-    return line_drawing::makeSheets({{mesh, segments ? &field : nullptr}}, {options}).front();
+    line_drawing::SheetOptions plain = options;
+    plain.strokes = line_drawing::StrokeStyle::Plain;
+    return line_drawing::makeSheets({{mesh, segments ? &field : nullptr}}, {options, plain});
 }
 
 }  // namespace
@@ -157,14 +185,16 @@ int main(int argc, char** argv) {
         numbers("--sizes MM,MM...", "widths (20,50,100,200)", sizes),
         flag("--segments", "lines tested segment by segment, of the mesh's own kernel", segments)};
     return run_program(argc, argv, "MESH...", options, [&](const auto& files) {
-        std::printf("%-20s %6s  strokes/cm2  median mm  close %%\n", "mesh", "mm");
+        std::printf("%-20s %6s  strokes/cm2  usual mm  close %%\n", "mesh", "mm");
         for (const std::string& file : files) {
             const auto mesh = test_meshes::read_mesh(file);
             for (const double size : sizes) {
-                const Density d = densityOf(draw(mesh, size, segments));
+                const auto sheets = draw(mesh, size, segments);
+                const auto lengths = strokeLengths(sheets[0], sheets[1]);
                 std::printf("%-20s %6g  %11.1f  %9.1f  %7.1f\n",
-                            test_meshes::mesh_name(file).c_str(), size, d.strokes_a_cm2,
-                            d.median_length, 100 * d.close_share);
+                            test_meshes::mesh_name(file).c_str(), size,
+                            double(lengths.size()) / areaOf(sheets[0]), usualLength(lengths),
+                            100 * closeShare(sheets[1]));
                 std::fflush(stdout);
             }
         }

@@ -85,13 +85,27 @@ TEST(Thinning, LeavesWhiteBesideOutlinesAndEdgesWhichStay) {
                 thinOut({straight({0, 0}, {20, 0}, 1, c), straight({0, y}, {20, y})}, pens).size(),
                 count);
         }
-        EXPECT_EQ(thinOut({straight({0, 0}, {0.3, 0}, 1, c)}, pens).size(), 1u);
+    }
+}
+
+TEST(Thinning, LeavesOutContoursThatAreSpecks) {
+    for (const LineClass c : {LineClass::Outline, LineClass::Contour, LineClass::Edge}) {
+        const DrawnLine speck = straight({0, 0}, {0.3, 0}, 1, c);
+        EXPECT_EQ(thinOut({speck}, pens).size(), c == LineClass::Contour ? 0u : 1u);
+        EXPECT_EQ(thinOut({straight({0, 0}, {6.1 * pen, 0}, 1, c)}, pens).size(), 1u);
+        const DrawnLine met = straight({0.3, -5}, {0.3, 5});
+        EXPECT_EQ(thinOut({speck, met}, pens).size(), 2u);
+        EXPECT_EQ(thinOut({speck, straight({0.3, 0}, {0.8, 0})}, pens).size(),  // goes itself
+                  c == LineClass::Contour ? 0u : 1u);
     }
 }
 
 TEST(Thinning, LeavesOutWhatIsTooShortToBeSeen) {
     EXPECT_TRUE(thinOut({straight({0, 0}, {5.9 * pen, 0})}, pens).empty());
     EXPECT_EQ(thinOut({straight({0, 0}, {6.1 * pen, 0})}, pens).size(), 1u);
+    DrawnLine folded = straight({0, 0}, {3.5 * pen, 0});
+    folded.points.push_back({{0, 0.5 * pen}, 1, laplacian_lines::kNoSightNode, false});
+    EXPECT_TRUE(thinOut({folded}, pens).empty());
     EXPECT_TRUE(thinOut({circle(23 * pen)}, pens).empty());
     EXPECT_EQ(thinOut({circle(25 * pen)}, pens).size(), 1u);
 }
@@ -140,6 +154,8 @@ TEST(Chaining, PassesFromAContourToALineWithOneWidth) {
     const DrawnLine contour = straight({0, 0}, {10, 0}, 1, LineClass::Contour);
     const DrawnLine line = straight({10.1, 0}, {20, 0}, 0.8);
     EXPECT_EQ(strokes({contour, line}), 2u);
+    const DrawnLine next = straight({10, 0}, {20, 0}, 1, LineClass::Contour);
+    EXPECT_EQ(strokes({contour, next}), 1u);
     const auto chained = chain({contour, line}, pens, true);
     ASSERT_EQ(chained.size(), 1u);
     EXPECT_EQ(chained[0].line_class, LineClass::Contour);

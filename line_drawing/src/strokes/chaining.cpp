@@ -38,14 +38,15 @@ struct Bond {
 class Chaining {
 public:
     Chaining(std::vector<DrawnLine> lines, const std::array<double, line_class_count>& pens,
-             bool with_contours)
+             bool mixes_kinds)
         : lines_(std::move(lines)),
           pens_(pens),
           pen_(pens[std::size_t(LineClass::Inner)]),
+          mixes_kinds_(mixes_kinds),
           all_(allOf(lines_, longest_gap * pen_)) {
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             const bool is_chained =
-                isInner(lines_[i]) || (with_contours && lines_[i].line_class == LineClass::Contour);
+                isInner(lines_[i]) || lines_[i].line_class == LineClass::Contour;
             lengths_.push_back(lengthOf(lines_[i].points));
             if (!is_chained || lines_[i].closed || lines_[i].points.size() < 2) continue;
             for (const bool is_last : {false, true})
@@ -118,6 +119,9 @@ private:
         const double gap = way.norm();
         const double turn = -a.outwards.dot(b.outwards);
         const bool meets = gap <= meeting * pen_;
+        if (!mixes_kinds_ && (isContour(a) || isContour(b)) &&
+            (isContour(a) != isContour(b) || gap > same_place * pen_))
+            return {};
         if (turn < (meets ? meeting_cosine : gap_cosine)) return {};
         if (!meets) {
             const double shorter = std::min(lengths_[a.line], lengths_[b.line]);
@@ -229,6 +233,7 @@ private:
     std::vector<DrawnLine> lines_;
     const std::array<double, line_class_count>& pens_;
     const double pen_;
+    const bool mixes_kinds_;
     DrawnLines all_;
     std::vector<double> lengths_;
     std::vector<End> ends_;
@@ -238,8 +243,8 @@ private:
 }  // namespace
 
 std::vector<DrawnLine> chain(std::vector<DrawnLine> lines,
-                             const std::array<double, line_class_count>& pens, bool with_contours) {
-    return Chaining(std::move(lines), pens, with_contours).run();
+                             const std::array<double, line_class_count>& pens, bool mixes_kinds) {
+    return Chaining(std::move(lines), pens, mixes_kinds).run();
 }
 
 }  // namespace line_drawing

@@ -82,11 +82,11 @@ bool DrawnLines::isBeside(const Vector2d& point, double within) const {
     return is_beside;
 }
 
-std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, std::size_t except,
+std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, const Numbers& except,
                                                        double within) const {
     std::optional<Place> nearest;
     forEachPieceNear(point, within, [&](const Piece& piece) {
-        if (piece.line == except) return;
+        if (piece.line >= except.first && piece.line <= except.last) return;
         const Vector2d place = nearestTo(piece.begin, piece.end, point);
         const double distance = (place - point).norm();
         if (distance > within) return;

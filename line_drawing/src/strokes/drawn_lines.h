@@ -36,13 +36,19 @@ public:
     /// its end.
     bool isBeside(const Eigen::Vector2d& point, double within) const;
 
-    /// The nearest place on another line than that of a number, within the distance, and the number
-    /// of that line.
+    /// Of lines: that one, or from a first to a last one.
+    struct Numbers {
+        Numbers(std::size_t one) : first(one), last(one) {}
+        Numbers(std::size_t from, std::size_t to) : first(from), last(to) {}
+        std::size_t first, last;
+    };
+    /// The nearest place on another line than those of some numbers, within the distance, and the
+    /// number of that line.
     struct Place {
         Eigen::Vector2d position;
         std::size_t line;
     };
-    std::optional<Place> nearestOn(const Eigen::Vector2d& point, std::size_t except,
+    std::optional<Place> nearestOn(const Eigen::Vector2d& point, const Numbers& except,
                                    double within) const;
 
 private:

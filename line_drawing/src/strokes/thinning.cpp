@@ -16,11 +16,12 @@ using Eigen::Vector2d;
 constexpr double between_lines = 2;  // from middle to middle
 constexpr double least_white = 0.5;  // beside outlines
 constexpr double shortest_stroke = 6;
-constexpr double least_ink = 4;         // mean weight times length
+constexpr double least_extent = 4;      // √h: what is folded within it is a knot
+constexpr double least_ink = 6;         // mean weight times length
 constexpr double shortest_loop = 24;    // 6 √h
 constexpr double longest_crossing = 5;  // that a line takes to pass another
 constexpr double longest_touch = 2;     // at an end that meets another line
-constexpr double same_place = 0.2;
+constexpr double same_place = 0.2, same_end = 0.5;
 /// What is left of a fold among others is an island between them, unless it is this long or this
 /// share of it.
 constexpr double longest_island = 24, least_share = 0.5;
@@ -31,6 +32,30 @@ double meanWeight(const DrawnLine& line) {
     for (const DrawnPoint& point : line.points)
         sum += point.weight;
     return sum / double(line.points.size());
+}
+
+double extentOf(const DrawnLine& line) {
+    Eigen::AlignedBox2d box;
+    for (const DrawnPoint& point : line.points)
+        box.extend(point.position);
+    return box.diagonal().norm();
+}
+
+/// Contours of bumps of a curved surface, as short as no inner line is, that meet nothing.
+std::vector<DrawnLine> withoutSpecks(std::vector<DrawnLine> lines, double pen) {
+    const DrawnLines all = allOf(lines, shortest_stroke * pen);
+    std::vector<DrawnLine> rest;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const DrawnLine& line = lines[i];
+        const auto meets = [&](const DrawnPoint& end) {
+            return all.nearestOn(end.position, i, same_end * pen);
+        };
+        if (line.line_class != LineClass::Contour || !isSmooth(line) || line.closed ||
+            lengthOf(line.points) >= shortest_stroke * pen || meets(line.points.front()) ||
+            meets(line.points.back()))
+            rest.push_back(std::move(lines[i]));
+    }
+    return rest;
 }
 
 /// What a line adds to a drawing.
@@ -140,7 +165,9 @@ private:
     /// If it is not shorter than that, in pens.
     void keep(const DrawnLine& line, double shortest, std::vector<DrawnLine>& result) {
         const double length = lengthOf(line.points) / pen_;
-        if (length < shortest || meanWeight(line) * length < least_ink) return;
+        if (length < shortest || meanWeight(line) * length < least_ink ||
+            extentOf(line) < least_extent * pen_)
+            return;
         kept_.add(positionsOf(line));
         result.push_back(line);
     }
@@ -166,7 +193,7 @@ std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines,
     });
     for (const DrawnLine& line : inner)
         thinning.addFree(line, result);
-    return result;
+    return withoutSpecks(std::move(result), pens[std::size_t(LineClass::Inner)]);
 }
 
 }  // namespace line_drawing
