@@ -31,16 +31,26 @@ LineSet creases_of(const TriangleMesh& mesh, const LineStyle& style = creases_al
     return helpers::extract(LineExtractor(mesh, precompute(mesh)), view, style);
 }
 
-/// A closed solid around the z axis: rings of these radii and heights, with a middle at either end.
-TriangleMesh turned(std::uint32_t sides, const std::vector<std::pair<double, double>>& rings) {
+using Ring = std::vector<Eigen::Vector3d>;
+
+Ring circle(std::uint32_t sides, double radius, double z, double first_angle = 0) {
+    Ring ring;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const double angle = first_angle + kTurn * i / sides;
+        ring.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+    return ring;
+}
+
+/// A closed solid around the z axis: rings of as many places each, with a middle at either end.
+TriangleMesh joined(const std::vector<Ring>& rings) {
     TriangleMesh mesh;
-    for (const auto& [radius, z] : rings)
-        for (std::uint32_t i = 0; i < sides; ++i)
-            mesh.positions.push_back(
-                {radius * std::cos(kTurn * i / sides), radius * std::sin(kTurn * i / sides), z});
+    for (const Ring& ring : rings)
+        mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
+    const auto sides = std::uint32_t(rings.front().size());
     const auto bottom = std::uint32_t(mesh.positions.size());
-    mesh.positions.push_back({0, 0, rings.front().second});
-    mesh.positions.push_back({0, 0, rings.back().second});
+    mesh.positions.push_back({0, 0, rings.front().front().z()});
+    mesh.positions.push_back({0, 0, rings.back().front().z()});
     const std::uint32_t last = bottom - sides;
     for (std::uint32_t i = 0; i < sides; ++i) {
         const std::uint32_t next = (i + 1) % sides;
@@ -52,6 +62,14 @@ TriangleMesh turned(std::uint32_t sides, const std::vector<std::pair<double, dou
         }
     }
     return mesh;
+}
+
+/// The same of circles with these radii and heights.
+TriangleMesh turned(std::uint32_t sides, const std::vector<std::pair<double, double>>& rings) {
+    std::vector<Ring> circles;
+    for (const auto& [radius, z] : rings)
+        circles.push_back(circle(sides, radius, z));
+    return joined(circles);
 }
 
 /// A closed solid along y over a convex polygon of x and z.
@@ -214,6 +232,40 @@ TEST(Creases, AreNoFacets) {
     }
     for (const int columns : {12, 16, 24})
         EXPECT_TRUE(creases_of(test_meshes::torus(columns, columns).mesh).lines.empty()) << columns;
+}
+
+/// However narrow the face is, and where the circles at its ends are cut at other places.
+TEST(Creases, AreNoFacetsOfNarrowChamfers) {
+    for (const std::uint32_t sides : {16u, 20u, 32u})
+        for (const double width : {0.1, 0.05, 0.02, 0.005})
+            for (const double shift : {0., 0.3, 0.5}) {
+                const double depth = 0.5 * (1 - std::cos(kTurn / 2 / sides));  // of a facet
+                if (shift > 0 && width < 8 * depth)
+                    continue;  // triangles are steeper than the face
+                const double first = -shift * kTurn / sides;
+                const TriangleMesh mesh = joined({circle(sides, 0.5, -1), circle(sides, 0.5, 0.5),
+                                                  circle(sides, 0.5 - width, 0.5 + width, first)});
+                const LineSet lines = creases_of(mesh);
+                EXPECT_EQ(edges_on_rings(mesh, lines), 3 * sides) << width << ' ' << shift;
+                EXPECT_EQ(edges_of(mesh, lines).size(), 3 * sides) << width << ' ' << shift;
+            }
+}
+
+/// A square bar that is twisted, with a row of vertices along the middles of its faces.
+TEST(Creases, AreNotTheFacetsOfTwistedFaces) {
+    for (const double twist : {4., 6., 9.}) {
+        const std::size_t count = 9;
+        std::vector<Ring> rings(count);
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t k = 0; k < 8; ++k) {
+                const double angle = (twist * double(i) / 360 + double(k) / 8) * kTurn;
+                const double z = 0.5 * double(i) + (k % 2 && i > 0 && i + 1 < count ? 0.25 : 0);
+                rings[i].push_back({(k % 2 ? std::sqrt(0.5) : 1) * std::cos(angle),
+                                    (k % 2 ? std::sqrt(0.5) : 1) * std::sin(angle), z});
+            }
+        const TriangleMesh mesh = joined(rings);
+        EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 2 * 8 + 4 * (count - 1)) << twist;
+    }
 }
 
 /// Between flat faces, however low, and beside facets that turn by more.

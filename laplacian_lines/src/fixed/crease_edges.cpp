@@ -40,8 +40,9 @@ struct Candidate {
     float angle;  ///< degrees
 };
 
-/// None: noise. Facet: shown only by styles with an angle as small.
-enum class Verdict : std::uint8_t { None, Facet, Weak, Strong, Certain };
+/// None: noise. Facet: shown only by styles with an angle as small. Unclear: strong, but a side
+/// that is neither flat nor even cannot tell.
+enum class Verdict : std::uint8_t { None, Facet, Unclear, Weak, Strong, Certain };
 
 class CreaseFinder {
 public:
@@ -138,9 +139,10 @@ private:
         if (edge.angle >= kEdgeAngle) return Verdict::Certain;
         if (is_mere_diagonal(graph_, edge.side)) return Verdict::Facet;
         const CreaseJump jump = crease_jump(graph_, edge.side, signed_angle(graph_, edge.side));
-        if (!jump.is_clear || jump.degrees <= std::max(kLeastCreaseAngle, kWeak * edge.angle))
-            return Verdict::Facet;
-        return jump.degrees > kStrong * edge.angle ? Verdict::Strong : Verdict::Weak;
+        if (jump.degrees <= std::max(kLeastCreaseAngle, kWeak * edge.angle)) return Verdict::Facet;
+        const bool is_strong = jump.degrees > kStrong * edge.angle;
+        if (!jump.is_clear) return is_strong ? Verdict::Unclear : Verdict::Facet;
+        return is_strong ? Verdict::Strong : Verdict::Weak;
     }
 
     std::vector<CreaseEdge> supported(const std::vector<Candidate>& candidates,
@@ -148,14 +150,15 @@ private:
         std::vector<std::uint32_t> numbers;  // of candidates
         std::vector<PossibleCrease> possible;
         for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-            if (verdicts[i] < Verdict::Weak) continue;
+            if (verdicts[i] < Verdict::Unclear) continue;
             const CreaseEdge edge = make_edge(candidates[i], 0);
             numbers.push_back(i);
             possible.push_back({{edge.vertices[0], edge.vertices[1]},
                                 {edge.positions[0], edge.positions[1]},
                                 edge.angle,
                                 verdicts[i] == Verdict::Certain,
-                                verdicts[i] == Verdict::Strong});
+                                verdicts[i] == Verdict::Strong,
+                                verdicts[i] == Verdict::Unclear});
         }
         std::vector<float> shown(candidates.size());
         for (std::uint32_t i = 0; i < candidates.size(); ++i)

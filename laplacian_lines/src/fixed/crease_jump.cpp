@@ -15,7 +15,6 @@ constexpr float kAlike = 3;
 // Three facets between two edges are an arc if they turn so much, degrees; flanks of teeth, drawn
 // as a few straight pieces, turn less, and tessellators' tolerances leave arcs more facets then.
 constexpr float kArcOfThree = 12;
-constexpr float kAcross = 0.5f;  // sine between the path and an edge that ends an arc, not its side
 
 bool are_alike(float a, float b) {
     return a <= kAlike * b && b <= kAlike * a;
@@ -54,32 +53,32 @@ struct Facet {
     float centre, end;  // along the path
     float turn;         // at its end, degrees, positive as the edge in question
     bool is_flat;       // of several triangles, on the path or beside it
+    bool bends_back;    // one triangle, which does, beyond its third side
 };
 
 /// The facets on one side, up to an edge of the form, a border, or where the surface bends back.
 class FacetWalk {
 public:
-    FacetWalk(const TriangleGraph& graph, const TriangleSide& from, float angle)
-        : walk_(graph, from),
+    /// Angles as they turn the path: by `angle` at the edge in question.
+    FacetWalk(const TriangleGraph& graph, const TriangleSide& from, float lean, float angle)
+        : walk_(graph, from, lean),
           sign_(angle > 0 ? 1.f : -1.f),
           least_(kWithinFacet * std::abs(angle)) {}
 
     enum class End { None, Edge, Back };
     End end() const { return end_; }
-    /// Whether it ends at an edge that goes in about the same direction as the one in question.
-    bool ends_across() const { return end_ != End::Edge || walk_.slant() >= kAcross; }
 
     /// The next one; false if there is none.
     bool next(Facet& facet) {
         if (is_over_) return false;
         float area = 0, moment = 0;
         const float begin = walk_.begin();
-        facet = {0, 0, 0, false};
+        facet = {0, 0, 0, false, false};
         for (;;) {
             area += walk_.area();
             moment += walk_.area() * walk_.centre();
-            facet.is_flat = facet.is_flat || walk_.goes_on_flat(least_);
-            ++count_;
+            facet.is_flat = facet.is_flat || walk_.has_side_between(-least_, least_);
+            facet.bends_back = count_++ == 0 && has_side_bent_back();
             if (ends_facet(facet)) break;
             walk_.go_on();
         }
@@ -93,6 +92,11 @@ public:
     }
 
 private:
+    bool has_side_bent_back() const {
+        const float least = kTelling / kWithinFacet * least_;
+        return sign_ > 0 ? walk_.has_side_between(-kEdgeAngle, -least)
+                         : walk_.has_side_between(least, kEdgeAngle);
+    }
     bool ends_facet(Facet& facet) {
         const float turn = sign_ * walk_.turn();
         if (walk_.is_at_border() || std::abs(walk_.angle()) >= kEdgeAngle)
@@ -115,12 +119,15 @@ private:
 /// What one side tells.
 class FacetSide {
 public:
-    FacetSide(const TriangleGraph& graph, const TriangleSide& from, float angle, bool of_three)
-        : walk_(graph, from, angle), telling_(kTelling * std::abs(angle)), of_three_(of_three) {
+    FacetSide(const TriangleGraph& graph, const TriangleSide& from, float lean, float angle,
+              bool of_three)
+        : walk_(graph, from, lean, angle),
+          telling_(kTelling * std::abs(angle)),
+          of_three_(of_three) {
         Facet facet;
         if (!walk_.next(facet)) return;
         half_ = facet.centre;
-        is_flat_ = facet.is_flat || walk_.end() == FacetWalk::End::Edge;
+        is_flat_ = facet.is_flat || (walk_.end() == FacetWalk::End::Edge && !facet.bends_back);
         float turn = 0;
         if (!go_on(facet, turn)) return;
         curvature_ = turn / least_distance(facet.centre - half_);
@@ -159,8 +166,8 @@ private:
             goes_back = is_arc_ || beyond > curvature_;
         } else {
             const float width = second.centre - edge, own = edge - half_;
-            is_arc_ = of_three_ && walk_.end() != FacetWalk::End::None &&
-                      (angle >= kArcOfThree || !walk_.ends_across()) && are_alike(width, own);
+            is_arc_ = of_three_ && walk_.end() != FacetWalk::End::None && angle >= kArcOfThree &&
+                      are_alike(width, own);
             goes_back = width <= kAlike * own;
         }
         if (!goes_back) last_curvature_ = turn / least_distance(edge - half_);
@@ -197,9 +204,14 @@ float explained(const FacetSide& a, const FacetSide& b) {
 CreaseJump crease_jump(const TriangleGraph& graph, const TriangleSide& side, float angle) {
     const float sign = graph.triangles[side.triangle].sign_across(side.k);
     const bool of_three = may_be_of_three(graph, side, angle);
-    const FacetSide here(graph, side, angle, of_three),
-        there(graph, side_beyond(graph, side), sign * angle, of_three);
-    return {std::abs(angle) - explained(here, there), here.is_clear() && there.is_clear()};
+    const float lean = lean_of_walls(graph, side), turn = angle * std::sqrt(1 - lean * lean);
+    const TriangleSide beyond = side_beyond(graph, side);
+    const bool is_same_way =
+        graph.position(beyond.triangle, beyond.k) == graph.position(side.triangle, side.k);
+    const FacetSide here(graph, side, lean, turn, of_three),
+        there(graph, beyond, is_same_way ? -lean : lean, sign * turn, of_three);
+    return {std::abs(angle) * (1 - explained(here, there) / std::abs(turn)),
+            here.is_clear() && there.is_clear()};
 }
 
 }  // namespace laplacian_lines

@@ -25,6 +25,7 @@ public:
     }
 
     std::vector<std::uint8_t> run(bool is_made) {
+        drop_unclear();
         if (is_made) find_running_out();
         drop_loose();
         drop_doubtful();
@@ -49,6 +50,22 @@ private:
             const PossibleCrease& other = edges_[o];
             const int begin = other.vertices[0] == edge.vertices[end] ? 0 : 1;
             visit(o, direction.dot((other.positions[1 - begin] - here).normalized()));
+        }
+    }
+
+    /// All but gaps of one edge in chains that are clear.
+    void drop_unclear() {
+        for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+            if (!edges_[i].is_unclear) continue;
+            bool closes_gap = true;
+            for (int end = 0; end < 2; ++end) {
+                bool goes_on = false;
+                for_each_at(i, end, [&](std::uint32_t o, float cosine) {
+                    goes_on = goes_on || (!edges_[o].is_unclear && cosine >= kGoesOn);
+                });
+                closes_gap = closes_gap && goes_on;
+            }
+            kept_[i] = closes_gap;
         }
     }
 

@@ -11,6 +11,9 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr float kDegrees = 57.29577951308232f;
+constexpr float kWall = 2;       // times an edge's angle
+constexpr float kAcross = 0.5f;  // sine between a path and a wall at which it ends
+constexpr float kMostLean = 0.9999f;
 
 Vector3f direction_of(const TriangleGraph& graph, const TriangleSide& side) {
     return (graph.position(side.triangle, (side.k + 1) % 3) - graph.position(side.triangle, side.k))
@@ -20,6 +23,29 @@ Vector3f direction_of(const TriangleGraph& graph, const TriangleSide& side) {
 /// Unit, in the triangle's plane, out of it across a side.
 Vector3f outwards(const TriangleGraph& graph, const TriangleSide& side) {
     return direction_of(graph, side).cross(graph.triangles[side.triangle].normal);
+}
+
+float clamped(float sine) {
+    return std::min(std::max(sine, -1.f), 1.f);
+}
+
+bool is_wall(const TriangleGraph& graph, const TriangleSide& side, float least) {
+    const std::uint32_t next = graph.triangles[side.triangle].neighbours[side.k];
+    return next == TriangleGraph::kNone || graph.triangles[next].normal.isZero(0) ||
+           std::abs(signed_angle(graph, side)) >= least;
+}
+
+/// What turns so much beside an edge is no part of a face that goes on across it.
+float wall_angle(float angle) {
+    return std::min(kWall * std::abs(angle), kEdgeAngle);
+}
+
+/// From a side along the only other one that is a wall; zero: none is, or both.
+Vector3f along_wall(const TriangleGraph& graph, const TriangleSide& side, float least) {
+    const TriangleSide next{side.triangle, (side.k + 1) % 3}, last{side.triangle, (side.k + 2) % 3};
+    const bool is_next = is_wall(graph, next, least);
+    if (is_next == is_wall(graph, last, least)) return Vector3f::Zero();
+    return is_next ? direction_of(graph, next) : Vector3f(-direction_of(graph, last));
 }
 
 }  // namespace
@@ -47,33 +73,61 @@ float signed_angle(const TriangleGraph& graph, const TriangleSide& side) {
            kDegrees;
 }
 
-SurfaceWalk::SurfaceWalk(const TriangleGraph& graph, const TriangleSide& from)
+float lean_of_walls(const TriangleGraph& graph, const TriangleSide& side) {
+    const TriangleSide beyond = side_beyond(graph, side);
+    const Vector3f along = direction_of(graph, side);
+    const float least = wall_angle(signed_angle(graph, side));
+    const Vector3f here = along_wall(graph, side, least), there = -along_wall(graph, beyond, least);
+    if (here.isZero(0) || there.isZero(0)) return 0;
+    const float a = std::asin(clamped(here.dot(along))), b = std::asin(clamped(there.dot(along)));
+    const float lean = std::sin((a + b) / 2);
+    return std::abs(a - b) < std::asin(kAcross) && std::abs(lean) < kMostLean ? lean : 0;
+}
+
+SurfaceWalk::SurfaceWalk(const TriangleGraph& graph, const TriangleSide& from, float lean)
     : graph_(graph),
       at_(from),
       place_((graph.position(from.triangle, from.k) +
               graph.position(from.triangle, (from.k + 1) % 3)) /
              2),
-      direction_(-outwards(graph, from)) {
+      direction_(lean * direction_of(graph, from) -
+                 std::sqrt(1 - lean * lean) * outwards(graph, from)),
+      tangent_of_lean_(lean / std::sqrt(1 - lean * lean)),
+      wall_angle_(wall_angle(signed_angle(graph, from))) {
     cross();
 }
 
-bool SurfaceWalk::goes_on_flat(float most) const {
+bool SurfaceWalk::has_side_between(float least, float most) const {
     const TriangleGraph::Node& node = graph_.triangles[at_.triangle];
     for (unsigned k = 0; k < 3; ++k) {
         const std::uint32_t next = node.neighbours[k];
         if (k == at_.k || next == TriangleGraph::kNone) continue;
-        if (!graph_.triangles[next].normal.isZero(0) &&
-            std::abs(signed_angle(graph_, {at_.triangle, k})) < most)
-            return true;
+        if (graph_.triangles[next].normal.isZero(0)) continue;
+        const float angle = sign_ * signed_angle(graph_, {at_.triangle, k});
+        if (angle > least && angle < most) return true;
     }
     return false;
 }
 
 void SurfaceWalk::cross() {
     const TriangleGraph::Node& node = graph_.triangles[at_.triangle];
+    const Vector3f aside = direction_ - tangent_of_lean_ * sign_ * direction_.cross(node.normal);
+    centre_ = begin_ + (node.centre - place_).dot(aside);
+    end_ = begin_;
+    if (!find_exit(at_.k)) return;
+    const unsigned wall = exit_;
+    if (slant_ >= kAcross || !is_wall(graph_, {at_.triangle, wall}, wall_angle_)) return;
+    const Vector3f along = direction_of(graph_, {at_.triangle, wall});
+    direction_ = direction_.dot(along) > 0 ? along : -along;
+    // the side that is left, unless the path has come from there
+    if (!find_exit(wall)) goes_on_ = false;
+}
+
+bool SurfaceWalk::find_exit(unsigned wall) {
+    const TriangleGraph::Node& node = graph_.triangles[at_.triangle];
     float nearest = std::numeric_limits<float>::max();
     for (unsigned k = 0; k < 3; ++k) {
-        if (k == at_.k) continue;
+        if (k == at_.k || k == wall) continue;
         const Vector3f out = outwards(graph_, {at_.triangle, k});
         const float slant = direction_.dot(out);
         if (!(slant > 1e-6f)) continue;
@@ -84,14 +138,14 @@ void SurfaceWalk::cross() {
         out_ = out;
         slant_ = slant;
     }
-    centre_ = begin_ + (node.centre - place_).dot(direction_);
     goes_on_ = nearest < std::numeric_limits<float>::max();
-    if (!goes_on_) return;
-    end_ = begin_ + std::max(nearest, 0.f);
-    place_ += (end_ - begin_) * direction_;
+    if (!goes_on_) return false;
+    end_ += std::max(nearest, 0.f);
+    place_ += std::max(nearest, 0.f) * direction_;
     const std::uint32_t next = node.neighbours[exit_];
     goes_on_ = next != TriangleGraph::kNone && !graph_.triangles[next].normal.isZero(0);
     angle_ = goes_on_ ? sign_ * signed_angle(graph_, {at_.triangle, exit_}) : 0;
+    return true;
 }
 
 void SurfaceWalk::go_on() {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
 #include "fixed/triangle_graph.h"
 
 namespace laplacian_lines {
+
+/// Edges of so many degrees are edges of the form whatever is around: tessellators of curved faces
+/// stay below, with 0.6 radians (34 degrees) as the coarsest tolerance in use.
+constexpr float kEdgeAngle = 40;
 
 /// Side k of a triangle.
 struct TriangleSide {
@@ -18,28 +24,33 @@ TriangleSide side_beyond(const TriangleGraph& graph, const TriangleSide& side);
 /// sees it.
 float signed_angle(const TriangleGraph& graph, const TriangleSide& side);
 
-/// A straight path over the surface: from the middle of an edge at a right angle to it, over one
-/// triangle after the other.
+/// The sine by which a path across a side leans towards the side's end: 0, unless the triangles on
+/// both sides have one wall each and these go the same way. Then the face is a band between walls,
+/// such as a chamfer, and turns along it. Walls are borders and edges that turn much more than the
+/// side does.
+float lean_of_walls(const TriangleGraph& graph, const TriangleSide& side);
+
+/// A straight path on a face: from the middle of an edge over one triangle after the other. Where
+/// it meets a wall at a slant it goes on along it.
 class SurfaceWalk {
 public:
-    /// Into the triangle of this side.
-    SurfaceWalk(const TriangleGraph& graph, const TriangleSide& from);
+    /// Into the triangle of this side, leaning by this sine from the right angle towards the side's
+    /// end.
+    SurfaceWalk(const TriangleGraph& graph, const TriangleSide& from, float lean);
 
-    /// Where the triangle's centre is along the path, and where it enters and leaves the
-    /// triangle; the edge that it began at is at 0.
+    /// Where the triangle's centre is along the path, as seen in the direction of the edge that it
+    /// began at, and where it enters and leaves the triangle; that edge is at 0.
     float centre() const { return centre_; }
     float begin() const { return begin_; }
     float end() const { return end_; }
     float area() const { return graph_.triangles[at_.triangle].area; }
-    /// Whether the surface goes on beyond another side than the one it came in by, bent by
-    /// less than `most` degrees.
-    bool goes_on_flat(float most) const;
+    /// Whether the surface goes on beyond another side than the one it came in by, bent by an
+    /// angle() between these.
+    bool has_side_between(float least, float most) const;
     /// By how much the edge there is bent, degrees, positive where the surface is convex as the
     /// first triangle sees it; and how much of it the path turns, as it may cross at a slant.
     float angle() const { return angle_; }
     float turn() const { return angle_ * slant_; }
-    /// 1 where the path crosses that edge at a right angle, towards 0 along it.
-    float slant() const { return slant_; }
     /// Whether the surface ends there.
     bool is_at_border() const { return !goes_on_; }
 
@@ -48,10 +59,12 @@ public:
 
 private:
     void cross();
+    bool find_exit(unsigned wall);
 
     const TriangleGraph& graph_;
     TriangleSide at_;  // the triangle, and the side it came in by
     Eigen::Vector3f place_, direction_, out_ = Eigen::Vector3f::Zero();
+    const float tangent_of_lean_, wall_angle_;
     float sign_ = 1;  // -1: the triangle has the other orientation than the first one
     float begin_ = 0, centre_ = 0, end_ = 0, angle_ = 0, slant_ = 0;
     unsigned exit_ = 0;
