@@ -39,7 +39,7 @@ def kind_of(file):
 def options():
     """Parameters that docs/parameters.md has, and words with -- in the usages of the programs."""
     rows = re.findall(r"^\| (?!parameter|---|\|)(?:\*\*[^*]*\*\* )?([^|]+) \|", text_of("docs/parameters.md"), re.M)
-    commands = [root / name for name in ("run", "test", "bench")] + sorted((root / "programs/drawing_program").glob("*.cpp"))
+    commands = [root / f"scripts/{name}.py" for name in ("run", "test", "bench")] + sorted((root / "programs/drawing_program").glob("*.cpp"))
     words = {(c.parent.name, word) for c in commands for word in re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of(c))}
     return sum(len(row.split(",")) for row in rows), len(words)
 

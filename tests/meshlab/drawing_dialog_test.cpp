@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the dialog of drawings makes of texts and sizes; the dialog itself: gui_drawing_dialog.sh.
+// What the dialog of drawings makes of texts and sizes; the dialog itself: gui_drawing_dialog.gui.
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>

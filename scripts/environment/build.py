@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Configure and build, quietly unless something fails."""
+
+import os
+import pathlib
+import re
+import shutil
+
+from environment import packages
+from environment.files import compiled_folder, turn
+from environment.headers import ensure_headers
+from environment.messages import Failure, quietly, say
+
+CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def ensure_toolchain(*extra_packages):
+    """All that building takes, MeshLab itself included."""
+    packages.ensure_packages(*packages.BUILD, *extra_packages)
+    packages.ensure_meshlab_recommends()
+    ensure_headers()
+
+
+def build_folder(checkout=CHECKOUT):
+    """A root's build is apart from this machine's."""
+    return pathlib.Path(os.environ.get("LAPLACIAN_LINES_BUILD") or checkout / "build")
+
+
+def build_targets(*targets, options=(), checkout=CHECKOUT):
+    """Configures and compiles, all targets when none is named."""
+    build = build_folder(checkout)
+    with turn(build):
+        described = description(checkout, *targets, *options)
+        if is_built(checkout, build, described):
+            return
+        (build / ".begun").touch()
+        configure(checkout, build, options)
+        compile_targets(checkout, build, targets)
+        (build / ".begun").rename(build / ".sources")  # what is changed while it is compiled may not be in it
+        (build / ".built").write_text(described)
+
+
+def description(*words):
+    named = (os.environ.get(name, "") for name in ("MESHLAB_SOURCE_DIR", "CXX", "CXXFLAGS", "CMAKE_CXX_COMPILER_LAUNCHER"))
+    return "\n".join(map(str, (*words, *named)))
+
+
+def is_built(checkout, build, described):
+    """Whether that was the latest build, and nothing has been touched since that CMake or make would look at. They take seconds
+    to find that out: here are folders of sources, packages, and folders of what was made."""
+    try:
+        if (build / ".built").read_text() != described:
+            return False
+        sources = [place for place in checkout.iterdir() if place.is_dir() and place.name != ".git" and not place.samefile(build)]
+        made = [place for name in ("plugins", "driver", "bin") if (place := build / name).is_dir()]
+        below = [file for folder in sources for file in folder.rglob("*")]
+        beside = [file for folder in made for file in folder.iterdir()]
+        return not (newer(build / ".sources", *sources, *below, checkout / "CMakeLists.txt", "/var/lib/dpkg/status") or
+                    newer(build / ".built", *made, *beside, build / "CMakeCache.txt"))
+    except OSError:
+        return False
+
+
+def processors():
+    return len(os.sched_getaffinity(0))
+
+
+def newer(file, *others):
+    time = os.stat(file).st_mtime_ns
+    return any(os.lstat(other).st_mtime_ns > time for other in others)
+
+
+def cached(build, name):
+    """A value of CMake's cache there."""
+    found = re.search(rf"^{name}:[A-Z]*=(.*)$", (build / "CMakeCache.txt").read_text(errors="surrogateescape"), re.M)
+    return found[1] if found else ""
+
+
+def forget_moved_build(checkout, build):
+    """CMake refuses a build that was made in another place or of another checkout, and what it has compiled may belong to the
+    sources there. Builds in folders of this one look after themselves."""
+    if not (build / "CMakeCache.txt").exists():
+        return
+    places = ((cached(build, "CMAKE_HOME_DIRECTORY"), checkout), (cached(build, "CMAKE_CACHEFILE_DIR"), build))
+    if all(os.path.exists(was) and os.path.samefile(was, now) for was, now in places):
+        return
+    say("this checkout was moved or copied with its build: building anew")
+    (build / "CMakeCache.txt").unlink()
+    for folder, below, files in os.walk(build):
+        if "CMakeCache.txt" in files:
+            below.clear()
+        for name in [name for name in below if name == "CMakeFiles" or name.endswith("_autogen")]:
+            shutil.rmtree(os.path.join(folder, name))
+            below.remove(name)
+
+
+def configure(checkout, build, options):
+    """Without MESHLAB_SOURCE_DIR, as it was configured before or the core alone."""
+    forget_moved_build(checkout, build)
+    words = ["-DLAPLACIAN_LINES_PRECOMPILE=ON", *options]
+    if not os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER") and shutil.which("ccache"):
+        words.insert(0, "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+    if headers := os.environ.get("MESHLAB_SOURCE_DIR"):
+        words.insert(0, f"-DMESHLAB_SOURCE_DIR={headers}")
+    if not quietly(build / "configure.log", ["cmake", "-S", checkout, "-B", build, *words]):
+        raise Failure("cmake could not configure the build")
+
+
+def compile_targets(checkout, build, targets):
+    """Where there is ccache, nothing is compiled twice, in another checkout either. The sloppiness lets it keep precompiled
+    headers; no source of ours uses times."""
+    ccache = {"CCACHE_DIR": str(compiled_folder()), "CCACHE_MAXSIZE": "1G", **os.environ, "CCACHE_BASEDIR": str(checkout),
+              "CCACHE_NOHASHDIR": "1", "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
+    command = ["cmake", "--build", build, "--parallel", str(processors()), *(["--target", *targets] if targets else [])]
+    if not quietly(build / "build.log", command, env=ccache):
+        raise Failure(f"the build failed; its whole output is in {build / 'build.log'}")

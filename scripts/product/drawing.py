@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""./run --drawing: measured drawings by our own program, which needs no display."""
+
+import os
+
+from environment.build import build_folder, build_targets, ensure_toolchain
+from environment.messages import Failure, run, say
+from product.models import check_mesh, prepare_mesh
+
+PACKAGES = ["fonts-dejavu-core"]
+
+
+def unpack_mesh(name, folder):
+    """A file, unpacked into the folder if need be, or a folder."""
+    if os.path.isdir(name):
+        return name
+    if name:
+        check_mesh(name)
+    folder.mkdir()
+    return prepare_mesh(name, folder)
+
+
+def run_drawing(folder, words):
+    """The words are as the program takes them, but that MESH may be missing or gzipped; the folder takes unpacked copies, each in
+    one of its own, since their names may be the same."""
+    program = build_folder() / "bin/laplacian-lines"
+    ensure_toolchain(*PACKAGES)
+    if not program.exists():
+        say("building laplacian-lines, for some minutes")
+    build_targets("laplacian_lines_drawing")
+    options, names = [], []
+    while words:
+        word = words.pop(0)
+        if word in ("-h", "--help", "--version"):
+            return run([program, word])
+        if word == "--":
+            names += words
+            break
+        if word.startswith("--"):
+            options += [word, *words[:1]]
+            words = words[1:]
+        else:
+            names.append(word)
+    if not names:
+        raise Failure("--drawing needs the name of a file, FILE.svg, .pdf, .dxf or .png, or of a folder, FOLDER/")
+    meshes = [unpack_mesh(name, folder / str(number)) for number, name in enumerate(names[1:] or [""])]
+    return run([program, names[0], *options, *meshes])

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""MeshLab, told by a script of the GUI driver what to do with the user's meshes and projects."""
+
+import locale
+import os
+import re
+import subprocess
+
+from environment.messages import Failure, run, say
+from product.models import prepare_mesh
+
+MINUTES = 15  # more than a mesh of ten million triangles takes to load and prepare
+DRIVER_ERROR = 3  # the exit code of MeshLab when the driver ends it
+
+
+def is_odd_name(name):
+    """It would mean something else to the driver, whose lines are UTF-8, or to MeshLab, whose names are of the user's locale."""
+    try:
+        locale.setlocale(locale.LC_CTYPE, "")
+        charmap = locale.nl_langinfo(locale.CODESET)
+    except locale.Error:
+        charmap = "none"
+    return not name.isprintable() or (charmap != "UTF-8" and not name.isascii())
+
+
+def drivable_mesh(name, folder):
+    """As prepare_mesh(), but a link if its name is an odd one."""
+    mesh = prepare_mesh(name, folder)
+    if not is_odd_name(str(mesh)):
+        return mesh
+    link = folder / f"mesh.{str(mesh).rsplit('.', 1)[-1]}"
+    link.symlink_to(mesh)
+    return link
+
+
+def settings_commands(build, settings):
+    """The driver's commands that set parameters of the decoration, NAME=VALUE. What they are called and which values they take, a
+    program knows that is built from the decoration's own table."""
+    done = subprocess.run([build / "bin/decoration_settings", *settings], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    if done.returncode != 0:
+        raise Failure(os.fsdecode(done.stderr).rstrip("\n"))
+    return os.fsdecode(done.stdout).splitlines()
+
+
+def run_meshlab(stage, folder, lines, **options):
+    """The exit code of MeshLab after this script of the driver; its chatter goes to FOLDER/log."""
+    (folder / "script").write_text("".join(f"{line}\n" for line in lines), errors="surrogateescape")
+    environment = {**options.pop("env", os.environ), "LAPLACIAN_LINES_DRIVER": str(folder / "script")}
+    with (folder / "log").open("wb") as log:
+        return run([stage / "bin/meshlab"], stdout=log, stderr=log, env=environment, **options)
+
+
+def log_lines(folder):
+    return (folder / "log").read_text(errors="surrogateescape").splitlines()
+
+
+def explain_failure(folder, code):
+    """Why MeshLab has ended, in a line."""
+    log = "\n".join(log_lines(folder))
+    for kind in ("reason", "error"):
+        if found := re.findall(f"^meshlab_driver: {kind}: (.*)$", log, re.M):
+            return found[-1]
+    doing = re.findall(r"^meshlab_driver: line \d+: (.*)$", log, re.M)
+    if doing and doing[-1].startswith("load "):
+        return (f"MeshLab's own reader of .{doing[-1].rsplit('.', 1)[-1]} files has ended MeshLab (exit code {code}); the file may be "
+                "damaged")
+    return f"MeshLab has ended with code {code}; the last it said: {log.splitlines()[-1] if log else ''}"
+
+
+def is_project(name):
+    return name.lower().endswith((".mlp", ".mlb", ".aln"))
+
+
+def opening(name, folder):
+    """The driver's command that opens a mesh, a project or, without a name, the dragon."""
+    if is_project(name):
+        project = os.path.realpath(name)  # no link elsewhere: the names in it are of files beside it
+        if is_odd_name(project):
+            raise Failure(f"MeshLab cannot open a project of this name, {name}: rename it or its folder")
+        return f"open-project {project}"
+    folder.mkdir(parents=True)
+    return f"load {drivable_mesh(name, folder)}"
+
+
+def open_window(stage, folder, names, settings=()):
+    """Meshes and projects, in one window. MeshLab keeps what was set in its dialogs only if it is told to."""
+    openings = [opening(name, folder / str(number)) for number, name in enumerate(names)]
+    say("opening MeshLab; Laplacian Lines is under Render")
+    code = run_meshlab(stage, folder, [f"time-limit {MINUTES * 60}", "wait", *openings, "draw-all-lines", *settings])
+    if code != 0:
+        opened = re.findall(r"^meshlab_driver: line \d+: (?:load|open-project) (.*)$", "\n".join(log_lines(folder)), re.M)
+        raise Failure(f"{opened[-1] if opened else ''}: {explain_failure(folder, code)}")

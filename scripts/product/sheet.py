@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sheets of pictures of one size, each with a label, as wide as a screen shows."""
+
+import subprocess
+
+from environment.messages import Failure
+
+FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"  # of the packages of displays
+WIDTH, HEIGHT = 3840, 16000  # pixels, at most: the widest usual screen; ImageMagick's limit
+GAP, LABEL_HEIGHT = 8, 60  # around a cell; two lines
+
+
+def plain_label(text):
+    """For ImageMagick, which reads UTF-8, and to which %, \\ and a first @ say something."""
+    text = "".join(character if character.isprintable() or "\udc80" <= character <= "\udcff" else "?" for character in text)
+    try:
+        text.encode()
+    except UnicodeEncodeError:  # each byte that is not ASCII
+        text = "".join(chr(byte) if byte < 128 else "?" for byte in text.encode("utf-8", "surrogateescape"))
+    text = text.replace("\\", "\\\\").replace("%", "%%")
+    return f"\\{text}" if text.startswith("@") else text
+
+
+def whole_share(n, parts):
+    """Rounded up."""
+    return -(-n // parts)
+
+
+def sheet_columns(cell_width, count, together):
+    """Of `count` cells, of which `together` stand together: side by side if they fit, in rows of nearly the same length if not. With
+    nothing else, as many rows as columns."""
+    most = max(1, WIDTH // (cell_width + 2 * GAP))
+    if 1 < together < count:
+        return whole_share(together, whole_share(together, most))
+    return next(columns for columns in range(1, most + 1) if columns * columns >= count or columns == most)
+
+
+def sheet_rows(columns, count, together):
+    """Those that stand together begin a row."""
+    return whole_share(count, columns) if together == 1 else whole_share(count, together) * whole_share(together, columns)
+
+
+def lay_out(size, count, together):
+    """The columns, and the size at which cells are shown, smaller than the pictures if the sheet would be too high."""
+    width, height = size
+    while True:
+        columns = sheet_columns(width, count, together)
+        if width <= 100 or sheet_rows(columns, count, together) * (height + LABEL_HEIGHT + 2 * GAP) <= HEIGHT:
+            return columns, (width, height)
+        width, height = width * 4 // 5, height * 4 // 5
+
+
+def make_sheet(file, size, together, cells):
+    """Of pairs of a label and a picture."""
+    columns, (width, height) = lay_out(size, len(cells), together)
+    words = []
+    for number, (label, picture) in enumerate(cells, 1):
+        words += ["-label", label, picture]
+        if together > 1 and number % together == 0:
+            words += ["-label", "", "null:"] * (-together % columns)  # empty cells after those that stand together
+    command = ["montage", "-font", FONT, "-pointsize", "18", *words, "-tile", f"{columns}x", "-geometry",
+               f"{width}x{height}+{GAP}+{GAP}", file]
+    if subprocess.run(command).returncode != 0:
+        raise Failure("ImageMagick's montage could not put the sheet together")

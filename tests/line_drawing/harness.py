@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What tests of the program of drawings share. A test is called with the program, PROGRAM, and begins in an empty folder, which goes
+with it."""
+
+import atexit
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+CHECKOUT = HERE.parents[1]
+sys.path.insert(0, str(CHECKOUT / "scripts"))
+PROGRAM = os.path.realpath(sys.argv[1])
+WORK = tempfile.mkdtemp()
+os.chdir(WORK)
+atexit.register(shutil.rmtree, WORK, ignore_errors=True)
+
+
+def skip(reason):
+    """Ends the test, as a failure where LAPLACIAN_LINES_REQUIRED is true."""
+    print(f"skipped: {reason}")
+    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") == "true" else 77)
+
+
+def fail(message):
+    sys.exit(f"failed: {message}")
+
+
+def expect(condition, message):
+    if not condition:
+        fail(message)
+
+
+def run(command, code=0, **environment):
+    """What it prints, stdout and stderr; it ends with this code, None for any."""
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, **environment})
+    said = os.fsdecode(done.stdout)
+    expect(code is None or done.returncode == code, f"{command} ended with {done.returncode} and said: {said}")
+    return said
+
+
+def draw(*words, code=0, **environment):
+    return run([PROGRAM, *words], code, **environment)
+
+
+def text_of(file):
+    return pathlib.Path(file).read_text(errors="surrogateescape")
+
+
+VERTICES = ["0 0 0", "100 0 0", "100 100 0", "0 100 0", "0 0 100", "100 0 100", "100 100 100", "0 100 100"]
+FACES = ["0 2 1", "0 3 2", "4 5 6", "4 6 7", "0 1 5", "0 5 4", "1 2 6", "1 6 5", "2 3 7", "2 7 6", "3 0 4", "3 4 7"]
+
+
+def write(file, *lines):
+    pathlib.Path(file).parent.mkdir(parents=True, exist_ok=True)
+    pathlib.Path(file).write_text("".join(f"{line}\n" for line in lines))
+
+
+def off(file, vertices=VERTICES, faces=FACES):
+    write(file, "OFF", f"{len(vertices)} {len(faces)} 0", *vertices, *(f"3 {face}" for face in faces))
+
+
+def moved(scale=1, x=0, z=0):
+    """The cube's vertices, elsewhere."""
+    places = (tuple(map(float, vertex.split())) for vertex in VERTICES)
+    return [f"{a * scale + x:g} {b * scale:g} {c * scale + z:g}" for a, b, c in places]
+
+
+def write_cube():
+    """A cube of 100 mm of 12 triangles, in three formats."""
+    off("cube.off")
+    write("cube.obj", *(f"v {vertex}" for vertex in VERTICES),
+          *(f"f {' '.join(str(int(word) + 1) for word in face.split())}" for face in FACES))
+    write("cube.ply", "ply", "format ascii 1.0", "element vertex 8", *(f"property float {axis}" for axis in "xyz"), "element face 12",
+          "property list uchar int vertex_indices", "end_header", *VERTICES, *(f"3 {face}" for face in FACES))
+
+
+def drawing_tools():
+    """The Python with programs of others that drawings are held against; without it, the test is skipped."""
+    from environment.messages import Failure, Obstacle
+    from environment.python_environments import ensure_python
+
+    try:
+        return ensure_python("drawing_tools", 1, "0.4 GB", "ezdxf==1.4.5", "vpype==1.15.0", "svgpathtools==1.8.0", "dask==2026.8.0",
+                             "distributed==2026.8.0")
+    except (Failure, Obstacle) as reason:
+        skip(reason)

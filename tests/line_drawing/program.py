@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""program.py PROGRAM: what the program of drawings makes of meshes and of mistakes, and how large others' programs find its
+drawings."""
+
+import filecmp
+import re
+
+from harness import *
+
+BARE = ("--views", "front", "--strokes", "plain", "--furniture", "none")
+
+
+def refused(sentence, *words):
+    """The program ends with an error that holds the sentence and leaves no file."""
+    expect(subprocess.run([PROGRAM, *words], stdout=subprocess.PIPE, stderr=open("said", "wb")).returncode != 0, f"not refused: {words}")
+    expect(sentence in text_of("said"), f"{words} says: {text_of('said')}")
+    expect(not list(pathlib.Path().glob("plate.*")), f"{words} left a file")
+
+
+def expect_said(said, *texts):
+    for text in texts:
+        expect(text in said, f'nothing says "{text}": {said}')
+
+
+def paths(file):
+    return text_of(file).count("<path")
+
+
+write_cube()
+for mesh in ("cube.off", "cube.obj", "cube.ply"):
+    expect_said(draw(f"{mesh}.svg", *BARE, "--scale", "1:1", mesh), "100 x 100 x 100 mm")
+    expect(paths(f"{mesh}.svg") == 1, f"the outline of {mesh} is not one line")
+
+off("points.off", ["0 0 0", "1 0 0", "0 1 0"], [])
+write("empty.ply")
+pathlib.Path("nonsense.stl").write_text("nonsense")
+off("nowhere.off", ["nan nan nan"] * 8)
+for sentence, words in (
+        ("does not end in", "plate.jpg cube.off"),
+        ("cannot be written", "missing/plate.svg cube.off"),
+        ("there is no such file", "plate.svg missing.ply"),
+        ("PLY, OBJ, STL and OFF", f"plate.svg {PROGRAM}"),
+        ("is not a view", "plate.svg --views above cube.off"),
+        ("is not a section", "plate.svg --section y cube.off"),
+        ("not a scale", "plate.svg --scale 2 cube.off"),
+        ("not a size of detail", "plate.svg --kernel 2 cube.off"),
+        ("not a size of detail", "plate.svg --smoothing 0mm cube.off"),
+        ("Take the scale", "plate.svg --scale 9:1 cube.off"),
+        ("has to be one of", "plate.svg --up w cube.off"),
+        ('--kinds is "ridge". It has to be some of usual, laplacian_lines, ', "plate.svg --kinds ridge cube.off"),
+        ("unknown option", "plate.svg --colour red cube.off"),
+        ("needs a value", "plate.svg cube.off --up"),
+        ("no faces", "plate.svg points.off"),
+        ("empty.ply: the mesh cannot be read", "plate.svg empty.ply"),
+        ("nonsense.stl: the mesh cannot be read: it ends within its header.", "plate.svg nonsense.stl"),
+        ("no triangle with an area", "plate.svg nowhere.off"),
+        ("cannot be written", "/proc/plate.svg cube.off")):
+    refused(sentence, *words.split(" "))
+
+# what is not finite is left out, and a size that can hardly be meant gives advice
+off("hole.off", ["nan nan nan" if vertex == "100 100 100" else vertex for vertex in VERTICES])
+expect_said(draw("hole.svg", *BARE, "hole.off"), "hole.off is drawn incomplete: 1 of 8 vertices", "100 x 100 x 100 mm")
+off("metres.off", moved(1e-5))
+expect_said(draw("metres.svg", "--scale", "1:1", "--unit", "m", *BARE, "metres.off"), "1 x 1 x 1 mm in size")
+expect_said(draw("metres.svg", *BARE, "metres.off"), "if it is in metres, say --unit m")
+
+# texts of PDF can be searched
+draw("searched.pdf", "--views", "front", "--title", "Find 17 äöü", "cube.off")
+run(["pdftotext", "searched.pdf", "searched.txt"])
+expect_said(text_of("searched.txt"), "Find 17 äöü", "100.0 × 100.0 × 100.0 mm")
+
+# a damaged file is refused, or drawn and called incomplete
+corners = ["vertex 0 0 0", "vertex 100 0 0", "vertex 0 100 0"]
+write("cut.stl", "solid cut", *2 * ["facet normal 0 0 1", " outer loop", *corners, " endloop", "endfacet"])
+write("cut.stl", *text_of("cut.stl").splitlines()[:10], "vertex 100 0 0", "vertex 100 100")
+refused('cut.stl: the file is damaged: line 12: it ends without "endsolid". With --damaged draw, the 1 triangles', "plate.svg", "cut.stl")
+expect_said(draw("incomplete.svg", "--views", "top", "--up", "z", "--damaged", "draw", "cut.stl"), "cut.stl is drawn incomplete: line 12")
+expect_said(text_of("incomplete.svg"), "incomplete: cut.stl")
+write("half.off", *text_of("cube.off").splitlines()[:12])
+refused("half.off: ", "plate.svg", "half.off")
+shutil.copy("cube.off", "--dash.off")
+draw("dash.svg", *BARE, "--", "--dash.off")
+
+# --- several meshes in a file are one drawing
+
+off("scene/near.off")
+off("scene/far.off", moved(x=50, z=-300))
+os.mkdir("no_meshes")
+together = (*BARE, "--title", "{name}", "--scale", "1:1", "--paper", "a3")
+expect_said(draw("together.svg", *together, "scene/near.off", "scene/far.off"), "together the objects are 150 x 100 x 400 mm")
+# the far one's outline is an angle beside the near one's
+expect(paths("together.svg") == 2, "two cubes have other outlines than theirs")
+draw("folder.svg", *together, "scene")
+draw("order.svg", *together, "scene/far.off", "scene/near.off")
+expect(filecmp.cmp("folder.svg", "order.svg", shallow=False), "a folder is not drawn as its meshes")
+draw("notes.svg", "--title", "{name}", "scene")
+expect_said(text_of("notes.svg"), ">far, near<", "far.off, near.off")
+refused("points.off: the mesh has no faces", "plate.svg", "cube.off", "points.off")
+refused("nowhere.off: ", "plate.svg", "cube.off", "nowhere.off")
+refused("there is no mesh in the folder", "plate.svg", "no_meshes")
+
+# --- several meshes in a folder are a drawing each and a contact sheet
+
+
+def drawn(*words, title="{name}", lines=()):
+    """What the program says of a collection, among it these lines."""
+    said = draw("plates/", "--title", title, *words, code=None)
+    for line in lines:
+        expect(line in said.splitlines(), f'no line "{line}" in: {said}')
+    return said
+
+
+os.mkdir("meshes")
+os.mkdir("more")
+for source, target in (("cube.off", "meshes/one.off"), ("cube.ply", "more/three.ply"), ("cube.obj", "more/one.obj")):
+    shutil.copy(source, target)
+off("meshes/two.off", moved(0.5))
+write("meshes/bad.ply", "no mesh")
+said = drawn("meshes", "more/three.ply", lines=[
+    "plates/one.pdf: drawn", "plates/two.pdf: drawn", "plates/three.pdf: drawn", "plates/contact_sheet.pdf: 3 objects",
+    "3 drawn, 0 unchanged, 1 not drawn"])
+expect(re.search("^meshes/bad.ply: not drawn: the mesh cannot be read", said, re.M), f"the bad mesh is not reported: {said}")
+expect(subprocess.run([PROGRAM, "plates/", "meshes"], capture_output=True).returncode != 0, "a mesh that cannot be drawn is not an error")
+os.unlink("meshes/bad.ply")
+drawn("meshes", "more/three.ply")
+before = [os.stat(f"plates/{name}.pdf").st_mtime_ns for name in ("one", "two", "three")]
+drawn("meshes", "more/three.ply", lines=["meshes/one.off: unchanged", "0 drawn, 3 unchanged, 0 not drawn"])
+expect([os.stat(f"plates/{name}.pdf").st_mtime_ns for name in ("one", "two", "three")] == before, "what is unchanged was written again")
+shutil.copy("cube.ply", "meshes/two.ply")
+os.unlink("meshes/two.off")
+os.unlink("plates/one.pdf")
+drawn("meshes", "more/three.ply", lines=["2 drawn, 1 unchanged, 0 not drawn"])
+drawn("meshes", "more/three.ply", title="other", lines=["3 drawn, 0 unchanged, 0 not drawn"])
+drawn("--format", "svg", "meshes", "more", lines=["plates/one.off.svg: drawn", "plates/one.obj.svg: drawn", "plates/contact_sheet.svg: 4 objects"])
+expect_said(text_of("plates/contact_sheet.svg"), *(f">{name}<" for name in ("one.off", "one.obj", "two", "three")))
+for sentence, words in (
+        ("--format is for a folder", "plate.svg --format pdf cube.off"),
+        ("there is no mesh in the folder", "plates/ plates"),
+        ("have the same name", "plates/ cube.off meshes/../cube.off"),
+        ("cannot be written", "cube.off/plates/ meshes"),
+        ("20 to 2400", "plate.png --dpi 5 cube.off"),
+        ("is too large", "plate.png --dpi 2400 --paper a0 cube.off")):
+    refused(sentence, *words.split())
+
+# --- names of files are bytes, in locales of ASCII and of UTF-8
+
+odd = os.fsdecode(b"caf\xe9 \xff\xc3")
+os.mkdir("names")
+for locale in ("C", "C.UTF-8"):
+    for name in (odd, "ü 日本 😀"):
+        shutil.copy("cube.off", f"names/{name}.off")
+        said = draw(f"names/{name}.svg", "--title", "{name}", "--views", "front", f"names/{name}.off", LC_ALL=locale)
+        expect_said(said, f"the drawing is names/{name}.svg")
+        pathlib.Path(f"names/{name}.svg").read_text(encoding="utf-8")
+        draw(f"names/{name}/", "--format", "svg", "names", LC_ALL=locale)
+        expect(all(os.path.getsize(f"names/{name}/{file}.svg") for file in (name, "contact_sheet")), f"in {locale}, no folder of {name}")
+        shutil.rmtree("names")
+        os.mkdir("names")
+    shutil.copy("cube.off", f"{odd}.off")
+    draw("note.svg", "--title", "{name}", "--views", "front", f"{odd}.off", LC_ALL=locale)
+    expect_said(text_of("note.svg"), "caf\ufffd \ufffd\ufffd.off", ">caf\ufffd \ufffd\ufffd<")
+
+# --- pens of .5 mm stand out by half their width
+
+DPI = "600"
+
+
+def expect_extent(picture, millimetres):
+    """Width and height of what is black, within a tenth of a millimetre."""
+    pixels = run(["convert", picture, "-background", "white", "-alpha", "remove", "-threshold", "50%", "-trim", "-format", "%w %h", "info:"])
+    measured = [int(word) * 25.4 / int(DPI) for word in pixels.split()]
+    expect(all(abs(size - millimetres) < .1 for size in measured), f"{picture} measures {measured}, not {millimetres}")
+
+
+draw("kernel.svg", "--scale", "1:1", "--paper", "a2", "--kernel", "3mm", "--smoothing", "1%", "cube.off")
+expect_said(text_of("kernel.svg"), "√h 3 mm")
+missing = [program for program in ("rsvg-convert", "pdftoppm") if not shutil.which(program)]
+for scale, millimetres in (("1:1", 100.5), ("1:2", 50.5)):
+    draw("cube.svg", *BARE, "--scale", scale, "cube.off")
+    draw("cube.pdf", *BARE, "--scale", scale, "cube.off")
+    draw("png.png", *BARE, "--dpi", DPI, "--scale", scale, "cube.off")
+    expect_extent("png.png", millimetres)
+    if "rsvg-convert" not in missing:
+        run(["rsvg-convert", "-d", DPI, "-p", DPI, "-b", "white", "cube.svg", "-o", "svg.png"])
+        expect_extent("svg.png", millimetres)
+    if "pdftoppm" not in missing:
+        run(["pdftoppm", "-r", DPI, "-png", "-singlefile", "cube.pdf", "pdf"])
+        expect_extent("pdf.png", millimetres)
+if missing:
+    skip(f"no {missing[0]}")

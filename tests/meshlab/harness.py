@@ -1,0 +1,410 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests in MeshLab share. A test imports all of it, and then is in an empty folder of its own, which is kept
+afterwards for a look, with a display and a home folder. The first thing that is not as expected ends it and shows the log.
+Functions that "print" commands of the driver return them."""
+
+import atexit
+import filecmp
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+
+CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(CHECKOUT / "scripts"))
+
+from environment.files import cache_folder
+from environment.messages import Failure, exit_code, say
+from environment.packages import meshlab_version
+from product.display import private_home, start_display, stop_display
+from product.meshlab import settings_commands
+from product.models import bumpy_torus
+from product.picture import Options, Pictures, check_picture, columns_of
+
+EXAMPLES = CHECKOUT / "docs/examples"
+BUILD = pathlib.Path(os.environ["LAPLACIAN_LINES_BUILD"])
+STAGE = BUILD / "stage"
+TEST = os.path.realpath(sys.argv[-1])
+WORK = BUILD / "Testing/meshlab" / pathlib.Path(TEST).stem
+SECONDS = float(os.environ.get("DRIVE_SECONDS", 200))  # a hung MeshLab, before ctest's own limit, so that its log is shown
+# Nothing but meshes and the current layer's lines in the view, and the probe that expect-lines needs
+SHOW_LINES = """check Show Info Panel off
+check Show Trackball off
+check Laplacian Lines on
+check Laplacian Lines Probe on
+setdeco Line Color = #ff0000
+setdeco Contour Color = #ff0000
+"""
+
+
+class Unexpected(Exception):
+    pass
+
+
+def fail(message):
+    raise Unexpected(message)
+
+
+def expect(condition, message):
+    if not condition:
+        fail(message)
+
+
+def skip(reason):
+    """Ends the test, as a failure where LAPLACIAN_LINES_REQUIRED is true."""
+    say(f"skipped: {reason}")
+    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") == "true" else 77)
+
+
+def show_failure(kind, error, trace):
+    import traceback
+
+    log = WORK / "log"
+    if log.is_file():
+        lines = log.read_text(errors="replace").splitlines()[-60:]
+        print(f"--- the end of {log}", *lines, sep="\n")
+    place = next((f"{pathlib.Path(f.filename).name}:{f.lineno}: " for f in reversed(traceback.extract_tb(trace))
+                  if f.filename == TEST), "")
+    print(f"{place}{error}" if kind is Unexpected else "".join(traceback.format_exception(kind, error, trace)))
+
+
+def begin_test(size="1700x1000"):
+    sys.excepthook = show_failure
+    if os.environ.get("TEST_GOES_ON"):  # in a copy of the system
+        os.chdir(WORK)
+        return
+    shutil.rmtree(WORK, ignore_errors=True)
+    WORK.mkdir(parents=True)
+    os.chdir(WORK)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, lambda *_: sys.exit(143))
+    display = start_display(*size.split("x"))
+    atexit.register(stop_display, display)
+    os.environ["LAPLACIAN_LINES_CACHE"] = str(cache_folder())  # the user's: models are fetched once
+    environment = private_home(WORK / "home")
+    os.environ.clear()
+    os.environ.update(environment)
+    set_background(("Bot", 255, 255, 255), ("Top", 255, 255, 255))
+    os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"  # the same pixels on every machine, whatever the graphics card
+    os.environ["LAPLACIAN_LINES_PROBE"] = "1"  # the decoration that expect-lines needs
+
+
+def set_background(*colors):
+    """Of (Bot or Top, red, green, blue). MeshLab keeps each setting as a small XML text under its own name."""
+    text = "[General]\n"
+    for name, *rgb in colors:
+        name, values = f"background{name}Color", " ".join(f'{c}=\\"{v}\\"' for c, v in zip("rgba", [*rgb, 255]))
+        text += (f'MeshLab%3A%3AAppearance%3A%3A{name}="<Param type=\\"RichColor\\" name=\\"MeshLab::Appearance::{name}\\" '
+                 f'{values} description=\\"\\" tooltip=\\"\\"/>"\n')
+    (WORK / "home/.config/VCG/MeshLab_64bit_fp.conf").write_text(text)
+
+
+# --- MeshLab and its driver
+
+
+def run_in_work(command, **environment):
+    with open("log", "wb") as log:
+        try:
+            with subprocess.Popen(command, cwd=WORK, env={**os.environ, **environment}, stdout=log, stderr=log) as process:
+                try:
+                    return exit_code(process.wait(SECONDS))
+                finally:
+                    if process.poll() is None:
+                        process.kill()
+        except subprocess.TimeoutExpired:
+            return 124
+
+
+def run_driver(script, stage=None, **environment):
+    """The exit code of MeshLab driven by the script."""
+    pathlib.Path("script").write_text(script.rstrip("\n") + "\nquit\n")
+    return run_in_work([(stage or STAGE) / "bin/meshlab"], LAPLACIAN_LINES_DRIVER=str(WORK / "script"), **environment)
+
+
+def drive(script, **options):
+    code = run_driver(script, **options)
+    if code:
+        errors = re.findall("meshlab_driver: error.*", text_of("log"))
+        fail(f"MeshLab ended with {code}: {' '.join(errors) or 'no word from the driver'}")
+
+
+def drive_to_failure(regex, script, **options):
+    """The driver ends MeshLab with an error whose text matches."""
+    code = run_driver(script, **options)
+    expect(code == 3, f"MeshLab ended with {code} instead of the driver's 3")
+    expect_text("log", f"meshlab_driver: error: .*{regex}")
+
+
+def drive_lines(mesh, script, **options):
+    """With the mesh open and its lines drawn in red before the script begins."""
+    drive(f"wait\nopen {mesh}\nsize 800x600\n{SHOW_LINES}{script}", **options)
+
+
+def show_lines():
+    return SHOW_LINES
+
+
+def save_attributes(binary):
+    """Saves the current layer with the filter's attributes; `binary` is on or off."""
+    names = re.sub(r"(?m)^(.*):(\d)$", lambda m: f"set-modal V({'' if m[2] == '1' else m[2]}f): {m[1]} = on",
+                   output(os.environ["WRITE_REFERENCE"], "--attributes"))
+    return f"trigger Export Mesh...\nset-modal Binary encoding = {binary}\n{names}\nbutton OK\n"
+
+
+def move_layer(*settings):
+    """Gives the current layer a transformation: fields of MeshLab's filter, as "X Scale = 2"; its coordinates stay."""
+    fields = "".join(f"set {setting}\n" for setting in settings)
+    return f"trigger Matrix: Set from translation/rotation/scale\nset Freeze Matrix = off\n{fields}apply\nclose\n"
+
+
+def times(count, *lines):
+    return "\n".join(lines * int(count)) + "\n"
+
+
+def from_version(year, line, other):
+    return (line if meshlab_version() > year else other) + "\n"
+
+
+# --- meshlabserver
+
+
+def serve(*words, **environment):
+    """The exit code of meshlabserver, or of what stands in for it."""
+    if not (STAGE / "bin/meshlabserver").exists():
+        skip(f"MeshLab {meshlab_version()} has no meshlabserver")
+    return run_in_work([STAGE / "bin/meshlabserver", *words], **environment)
+
+
+def filter_script(example, settings, file="script.mlx"):
+    """Writes the example with other values of its parameters."""
+    text = (EXAMPLES / example).read_text()
+    for key, value in settings.items():
+        if isinstance(value, tuple):  # of a point
+            pattern, value = rf'(name="{key}" [^>]*) x="[^"]*" y="[^"]*" z="[^"]*"', ' x="{}" y="{}" z="{}"'.format(*value)
+        else:
+            pattern, value = rf'(name="{key}" [^>]* value=")[^"]*', f"{value}"
+        text, count = re.subn(pattern, lambda m, value=value: m[1] + value, text)
+        expect(count, f"the example has no parameter {key}")
+    pathlib.Path(file).write_text(text)
+
+
+def accept(file, example, mesh="torus.ply", **settings):
+    """The mesh after the example with these settings."""
+    filter_script(example, settings)
+    pathlib.Path(file).unlink(missing_ok=True)
+    code = serve("-i", mesh, "-s", "script.mlx", "-o", file)
+    expect(code == 0 and is_file(file), f"the script with {settings} ended with {code}")
+
+
+def refuse(reason, example, **settings):
+    """The example with these settings; no file is left behind, which would hold the mesh without result."""
+    filter_script(example, settings)
+    pathlib.Path("none.ply").unlink(missing_ok=True)
+    expect(serve("-i", "torus.ply", "-s", "script.mlx", "-o", "none.ply"), f"the script with {settings} was accepted")
+    expect_text("log", reason)
+    expect(not os.path.exists("none.ply"), f"the script with {settings} wrote a mesh")
+
+
+# --- ./run
+
+
+def said_by(function, *words, **options):
+    """The exit code of a script that does no more than this; what it says is in "log"."""
+    sys.stderr.flush()
+    kept = os.dup(2)
+    with open("log", "wb") as log:
+        os.dup2(log.fileno(), 2)
+    try:
+        function(*words, **options)
+        return 0
+    except Failure as failure:
+        say(failure)
+        return 1
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
+
+
+def begin_pictures():
+    """They have displays of their own."""
+    os.environ.pop("DISPLAY")
+
+
+def take_pictures(file, meshes, *words, settings=()):
+    """./run --picture FILE MESH... with these options; its drawings are in the folder drawings."""
+    options, words = Options(), list(words)
+    while words:
+        options.take(words)
+    check_picture(file)
+    shutil.rmtree("drawings", ignore_errors=True)
+    os.mkdir("drawings")
+    Pictures(STAGE, WORK / "drawings", options, columns_of(BUILD, options.kinds), settings).take(file, meshes)
+
+
+# --- files
+
+
+def output(*command, **options):
+    return subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True, errors="surrogateescape", **options).stdout
+
+
+def text_of(file):
+    return pathlib.Path(file).read_text(errors="surrogateescape")
+
+
+def is_file(file):
+    return os.path.isfile(file) and os.path.getsize(file) > 0
+
+
+def expect_file(file):
+    expect(is_file(file), f"{file} was not written")
+
+
+def same_file(a, b):
+    return filecmp.cmp(a, b, shallow=False)
+
+
+def expect_text(file, regex):
+    """In one of its lines."""
+    expect(re.search(regex, text_of(file), re.M), f"{file} has nothing that matches: {regex}")
+
+
+def expect_no_text(file, regex):
+    expect(not re.search(regex, text_of(file), re.M), f"{file} has something that matches: {regex}")
+
+
+def expect_between(least, value, most, what):
+    expect(least <= value <= most, f"{what}: {value} is not between {least} and {most}")
+
+
+# --- pictures
+
+
+def convert(*words):
+    """What ImageMagick prints of a picture."""
+    return output("convert", *words, "info:").strip()
+
+
+def pixels(*words):
+    """How many pixels are white after these operations; what is left in between counts in parts."""
+    return int(convert(*words, "-format", "%[fx:round(mean*w*h)]"))
+
+
+def only(color, fuzz=0):
+    """Operations that leave this color white, all else black."""
+    return ["-alpha", "off", "-fuzz", f"{fuzz}%", "-fill", "black", "+opaque", color, "-fill", "white", "-opaque", color,
+            "-colorspace", "gray"]
+
+
+def red_pixels(file):
+    return pixels(file, *only("red", 35))
+
+
+def picture_size(file):
+    return convert(file, "-format", "%wx%h")
+
+
+def expect_picture(file, size):
+    expect(picture_size(file) == size, f"{file} is {picture_size(file)} instead of {size}")
+
+
+def differing_pixels(a, b):
+    return pixels(a, b, "-alpha", "off", "-compose", "Difference", "-composite", "-fill", "white", "+opaque", "black",
+                  "-colorspace", "gray")
+
+
+def expect_same_picture(a, b, most):
+    differing = differing_pixels(a, b)
+    expect(differing <= int(most), f"{differing} pixels differ between {a} and {b}, more than {most}")
+
+
+def expect_ink(a, b, factor):
+    """Picture b has at least `factor` times as much of the lines' red as a."""
+    there, more = red_pixels(a), red_pixels(b)
+    expect(there > 0 and more >= float(factor) * there, f"{b} has {more} red pixels, {a} has {there}")
+
+
+# --- meshes
+
+
+def write_mesh(file, rings, sides):
+    pathlib.Path(file).write_text(bumpy_torus(int(rings), int(sides)))
+
+
+def small_torus(file="torus.ply"):
+    write_mesh(file, 40, 30)
+
+
+def torus(file="torus.ply"):
+    """With lines all over it."""
+    write_mesh(file, 160, 80)
+
+
+def ply(file, vertices, faces=()):
+    """An ASCII file of these lines; or, in a .gui script, of the vertices and faces after it, of which there are so many."""
+    if isinstance(faces, str):
+        lines = [line for line in faces.splitlines() if line.strip()]
+        faces, vertices = lines[int(vertices[0]):], lines[:int(vertices[0])]
+    header = ["ply", "format ascii 1.0", f"element vertex {len(vertices)}", *(f"property float {c}" for c in "xyz"),
+              f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
+    pathlib.Path(file).write_text("\n".join([*header, *vertices, *faces]) + "\n")
+
+
+def corners(x, y, z, left=0, bottom=0, back=0):
+    return [f"{left + x * (i & 1)} {bottom + y * (i >> 1 & 1)} {back + z * (i >> 2)}" for i in range(8)]
+
+
+CUBE_FACES = ["4 0 2 3 1", "4 4 5 7 6", "4 0 1 5 4", "4 2 6 7 3", "4 0 4 6 2", "4 1 3 7 5"]
+
+
+def box(file, size):
+    """A cube around the origin, as OFF."""
+    size = float(size)
+    lines = ["OFF", "8 6 0", *corners(size, size, size, -size / 2, -size / 2, -size / 2), *CUBE_FACES]
+    pathlib.Path(file).write_text("\n".join(lines) + "\n")
+
+
+def sphere(file="sphere.ply", n=180, m=90):
+    """Of radius 1: a mesh with nothing but a contour."""
+    from math import cos, pi, sin
+
+    vertices = ["0 0 1", *(f"{sin(pi * j / m) * cos(2 * pi * i / n):.6g} {sin(pi * j / m) * sin(2 * pi * i / n):.6g} "
+                           f"{cos(pi * j / m):.6g}" for j in range(1, m) for i in range(n)), "0 0 -1"]
+    faces, last = [f"3 0 {1 + i} {1 + (i + 1) % n}" for i in range(n)], n * (m - 1) + 1
+    for j in range(m - 2):
+        for i in range(n):
+            a, b = 1 + j * n + i, 1 + j * n + (i + 1) % n
+            faces += [f"3 {a} {a + n} {b}", f"3 {b} {a + n} {b + n}"]
+    ply(file, vertices, faces + [f"3 {last} {last - n + (i + 1) % n} {last - n + i}" for i in range(n)])
+
+
+def project(file, *meshes):
+    """A project of MeshLab's of these files, or pairs of a file and how far to the right it lies."""
+    from xml.sax.saxutils import quoteattr
+
+    layers = ""
+    for mesh in meshes:
+        name, x = mesh if isinstance(mesh, tuple) else (mesh, 0)
+        name = quoteattr(name, {'"': "&quot;"})
+        layers += (f"  <MLMesh label={name} filename={name}><MLMatrix44>1 0 0 {x} 0 1 0 0 0 0 1 0 0 0 0 1</MLMatrix44></MLMesh>\n")
+    pathlib.Path(file).write_text("<!DOCTYPE MeshLabDocument>\n<MeshLabProject>\n <MeshGroup>\n" + layers +
+                                  " </MeshGroup>\n <RasterGroup/>\n</MeshLabProject>\n")
+
+
+def reference_mesh(name):
+    """NAME.ply, a mesh of the core's tests, and NAME.txt, what the core computes on it."""
+    subprocess.run([os.environ["WRITE_REFERENCE"], name, WORK], check=True)
+
+
+def expect_reference_attributes(file, name="torus"):
+    """A binary PLY file has these. Not a bit differs: plugin and reference are made of the same core, and files hold
+    floats."""
+    done = subprocess.run([os.environ["COMPARE_ATTRIBUTES"], file, f"{name}.txt", "0"])
+    expect(done.returncode == 0, f"{file} has other attributes than the core computes")
+
+
+if not TEST.endswith(".gui"):
+    begin_test(os.environ.get("DISPLAY_SIZE", "1700x1000"))

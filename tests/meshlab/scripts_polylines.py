@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines as polylines in scripts: the example, the files that MeshLab writes of them, and errors."""
+from harness import *
+
+EXAMPLE = "laplacian_lines_polylines.mlx"
+WARNING = "Warning: the viewpoint"
+NO_LINES = {"laplacian_lines": "false", "ridges": "false", "borders": "false"}
+
+
+def lines_of(file, said="", **settings):
+    """How many segments there are."""
+    accept(file, EXAMPLE, **settings)
+    expect_text("log", said)
+    return int(re.findall(r"Lines of torus.ply: .* (\d+) segments; ", text_of("log") + "Lines of torus.ply: 0 0 segments; ")[0])
+
+
+torus()
+visible = lines_of("lines.ply", "[1-9][0-9]* Laplacian lines, [1-9][0-9]* occluding contours, .*; orthographic, "
+                   r"along the view direction 0 0 1 \(Front\)")
+expect_text("log", r"torus\.ply has no precomputed attributes; computed with the default options")
+expect_no_text("log", WARNING)
+# MeshLab writes no edges into PLY files, but the vertices
+expect_text("lines.ply", "^element vertex [1-9]")
+expect_no_text("lines.ply", "^element face [1-9]")
+for file, line in (("lines.obj", "^l "), ("lines.dxf", "^ *LINE")):
+    accept(file, EXAMPLE)
+    expect(len(re.findall(line, text_of(file), re.M)) == visible, f"{file} does not hold {visible} segments")
+
+expect(lines_of("all.ply", visible_only="false") > visible, "hidden lines are left out unasked")
+lines_of("contours.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ segments", **NO_LINES)
+# kinds by mixtures, whichever are switched on
+lines_of("mixture.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ suggestive contours, [0-9]+ segments",
+         settings=3, contours="false")
+lines_of("mixture.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ apparent ridges, [0-9]+ segments", settings=5)
+expect(lines_of("detailed.ply", detail=90) > visible, "more detail gives no more lines")
+lines_of("lit.ply", light=1)
+for number, direction in {2: "0 0 1", 4: r"0 0 -1 \(Back\)", 5: r"-1 0 0 \(Left\)", 6: r"1 0 0 \(Right\)", 7: r"0 1 0 \(Top\)",
+                          8: r"0 -1 0 \(Bottom\)"}.items():
+    lines_of("side.ply", f"orthographic, along the view direction {direction}", view=number)
+lines_of("other.ply", "perspective, from the viewpoint 5 1 1", view=1, viewpoint=(5, 1, 1))
+expect_no_text("log", WARNING)
+# in the hole of the torus, and too close to it
+lines_of("within.ply", WARNING + r" 0 0 0\.1 is within the bounding box of the layer, which reaches from -1\..* to 1\..*: not all of "
+         "it is in sight", view=1, viewpoint=(0, 0, 0.1))
+lines_of("close.ply", WARNING + r" 0 0 0\.6 is close to the box of the layer", view=1, viewpoint=(0, 0, 0.6))
+
+for reason, settings in (
+        (r'There is no window with a current view\. Set "View" to 3 \(Front\)', {"view": 0}),
+        (r'"View" is 9\. It has to be one of 0 ', {"view": 9}),
+        ("The decoration Laplacian Lines has drawn nothing here", {"settings": 1}),
+        (r'"Settings" is 10\. It has to be one of 0 ', {"settings": 10}),
+        (r'"Detail" is 101\. It has to be between 0 and 100', {"detail": 101}),
+        ("No lines are seen from there, so no layer was created", {**NO_LINES, "contours": "false"}),
+        ("The viewpoint is inside the surface", {"view": 1, "viewpoint": (1, 0, 0)}),
+        ('"Viewpoint" has to be three finite numbers', {"viewpoint": ("nan", 0, 0)}),
+        ('"Light Direction" is 0 0 0, which is not a direction', {"light": 1, "view": 2, "light_direction": (0, 0, 0)})):
+    refuse(reason, EXAMPLE, **settings)
