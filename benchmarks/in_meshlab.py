@@ -48,8 +48,10 @@ def main():
         mesh = prepare_mesh("".join(sys.argv[1:2]), work)
         environment = {**private_home(work / "home"), "LIBGL_ALWAYS_SOFTWARE": "1", "LAPLACIAN_LINES_PROBE": "1"}
         code = run_meshlab(build / "stage", work, [
-            "time-limit 600", "wait", f"open {mesh}", "size 1000x700", "trigger Compute Laplacian Lines", "apply", "close",
-            f"log {work}/messages", "check Laplacian Lines on", "check Laplacian Lines Probe on", "setdeco Show Statistics = on",
+            "time-limit 600", "wait", f"open {mesh}", "size 1000x700", "trigger Compute Laplacian Lines", "apply",
+            "close",
+            f"log {work}/messages", "check Laplacian Lines on", "check Laplacian Lines Probe on",
+            "setdeco Show Statistics = on",
             f"turn {REDRAWS} 15 {work}/redraws", "quit"], env=environment)
         if code != 0:
             raise Failure(f"MeshLab ended with an error: {explain_failure(work, code)}")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What tests alone do not see, one check after the other: static analysis; the tests of the core and of the readers of meshes under
-sanitizers, and which of its lines they run; fuzzing; meshes of millions of triangles. Each check returns what is worth telling about its
-success."""
+"""What tests alone do not see, one check after the other: static analysis; the tests of the core and of the readers of
+meshes under sanitizers, and which of its lines they run; fuzzing; meshes of millions of triangles. Each check returns
+what is worth telling about its success."""
 
 import os
 import re
@@ -13,7 +13,8 @@ from environment.build import CHECKOUT, build_folder, build_targets, processors
 from environment.messages import Failure, quietly, run, run_together, say, show_end
 
 LEAST_COVERAGE = 95  # percent of the core's lines
-# Tests of accuracy, of many meshes, triangles or options, and of many threads take minutes under sanitizers. Others run the same code.
+# Tests of accuracy, of many meshes, triangles or options, and of many threads take minutes under sanitizers. Others run
+# the same code.
 SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Guarantee* RealModel* Models/* Meshes/PlainComparison* *TorusLines* *Monotone* *Large*
     *KindsOnSurface* *ClosedOutlines* PlainSight.* ExactPointLight.* SummationChoice.FollowsThePredictedCost EndlessSum.*
     Borders.CorrectionHelpsMoreOnFinerMeshes Determinism.* *.DoNotDependOnTheNumberOfThreads *.DoesNotDependOnTheNumberOfThreads
@@ -28,7 +29,8 @@ def run_checks(results):
     results.stage("static analysis", check_statically)
     if not results.stage("clang's warnings", build_checks):
         return
-    for name, check in (("sanitizers", check_sanitized), ("coverage of the core", check_coverage), ("fuzzing", check_by_fuzzing),
+    for name, check in (("sanitizers", check_sanitized), ("coverage of the core", check_coverage),
+                        ("fuzzing", check_by_fuzzing),
                         ("large meshes", check_large_meshes)):
         results.stage(name, check)
 
@@ -39,7 +41,8 @@ def is_shell(file):
 
 
 def check_statically():
-    """All C++ sources by cppcheck, whose suppressions say why, all scripts of shells by shellcheck, and that those of Python compile."""
+    """All C++ sources by cppcheck, whose suppressions say why, all scripts of shells by shellcheck, and that those of
+    Python compile."""
     say("static analysis")
     packages.ensure_packages(*PACKAGES)
     if run(["cppcheck", "--quiet", "--error-exitcode=1", "--std=c++17", "--language=c++", "-j", str(processors()),
@@ -47,7 +50,8 @@ def check_statically():
             "-I", "laplacian_lines/include", "-I", "laplacian_lines/src", *CPP_FOLDERS], cwd=CHECKOUT, stdout=2) != 0:
         raise Failure("cppcheck found the above: fix it, or say why not in scripts/checks/cppcheck_suppressions.txt")
     files = [CHECKOUT / name for name in ("run", "test", "bench", ".ci/run")]
-    files += [file for name in ("scripts", "benchmarks", "tests") for file in (CHECKOUT / name).rglob("*") if file.is_file()]
+    files += [file for name in ("scripts", "benchmarks", "tests") for file in (CHECKOUT / name).rglob("*")
+              if file.is_file()]
     if run(["shellcheck", *filter(is_shell, files)], cwd=CHECKOUT, stdout=2) != 0:
         raise Failure("shellcheck found the above")
     for file in files:
@@ -67,19 +71,23 @@ def check_sanitized():
     shards = 2 * processors()  # more than processors, for some take longer
 
     def job(log, profile, program, *words, **environment):
-        return folder / log, [folder / "tests" / program, *words], {"env": {**os.environ, "LLVM_PROFILE_FILE": profile, **environment}}
+        return folder / log, [folder / "tests" / program,
+                              *words], {"env": {**os.environ, "LLVM_PROFILE_FILE": profile, **environment}}
 
-    jobs = [job("memory.log", f"{folder}/profile/%m-memory.profraw", "core/out_of_memory", "allocations", LAPLACIAN_LINES_THREADS="3"),
+    jobs = [job("memory.log", f"{folder}/profile/%m-memory.profraw", "core/out_of_memory", "allocations",
+                LAPLACIAN_LINES_THREADS="3"),
             job("shard-files.log", "/dev/null", "mesh_files/mesh_files_tests", "--gtest_brief=1")]
     jobs += [job(f"shard{number}.log", f"{folder}/profile/%m-{number}.profraw", "core/core_tests", "--gtest_brief=1",
-                 f"--gtest_filter=-{':'.join(SLOW_UNDER_SANITIZERS)}", GTEST_TOTAL_SHARDS=str(shards), GTEST_SHARD_INDEX=str(number),
+                 f"--gtest_filter=-{':'.join(SLOW_UNDER_SANITIZERS)}", GTEST_TOTAL_SHARDS=str(shards),
+                 GTEST_SHARD_INDEX=str(number),
                  LAPLACIAN_LINES_THREADS="2", ASAN_OPTIONS="allocator_may_return_null=1") for number in range(shards)]
     failed = [log for (log, *_), succeeded in zip(jobs, run_together(jobs)) if not succeeded]
     for log in failed:
         show_end(log)
     if failed:
         raise Failure(f"a test failed under sanitizers; the logs are {' '.join(map(str, failed))}")
-    counts = [int(count) for log in folder.glob("shard*.log") for count in re.findall(r"(\d+) tests? from .*ran", log.read_text())]
+    counts = [int(count) for log in folder.glob("shard*.log")
+              for count in re.findall(r"(\d+) tests? from .*ran", log.read_text())]
     return f"{sum(counts) + 1} tests"
 
 
@@ -87,9 +95,11 @@ def check_coverage():
     """Lines of laplacian_lines/ that check_sanitized() has run."""
     folder = checks_folder()
     profile = folder / "profile/all.profdata"
-    merged = run(["llvm-profdata", "merge", "-sparse", *(folder / "profile").glob("*.profraw"), "-o", profile], stdout=2)
+    merged = run(["llvm-profdata", "merge", "-sparse", *(folder / "profile").glob("*.profraw"), "-o", profile],
+                 stdout=2)
     with (folder / "coverage.txt").open("w") as table, (folder / "coverage.log").open("w") as log:
-        if merged or run(["llvm-cov", "report", folder / "tests/core/core_tests", "-object", folder / "tests/core/out_of_memory",
+        if merged or run(["llvm-cov", "report", folder / "tests/core/core_tests", "-object",
+                          folder / "tests/core/out_of_memory",
                           "-compilation-dir", folder / "laplacian_lines", "-instr-profile", profile,
                           (CHECKOUT / "laplacian_lines").resolve()], stdout=table, stderr=log):
             raise Failure("the coverage could not be counted")
@@ -108,8 +118,10 @@ def fuzz_job(part, seconds, corpus):
     for place in (work, corpus / part):
         place.mkdir(parents=True, exist_ok=True)
     environment = {"ASAN_OPTIONS": "detect_leaks=0", "LAPLACIAN_LINES_THREADS": "1", "LLVM_PROFILE_FILE": "/dev/null"}
-    command = [folder / f"tests/fuzz/fuzz_{part}", f"-max_total_time={seconds}", "-max_len=4096", "-len_control=0", "-seed=1", "-timeout=60",
-               "-rss_limit_mb=3000", f"-artifact_prefix={work}/", "-print_final_stats=1", corpus / part, folder / "fuzz/seeds" / part,
+    command = [folder / f"tests/fuzz/fuzz_{part}", f"-max_total_time={seconds}", "-max_len=4096", "-len_control=0",
+               "-seed=1", "-timeout=60",
+               "-rss_limit_mb=3000", f"-artifact_prefix={work}/", "-print_final_stats=1", corpus / part,
+               folder / "fuzz/seeds" / part,
                CHECKOUT / "tests/fuzz/found"]
     return work / "log", command, {"env": {**os.environ, **environment}}
 
@@ -117,10 +129,12 @@ def fuzz_job(part, seconds, corpus):
 def found_by(part, log, succeeded):
     text = log.read_text(errors="replace")
     if not succeeded:
-        lines = re.findall("(?m)^.*(?:ERROR|runtime error|Test unit written).*$|^[a-z]+: .*$", text) or text.splitlines()[-20:]
+        lines = re.findall("(?m)^.*(?:ERROR|runtime error|Test unit written).*$|^[a-z]+: .*$",
+                           text) or text.splitlines()[-20:]
         os.write(2, ("\n".join(lines) + "\n").encode())
         raise Failure("an input broke something: copy the file named above to tests/fuzz/found, where a test runs it, and fix the code")
-    units, features = ((re.findall(pattern, text) or [0])[-1] for pattern in (r"stat::number_of_executed_units:\s*(\d+)", r" ft: (\d+)"))
+    units, features = ((re.findall(pattern, text) or [0])[-1]
+                       for pattern in (r"stat::number_of_executed_units:\s*(\d+)", r" ft: (\d+)"))
     return f"{part}: {units} inputs, {features} features"
 
 
@@ -157,6 +171,7 @@ def check_large_meshes():
     packages.ensure_packages(*packages.CORE, *packages.TEST)
     build_targets("core_tests", options=["-DLAPLACIAN_LINES_BUILD_TESTS=ON", "-DLAPLACIAN_LINES_WERROR=ON"])
     say("computing large meshes")
-    if not quietly(log, [build / "tests/core/core_tests", "--gtest_filter=Meshes/Large.*"], env={**os.environ, "LAPLACIAN_LINES_LARGE": "1"}):
+    if not quietly(log, [build / "tests/core/core_tests", "--gtest_filter=Meshes/Large.*"],
+                   env={**os.environ, "LAPLACIAN_LINES_LARGE": "1"}):
         raise Failure(f"a large mesh took too much time or memory, or was not refused; the log is {log}")
     return re.findall(r"PASSED\s*\] (\d+)", log.read_text())[0] + " meshes"

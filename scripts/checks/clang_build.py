@@ -32,12 +32,15 @@ def build_with_clang(folder, sanitizers, *targets, options=()):
     """Warnings are errors."""
     # for ccache, which would take the name of this file for a part of what is compiled: its contents are
     ignored = CHECKOUT / "scripts/cmake/sanitizer_ignorelist.txt"
-    with environment(LAPLACIAN_LINES_BUILD=str(folder), CCACHE_IGNOREOPTIONS="-fsanitize-ignorelist=*", CCACHE_EXTRAFILES=str(ignored)):
+    with environment(LAPLACIAN_LINES_BUILD=str(folder), CCACHE_IGNOREOPTIONS="-fsanitize-ignorelist=*",
+                     CCACHE_EXTRAFILES=str(ignored)):
         ensure_toolchain(*packages.TEST, *PACKAGES)
         say(f"building with clang and the sanitizers {sanitizers}")
         build_targets(*targets, options=[
-            *options, "-DCMAKE_CXX_COMPILER=clang++", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -gline-tables-only",
-            "-DLAPLACIAN_LINES_BUILD_TESTS=ON", "-DLAPLACIAN_LINES_WERROR=ON", f"-DLAPLACIAN_LINES_SANITIZE={sanitizers}",
+            *options, "-DCMAKE_CXX_COMPILER=clang++", "-DCMAKE_BUILD_TYPE=None",
+            "-DCMAKE_CXX_FLAGS=-O1 -gline-tables-only",
+            "-DLAPLACIAN_LINES_BUILD_TESTS=ON", "-DLAPLACIAN_LINES_WERROR=ON",
+            f"-DLAPLACIAN_LINES_SANITIZE={sanitizers}",
             "-DLAPLACIAN_LINES_PRECOMPILE=OFF"])  # so that missing includes show
 
 

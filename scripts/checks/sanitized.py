@@ -14,14 +14,16 @@ from environment.messages import Failure, output, quietly, run, say
 
 GUI_TESTS = ("gui_filter", "gui_edits", "gui_views", "gui_memory", "gui_random_actions")  # without any named
 SECONDS = "900"  # for one test: MeshLab is slower, and looking for leaks takes its time
-THREADED_TESTS = ("ThreadPool.*", "*NumberOfThreads*", "*ThreadsAtOnce*", "*ByManyThreads*", "LineVisibility.AgreesWithTheExactTorus",
+THREADED_TESTS = ("ThreadPool.*", "*NumberOfThreads*", "*ThreadsAtOnce*", "*ByManyThreads*",
+                  "LineVisibility.AgreesWithTheExactTorus",
                   "Progress.*", "Cancelled.*", "*BuildingProgress.RisesFromZeroToOne*")  # without any named
 UNTHREADED_TESTS = "*InAForkedProcess"  # the sanitizer refuses to start threads there
 
 
 def test_gui(regexes):
-    """malloc_context_size: what allocates, and who calls it. MeshLab and Qt are compiled without frame pointers, so whatever seems to be
-    farther up is not; the sanitizer would search all libraries for each of thousands of such addresses."""
+    """malloc_context_size: what allocates, and who calls it. MeshLab and Qt are compiled without frame pointers, so
+    whatever seems to be farther up is not; the sanitizer would search all libraries for each of thousands of such
+    addresses."""
     folder = checks_folder()
     reports = folder / "reports"
     packages.ensure_packages(*packages.DISPLAY)
@@ -30,9 +32,11 @@ def test_gui(regexes):
     reports.mkdir(parents=True)
     say("running the tests under sanitizers")
     library = output("clang", f"-print-file-name=libclang_rt.asan-{platform.machine()}.so")
-    code = run(["ctest", "--test-dir", folder, "--label-regex", "meshlab", "--tests-regex", "|".join(regexes or GUI_TESTS),
+    code = run(["ctest", "--test-dir", folder, "--label-regex", "meshlab", "--tests-regex",
+                "|".join(regexes or GUI_TESTS),
                 "--output-on-failure"], env={
-        "DRIVE_SECONDS": SECONDS, "RANDOM_SEEDS": "3", **os.environ, "SANITIZER_LIBRARY": library, "LLVM_PROFILE_FILE": "/dev/null",
+        "DRIVE_SECONDS": SECONDS, "RANDOM_SEEDS": "3", **os.environ, "SANITIZER_LIBRARY": library,
+        "LLVM_PROFILE_FILE": "/dev/null",
         "ASAN_OPTIONS": f"log_path={reports}/of:detect_leaks=1:malloc_context_size=2:stack_trace_format='    #%n %f %S %M'",
         "UBSAN_OPTIONS": f"log_path={reports}/of:print_stacktrace=1",
         "LSAN_OPTIONS": "exitcode=0:use_tls=0:print_suppressions=0:suppressions="

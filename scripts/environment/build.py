@@ -41,17 +41,19 @@ def build_targets(*targets, options=(), checkout=CHECKOUT):
 
 
 def description(*words):
-    named = (os.environ.get(name, "") for name in ("MESHLAB_SOURCE_DIR", "CXX", "CXXFLAGS", "CMAKE_CXX_COMPILER_LAUNCHER"))
+    named = (os.environ.get(name, "") for name in ("MESHLAB_SOURCE_DIR", "CXX", "CXXFLAGS",
+                                                   "CMAKE_CXX_COMPILER_LAUNCHER"))
     return "\n".join(map(str, (*words, *named)))
 
 
 def is_built(checkout, build, described):
-    """Whether that was the latest build, and nothing has been touched since that CMake or make would look at. They take seconds
-    to find that out: here are folders of sources, packages, and folders of what was made."""
+    """Whether that was the latest build, and nothing has been touched since that CMake or make would look at. They take
+    seconds to find that out: here are folders of sources, packages, and folders of what was made."""
     try:
         if (build / ".built").read_text() != described:
             return False
-        sources = [place for place in checkout.iterdir() if place.is_dir() and place.name != ".git" and not place.samefile(build)]
+        sources = [place for place in checkout.iterdir() if place.is_dir() and place.name != ".git"
+                   and not place.samefile(build)]
         made = [place for name in ("plugins", "driver", "bin") if (place := build / name).is_dir()]
         below = [file for folder in sources for file in folder.rglob("*")]
         beside = [file for folder in made for file in folder.iterdir()]
@@ -77,8 +79,8 @@ def cached(build, name):
 
 
 def forget_moved_build(checkout, build):
-    """CMake refuses a build that was made in another place or of another checkout, and what it has compiled may belong to the
-    sources there. Builds in folders of this one look after themselves."""
+    """CMake refuses a build that was made in another place or of another checkout, and what it has compiled may belong
+    to the sources there. Builds in folders of this one look after themselves."""
     if not (build / "CMakeCache.txt").exists():
         return
     places = ((cached(build, "CMAKE_HOME_DIRECTORY"), checkout), (cached(build, "CMAKE_CACHEFILE_DIR"), build))
@@ -107,9 +109,10 @@ def configure(checkout, build, options):
 
 
 def compile_targets(checkout, build, targets):
-    """Where there is ccache, nothing is compiled twice, in another checkout either. The sloppiness lets it keep precompiled
-    headers; no source of ours uses times."""
-    ccache = {"CCACHE_DIR": str(compiled_folder()), "CCACHE_MAXSIZE": "1G", **os.environ, "CCACHE_BASEDIR": str(checkout),
+    """Where there is ccache, nothing is compiled twice, in another checkout either. The sloppiness lets it keep
+    precompiled headers; no source of ours uses times."""
+    ccache = {"CCACHE_DIR": str(compiled_folder()), "CCACHE_MAXSIZE": "1G", **os.environ,
+              "CCACHE_BASEDIR": str(checkout),
               "CCACHE_NOHASHDIR": "1", "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
     command = ["cmake", "--build", build, "--parallel", str(processors()), *(["--target", *targets] if targets else [])]
     if not quietly(build / "build.log", command, env=ccache):

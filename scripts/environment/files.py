@@ -24,8 +24,8 @@ def compiled_folder():
 
 
 def publish_into(folder, fill):
-    """Has fill(SCRATCH) fill a folder, which is renamed to `folder` if that returns true, so that an interrupted run never
-    leaves half a folder that later runs would trust. Returns whether it did."""
+    """Has fill(SCRATCH) fill a folder, which is renamed to `folder` if that returns true, so that an interrupted run
+    never leaves half a folder that later runs would trust. Returns whether it did."""
     scratch = None
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
@@ -45,9 +45,9 @@ def publish_into(folder, fill):
 
 
 def put_file(data, target, mode=None):
-    """Writes bytes, or a copy of the file of this path, as `target`, or as what that links to, with the usual rights or those
-    of `mode`. What was there is whole until it is replaced, and stays if there is no room; into devices and pipes is
-    written."""
+    """Writes bytes, or a copy of the file of this path, as `target`, or as what that links to, with the usual rights or
+    those of `mode`. What was there is whole until it is replaced, and stays if there is no room; into devices and pipes
+    is written."""
     if mode is None:
         mode = 0o666 & ~umask()
     place = pathlib.Path(os.path.realpath(target))
@@ -89,8 +89,8 @@ def umask():
 
 @contextlib.contextmanager
 def turn(folder):
-    """One script at a time changes a folder: ./run and ./test may be called at once in the same checkout. A turn also ends
-    with the script that has it, when the last of its programs has ended."""
+    """One script at a time changes a folder: ./run and ./test may be called at once in the same checkout. A turn also
+    ends with the script that has it, when the last of its programs has ended."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         lock = (folder / ".lock").open("ab")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""MeshLab's headers. No distribution packages them: they come from the source package of the very version that is installed,
-because plugins share MeshLab's classes and a near match would crash. The machine's apt sources are read, never changed."""
+"""MeshLab's headers. No distribution packages them: they come from the source package of the very version that is
+installed, because plugins share MeshLab's classes and a near match would crash. The machine's apt sources are read,
+never changed."""
 
 import os
 import pathlib
@@ -19,9 +20,11 @@ KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
 def debian_mirror():
     """The mirror that this machine's own release comes from, None if it is no Debian."""
     release = platform.freedesktop_os_release()
-    rows = output("apt-get", "indextargets", "--format", "$(REPO_URI) $(RELEASE) $(COMPONENT)", "Created-By: Packages") or ""
+    rows = output("apt-get", "indextargets", "--format", "$(REPO_URI) $(RELEASE) $(COMPONENT)",
+                  "Created-By: Packages") or ""
     wanted = [release.get("VERSION_CODENAME"), "main"]
-    return next((row.split()[0] for row in rows.splitlines() if row.split()[1:] == wanted), None) if release.get("ID") == "debian" else None
+    return next((row.split()[0] for row in rows.splitlines() if row.split()[1:] == wanted),
+                None) if release.get("ID") == "debian" else None
 
 
 def readable(pattern, folder=pathlib.Path("/etc/apt")):
@@ -29,8 +32,8 @@ def readable(pattern, folder=pathlib.Path("/etc/apt")):
 
 
 def write_source_list(folder, suite=None):
-    """Entries for apt's sourceparts folder: the machine's sources rewritten to source packages, or those of another release of
-    Debian. Returns whether there are any."""
+    """Entries for apt's sourceparts folder: the machine's sources rewritten to source packages, or those of another
+    release of Debian. Returns whether there are any."""
     folder.mkdir(parents=True, exist_ok=True)
     if suite:
         mirror = debian_mirror()
@@ -38,20 +41,22 @@ def write_source_list(folder, suite=None):
         (folder / "debian.list").write_text(f"deb-src {options}{mirror} {suite} main\n")
         return mirror is not None
     # one-line style: "deb [options] uri suite components"
-    entries = {re.sub(r"^\s*deb(-src)?\s", "deb-src ", line) for text in readable("sources.list") + readable("sources.list.d/*.list")
+    entries = {re.sub(r"^\s*deb(-src)?\s", "deb-src ", line)
+               for text in readable("sources.list") + readable("sources.list.d/*.list")
                for line in text.splitlines() if re.match(r"\s*deb(-src)?\s", line) and "cdrom:" not in line}
     (folder / "classic.list").write_text("".join(f"{entry}\n" for entry in sorted(entries)))
     # deb822 style: paragraphs of fields, where "Enabled: no" must keep its meaning
-    paragraphs = (re.sub(r"(?mi)^Types:.*", "Types: deb-src", re.sub(r"(?m)^#.*\n", "", text)) for text in readable("sources.list.d/*.sources"))
+    paragraphs = (re.sub(r"(?mi)^Types:.*", "Types: deb-src", re.sub(r"(?m)^#.*\n", "", text))
+                  for text in readable("sources.list.d/*.sources"))
     (folder / "deb822.sources").write_text("\n\n".join(paragraphs))
     return True
 
 
 def source_apt_get(folder, *words, **options):
     """Whether apt-get succeeds with its sources, lists and cache in the folder. The user's own stay untouched."""
-    # -c is read after the system's configuration, the only place where its hooks can be cleared. Lists of a release in the making
-    # run out while a mirror lags behind; source packages are none the worse.
-    # Never without all of its lines, or it would be the machine's own lists that apt-get writes.
+    # -c is read after the system's configuration, the only place where its hooks can be cleared. Lists of a release in
+    # the making run out while a mirror lags behind; source packages are none the worse. Never without all of its lines,
+    # or it would be the machine's own lists that apt-get writes.
     (folder / "apt.conf").write_text(f"""#clear APT::Update::Post-Invoke;
 #clear APT::Update::Post-Invoke-Success;
 Dir::Etc::sourcelist "/dev/null";
@@ -65,8 +70,8 @@ Acquire::Check-Valid-Until "false";
 
 
 def unpack_headers(package, folder, suite=None):
-    """Of the tarball only; some mirrors lack the other files of a source package. The package may be NAME=VERSION, of this
-    machine's sources, or of another release of Debian."""
+    """Of the tarball only; some mirrors lack the other files of a source package. The package may be NAME=VERSION, of
+    this machine's sources, or of another release of Debian."""
     with tempfile.TemporaryDirectory() as name:
         apt = pathlib.Path(name)
         if not write_source_list(apt / "sources", suite):
@@ -77,7 +82,8 @@ def unpack_headers(package, folder, suite=None):
             say("not all package sources answered; going on with those that did")
         # wildcards cover vcglib beside src/ (2020.09) and inside it (later)
         return (source_apt_get(apt, "source", "--tar-only", "--download-only", package, cwd=apt) and
-                subprocess.run(["tar", "-xf", next(apt.glob("meshlab_*.orig.tar.*")), "-C", folder, "--strip-components=1", "--wildcards",
+                subprocess.run(["tar", "-xf", next(apt.glob("meshlab_*.orig.tar.*")), "-C", folder,
+                                "--strip-components=1", "--wildcards",
                                 "*/ML_VERSION", "*/src/common", "*/vcglib/vcg", "*/vcglib/wrap"]).returncode == 0)
 
 

@@ -72,7 +72,8 @@ def run_main(main):
 
 
 def run(command, interactive=False, **options):
-    """The exit code of a command in the foreground, which ends with this script; of an interactive one, Ctrl+C is its own affair."""
+    """The exit code of a command in the foreground, which ends with this script; of an interactive one, Ctrl+C is its
+    own affair."""
     process, signals.others = None, interactive
     try:
         with signals:
@@ -98,14 +99,15 @@ def started(command, **options):
 
 
 def run_together(jobs):
-    """Runs jobs at once, each a log, a command and options of Popen; whether each succeeds. What they begin keeps the turns of this
-    script (see files.py)."""
+    """Runs jobs at once, each a log, a command and options of Popen; whether each succeeds. What they begin keeps the
+    turns of this script (see files.py)."""
     with contextlib.ExitStack() as stack:
         processes = []
         for log, command, options in jobs:
             pathlib.Path(log).parent.mkdir(parents=True, exist_ok=True)
             file = stack.enter_context(open(log, "wb"))
-            processes.append(stack.enter_context(started(command, stdout=file, stderr=file, close_fds=False, **options)))
+            processes.append(stack.enter_context(started(command, stdout=file, stderr=file, close_fds=False,
+                                                         **options)))
         return [process.wait() == 0 for process in processes]
 
 

@@ -11,8 +11,8 @@ from environment.packages import ensure_packages
 
 
 def ensure_python(name, version, size, *packages):
-    """The Python of the environment of this name, for this Python, of about that size. Other packages need another version.
-    Raises Obstacle."""
+    """The Python of the environment of this name, for this Python, of about that size. Other packages need another
+    version. Raises Obstacle."""
     if output(sys.executable, "-c", "import ensurepip, venv") is None:
         try:
             ensure_packages("python3", "python3-venv")
@@ -27,7 +27,8 @@ def ensure_python(name, version, size, *packages):
 
     def install(scratch):
         return (subprocess.run([sys.executable, "-m", "venv", scratch]).returncode == 0 and
-                quietly(log, [scratch / "bin/python", "-m", "pip", "--disable-pip-version-check", "--no-input", "install", *packages]))
+                quietly(log, [scratch / "bin/python", "-m", "pip", "--disable-pip-version-check", "--no-input",
+                              "install", *packages]))
 
     if not publish_into(folder, install):
         raise Obstacle(f"{' '.join(packages)} could not be installed for Python {platform.python_version()}; the log is {log}")

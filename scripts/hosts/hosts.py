@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The programs that load the plugins ("hosts"), and how the tests run in each of them: in the MeshLab that is installed here where it is
-the one, in a root otherwise, or in PyMeshLab."""
+"""The programs that load the plugins ("hosts"), and how the tests run in each of them: in the MeshLab that is installed
+here where it is the one, in a root otherwise, or in PyMeshLab."""
 
 import os
 import time
@@ -23,10 +23,11 @@ def is_here(host):
 
 
 def run_ctest(build, regexes, label=None):
-    """Several tests at once, those of MeshLab's windows waiting half of their time; only those whose names match one of the regexes, if
-    there is any, and that have the label."""
+    """Several tests at once, those of MeshLab's windows waiting half of their time; only those whose names match one of
+    the regexes, if there is any, and that have the label."""
     words = [*(["--label-regex", label] if label else []), *(["--tests-regex", "|".join(regexes)] if regexes else [])]
-    with started(["ctest", "--test-dir", build, "--output-on-failure", "--parallel", str(2 * processors()), *words]) as ctest:
+    with started(["ctest", "--test-dir", build, "--output-on-failure", "--parallel", str(2 * processors()),
+                  *words]) as ctest:
         if ctest.wait() != 0:
             raise Failure("")
 
@@ -68,7 +69,8 @@ def test_in_root(host, regexes):
         if models.is_dir():
             binds.append(f"ro:{models.resolve()}={models}")
         say(f"MeshLab {host} in {root}")
-        if in_root(root, "ro", binds, [CHECKOUT / "test", "--host", host, *regexes], LAPLACIAN_LINES_BUILD=str(build)) != 0:
+        if in_root(root, "ro", binds, [CHECKOUT / "test", "--host", host, *regexes],
+                   LAPLACIAN_LINES_BUILD=str(build)) != 0:
             raise Failure("")
 
 

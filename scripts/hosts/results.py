@@ -12,7 +12,8 @@ class Results:
         self.required, self.lines, self.failed, self.began = required, [], False, time.monotonic()
 
     def stage(self, name, function, *words):
-        """Runs it. It returns a remark on its success, None or "" if there is none. Returns whether it has succeeded."""
+        """Runs it. It returns a remark on its success, None or "" if there is none. Returns whether it has
+        succeeded."""
         began, succeeded = time.monotonic(), False
         try:
             remark = function(*words)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other releases of Debian in folders ("roots"), to build and test with the MeshLab that they package. Made by debootstrap from the
-mirror that this machine's apt uses, and entered in namespaces of their own: whatever is mounted there is gone when the last process
-ends, however it ends. What cannot be had raises Obstacle."""
+"""Other releases of Debian in folders ("roots"), to build and test with the MeshLab that they package. Made by
+debootstrap from the mirror that this machine's apt uses, and entered in namespaces of their own: whatever is mounted
+there is gone when the last process ends, however it ends. What cannot be had raises Obstacle."""
 
 import fcntl
 import hashlib
@@ -22,28 +22,36 @@ ENTER = pathlib.Path(__file__).with_name("enter_root")
 
 def machine_apt_settings():
     """How this machine reaches its mirrors, for the apt of a root."""
-    kept = re.findall(r"(?im)^Acquire::(?:http|https|ftp|ForceIPv|Retries|Check-).*$", output("apt-config", "dump") or "")
+    kept = re.findall(r"(?im)^Acquire::(?:http|https|ftp|ForceIPv|Retries|Check-).*$",
+                      output("apt-config", "dump") or "")
     # testing's lists run out while a mirror or a frozen snapshot of it lags behind
-    return "\n".join([*kept, 'Acquire::Check-Valid-Until "false";', 'Acquire::Languages "none";', 'APT::Sandbox::User "";']) + "\n"
+    return "\n".join([*kept, 'Acquire::Check-Valid-Until "false";', 'Acquire::Languages "none";',
+                      'APT::Sandbox::User "";']) + "\n"
 
 
 def in_root(root, access, binds, command, **environment):
-    """The exit code of a command in the root, which it sees with this access, ro or rw. A bind, ro:FOLDER or rw:FOLDER, is a folder of
-    this machine that is there under the same name; ro:FOLDER=NAME under another. Only with rw is there a network."""
+    """The exit code of a command in the root, which it sees with this access, ro or rw. A bind, ro:FOLDER or rw:FOLDER,
+    is a folder of this machine that is there under the same name; ro:FOLDER=NAME under another. Only with rw is there a
+    network."""
     network = [] if access == "rw" else ["--net"]
-    return run(["setpriv", "--pdeathsig", "KILL", "unshare", "--mount", "--pid", "--fork", "--kill-child", "--ipc", *network, ENTER, root,
-                access, *binds, "--", *command], env={**os.environ, "LAPLACIAN_LINES_CACHE": str(cache_folder()), **environment})
+    return run(["setpriv", "--pdeathsig", "KILL", "unshare", "--mount", "--pid", "--fork", "--kill-child", "--ipc",
+                *network, ENTER, root,
+                access, *binds, "--", *command],
+                env={**os.environ, "LAPLACIAN_LINES_CACHE": str(cache_folder()), **environment})
 
 
 def recipe(suite, mirror):
     """What a root is made from: when this changes, it is made anew."""
     words = [suite, mirror, *packages.BUILD, *packages.DISPLAY, *packages.TEST, *packages.MESHLAB_RECOMMENDS]
-    return hashlib.sha256("\n".join([*words, *map(inspect.getsource, (make_root, make_bare_root, install_into_root))]).encode()).hexdigest()
+    return hashlib.sha256("\n".join([*words,
+                                     *map(inspect.getsource,
+                                          (make_root, make_bare_root, install_into_root))]).encode()).hexdigest()
 
 
 def make_bare_root(suite, mirror, root, kept):
     # debootstrap of an older release knows no newer one, but all are made like sid
-    code = run(["setpriv", "--pdeathsig", "KILL", "unshare", "--mount", "--pid", "--fork", "--kill-child", "--mount-proc", "debootstrap",
+    code = run(["setpriv", "--pdeathsig", "KILL", "unshare", "--mount", "--pid", "--fork", "--kill-child",
+                "--mount-proc", "debootstrap",
                 "--variant=minbase", "--include=ca-certificates,python3", f"--cache-dir={kept}", suite, root, mirror,
                 "/usr/share/debootstrap/scripts/sid"])
     if code == 0:
@@ -53,7 +61,8 @@ def make_bare_root(suite, mirror, root, kept):
 
 def install_into_root(root, kept):
     """What ./test would install there, MeshLab's headers included."""
-    binds = [f"ro:{os.path.realpath(file)}={file}" for file in ("/etc/resolv.conf", "/etc/hosts", "/etc/ssl/certs", "/etc/apt/auth.conf.d")
+    binds = [f"ro:{os.path.realpath(file)}={file}"
+             for file in ("/etc/resolv.conf", "/etc/hosts", "/etc/ssl/certs", "/etc/apt/auth.conf.d")
              if os.path.exists(file)]
     headers = cache_folder() / "headers"
     headers.mkdir(parents=True, exist_ok=True)

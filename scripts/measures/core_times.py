@@ -71,7 +71,8 @@ def count_instructions(program, mesh):
         say("counting instructions in callgrind: a minute")
         with (work / "redraws").open("w") as redraws, (work / "log").open("w") as log:
             if run([program, "--prepare", work / "mesh", mesh], stdout=redraws, stderr=log) or run(
-                    ["valgrind", "--tool=callgrind", "--instr-atstart=no", f"--callgrind-out-file={work}/dump", program, work / "mesh"],
+                    ["valgrind", "--tool=callgrind", "--instr-atstart=no", f"--callgrind-out-file={work}/dump", program,
+                     work / "mesh"],
                     stdout=redraws, stderr=log):
                 say("\n".join((work / "log").read_text().splitlines()[-5:]))
                 raise Failure("the instructions could not be counted")

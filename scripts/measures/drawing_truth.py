@@ -62,5 +62,6 @@ def hold_against_silhouettes(words):
     options, names = split(words)
     program = build_truth() / "drawing_silhouettes"
     if not names:
-        names = [mesh for name in SCANS if (mesh := model_beside(CHECKOUT, name))] + [dragon_file()] * is_there(dragon_file())
+        names = [mesh for name in SCANS if (mesh := model_beside(CHECKOUT,
+                                                                 name))] + [dragon_file()] * is_there(dragon_file())
     return run([program, *options, *names])

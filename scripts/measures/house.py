@@ -39,7 +39,8 @@ def kind_of(file):
 def options():
     """Parameters that docs/parameters.md has, and words with -- in the usages of the programs."""
     rows = re.findall(r"^\| (?!parameter|---|\|)(?:\*\*[^*]*\*\* )?([^|]+) \|", text_of("docs/parameters.md"), re.M)
-    commands = [root / f"scripts/{name}.py" for name in ("run", "test", "bench")] + sorted((root / "programs/drawing_program").glob("*.cpp"))
+    commands = [root / f"scripts/{name}.py"
+                for name in ("run", "test", "bench")] + sorted((root / "programs/drawing_program").glob("*.cpp"))
     words = {(c.parent.name, word) for c in commands for word in re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of(c))}
     return sum(len(row.split(",")) for row in rows), len(words)
 
@@ -52,7 +53,8 @@ cpp = {file for file in lines if file.suffix in {".cpp", ".h"}}
 pairs = collections.Counter(file.parent for file in cpp if file.suffix == ".h" and file.with_suffix(".cpp") in cpp)
 crowded = {str(folder): count for folder, count in pairs.items() if count > MOST_PAIRS}
 parameters, words = options()
-rows = [(f"lines: {kind}", by_kind[kind]) for kind in ("all", "product", "tests", "benchmarks and tools", "CMake and Python of scripts", "bash")]
+rows = [(f"lines: {kind}", by_kind[kind])
+        for kind in ("all", "product", "tests", "benchmarks and tools", "CMake and Python of scripts", "bash")]
 rows += [
     ("parameters that users have", parameters),
     ("options of the commands", words),

@@ -17,7 +17,8 @@ def start_display(width, height):
     told, tells = os.pipe()
     # Xvfb picks a free display itself and tells it through the file descriptor, once it accepts clients.
     process = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{width}x{height}x24", "+extension", "GLX", "-nolisten", "tcp",
+        ["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{width}x{height}x24", "+extension", "GLX", "-nolisten",
+         "tcp",
          "-noreset"], pass_fds=[tells], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.close(tells)
     number = b""

@@ -21,8 +21,8 @@ def unpack_mesh(name, folder):
 
 
 def run_drawing(folder, words):
-    """The words are as the program takes them, but that MESH may be missing or gzipped; the folder takes unpacked copies, each in
-    one of its own, since their names may be the same."""
+    """The words are as the program takes them, but that MESH may be missing or gzipped; the folder takes unpacked
+    copies, each in one of its own, since their names may be the same."""
     program = build_folder() / "bin/laplacian-lines"
     ensure_toolchain(*PACKAGES)
     if not program.exists():

@@ -76,7 +76,8 @@ def is_installed(file):
 
 
 def install_plugins(plugins):
-    """Into the user's own folder, in place of those installed before. The record has the old and the new ones until all are there."""
+    """Into the user's own folder, in place of those installed before. The record has the old and the new ones until all
+    are there."""
     refuse_installed_plugins(plugins)
     folder = extra_plugins_folder()
     for target in (folder / plugin.name for plugin in plugins):

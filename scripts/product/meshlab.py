@@ -14,7 +14,8 @@ DRIVER_ERROR = 3  # the exit code of MeshLab when the driver ends it
 
 
 def is_odd_name(name):
-    """It would mean something else to the driver, whose lines are UTF-8, or to MeshLab, whose names are of the user's locale."""
+    """It would mean something else to the driver, whose lines are UTF-8, or to MeshLab, whose names are of the user's
+    locale."""
     try:
         locale.setlocale(locale.LC_CTYPE, "")
         charmap = locale.nl_langinfo(locale.CODESET)
@@ -34,9 +35,10 @@ def drivable_mesh(name, folder):
 
 
 def settings_commands(build, settings):
-    """The driver's commands that set parameters of the decoration, NAME=VALUE. What they are called and which values they take, a
-    program knows that is built from the decoration's own table."""
-    done = subprocess.run([build / "bin/decoration_settings", *settings], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    """The driver's commands that set parameters of the decoration, NAME=VALUE. What they are called and which values
+    they take, a program knows that is built from the decoration's own table."""
+    done = subprocess.run([build / "bin/decoration_settings", *settings], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE)
     if done.returncode != 0:
         raise Failure(os.fsdecode(done.stderr).rstrip("\n"))
     return os.fsdecode(done.stdout).splitlines()
@@ -88,5 +90,6 @@ def open_window(stage, folder, names, settings=()):
     say("opening MeshLab; Laplacian Lines is under Render")
     code = run_meshlab(stage, folder, [f"time-limit {MINUTES * 60}", "wait", *openings, "draw-all-lines", *settings])
     if code != 0:
-        opened = re.findall(r"^meshlab_driver: line \d+: (?:load|open-project) (.*)$", "\n".join(log_lines(folder)), re.M)
+        opened = re.findall(r"^meshlab_driver: line \d+: (?:load|open-project) (.*)$", "\n".join(log_lines(folder)),
+                            re.M)
         raise Failure(f"{opened[-1] if opened else ''}: {explain_failure(folder, code)}")

@@ -11,7 +11,8 @@ from environment.messages import Failure, quietly, say
 def are_whole(folder):
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     files = list(folder.glob("*.deb")), list(folder.glob("*.zip"))
-    return all(len(some) == 1 for some in files) and all(subprocess.run(command, **quiet).returncode == 0 for command in (
+    return all(len(some) == 1 for some in files) and all(subprocess.run(command, **quiet).returncode == 0
+                                                         for command in (
         ["dpkg-deb", "--fsys-tarfile", *files[0]], ["cmake", "-E", "tar", "tf", *files[1]]))
 
 
@@ -27,7 +28,8 @@ def make_packages(build, folder):
         shutil.rmtree(scratch, ignore_errors=True)
         try:
             # CPack would first build all that can be built; it does not for generators without a target "preinstall"
-            if not (quietly(log, ["cpack", "--config", build / "CPackConfig.cmake", "-D", "CPACK_CMAKE_GENERATOR=Ninja", "-D",
+            if not (quietly(log, ["cpack", "--config", build / "CPackConfig.cmake", "-D", "CPACK_CMAKE_GENERATOR=Ninja",
+                                  "-D",
                                   f"CPACK_OUTPUT_FILE_PREFIX={scratch}", "-B", scratch]) and are_whole(scratch)):
                 raise Failure(f"the packages could not be made; the whole output is in {log}")
             folder.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./run --picture: MeshLab with Laplacian lines switched on, on a picture, or several on a sheet: of meshes, from several views, of
-several kinds of lines, and of edges that are found in pictures of the shaded surface. The GUI driver does the clicking."""
+"""./run --picture: MeshLab with Laplacian lines switched on, on a picture, or several on a sheet: of meshes, from
+several views, of several kinds of lines, and of edges that are found in pictures of the shaded surface. The GUI driver
+does the clicking."""
 
 import dataclasses
 import math
@@ -27,7 +28,8 @@ NUMBER = r"[0-9]+(\.[0-9]+)?"
 
 @dataclasses.dataclass
 class Column:
-    """Of a sheet: what is written over it, the detector of edges or -, the driver's commands before and after a picture."""
+    """Of a sheet: what is written over it, the detector of edges or -, the driver's commands before and after a
+    picture."""
 
     label: str = ""
     detector: str = "-"
@@ -90,7 +92,8 @@ class Options:
                   "--kinds needs names of kinds of lines with commas between, such as all or apparent_ridges,valleys")
             self.kinds = value
         else:
-            check(re.fullmatch(NUMBER, value) and 0 < float(value) <= 2, "--noise needs a share of the mean edge, above 0 and up to 2")
+            check(re.fullmatch(NUMBER, value) and 0 < float(value) <= 2,
+                  "--noise needs a share of the mean edge, above 0 and up to 2")
             self.noise = value
 
 
@@ -107,11 +110,12 @@ def check_picture(name):
 
 
 def columns_of(build, kinds, settings=()):
-    """Those of kinds of lines by their names, with what the user sets besides: a program knows them that is built from the
-    decoration's own table, and what the driver has to do for each."""
+    """Those of kinds of lines by their names, with what the user sets besides: a program knows them that is built from
+    the decoration's own table, and what the driver has to do for each."""
     if not kinds:
         return [Column()]
-    done = subprocess.run([build / "bin/decoration_settings", "--kinds", kinds, *settings], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    done = subprocess.run([build / "bin/decoration_settings", "--kinds", kinds, *settings], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT)
     table = os.fsdecode(done.stdout).rstrip("\n")
     check(done.returncode == 0, f"--kinds: {table}")
     return [Column(*line.split("\t")) for line in table.split("\n")]
@@ -136,8 +140,8 @@ class Pictures:
         self.python = image_python() if any(map(Column.has_edges, self.columns)) else None
 
     def take(self, picture, meshes):
-        """Writes one picture, or a sheet of one for each mesh, view and column. A sheet goes on without the meshes that fail, and
-        then ends with an error."""
+        """Writes one picture, or a sheet of one for each mesh, view and column. A sheet goes on without the meshes that
+        fail, and then ends with an error."""
         target = os.path.join(os.path.realpath(os.path.dirname(picture) or "."), os.path.basename(picture))
         self.add_rows(meshes)
         width, height = self.options.size
@@ -169,13 +173,14 @@ class Pictures:
         return self.folder / f"kernel_{row}_{view}"
 
     def row_script(self, number):
-        """What stands between "together" and the end of its line is done before MeshLab redraws: each redraw of a large mesh takes its
-        time. The style Publication looks the same, but what the user sets besides would not count."""
+        """What stands between "together" and the end of its line is done before MeshLab redraws: each redraw of a large
+        mesh takes its time. The style Publication looks the same, but what the user sets besides would not count."""
         row, options = self.rows[number], self.options
         yield f"load {row.file}"
         if row.noise:
             noisy = self.folder / f"noisy_{number}.ply"
-            yield from (f'write-noisy {row.noise} {NOISE_SEED} "{noisy}"', "trigger Delete Current Mesh", f"load {noisy}")
+            yield from (f'write-noisy {row.noise} {NOISE_SEED} "{noisy}"', "trigger Delete Current Mesh",
+                        f"load {noisy}")
         yield f"size {options.size[0]}x{options.size[1]}"
         commands = ["draw-lines", "setdeco Surface = Paper", "setdeco Background = Paper Color", *self.settings]
         for v, view in enumerate(self.views):
@@ -189,8 +194,10 @@ class Pictures:
 
     def script(self, first):
         """Draws the rows from the first-th on by one MeshLab, on white paper."""
-        yield from (f"time-limit {MINUTES * 60}", "wait", "check Show Layer Dialog on", "check Show Info Panel off", "check Show Trackball off",
-                    f"size {self.options.size[0]}x{self.options.size[1]}", f"scale-lines {LINE_SIDE}", "wait-for-levels")
+        yield from (f"time-limit {MINUTES * 60}", "wait", "check Show Layer Dialog on", "check Show Info Panel off",
+                    "check Show Trackball off",
+                    f"size {self.options.size[0]}x{self.options.size[1]}", f"scale-lines {LINE_SIDE}",
+                    "wait-for-levels")
         for number in range(first, len(self.rows)):
             yield from self.row_script(number)
         yield "quit"
@@ -201,7 +208,8 @@ class Pictures:
         while first < len(self.rows):
             code = run_meshlab(self.stage, self.folder, self.script(first), env=private_home(self.folder / "home"))
             undrawn = first
-            while undrawn < len(self.rows) and self.drawing(undrawn, len(self.views) - 1, len(self.columns) - 1).exists():
+            while undrawn < len(self.rows) and self.drawing(undrawn, len(self.views) - 1,
+                                                            len(self.columns) - 1).exists():
                 undrawn += 1
             # It may have been brought down by what was drawn before: only a mesh that comes first is to blame.
             if undrawn < len(self.rows) and (code == DRIVER_ERROR or undrawn == first):
@@ -212,7 +220,8 @@ class Pictures:
             first = undrawn
 
     def blur(self, row, view):
-        """The standard deviation of the kernel, whose size in pixels was written: exp(-r² / 4h) has the square root of 2h."""
+        """The standard deviation of the kernel, whose size in pixels was written: exp(-r² / 4h) has the square root of
+        2h."""
         return f"{math.sqrt(2) * float(self.kernel_file(row, view).read_text()):.1f}"
 
     def label(self, row, view, column):
@@ -234,12 +243,14 @@ class Pictures:
         part = picture.with_suffix(".part.png")
         width = LINE_WIDTH * max(1, min(self.options.size) / LINE_SIDE)
         tool = pathlib.Path(__file__).with_name("picture_edges.py")
-        done = subprocess.run([self.python, "-B", tool, self.columns[column].detector, self.blur(row, view), f"{width:g}", picture, part])
+        done = subprocess.run([self.python, "-B", tool, self.columns[column].detector, self.blur(row, view),
+                               f"{width:g}", picture, part])
         check(done.returncode == 0, "the edges of the picture could not be found")
         part.rename(picture)
 
     def put_together(self, target):
-        """The one drawing that there is, or a sheet of all; there, the kinds of a drawing are together, or the views of a mesh."""
+        """The one drawing that there is, or a sheet of all; there, the kinds of a drawing are together, or the views of
+        a mesh."""
         cells = []
         numbers = range(len(self.columns))
         for row, view in ((row, view) for row in range(len(self.rows)) for view in range(len(self.views))):

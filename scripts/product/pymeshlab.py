@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""PyMeshLab as a host of the filter plugin: a Python environment in the cache folder, and a build for the MeshLab that its package
-holds, which is of double precision and no other one's. What cannot be had raises Obstacle."""
+"""PyMeshLab as a host of the filter plugin: a Python environment in the cache folder, and a build for the MeshLab that
+its package holds, which is of double precision and no other one's. What cannot be had raises Obstacle."""
 
 import os
 import shutil
@@ -40,7 +40,8 @@ def build_for_pymeshlab(python, target, *options):
     os.environ["LAPLACIAN_LINES_BUILD"] = str(BUILD)
     packages.ensure_packages(*packages.BUILD, *packages.TEST)
     say(f"building the filter for PyMeshLab {VERSION}")
-    build_targets(target, options=[f"-DMESHLAB_COMMON_LIBRARY={package}/lib/libmeshlab-common.so", f"-DLAPLACIAN_LINES_PYTHON={python}",
+    build_targets(target, options=[f"-DMESHLAB_COMMON_LIBRARY={package}/lib/libmeshlab-common.so",
+                                   f"-DLAPLACIAN_LINES_PYTHON={python}",
                                    *options])
 
 
@@ -52,6 +53,8 @@ def run_python(words):
         raise Failure(reason) from None
     build = os.environ.get("LAPLACIAN_LINES_BUILD")
     build_for_pymeshlab(python, "filter_laplacian_lines")
-    environment = {**os.environ, "PYTHONPATH": ":".join(filter(None, (str(BUILD / "python"), os.environ.get("PYTHONPATH"))))}
+    environment = {**os.environ, "PYTHONPATH": ":".join(filter(None,
+                                                               (str(BUILD / "python"), os.environ.get("PYTHONPATH"))))}
     environment.pop("LAPLACIAN_LINES_BUILD")
-    return run([python, *words], interactive=True, env={**environment, **({"LAPLACIAN_LINES_BUILD": build} if build else {})})
+    return run([python, *words], interactive=True,
+               env={**environment, **({"LAPLACIAN_LINES_BUILD": build} if build else {})})

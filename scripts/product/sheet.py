@@ -12,7 +12,8 @@ GAP, LABEL_HEIGHT = 8, 60  # around a cell; two lines
 
 def plain_label(text):
     """For ImageMagick, which reads UTF-8, and to which %, \\ and a first @ say something."""
-    text = "".join(character if character.isprintable() or "\udc80" <= character <= "\udcff" else "?" for character in text)
+    text = "".join(character if character.isprintable() or "\udc80" <= character <= "\udcff" else "?"
+                   for character in text)
     try:
         text.encode()
     except UnicodeEncodeError:  # each byte that is not ASCII
@@ -27,8 +28,8 @@ def whole_share(n, parts):
 
 
 def sheet_columns(cell_width, count, together):
-    """Of `count` cells, of which `together` stand together: side by side if they fit, in rows of nearly the same length if not. With
-    nothing else, as many rows as columns."""
+    """Of `count` cells, of which `together` stand together: side by side if they fit, in rows of nearly the same length
+    if not. With nothing else, as many rows as columns."""
     most = max(1, WIDTH // (cell_width + 2 * GAP))
     if 1 < together < count:
         return whole_share(together, whole_share(together, most))
@@ -37,7 +38,8 @@ def sheet_columns(cell_width, count, together):
 
 def sheet_rows(columns, count, together):
     """Those that stand together begin a row."""
-    return whole_share(count, columns) if together == 1 else whole_share(count, together) * whole_share(together, columns)
+    return whole_share(count, columns) if together == 1 else whole_share(count, together) * whole_share(together,
+                                                                                                        columns)
 
 
 def lay_out(size, count, together):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""STAGE/bin/meshlab and meshlabserver: the installed MeshLab with our plugins beside its own, and with nothing written outside
-STAGE. Nothing that is as it should be is touched: another MeshLab may just be starting from there."""
+"""STAGE/bin/meshlab and meshlabserver: the installed MeshLab with our plugins beside its own, and with nothing written
+outside STAGE. Nothing that is as it should be is touched: another MeshLab may just be starting from there."""
 
 import filecmp
 import os
@@ -32,14 +32,15 @@ def stage_meshlab(stage, plugins):
         if os.path.exists("/usr/bin/meshlabserver"):
             stage_program(stage, "meshlabserver")
         else:  # our own program of the same arguments
-            filters = [word for plugin in plugins if plugin.name.startswith("libfilter_") for word in ("--plugin", str(plugin))]
+            filters = [word for plugin in plugins if plugin.name.startswith("libfilter_")
+                       for word in ("--plugin", str(plugin))]
             words = shlex.join([str(stage.parent / "bin/laplacian_lines_server"), *filters])
             write_program(f'exec {words} "$@"', stage / "bin/meshlabserver")
 
 
 def copy_meshlab(folder, plugins):
-    """MeshLab finds its libraries, plugins and shaders from the place of its executable, if that one's folder is called "bin".
-    Executables have to be copies, because Qt follows links."""
+    """MeshLab finds its libraries, plugins and shaders from the place of its executable, if that one's folder is called
+    "bin". Executables have to be copies, because Qt follows links."""
     installed = installed_meshlab()
     libraries = folder / "lib" / multiarch() / "meshlab"
     for name in ("bin", "share"):
@@ -50,8 +51,8 @@ def copy_meshlab(folder, plugins):
         if program.exists() and not (copy.exists() and filecmp.cmp(program, copy, shallow=False)):
             put_file(program, copy, 0o755)
     link_all(libraries, installed.glob("*.so"))
-    # MeshLab loads both of two plugins with the same decorations and stops at their parameters: ours replaces an installed one
-    # of the same name
+    # MeshLab loads both of two plugins with the same decorations and stops at their parameters: ours replaces an
+    # installed one of the same name
     link_all(libraries / "plugins", [*installed.glob("plugins/*.so"), *plugins])
     link_all(folder / "share", [pathlib.Path("/usr/share/meshlab")])
 
@@ -71,8 +72,8 @@ def link_all(folder, files):
 
 
 def stage_program(stage, name):
-    """From 2022.02 on, MeshLab would also load the plugins that the user has added: give it another folder to look for them. Its
-    OpenGL needs an X display, also on Wayland. Plugins that are compiled with sanitizers need their library,
+    """From 2022.02 on, MeshLab would also load the plugins that the user has added: give it another folder to look for
+    them. Its OpenGL needs an X display, also on Wayland. Plugins that are compiled with sanitizers need their library,
     $SANITIZER_LIBRARY, in the program."""
     library = os.environ.get("SANITIZER_LIBRARY")
     data, program = (shlex.quote(str(stage / "system" / place)) for place in ("data", f"bin/{name}"))
@@ -96,18 +97,19 @@ def words_after(option, words):
 
 
 def outputs_are_there(begun, words):
-    """MeshLab 2020.09's meshlabserver ends with 0, too, when it cannot write; says what is older than the file `begun`, or not there, of
-    what the words name for writing."""
+    """MeshLab 2020.09's meshlabserver ends with 0, too, when it cannot write; says what is older than the file `begun`,
+    or not there, of what the words name for writing."""
     names = [name for option, name in zip(words, words[1:]) if option == "-o"]
-    missing = [name for name in names if not os.path.exists(name) or os.stat(name).st_mtime_ns <= begun.stat().st_mtime_ns]
+    missing = [name for name in names if not os.path.exists(name)
+               or os.stat(name).st_mtime_ns <= begun.stat().st_mtime_ns]
     for name in missing:
         say(f"{name} was not written")
     return not missing
 
 
 def blame_reader(server, words):
-    """MeshLab 2020.09's meshlabserver has ended by a signal, which loses what it has said: says which of the meshes to read does
-    that alone."""
+    """MeshLab 2020.09's meshlabserver has ended by a signal, which loses what it has said: says which of the meshes to
+    read does that alone."""
     for mesh in words_after("-i", words):
         done = subprocess.run([server, "-i", mesh], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         if is_signal(exit_code(done.returncode)):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""installed.py EIGEN_INCLUDE_FOLDER: the core as "cmake --install" installs it. Each public header compiles alone and names Eigen and the
-standard library only; the example is built against the package and finds the lines of a torus."""
+"""installed.py EIGEN_INCLUDE_FOLDER: the core as "cmake --install" installs it. Each public header compiles alone and
+names Eigen and the standard library only; the example is built against the package and finds the lines of a torus."""
 import math
 import os
 import pathlib
@@ -23,7 +23,8 @@ def run(*command, **options):
 
 def compile_alone(header):
     """As a program sees it that includes nothing before."""
-    run(CXX, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I", prefix / "include", "-isystem", EIGEN, "-x", "c++", "-",
+    run(CXX, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I", prefix / "include", "-isystem", EIGEN,
+        "-x", "c++", "-",
         input=f"#include <laplacian_lines/{header.name}>\n")
 
 
@@ -36,17 +37,20 @@ headers = sorted((prefix / "include/laplacian_lines").iterdir())
 assert len(headers) > 10, f"only {len(headers)} public headers"
 for header in headers:
     for include in re.findall("^ *#include.*", header.read_text(), re.M):
-        assert re.fullmatch(r'#include (<[a-z_]+>|<Eigen/[A-Za-z]+>|"laplacian_lines/[a-z_]+\.h")', include), f"{header} has {include}"
+        assert re.fullmatch(r'#include (<[a-z_]+>|<Eigen/[A-Za-z]+>|"laplacian_lines/[a-z_]+\.h")',
+                            include), f"{header} has {include}"
 with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
     list(pool.map(compile_alone, headers))
 
-run("cmake", "-S", CHECKOUT / "docs/examples/lines", "-B", work / "example", f"-DCMAKE_CXX_COMPILER={CXX}", f"-DCMAKE_PREFIX_PATH={prefix}")
+run("cmake", "-S", CHECKOUT / "docs/examples/lines", "-B", work / "example", f"-DCMAKE_CXX_COMPILER={CXX}",
+    f"-DCMAKE_PREFIX_PATH={prefix}")
 run("cmake", "--build", work / "example")
 
 run(os.environ["WRITE_REFERENCE"], "torus", work)
 rows = [line.split() for line in (work / "torus.ply").read_text().split("end_header\n")[1].splitlines()]
 (work / "torus.obj").write_text("".join(
-    f"v {' '.join(row)}\n" if len(row) == 3 else f"f {' '.join(str(int(word) + 1) for word in row[1:])}\n" for row in rows))
+    f"v {' '.join(row)}\n" if len(row) == 3 else f"f {' '.join(str(int(word) + 1) for word in row[1:])}\n"
+    for row in rows))
 example = work / "example/lines"
 run(example, work / "torus.obj", work / "lines.obj")
 # along its axis, a torus of the radii 1 and 0.4 has two outlines, circles of the radii 1.4 and 0.6

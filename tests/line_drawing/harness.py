@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What tests of the program of drawings share. A test is called with the program, PROGRAM, and begins in an empty folder, which goes
-with it."""
+"""What tests of the program of drawings share. A test is called with the program, PROGRAM, and begins in an empty
+folder, which goes with it."""
 
 import atexit
 import os
@@ -74,7 +74,8 @@ def write_cube():
     off("cube.off")
     write("cube.obj", *(f"v {vertex}" for vertex in VERTICES),
           *(f"f {' '.join(str(int(word) + 1) for word in face.split())}" for face in FACES))
-    write("cube.ply", "ply", "format ascii 1.0", "element vertex 8", *(f"property float {axis}" for axis in "xyz"), "element face 12",
+    write("cube.ply", "ply", "format ascii 1.0", "element vertex 8", *(f"property float {axis}" for axis in "xyz"),
+          "element face 12",
           "property list uchar int vertex_indices", "end_header", *VERTICES, *(f"3 {face}" for face in FACES))
 
 
@@ -84,7 +85,8 @@ def drawing_tools():
     from environment.python_environments import ensure_python
 
     try:
-        return ensure_python("drawing_tools", 1, "0.4 GB", "ezdxf==1.4.5", "vpype==1.15.0", "svgpathtools==1.8.0", "dask==2026.8.0",
+        return ensure_python("drawing_tools", 1, "0.4 GB", "ezdxf==1.4.5", "vpype==1.15.0", "svgpathtools==1.8.0",
+                             "dask==2026.8.0",
                              "distributed==2026.8.0")
     except (Failure, Obstacle) as reason:
         skip(reason)

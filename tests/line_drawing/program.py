@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""program.py PROGRAM: what the program of drawings makes of meshes and of mistakes, and how large others' programs find its
-drawings."""
+"""program.py PROGRAM: what the program of drawings makes of meshes and of mistakes, and how large others' programs find
+its drawings."""
 
 import filecmp
 import re
@@ -12,7 +12,8 @@ BARE = ("--views", "front", "--strokes", "plain", "--furniture", "none")
 
 def refused(sentence, *words):
     """The program ends with an error that holds the sentence and leaves no file."""
-    expect(subprocess.run([PROGRAM, *words], stdout=subprocess.PIPE, stderr=open("said", "wb")).returncode != 0, f"not refused: {words}")
+    expect(subprocess.run([PROGRAM, *words], stdout=subprocess.PIPE, stderr=open("said", "wb")).returncode != 0,
+           f"not refused: {words}")
     expect(sentence in text_of("said"), f"{words} says: {text_of('said')}")
     expect(not list(pathlib.Path().glob("plate.*")), f"{words} left a file")
 
@@ -73,8 +74,10 @@ expect_said(text_of("searched.txt"), "Find 17 äöü", "100.0 × 100.0 × 100.0 
 corners = ["vertex 0 0 0", "vertex 100 0 0", "vertex 0 100 0"]
 write("cut.stl", "solid cut", *2 * ["facet normal 0 0 1", " outer loop", *corners, " endloop", "endfacet"])
 write("cut.stl", *text_of("cut.stl").splitlines()[:10], "vertex 100 0 0", "vertex 100 100")
-refused('cut.stl: the file is damaged: line 12: it ends without "endsolid". With --damaged draw, the 1 triangles', "plate.svg", "cut.stl")
-expect_said(draw("incomplete.svg", "--views", "top", "--up", "z", "--damaged", "draw", "cut.stl"), "cut.stl is drawn incomplete: line 12")
+refused('cut.stl: the file is damaged: line 12: it ends without "endsolid". With --damaged draw, the 1 triangles',
+        "plate.svg", "cut.stl")
+expect_said(draw("incomplete.svg", "--views", "top", "--up", "z", "--damaged", "draw", "cut.stl"),
+            "cut.stl is drawn incomplete: line 12")
 expect_said(text_of("incomplete.svg"), "incomplete: cut.stl")
 write("half.off", *text_of("cube.off").splitlines()[:12])
 refused("half.off: ", "plate.svg", "half.off")
@@ -87,7 +90,8 @@ off("scene/near.off")
 off("scene/far.off", moved(x=50, z=-300))
 os.mkdir("no_meshes")
 together = (*BARE, "--title", "{name}", "--scale", "1:1", "--paper", "a3")
-expect_said(draw("together.svg", *together, "scene/near.off", "scene/far.off"), "together the objects are 150 x 100 x 400 mm")
+expect_said(draw("together.svg", *together, "scene/near.off", "scene/far.off"),
+            "together the objects are 150 x 100 x 400 mm")
 # the far one's outline is an angle beside the near one's
 expect(paths("together.svg") == 2, "two cubes have other outlines than theirs")
 draw("folder.svg", *together, "scene")
@@ -119,19 +123,23 @@ write("meshes/bad.ply", "no mesh")
 said = drawn("meshes", "more/three.ply", lines=[
     "plates/one.pdf: drawn", "plates/two.pdf: drawn", "plates/three.pdf: drawn", "plates/contact_sheet.pdf: 3 objects",
     "3 drawn, 0 unchanged, 1 not drawn"])
-expect(re.search("^meshes/bad.ply: not drawn: the mesh cannot be read", said, re.M), f"the bad mesh is not reported: {said}")
-expect(subprocess.run([PROGRAM, "plates/", "meshes"], capture_output=True).returncode != 0, "a mesh that cannot be drawn is not an error")
+expect(re.search("^meshes/bad.ply: not drawn: the mesh cannot be read", said, re.M),
+       f"the bad mesh is not reported: {said}")
+expect(subprocess.run([PROGRAM, "plates/", "meshes"], capture_output=True).returncode != 0,
+       "a mesh that cannot be drawn is not an error")
 os.unlink("meshes/bad.ply")
 drawn("meshes", "more/three.ply")
 before = [os.stat(f"plates/{name}.pdf").st_mtime_ns for name in ("one", "two", "three")]
 drawn("meshes", "more/three.ply", lines=["meshes/one.off: unchanged", "0 drawn, 3 unchanged, 0 not drawn"])
-expect([os.stat(f"plates/{name}.pdf").st_mtime_ns for name in ("one", "two", "three")] == before, "what is unchanged was written again")
+expect([os.stat(f"plates/{name}.pdf").st_mtime_ns for name in ("one", "two", "three")] == before,
+       "what is unchanged was written again")
 shutil.copy("cube.ply", "meshes/two.ply")
 os.unlink("meshes/two.off")
 os.unlink("plates/one.pdf")
 drawn("meshes", "more/three.ply", lines=["2 drawn, 1 unchanged, 0 not drawn"])
 drawn("meshes", "more/three.ply", title="other", lines=["3 drawn, 0 unchanged, 0 not drawn"])
-drawn("--format", "svg", "meshes", "more", lines=["plates/one.off.svg: drawn", "plates/one.obj.svg: drawn", "plates/contact_sheet.svg: 4 objects"])
+drawn("--format", "svg", "meshes", "more",
+      lines=["plates/one.off.svg: drawn", "plates/one.obj.svg: drawn", "plates/contact_sheet.svg: 4 objects"])
 expect_said(text_of("plates/contact_sheet.svg"), *(f">{name}<" for name in ("one.off", "one.obj", "two", "three")))
 for sentence, words in (
         ("--format is for a folder", "plate.svg --format pdf cube.off"),
@@ -153,7 +161,8 @@ for locale in ("C", "C.UTF-8"):
         expect_said(said, f"the drawing is names/{name}.svg")
         pathlib.Path(f"names/{name}.svg").read_text(encoding="utf-8")
         draw(f"names/{name}/", "--format", "svg", "names", LC_ALL=locale)
-        expect(all(os.path.getsize(f"names/{name}/{file}.svg") for file in (name, "contact_sheet")), f"in {locale}, no folder of {name}")
+        expect(all(os.path.getsize(f"names/{name}/{file}.svg") for file in (name, "contact_sheet")),
+               f"in {locale}, no folder of {name}")
         shutil.rmtree("names")
         os.mkdir("names")
     shutil.copy("cube.off", f"{odd}.off")
@@ -167,7 +176,8 @@ DPI = "600"
 
 def expect_extent(picture, millimetres):
     """Width and height of what is black, within a tenth of a millimetre."""
-    pixels = run(["convert", picture, "-background", "white", "-alpha", "remove", "-threshold", "50%", "-trim", "-format", "%w %h", "info:"])
+    pixels = run(["convert", picture, "-background", "white", "-alpha", "remove", "-threshold", "50%", "-trim",
+                  "-format", "%w %h", "info:"])
     measured = [int(word) * 25.4 / int(DPI) for word in pixels.split()]
     expect(all(abs(size - millimetres) < .1 for size in measured), f"{picture} measures {measured}, not {millimetres}")
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What programs of others make of drawings: read_by_others.py FOLDER. There lie drawings of a cube of 100 mm from the front, the
-left and the top, plain and without furniture, cube_SCALE.svg and .dxf; cut.dxf, a plate of it with a section; torus.svg,
-one with many lines; perhaps scan.svg, another. Ends with an error at the first thing that is not as it should be."""
+"""What programs of others make of drawings: read_by_others.py FOLDER. There lie drawings of a cube of 100 mm from the
+front, the left and the top, plain and without furniture, cube_SCALE.svg and .dxf; cut.dxf, a plate of it with a
+section; torus.svg, one with many lines; perhaps scan.svg, another. Ends with an error at the first thing that is not as
+it should be."""
 
 import pathlib
 import sys
@@ -86,7 +87,8 @@ def check_layers_of_dxf(file):
     """Those of views are called after them, and a class has the same color in all, but no other's."""
     document = ezdxf.readfile(file)
     used = {entity.dxf.layer for entity in document.modelspace()}
-    expected = {"FRONT_OUTLINE", "TOP_OUTLINE", "FRONT_MARKS", "VIEW-3_SECTION", "VIEW-3_FINE", "NAMES", "SCALE", "TITLE"}
+    expected = {"FRONT_OUTLINE", "TOP_OUTLINE", "FRONT_MARKS", "VIEW-3_SECTION", "VIEW-3_FINE", "NAMES", "SCALE",
+                "TITLE"}
     check(expected <= used, file, "has the layers", *sorted(used))
     colors = {}
     for name in used:

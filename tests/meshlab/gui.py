@@ -2,9 +2,9 @@
 """A test that is a script of the driver alone: gui.py FILE.gui
 
 "== FUNCTION WORDS..." calls a function of the harness; one that drives MeshLab gets the lines up to the next one, and
-words NAME=VALUE as its environment. Among these lines "@FUNCTION WORDS..." stands for what the function returns; or, after
-"== let NAME", "@NAME WORDS..." for the lines there, with $1 and so on in them. $WORK and $CHECKOUT are folders. # begins a
-comment. "== display WxH" is the size of the screen."""
+words NAME=VALUE as its environment. Among these lines "@FUNCTION WORDS..." stands for what the function returns; or,
+after "== let NAME", "@NAME WORDS..." for the lines there, with $1 and so on in them. $WORK and $CHECKOUT are folders. #
+begins a comment. "== display WxH" is the size of the screen."""
 
 import inspect
 import shlex

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The filter's attributes in a PLY file that MeshLab saves: on a torus they are close to what mathematics says, and the mesh
-itself stays as it was."""
+"""The filter's attributes in a PLY file that MeshLab saves: on a torus they are close to what mathematics says, and the
+mesh itself stays as it was."""
 from math import cos, hypot, inf, sin, tau
 
 from harness import *
@@ -12,9 +12,11 @@ def rows(file, header="end_header\n"):
     return [line.split() for line in text_of(file).split(header)[1].splitlines()]
 
 
-faces = [" ".join(row) for row in (line.split() for line in bumpy_torus(RINGS, SIDES).splitlines()) if row[0] == "3" and len(row) == 4]
+faces = [" ".join(row) for row in (line.split() for line in bumpy_torus(RINGS, SIDES).splitlines()) if row[0] == "3"
+         and len(row) == 4]
 angles = [(tau * i / RINGS, tau * j / SIDES) for i in range(RINGS) for j in range(SIDES)]
-ply("torus.ply", [f"{(1 + R * cos(v)) * cos(u):.6f} {(1 + R * cos(v)) * sin(u):.6f} {R * sin(v):.6f}" for u, v in angles], faces)
+ply("torus.ply", [f"{(1 + R * cos(v)) * cos(u):.6f} {(1 + R * cos(v)) * sin(u):.6f} {R * sin(v):.6f}" for u,
+                  v in angles], faces)
 before = rows("torus.ply")
 drive(f"wait\nopen torus.ply\ntrigger Compute Laplacian Lines\napply\nclose\n{save_attributes('off')}")
 
@@ -49,5 +51,6 @@ for row in after[:RINGS * SIDES]:
 say(f"{len(after)} lines; largest errors: {worst}")
 for name, most in {"normal": 1e-4, "laplacian": 0.02, "shape": 0.02, "kernel": 1e-4}.items():
     expect(worst[name] < most, f"{name} is not that of a torus: off by {worst[name]}")
-same = all([round(float(a), 5) for a in x[:3]] == [round(float(b), 5) for b in y[:3]] for x, y in zip(before[:len(angles)], after))
+same = all([round(float(a), 5) for a in x[:3]] == [round(float(b), 5) for b in y[:3]] for x,
+           y in zip(before[:len(angles)], after))
 expect(same and before[len(angles):] == after[len(angles):], "the filter changed the mesh")

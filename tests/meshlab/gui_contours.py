@@ -10,7 +10,8 @@ WIDTHS = [1, 2, 3.5, 6, 9]
 
 
 def rings(name):
-    return "".join(f"look {0.6 * d:.5f} {0.64 * d:.5f} {0.48 * d:.5f}  0 0 0\ngrab {name}_{d:.3f}.png\n" for d in DISTANCES)
+    return "".join(f"look {0.6 * d:.5f} {0.64 * d:.5f} {0.48 * d:.5f}  0 0 0\ngrab {name}_{d:.3f}.png\n"
+                   for d in DISTANCES)
 
 
 def widths(name):
@@ -39,17 +40,20 @@ check Fill off
 {widths("wireframe")}
 """)
 for file in sorted(WORK.glob("*_ring_*.png")):  # on every ray from the middle lies ink, or a pixel beside it
-    least = convert(file, *only("red", 45), "-morphology", "Dilate", "Square:1", "-distort", "DePolar", "0", "-scale", "x1!",
+    least = convert(file, *only("red", 45), "-morphology", "Dilate", "Square:1", "-distort", "DePolar", "0", "-scale",
+                    "x1!",
                     "-format", "%[fx:minima > 0]")
     expect(least == "1", f"the ring in {file.name} has a gap")
 for file, width in [(f"{mode}_{width}.png", width) for mode in ("fill", "wireframe") for width in WIDTHS]:
     # ink divided by the length of the ring
     ink = float(convert(file, "-alpha", "off", "-format", "%[fx:(mean.r-mean.g)*w*h]"))
-    span = convert(file, "-alpha", "off", "-fuzz", "40%", "-fill", "white", "+opaque", "red", "-format", "%@").split("x")[0]
+    span = convert(file, "-alpha", "off", "-fuzz", "40%", "-fill", "white", "+opaque", "red", "-format",
+                   "%@").split("x")[0]
     measured = ink / ((float(span) - width) * pi)
     expect(abs(measured - width) < 0.5, f"the line in {file} is {measured} pixels wide instead of {width}")
 for width in WIDTHS:
     file = f"fill_{width}.png"
-    differing = pixels(file, "(", "+clone", "-flop", ")", "-alpha", "off", "-compose", "Difference", "-composite", "-colorspace",
+    differing = pixels(file, "(", "+clone", "-flop", ")", "-alpha", "off", "-compose", "Difference", "-composite",
+                       "-colorspace",
                        "gray", "-threshold", "35%")
     expect(differing <= 150, f"{differing} pixels of {file} differ from its mirror image")

@@ -28,7 +28,8 @@ def outlines(file):
 
 def expect_same_lines(a, b):
     """As many, and nine in ten begin at the same hundredth of a millimetre: cameras are of floats."""
-    starts = [collections.Counter(re.sub(r"^M(-?\d*\.?\d{0,2})\d* (-?\d*\.?\d{0,2}).*", r"\1 \2", path) for path in paths(file))
+    starts = [collections.Counter(re.sub(r"^M(-?\d*\.?\d{0,2})\d* (-?\d*\.?\d{0,2}).*", r"\1 \2", path)
+                                  for path in paths(file))
               for file in (a, b)]
     count, other, same = (sum(some.values()) for some in (*starts, starts[0] & starts[1]))
     expect(abs(count - other) <= 0.02 * count, f"{a} has {count} lines, {b} {other}")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One choice makes a drawing in black on white, whatever else is set, in any render mode and with several layers; taking it back
-leaves the view as it was."""
+"""One choice makes a drawing in black on white, whatever else is set, in any render mode and with several layers;
+taking it back leaves the view as it was."""
 from harness import *
 
 PUBLICATION = "setdeco Drawing Style = Publication (Black on White)\n"
@@ -100,7 +100,8 @@ def expect_drawing(file):
     """Grey strokes on pure white, of which there is much."""
     expect(colors(file) == 0, f"{colors(file)} pixels of {file} are not grey")
     white = float(convert(file, "-alpha", "off", "-fill", "black", "+opaque", "white", "-format", "%[fx:mean]"))
-    expect(0.8 < white < 0.995 and corner(file) == "ffffff", f"{white} of {file} is white, its corner is {corner(file)}")
+    expect(0.8 < white < 0.995 and corner(file) == "ffffff",
+           f"{white} of {file} is white, its corner is {corner(file)}")
 
 
 for view in ("fill", "wireframe_on_fill", "wireframe", "points", "orthographic", "two_layers"):
@@ -117,7 +118,9 @@ expect(colors("points_publication.png") < 4500, "too many pixels among points ar
 expect(corner("yellow.png") == "ffee00", "the corner of yellow.png is not yellow")
 expect_same_picture("by_style.png", "by_hand.png", 0)
 # paper around the form does not fill a snapshot that is to have no background; paper on it stays
-alpha = convert("transparent.png", "-alpha", "extract", "-format", "%[fx:u.p{9,9}] %[fx:maxima] %[fx:mean > 0.1 && mean < 0.4]")
+alpha = convert("transparent.png", "-alpha", "extract", "-format",
+                "%[fx:u.p{9,9}] %[fx:maxima] %[fx:mean > 0.1 && mean < 0.4]")
 expect(alpha == "0 1 1", f"transparent.png has alpha {alpha} at the corner, at most, and in the middle")
-expect(pixels("bare.png", "-alpha", "off", "-fill", "black", "-opaque", "white", "-fill", "white", "+opaque", "black") == 0,
+expect(pixels("bare.png", "-alpha", "off", "-fill", "black", "-opaque", "white", "-fill", "white", "+opaque",
+              "black") == 0,
        "bare.png is not white all over")

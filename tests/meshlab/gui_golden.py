@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small pictures that were looked at once and found right: a change of the drawing that no other test measures shows here.
-After a wanted change, look at the new ones in the build folder's Testing/meshlab/gui_golden and copy them to golden/."""
+"""Small pictures that were looked at once and found right: a change of the drawing that no other test measures shows
+here. After a wanted change, look at the new ones in the build folder's Testing/meshlab/gui_golden and copy them to
+golden/."""
 from harness import *
 
 if not meshlab_version().startswith("2020."):
@@ -28,7 +29,8 @@ grab toon.png
 """)
 for name in ("publication", "dashed", "paper_form", "archaeology", "toon"):
     # blurred by a pixel, since versions of OpenGL differ in the edges of strokes; 0: the same, 1: black on white
-    difference = float(convert(f"{name}.png", CHECKOUT / f"tests/meshlab/golden/{name}.png", "-alpha", "off", "-blur", "0x1",
+    difference = float(convert(f"{name}.png", CHECKOUT / f"tests/meshlab/golden/{name}.png", "-alpha", "off", "-blur",
+                               "0x1",
                                "-metric", "RMSE", "-compare", "-format", "%[distortion]"))
     say(f"{name} differs by {difference}")
     expect(difference < 0.015, f"{name}.png differs by {difference} from the golden picture")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines behind the surface are hidden in every render mode, or drawn faint or dashed if the user wants them. Layers hide each
-other's lines, also where MeshLab shows no faces; those that are hidden or gone do not, nor do faces that MeshLab culls."""
+"""Lines behind the surface are hidden in every render mode, or drawn faint or dashed if the user wants them. Layers
+hide each other's lines, also where MeshLab shows no faces; those that are hidden or gone do not, nor do faces that
+MeshLab culls."""
 from harness import *
 
 
@@ -88,9 +89,10 @@ def ink(file):
 
 
 def pale(file):
-    """Those that are anything between white and red. The edges of lines blend with what is below, which has other colours in
-    other versions of MeshLab."""
-    return pixels(f"{file}.png", "-alpha", "off", "-fuzz", "2%", "-fill", "black", "-opaque", "white", "-fill", "white", "+opaque",
+    """Those that are anything between white and red. The edges of lines blend with what is below, which has other
+    colours in other versions of MeshLab."""
+    return pixels(f"{file}.png", "-alpha", "off", "-fuzz", "2%", "-fill", "black", "-opaque", "white", "-fill", "white",
+                  "+opaque",
                   "black", "-colorspace", "gray")
 
 
@@ -102,8 +104,10 @@ expect_between(ink("paper_left_out") + 500, ink("paper_dashed"), 100000, "ink wi
 expect_between(pale("paper_left_out") + 1000, pale("paper_faint"), 100000, "pixels with faint lines")
 expect_between(0, ink("paper_faint"), ink("paper_left_out") + 400, "strong ink with faint lines")
 
-for a, b in [(a + part, b + part) for a, b in (("both", "faceless"), ("faceless", "both")) for part in ("", "_ring", "_again")]:
-    more = pixels("(", f"{a}.png", *only("red", 35), ")", "(", f"{b}.png", *only("red", 35), "-morphology", "Dilate", "Square:3",
+for a, b in [(a + part, b + part) for a,
+             b in (("both", "faceless"), ("faceless", "both")) for part in ("", "_ring", "_again")]:
+    more = pixels("(", f"{a}.png", *only("red", 35), ")", "(", f"{b}.png", *only("red", 35), "-morphology", "Dilate",
+                  "Square:3",
                   "-negate", ")", "-compose", "multiply", "-composite")
     expect(more <= 500, f"{a} has {more} pixels of lines where {b} has none")
 

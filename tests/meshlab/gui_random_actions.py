@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Users do things in any order: whatever they do, lines are those of the mesh and the camera or the log says why there are none,
-OpenGL's state is left alone, and MeshLab goes on. RANDOM_SEEDS="1 2 3" and RANDOM_ACTIONS=300 say what to try."""
+"""Users do things in any order: whatever they do, lines are those of the mesh and the camera or the log says why there
+are none, OpenGL's state is left alone, and MeshLab goes on. RANDOM_SEEDS="1 2 3" and RANDOM_ACTIONS=300 say what to
+try."""
 import harness
 from harness import *
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drawing lines leaves no trace in OpenGL's state nor in what MeshLab and other decorations draw, in any render mode; paper and
-toon cover what MeshLab draws of a layer, and leave no trace when they are off."""
+"""Drawing lines leaves no trace in OpenGL's state nor in what MeshLab and other decorations draw, in any render mode;
+paper and toon cover what MeshLab draws of a layer, and leave no trace when they are off."""
 from harness import *
 
 MODES = {"fill": "", "wireframe_on_fill": "check Wireframe on", "wireframe": "check Fill off",
-         "points": "check Points on\ncheck Wireframe off", "shader": "check Fill on\ncheck Points off\ntrigger toon.gdp"}
+         "points": "check Points on\ncheck Wireframe off",
+         "shader": "check Fill on\ncheck Points off\ntrigger toon.gdp"}
 OTHERS = ("Show Box Corners", "Show Normal", "Laplacian Lines Probe")
 LINES = ("Laplacian Lines", "Ridges", "Occluding Contours")
 
@@ -18,8 +19,8 @@ def lines(state):
 
 
 def traces(name):
-    """Without lines; with our decoration on but nothing to draw; with lines; without again. Decorations are drawn in the order in
-    which they were switched on: MeshLab's own come after ours here."""
+    """Without lines; with our decoration on but nothing to draw; with lines; without again. Decorations are drawn in
+    the order in which they were switched on: MeshLab's own come after ours here."""
     return f"""grab {name}_plain.png
 {others("on")}
 grab {name}_others.png
@@ -98,15 +99,18 @@ for mode in MODES:
     expect_same_picture(f"{mode}_others.png", f"{mode}_nothing_others.png", 0)
     expect_same_picture(f"{mode}_plain.png", f"{mode}_after.png", 0)
     expect(not same_file(f"{mode}_plain.png", f"{mode}_lines.png"), f"no lines are drawn in mode {mode}")
-    expect(same_file(f"{mode}_others.txt", f"{mode}_lines_others.txt"), f"the lines change OpenGL's state in mode {mode}")
+    expect(same_file(f"{mode}_others.txt", f"{mode}_lines_others.txt"),
+           f"the lines change OpenGL's state in mode {mode}")
 
     expect_same_picture(f"{mode}.png", f"{mode}_again.png", 0)
     # what stands out of the outline is not covered: points are three pixels wide
     outside = {"fill": 0, "shader": 0, "points": 4500}.get(mode, 1500)
     expect_at_most(outside, f"{mode}_bare.png", "white", "#ffee00")
     # but at folds within it: pixels of other colours than paper where fill_bare.png has paper
-    specks = pixels("(", f"{mode}_bare.png", "-alpha", "off", "-fill", "black", "-opaque", "#ffee00", "-fill", "white", "+opaque", "black",
-                    ")", "(", "fill_bare.png", *only("#ffee00"), ")", "-compose", "Multiply", "-composite", "-colorspace", "gray")
+    specks = pixels("(", f"{mode}_bare.png", "-alpha", "off", "-fill", "black", "-opaque", "#ffee00", "-fill", "white",
+                    "+opaque", "black",
+                    ")", "(", "fill_bare.png", *only("#ffee00"), ")", "-compose", "Multiply", "-composite",
+                    "-colorspace", "gray")
     expect(specks <= 20, f"{mode}_bare.png has specks on the paper")
     # yellow and blue, blended where they meet
     expect_at_most(outside + 6500, f"{mode}_toon.png", "white", "#ffee00", "#0000ff")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scale, With the View: lines of the kernel that suits the zoom come from the background while redraws go on, whatever is done to
-the mesh meanwhile, and leave the mesh and no threads behind."""
+"""Scale, With the View: lines of the kernel that suits the zoom come from the background while redraws go on, whatever
+is done to the mesh meanwhile, and leave the mesh and no threads behind."""
 from harness import *
 
 FAR, MIDDLE, NEAR = "look 0 0 20 0 0 0", "look 0 0 7 0 0 0", "look 1 0 1.2 1 0 0"

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""MeshLab's snapshots have the lines. Those put together from tiles, which show a part of the camera's view each, are the picture
-of a view so much larger, with lines so much wider: then the print looks like the view."""
+"""MeshLab's snapshots have the lines. Those put together from tiles, which show a part of the camera's view each, are
+the picture of a view so much larger, with lines so much wider: then the print looks like the view."""
 from harness import *
 
-# Visibility is that of the view, which looks at fewer pixels beside a line than a larger one; that is a few hundred pixels.
+# Visibility is that of the view, which looks at fewer pixels beside a line than a larger one; that is a few hundred
+# pixels.
 MOST_DIFFERING = 2000
 
 
@@ -57,8 +58,8 @@ for view in ("perspective", "orthographic", "dashed"):
     expect_same_picture(f"{view}.png", f"{view}_1.png", 150)
     expect_same_picture(f"{view}.png", f"{view}_again.png", 10)
     for tiles in (2, 3):
-        # lines are as wide in the view as in the snapshot brought down to its size; without their widths growing it would have
-        # a half or a third of the red
+        # lines are as wide in the view as in the snapshot brought down to its size; without their widths growing it
+        # would have a half or a third of the red
         seen, printed = redness(f"{view}.png"), redness(f"{view}_{tiles}.png")
         expect_between(0.96, seen / printed, 1 / 0.96, f"red of the view {view} to that of {tiles} by {tiles} tiles")
         if view != "dashed":

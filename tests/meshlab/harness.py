@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests in MeshLab share. A test imports all of it, and then is in an empty folder of its own, which is kept
-afterwards for a look, with a display and a home folder. The first thing that is not as expected ends it and shows the log.
-Functions that "print" commands of the driver return them."""
+afterwards for a look, with a display and a home folder. The first thing that is not as expected ends it and shows the
+log. Functions that "print" commands of the driver return them."""
 
 import atexit
 import filecmp
@@ -29,7 +29,8 @@ BUILD = pathlib.Path(os.environ["LAPLACIAN_LINES_BUILD"])
 STAGE = BUILD / "stage"
 TEST = os.path.realpath(sys.argv[-1])
 WORK = BUILD / "Testing/meshlab" / pathlib.Path(TEST).stem
-SECONDS = float(os.environ.get("DRIVE_SECONDS", 200))  # a hung MeshLab, before ctest's own limit, so that its log is shown
+SECONDS = float(os.environ.get("DRIVE_SECONDS",
+                               200))  # a hung MeshLab, before ctest's own limit, so that its log is shown
 # Nothing but meshes and the current layer's lines in the view, and the probe that expect-lines needs
 SHOW_LINES = """check Show Info Panel off
 check Show Trackball off
@@ -108,7 +109,8 @@ def set_background(*colors):
 def run_in_work(command, **environment):
     with open("log", "wb") as log:
         try:
-            with subprocess.Popen(command, cwd=WORK, env={**os.environ, **environment}, stdout=log, stderr=log) as process:
+            with subprocess.Popen(command, cwd=WORK, env={**os.environ, **environment}, stdout=log,
+                                  stderr=log) as process:
                 try:
                     return exit_code(process.wait(SECONDS))
                 finally:
@@ -248,7 +250,8 @@ def take_pictures(file, meshes, *words, settings=()):
 
 
 def output(*command, **options):
-    return subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True, errors="surrogateescape", **options).stdout
+    options = {"errors": "surrogateescape", **options}
+    return subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True, **options).stdout
 
 
 def text_of(file):
@@ -295,7 +298,8 @@ def pixels(*words):
 
 def only(color, fuzz=0):
     """Operations that leave this color white, all else black."""
-    return ["-alpha", "off", "-fuzz", f"{fuzz}%", "-fill", "black", "+opaque", color, "-fill", "white", "-opaque", color,
+    return ["-alpha", "off", "-fuzz", f"{fuzz}%", "-fill", "black", "+opaque", color, "-fill", "white", "-opaque",
+            color,
             "-colorspace", "gray"]
 
 
@@ -344,7 +348,8 @@ def torus(file="torus.ply"):
 
 
 def ply(file, vertices, faces=()):
-    """An ASCII file of these lines; or, in a .gui script, of the vertices and faces after it, of which there are so many."""
+    """An ASCII file of these lines; or, in a .gui script, of the vertices and faces after it, of which there are so
+    many."""
     if isinstance(faces, str):
         lines = [line for line in faces.splitlines() if line.strip()]
         faces, vertices = lines[int(vertices[0]):], lines[:int(vertices[0])]

@@ -7,7 +7,8 @@ from product.stage import built_plugins
 
 if not has_extra_plugins():
     with open("log", "wb") as log:
-        code = subprocess.run([CHECKOUT / "run", "--install"], stderr=log, env={**os.environ, "LAPLACIAN_LINES_BUILD": str(WORK / "build")}).returncode
+        code = subprocess.run([CHECKOUT / "run", "--install"], stderr=log,
+                              env={**os.environ, "LAPLACIAN_LINES_BUILD": str(WORK / "build")}).returncode
     expect(code == 1, f"installing ended with {code}")
     # package.py does what it says
     expect_text("log", "MeshLab 2020.* loads no plugins from a user's folder; .* run ./run --package and, as root, apt install "

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""OBJ files can be read, in MeshLab's window and by meshlabserver: with all kinds of indices, colors and materials. MeshLab
-2020.09's own reader ends the program on all of them."""
+"""OBJ files can be read, in MeshLab's window and by meshlabserver: with all kinds of indices, colors and materials.
+MeshLab 2020.09's own reader ends the program on all of them."""
 from harness import *
 
 torus()
 lines = [line.split() for line in text_of("torus.ply").split("end_header\n")[1].splitlines()]
 vertices = [f"v {' '.join(line)}\n" for line in lines if len(line) == 3]
-faces = [f"f {a - len(vertices)} {b + 1}/1 {c + 1}//2\n" for a, b, c in (map(int, line[1:]) for line in lines if len(line) == 4)]
+faces = [f"f {a - len(vertices)} {b + 1}/1 {c + 1}//2\n" for a, b,
+         c in (map(int, line[1:]) for line in lines if len(line) == 4)]
 pathlib.Path("torus.obj").write_text("".join(vertices + faces))
 pathlib.Path("colors.mtl").write_text("newmtl red\nKd 1 0 0\n")
 pathlib.Path("colors.obj").write_text("""mtllib colors.mtl
@@ -40,7 +41,8 @@ expect-log Opened mesh .*colors.obj
 for element, reason in () if not meshlab_version().startswith("2020.") else (
         *((f"f 1 2 {index}", "A face refers to a vertex, a normal or a texture") for index in (0, 9, -4)),
         ("l 1 3", "A line refers to a vertex that the file does not have")):
-    pathlib.Path("bad.obj").write_text(f"v 0 0 0\nv 1 0 0\nv 0 1 0\n{element}\n" if element[0] == "f" else f"v 0 0 0\nv 1 0 0\n{element}\n")
+    pathlib.Path("bad.obj").write_text(f"v 0 0 0\nv 1 0 0\nv 0 1 0\n{element}\n" if element[0] == "f"
+                                       else f"v 0 0 0\nv 1 0 0\n{element}\n")
     drive_to_failure(f"MeshLab says: Opening Failure: .*bad.obj' {reason}", "wait\nopen bad.obj\nsleep 500")
     code = serve("-i", "bad.obj", "-o", "none.ply")
     expect(code == 255, f"meshlabserver ended with {code}")

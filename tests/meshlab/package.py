@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The packages: MeshLab shows filters and decoration after the .deb is installed, in a copy of the system, and with the files of the
-.zip; removing the .deb leaves nothing."""
+"""The packages: MeshLab shows filters and decoration after the .deb is installed, in a copy of the system, and with the
+files of the .zip; removing the .deb leaves nothing."""
 import resource
 import tempfile
 import zipfile
@@ -34,10 +34,11 @@ def expect_lines(stage):
 
 
 def in_copy(*command, shared=()):
-    """Runs a command, as root, in a copy of the system that is gone when it ends: an overlay, which keeps its changes in memory.
-    The folders `shared` and /tmp are the system's own; what else is mounted is not there."""
+    """Runs a command, as root, in a copy of the system that is gone when it ends: an overlay, which keeps its changes
+    in memory. The folders `shared` and /tmp are the system's own; what else is mounted is not there."""
     with tempfile.TemporaryDirectory() as place:
-        return subprocess.run(["setpriv", "--pdeathsig", "KILL", "unshare", "--mount", "--pid", "--fork", "--kill-child",
+        return subprocess.run(["setpriv", "--pdeathsig", "KILL", "unshare", "--mount", "--pid", "--fork",
+                               "--kill-child",
                                CHECKOUT / "tests/meshlab/enter_copy", place, *shared, "--", *command]).returncode
 
 
@@ -82,9 +83,11 @@ def check_contents(deb, archive):
     # other packages have these folders too, but for the last
     folders = {f".{place}/" for place in (plugins, pathlib.Path("/usr/share/doc/meshlab-laplacian-lines"))
                for place in (place, *place.parents[:-1])}
-    expect({words[5] for words in contents if words[0][0] == "d"} - {"./"} == folders, f"the .deb has the folders of {contents}")
+    expect({words[5] for words in contents if words[0][0] == "d"} - {"./"} == folders,
+           f"the .deb has the folders of {contents}")
     with zipfile.ZipFile(archive) as there:
-        expect(sorted(there.namelist()) == ["LICENSE", "README.md", "libdecorate_laplacian_lines.so", "libfilter_laplacian_lines.so"],
+        expect(sorted(there.namelist()) == ["LICENSE", "README.md", "libdecorate_laplacian_lines.so",
+                                            "libfilter_laplacian_lines.so"],
                f"the .zip holds {there.namelist()}")
         there.extractall("zip")
 
@@ -105,7 +108,8 @@ def main():
     drive_to_failure(NOT_THERE, SCRIPT, stage=WORK / "deb_stage")
     if os.geteuid() != 0 or in_copy("true") != 0:
         skip("a copy of the system takes root's rights, and a machine that allows overlays of its system")
-    expect(in_copy("env", "TEST_GOES_ON=1", "python3", "-B", TEST, shared=[CHECKOUT, BUILD]) == 0, "what the .deb installs does not work")
+    expect(in_copy("env", "TEST_GOES_ON=1", "python3", "-B", TEST, shared=[CHECKOUT, BUILD]) == 0,
+           "what the .deb installs does not work")
     expect(not os.path.exists("/usr/share/doc/meshlab-laplacian-lines"), "the copy was the system itself")
 
 

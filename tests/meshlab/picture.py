@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./run --picture: a drawing on white paper, also with parameters of the decoration; sheets of views and meshes; from all sides, with
-any axis up, enlarged, without perspective; with lines that go with the size."""
+"""./run --picture: a drawing on white paper, also with parameters of the decoration; sheets of views and meshes; from
+all sides, with any axis up, enlarged, without perspective; with lines that go with the size."""
 import gzip
 
 from harness import *
@@ -50,15 +50,16 @@ for locale in ("C", "C.UTF-8"):
     os.unlink(f"{odd}png")
 expect_same_picture("odd_C.png", "odd_C.UTF-8.png", 0)
 
-# without perspective, a box, far from the origin, shows the two sizes that the view and the axis that is up leave, as large as they fit
-# into 360 pixels: a twentieth of the shorter side is left free
+# without perspective, a box, far from the origin, shows the two sizes that the view and the axis that is up leave, as
+# large as they fit into 360 pixels: a twentieth of the shorter side is left free
 ply("box.ply", corners(4, 3, 2, left=50, bottom=20), CUBE_FACES)
 for options, faces in (
         ("", "front 360x270 180,0 360x270 left 240x360 top 360x180 bottom 360x180 90,90 180x360"),
         ("--up z", "front 360x180 top 360x270"), ("--up x", "back 270x360 right 180x360"),
         ("--zoom 0.5", "front 180x135 90,90 90x180")):
     views, sizes = faces.split()[::2], faces.split()[1::2]
-    take("faces.png", "box.ply", "--size", "400x400", "--orthographic", *options.split(), *(w for view in views for w in ("--view", view)))
+    take("faces.png", "box.ply", "--size", "400x400", "--orthographic", *options.split(),
+         *(w for view in views for w in ("--view", view)))
     for number, size in enumerate(sizes):  # of the drawings, which a sheet leaves in its folder
         file = f"drawings/drawing_0_{number}_0.png"
         width, height, left, top = drawn(file)
@@ -71,9 +72,11 @@ take("face.png", "box.ply", "--size", "400x400", "--view", "back", "--zoom", "0.
 width, height, *_ = drawn("face.png")
 expect(160 < width <= 184 and abs(4 * height - 3 * width) < 16, f"in perspective, the back is {width}x{height}")
 
-# above 900 pixels, lines are as much wider as the shorter side is longer, so that a drawing of twice the size has four times the ink
+# above 900 pixels, lines are as much wider as the shorter side is longer, so that a drawing of twice the size has four
+# times the ink
 for size in ("900", "1800"):
     take(f"square_{size}.png", "torus.ply", "--size", f"{size}x{size}")
-small, large = (float(convert(f"square_{size}.png", "-alpha", "off", "-colorspace", "gray", "-negate", "-format", "%[fx:mean]"))
+small, large = (float(convert(f"square_{size}.png", "-alpha", "off", "-colorspace", "gray", "-negate", "-format",
+                              "%[fx:mean]"))
                 for size in ("900", "1800"))
 expect_between(0.85 * small, large, 1.15 * small, "large drawings have lines of other proportions")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A sheet of ./run --picture is made without the meshes that fail, each of which is named with its reason, and ends with an error. What
-MeshLab mends when it opens a mesh is not a failure."""
+"""A sheet of ./run --picture is made without the meshes that fail, each of which is named with its reason, and ends
+with an error. What MeshLab mends when it opens a mesh is not a failure."""
 from harness import *
 
 begin_pictures()

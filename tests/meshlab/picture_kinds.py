@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./run --picture --kinds: a column for each kind of lines and a row for each mesh, another one with noise; edges of pictures beside
-them, where scikit-image can be had; a mesh that fails does not stop the others."""
+"""./run --picture --kinds: a column for each kind of lines and a row for each mesh, another one with noise; edges of
+pictures beside them, where scikit-image can be had; a mesh that fails does not stop the others."""
 from harness import *
 from product.picture import columns_of, image_python
 
@@ -34,9 +34,11 @@ for a in range(6):
     for b in range(a + 1, 6):
         expect(differing_pixels(drawn(0, a), drawn(0, b)) > 50, f"the columns {a} and {b} are the same")
 # highlights are white on gray, and what follows is on white again
-expect(convert(drawn(0, 4), "-format", "%[hex:u.p{9,9}]").startswith("A8A8A8"), "the paper under highlights is not gray")
+expect(convert(drawn(0, 4), "-format", "%[hex:u.p{9,9}]").startswith("A8A8A8"),
+       "the paper under highlights is not gray")
 expect_between(20, pixels(drawn(0, 4), "-shave", "12x12", "-threshold", "80%"), 2000, "pixels of highlights")
-expect(convert(drawn(0, 5), "-format", "%[hex:u.p{9,9}]").startswith("FFFFFF"), "the paper after highlights is not white")
+expect(convert(drawn(0, 5), "-format", "%[hex:u.p{9,9}]").startswith("FFFFFF"),
+       "the paper after highlights is not white")
 
 # the same noise again
 shutil.copy(drawn(1, 0), "noisy.png")

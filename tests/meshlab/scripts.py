@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The filter in scripts of meshlabserver: every parameter, every choice, what it says and what it leaves alone.
 
-Not tested, because MeshLab 2020.09 itself ends there by an assertion (exit code 134): a script in which a parameter other than
-the first is missing or holds text that is not a number."""
+Not tested, because MeshLab 2020.09 itself ends there by an assertion (exit code 134): a script in which a parameter
+other than the first is missing or holds text that is not a number."""
 from harness import *
 
 EXAMPLE = "laplacian_lines.mlx"
@@ -19,7 +19,8 @@ expect_said("Laplacian lines: 1200 vertices, 2400 triangles", r"= 2\.00 mean edg
             r"Roughness [01]\.[0-9]+: normals smoothed by 0\.80 mean edges",
             r"Laplace Operator: Heat Kernel \(Belkin\), Normal Weighting: Area, Normal Smoothing: Gaussian, Gradient Estimator: Triangle Fit",
             "stored per vertex in ll_normal, ll_laplacian_normal, ll_shape_diagonal, ll_shape_off_diagonal, ll_kernel_size")
-accept("all.ply", EXAMPLE, kernel_size=0.2, kernel_mode=1, laplace_operator=1, accuracy=0.01, normal_weighting=2, normal_smoothing=2,
+accept("all.ply", EXAMPLE, kernel_size=0.2, kernel_mode=1, laplace_operator=1, accuracy=0.01, normal_weighting=2,
+       normal_smoothing=2,
        normal_sigma=1.5, bilateral_angle=40, gradient_estimator=1, gradient_radius=2, correct_borders="false",
        skip_opposite_sheet="false")
 expect_said(r"Kernel size 0\.2 in mesh units", r"Normals smoothed by 1\.50 mean edges",

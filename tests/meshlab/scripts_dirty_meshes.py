@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes with faults in scripts: what is left out is counted in the log, and a mesh without a surface is refused. From 2022.02 on,
-MeshLab itself takes out some of the faults when it opens a mesh."""
+"""Meshes with faults in scripts: what is left out is counted in the log, and a mesh without a surface is refused. From
+2022.02 on, MeshLab itself takes out some of the faults when it opens a mesh."""
 from harness import *
 
 small_torus()
@@ -33,7 +33,8 @@ expect_left_out("2 vertices with non-finite coordinates, 2 triangles without are
                 ["nan 0 0", "3 3 3", "inf 0 0", "5 5 5"], ["3 0 1 1200", "3 0 1201 1", "3 7 7 8"])
 
 # each triangle with vertices of its own: 3 for each of the 2400, of which 1200 count
-ply("soup.ply", [vertices[int(i)] for face in faces for i in face.split()[1:]], [f"3 {i} {i + 1} {i + 2}" for i in range(0, 7200, 3)])
+ply("soup.ply", [vertices[int(i)] for face in faces for i in face.split()[1:]],
+    [f"3 {i} {i + 1} {i + 2}" for i in range(0, 7200, 3)])
 expect(compute("soup.ply") == 0, "the soup was refused")
 expect_text("log", "^Cuts closed: 6000 duplicated vertices count as others$")
 expect_text("out.ply", "^element vertex 7200$")

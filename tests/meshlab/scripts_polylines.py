@@ -11,7 +11,8 @@ def lines_of(file, said="", **settings):
     """How many segments there are."""
     accept(file, EXAMPLE, **settings)
     expect_text("log", said)
-    return int(re.findall(r"Lines of torus.ply: .* (\d+) segments; ", text_of("log") + "Lines of torus.ply: 0 0 segments; ")[0])
+    return int(re.findall(r"Lines of torus.ply: .* (\d+) segments; ",
+                          text_of("log") + "Lines of torus.ply: 0 0 segments; ")[0])
 
 
 torus()
@@ -31,10 +32,12 @@ lines_of("contours.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ 
 # kinds by mixtures, whichever are switched on
 lines_of("mixture.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ suggestive contours, [0-9]+ segments",
          settings=3, contours="false")
-lines_of("mixture.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ apparent ridges, [0-9]+ segments", settings=5)
+lines_of("mixture.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ apparent ridges, [0-9]+ segments",
+         settings=5)
 expect(lines_of("detailed.ply", detail=90) > visible, "more detail gives no more lines")
 lines_of("lit.ply", light=1)
-for number, direction in {2: "0 0 1", 4: r"0 0 -1 \(Back\)", 5: r"-1 0 0 \(Left\)", 6: r"1 0 0 \(Right\)", 7: r"0 1 0 \(Top\)",
+for number, direction in {2: "0 0 1", 4: r"0 0 -1 \(Back\)", 5: r"-1 0 0 \(Left\)", 6: r"1 0 0 \(Right\)",
+                          7: r"0 1 0 \(Top\)",
                           8: r"0 -1 0 \(Bottom\)"}.items():
     lines_of("side.ply", f"orthographic, along the view direction {direction}", view=number)
 lines_of("other.ply", "perspective, from the viewpoint 5 1 1", view=1, viewpoint=(5, 1, 1))
@@ -53,5 +56,6 @@ for reason, settings in (
         ("No lines are seen from there, so no layer was created", {**NO_LINES, "contours": "false"}),
         ("The viewpoint is inside the surface", {"view": 1, "viewpoint": (1, 0, 0)}),
         ('"Viewpoint" has to be three finite numbers', {"viewpoint": ("nan", 0, 0)}),
-        ('"Light Direction" is 0 0 0, which is not a direction', {"light": 1, "view": 2, "light_direction": (0, 0, 0)})):
+        ('"Light Direction" is 0 0 0, which is not a direction',
+         {"light": 1, "view": 2, "light_direction": (0, 0, 0)})):
     refuse(reason, EXAMPLE, **settings)

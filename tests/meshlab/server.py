@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The program that stands in for meshlabserver from MeshLab 2022.02 on: needs no display, gives the core's results, and ends with a
-sentence and an exit code when something is wrong."""
+"""The program that stands in for meshlabserver from MeshLab 2022.02 on: needs no display, gives the core's results, and
+ends with a sentence and an exit code when something is wrong."""
 import resource
 
 from harness import *
@@ -33,8 +33,10 @@ for pattern, text, reason in (
         ('name="accuracy"', 'name="acuracy"', r"There is no parameter acuracy\. There are: kernel_size, "),
         ('value="0.001"', 'value="much"', 'Parameter accuracy: "much" is not a number'),
         ("RichAbsPerc", "RichLength", "Parameter kernel_size: the type RichLength cannot be read"),
-        ('RichFloat" value="0.001"', 'RichBool" value="true"', "Parameter accuracy has the type RichFloat, not RichBool"),
-        (r'(name="kernel_mode".* value=")0', r"\g<1>7", r'"Kernel" is 7\. It has to be one of 0 \(Uniform\), 1 \(Adaptive\)'),
+        ('RichFloat" value="0.001"', 'RichBool" value="true"',
+         "Parameter accuracy has the type RichFloat, not RichBool"),
+        (r'(name="kernel_mode".* value=")0', r"\g<1>7",
+         r'"Kernel" is 7\. It has to be one of 0 \(Uniform\), 1 \(Adaptive\)'),
         ("</FilterScript>", "", "is not XML: line [0-9]+"),
         ("FilterScript>", "Filters>", "is not a MeshLab filter script: its root is <Filters>"),
         ("(</?)filter(?= |>)", r"\1filters", "has no filter")):

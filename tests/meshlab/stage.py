@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sets up the MeshLab that the other tests run, with the plugins just built; a build without one of them is still worth testing."""
+"""Sets up the MeshLab that the other tests run, with the plugins just built; a build without one of them is still worth
+testing."""
 import os
 import pathlib
 import sys

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./run opens several meshes and projects in one window, each layer with its lines, whatever their files are called; of what cannot be
-opened it says which one and why."""
+"""./run opens several meshes and projects in one window, each layer with its lines, whatever their files are called; of
+what cannot be opened it says which one and why."""
 import gzip
 
 from harness import *
@@ -20,8 +20,10 @@ def lines_of_layers(count):
     """The commands that look at each layer's lines alone."""
     return ["check Show Info Panel off", "check Show Trackball off", "size 500x400", "setdeco Line Color = #ff0000",
             "setdeco Contour Color = #ff0000", "slot view resetTrackBall",
-            *(word for layer in range(count) for word in (f"select-layer {layer}", "check Laplacian Lines Probe on")), "expect-lines",
-            *(word for layer in range(count - 1) for word in (f"show-layer {layer}", "expect-lines")), f"show-layer {count - 1}",
+            *(word for layer in range(count) for word in (f"select-layer {layer}", "check Laplacian Lines Probe on")),
+            "expect-lines",
+            *(word for layer in range(count - 1) for word in (f"show-layer {layer}", "expect-lines")),
+            f"show-layer {count - 1}",
             "expect-no-lines"]
 
 
@@ -44,7 +46,8 @@ expect_window(0, [scene, "torus.ply"], lines_of_layers(3))
 
 ply("point.ply", ["0 0 0"])
 project("points.mlp", "point.ply", "torus.ply")
-expect_window(0, ["points.mlp"], ["expect-action Laplacian Lines checked", "select-layer 0", "expect-action Laplacian Lines unchecked",
+expect_window(0, ["points.mlp"], ["expect-action Laplacian Lines checked", "select-layer 0",
+                                  "expect-action Laplacian Lines unchecked",
                                   "expect-log point.ply: The mesh has no triangle"])
 
 project("incomplete.mlp", "torus.ply", "missing.ply")

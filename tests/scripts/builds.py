@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Building: a signal to a script alone ends it and all that the build has begun; two scripts take turns; a checkout that was copied or
-moved is built anew; CMake and make are asked again after any change that they would look at, and only then; in any country."""
+"""Building: a signal to a script alone ends it and all that the build has begun; two scripts take turns; a checkout
+that was copied or moved is built anew; CMake and make are asked again after any change that they would look at, and
+only then; in any country."""
 import signal
 import time
 
@@ -67,7 +68,8 @@ def main():
 run_main(main)"""
 
     def begin(self, name, inside="", after=""):
-        """A script that takes its turn, tells so in NAME.has, does something, ends its turn, tells so in NAME.done and goes on."""
+        """A script that takes its turn, tells so in NAME.has, does something, ends its turn, tells so in NAME.done and
+        goes on."""
         with open(f"{name}.log", "wb") as log:
             script = python(self.SCRIPT, name, inside, after, stderr=log)
         self.addCleanup(lambda: (script.kill(), script.wait()))
@@ -119,7 +121,8 @@ class MovedBuild(ScriptTest):
         """Builds the program, which says the folder's name; the script says what matches."""
         said = self.said_by(build_targets, "program", checkout=self.work / name)
         self.assertRegex(said, regex)
-        self.assertEqual(subprocess.check_output([f"{name}/build/program"], text=True).strip(), name, "the program is of other sources")
+        self.assertEqual(subprocess.check_output([f"{name}/build/program"], text=True).strip(), name,
+                         "the program is of other sources")
 
     @staticmethod
     def write_place(name):
@@ -177,13 +180,15 @@ class UnchangedBuild(ScriptTest):
         self.expect_asked("nothing has changed", False)
         self.expect_asked("another option", True, "-DANYTHING=ON")
         self.expect_asked("the same option", False, "-DANYTHING=ON")
-        subprocess.run(["cmake", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Debug"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["cmake", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Debug"], check=True,
+                       stdout=subprocess.DEVNULL)
         self.expect_asked("configured by hand", True, "-DANYTHING=ON")
         os.unlink("build/plugins/program")
         self.expect_asked("what was made is gone", True, "-DANYTHING=ON")
         main.write_text("wrong\n")
         for _ in range(2):  # a build that had failed does not count
-            self.said_by(self.refused, "the build failed", build_targets, "program", options=["-DANYTHING=ON"], checkout=self.work)
+            self.said_by(self.refused, "the build failed", build_targets, "program", options=["-DANYTHING=ON"],
+                         checkout=self.work)
 
 
 class Locales(ScriptTest):
@@ -193,11 +198,13 @@ class Locales(ScriptTest):
         program += 'print(subprocess.check_output(["sh", "-c", "echo $LC_ALL"], text=True).strip())'
         for name in ("C", "tr_TR", "de_DE", "ja_JP"):
             if name != "C":
-                made = subprocess.run(["localedef", "-i", name, "-f", "UTF-8", f"{name}.UTF-8"], stderr=subprocess.DEVNULL)
+                made = subprocess.run(["localedef", "-i", name, "-f", "UTF-8", f"{name}.UTF-8"],
+                                      stderr=subprocess.DEVNULL)
                 if made.returncode != 0:
                     self.skipTest(f"the locale {name} cannot be made here")
                 name += ".UTF-8"
-            script = python(program, env={**os.environ, "LOCPATH": str(self.work), "LC_ALL": name}, stdout=subprocess.PIPE, text=True)
+            script = python(program, env={**os.environ, "LOCPATH": str(self.work), "LC_ALL": name},
+                            stdout=subprocess.PIPE, text=True)
             self.assertEqual(script.communicate()[0], f"/somewhere 0.5\n{name}\n")
 
 

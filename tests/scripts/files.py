@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A file that scripts write is there whole, or what was there before; devices and pipes are written into. What is kept in the cache and in
-the user's folders; the links of a stage; the meshes of ./bench."""
+"""A file that scripts write is there whole, or what was there before; devices and pipes are written into. What is kept
+in the cache and in the user's folders; the links of a stage; the meshes of ./bench."""
 import threading
 from unittest import mock
 
@@ -33,7 +33,8 @@ class WholeFiles(ScriptTest):
         self.assertEqual(target.stat().st_mode & 0o777, 0o666 & ~umask())
         target.write_text("old")
         for kilobytes in (1, 50, 97):
-            self.within(kilobytes, re.escape(f"cannot write {target}: File too large; what was there is unchanged"), put_file, new, target)
+            self.within(kilobytes, re.escape(f"cannot write {target}: File too large; what was there is unchanged"),
+                        put_file, new, target)
             self.assertEqual((target.read_text(), os.listdir("place")), ("old", [target.name]))
         os.mkdir("folder")
         self.refused("it is a folder", put_file, new, "folder")
@@ -72,7 +73,8 @@ class WholeFiles(ScriptTest):
             os.utime(path(name), (time, time))
         begun = pathlib.Path("begun")
         self.assertTrue(stage.outputs_are_there(begun, ["-i", "older", "-o", "new"]))
-        said = self.said_by(lambda: self.assertFalse(stage.outputs_are_there(begun, "-o new -o older -o nowhere/a.ply".split())))
+        said = self.said_by(lambda: self.assertFalse(stage.outputs_are_there(begun,
+                                                                             "-o new -o older -o nowhere/a.ply".split())))
         self.assertEqual(said, "laplacian-lines: older was not written\nlaplacian-lines: nowhere/a.ply was not written\n")
 
 
@@ -115,7 +117,8 @@ class Cache(ScriptTest):
         def names():
             return [mesh.name for mesh in table_models("bunny", "igea", "dragon_res2", checkout=self.work / "checkout")]
 
-        with mock.patch("product.models.unpack_dragon", return_value=False), mock.patch("product.models.ensure_packages"):  # no network
+        with mock.patch("product.models.unpack_dragon",
+                        return_value=False), mock.patch("product.models.ensure_packages"):  # no network
             found = []
             said = self.said_by(lambda: found.extend(names()))
             self.assertIn("left out: the model dragon_res2 cannot be fetched", said)
@@ -135,7 +138,8 @@ class Stage(ScriptTest):
         self.assertEqual(pathlib.Path("program").read_text(), "#!/bin/sh\nold\n")
 
     def test_links(self):
-        installed, ours = ([path(self.work / folder / f"{name}.so") for name in names] for folder, names in (("installed", "ab"), ("ours", "bc")))
+        installed, ours = ([path(self.work / folder / f"{name}.so") for name in names] for folder,
+                           names in (("installed", "ab"), ("ours", "bc")))
         links = self.work / "links"
         stage.link_all(links, installed + ours)
         path(links / "file")
@@ -143,7 +147,8 @@ class Stage(ScriptTest):
         before = os.lstat(links / "a.so")
         stage.link_all(links, installed)
         after = os.lstat(links / "a.so")
-        self.assertEqual((after.st_ino, after.st_ctime_ns), (before.st_ino, before.st_ctime_ns), "a link that was right was made anew")
+        self.assertEqual((after.st_ino, after.st_ctime_ns), (before.st_ino, before.st_ctime_ns),
+                         "a link that was right was made anew")
         self.assertEqual(os.readlink(links / "b.so"), str(installed[1]), "a link still leads to our plugin")
         self.assertEqual(sorted(os.listdir(links)), ["a.so", "b.so", "file"])
 
@@ -152,10 +157,12 @@ class ExtraPlugins(ScriptTest):
     """Of a MeshLab that loads users' plugins."""
 
     def make_plugins(self):
-        return [path(self.work / "plugins" / name, os.urandom(size)) for name, size in (("liba.so", 50000), ("libb.so", 90000))]
+        return [path(self.work / "plugins" / name, os.urandom(size)) for name,
+                size in (("liba.so", 50000), ("libb.so", 90000))]
 
     def install(self, version):
-        with mock.patch("environment.packages.meshlab_version", return_value=version), mock.patch.object(extra_plugins, "refuse_installed_plugins"):
+        with mock.patch("environment.packages.meshlab_version", return_value=version), mock.patch.object(extra_plugins,
+                                                                                                         "refuse_installed_plugins"):
             self.said_by(extra_plugins.install_plugins, sorted((self.work / "plugins").iterdir()))
             return extra_plugins.extra_plugins_folder()
 

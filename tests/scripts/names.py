@@ -29,7 +29,8 @@ def names_of(tree):
 
 class Names(ScriptTest):
     def test_names(self):
-        files = [file for folder in ("scripts", "tests", "benchmarks") for file in sorted((CHECKOUT / folder).rglob("*.py"))]
+        files = [file for folder in ("scripts", "tests", "benchmarks")
+                 for file in sorted((CHECKOUT / folder).rglob("*.py"))]
         self.assertGreater(len(files), 50)
         complaints = []
         for file in files:
@@ -37,7 +38,8 @@ class Names(ScriptTest):
             if not stars:
                 complaints += [f"{file}: there is no {name}" for name in sorted(read - bound - set(imported))]
             if file.stem not in SHARED:
-                complaints += [f"{file}:{line}: {name} is not used" for name, line in imported.items() if name not in read | {"*"}]
+                complaints += [f"{file}:{line}: {name} is not used" for name,
+                               line in imported.items() if name not in read | {"*"}]
         self.assertFalse(complaints, "\n".join(complaints))
 
 

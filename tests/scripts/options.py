@@ -10,21 +10,25 @@ class Options(ScriptTest):
         environment = {**os.environ, "DISPLAY": "", "LAPLACIAN_LINES_BUILD": str(self.work / "build")}
         done = subprocess.run([CHECKOUT / "run", *words], stderr=subprocess.PIPE, env=environment)
         said = os.fsdecode(done.stderr)
-        self.assertTrue(done.returncode == 1 and re.search(f"^laplacian-lines: {regex}", said, re.M), f"{words}: {done.returncode}, {said}")
+        self.assertTrue(done.returncode == 1 and re.search(f"^laplacian-lines: {regex}", said, re.M),
+                        f"{words}: {done.returncode}, {said}")
         self.assertFalse(os.path.exists("build"), f"built in spite of {words}")
 
     def test_settings(self):
         self.expect_refused("--set needs NAME=VALUE", "--set")
         self.expect_refused("--set needs NAME=VALUE", "--set", "Detail")
-        self.expect_refused("--set goes with a window or a picture, not with --install", "--set", "Detail=70", "--install")
-        self.expect_refused("--set goes with a window or a picture, not with --python", "--set", "Detail=70", "--python", "-c", "pass")
+        self.expect_refused("--set goes with a window or a picture, not with --install", "--set", "Detail=70",
+                            "--install")
+        self.expect_refused("--set goes with a window or a picture, not with --python", "--set", "Detail=70",
+                            "--python", "-c", "pass")
         self.expect_refused("unknown option --sets", "--sets", "Detail=70")
         self.expect_refused("there is no mesh ", "none.ply")
         self.expect_refused("--install takes no other arguments", "--install", "none.ply")
 
     def test_meshes(self):
         pathlib.Path("scene.mlp").touch()
-        self.expect_refused("a project opens in a window; for a picture, name its meshes", "scene.mlp")  # there is no display
+        self.expect_refused("a project opens in a window; for a picture, name its meshes",
+                            "scene.mlp")  # there is no display
         self.expect_refused("a project opens in a window", *PICTURE, "scene.mlp")
         for mode in ("--server", "--python"):
             self.expect_refused("--zoom goes with --picture", "--zoom", "2", mode)
@@ -37,14 +41,16 @@ class Options(ScriptTest):
             while words:
                 Picture().take(words)
 
-        taken("--view", "front", "back", "left", "right", "top", "bottom", "0,0", "30,15", "-200.5,-90", "0,90", "0,90.0", "10,-89.9", "10,07")
+        taken("--view", "front", "back", "left", "right", "top", "bottom", "0,0", "30,15", "-200.5,-90", "0,90",
+              "0,90.0", "10,-89.9", "10,07")
         taken("--up", "x", "y", "z")
         taken("--zoom", "2", "0.1", "10")
         taken("--size", "1x20000")
         taken("--kinds", "all", "ridges+valleys,log")
         taken("--noise", "0.2")
         for option, complaint, values in (
-                ("--view", "--view needs front, back", ["", "above", "30", "30,91", "0,90.1", "0,-100", "0,900", "30,15,2", "front top", "[front"]),
+                ("--view", "--view needs front, back",
+                 ["", "above", "30", "30,91", "0,90.1", "0,-100", "0,900", "30,15,2", "front top", "[front"]),
                 ("--up", "--up needs the axis", ["", "w", "X", "-z", "xy"]),
                 ("--zoom", "--zoom needs a factor", ["", "0", "0.09", "11", "-1", "1e0", "2x", "."]),
                 ("--kinds", "--kinds needs names", ["", "--noise"]),
@@ -53,7 +59,8 @@ class Options(ScriptTest):
             for value in values:
                 self.refused(complaint, Picture().take, [option, value])
         self.expect_refused("--view needs", *PICTURE, "--view")
-        self.expect_refused("unknown option --end", *PICTURE, *"--view 30,15 --up x --zoom 2 --orthographic --kinds all --end".split())
+        self.expect_refused("unknown option --end", *PICTURE,
+                            *"--view 30,15 --up x --zoom 2 --orthographic --kinds all --end".split())
 
 
 unittest.main()
