@@ -18,6 +18,9 @@ import time
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+from environment.files import cache_folder
+
 CASES = pathlib.Path(__file__).resolve().parent / "cases"
 MOST_BYTES = 25_000_000
 OLDEST = (3, 10)  # requires-python
@@ -79,12 +82,6 @@ def run_cases(python, work, **more):
     """With nothing in the PATH."""
     variables = {"PATH": "", "HOME": str(work), "LAPLACIAN_LINES_REFERENCE": str(work / "reference"), **more}
     run(*python, "-B", "-m", "unittest", "discover", "--start-directory", CASES, env=variables, cwd=work)
-
-
-def cache_folder():
-    """As scripts/environment/cache.sh has it."""
-    usual = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "laplacian-lines"
-    return pathlib.Path(os.environ.get("LAPLACIAN_LINES_CACHE") or usual)
 
 
 def run_in_root(root, wheel, work):
