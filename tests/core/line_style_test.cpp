@@ -132,13 +132,13 @@ TEST(ExactPointLight, SubtractsTheTraceOfS) {
     made_up.trace = 1.5;
     LineStyle style = helpers::all_laplacian_lines();
     const View view = View::perspective({0, 0, 5});
-    for (const LinePoint& p : extract(made_up.extractor(), view, style).points)
-        EXPECT_NEAR(p.position.x(), made_up.offset, 1e-5);
-    style.exact_point_light = true;
-    const LineSet exact = extract(made_up.extractor(), view, style);
-    ASSERT_EQ(exact.lines.size(), 1u);
-    for (const LinePoint& p : exact.points)
-        EXPECT_NEAR(p.position.x(), made_up.offset + 1.5 / 5, 1e-5);
+    for (const bool exact : {false, true}) {
+        style.exact_point_light = exact;
+        const LineSet set = extract(made_up.extractor(), view, style);
+        ASSERT_EQ(set.lines.size(), 1u);
+        for (const LinePoint& p : set.points)
+            EXPECT_NEAR(p.position.x(), made_up.offset + (exact ? 1.5 / 5 : 0), 1e-5);
+    }
 }
 
 /// On a cylinder around z seen from the side: two straight lines, ‖∇I‖ = 1/R, whose ΔI changes

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <map>
 
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
@@ -119,13 +120,20 @@ TEST(ViewKinds, RadialCurvatureIsThatOfTheSectionTowardsTheEye) {
     });
 }
 
+/// Where they would be anywhere without their thresholds.
 TEST(ViewKinds, DrawNothingOnASphere) {
     const auto sphere = test_meshes::sphere(5);
     const LineExtractor extractor(sphere.mesh, helpers::complete_field(sphere.mesh));
-    for (const View& view : helpers::random_views(sphere.mesh, 10))
+    std::map<LineKind, std::size_t> crossings;
+    for (const View& view : helpers::random_views(sphere.mesh, 10)) {
         for (const LineKind kind : kKinds)
             EXPECT_EQ(helpers::extract(extractor, view, helpers::only(kind)).lines.size(), 0u)
                 << describe(kind).key;
+        for (const Polyline& line :
+             helpers::extract(extractor, view, helpers::all_crossings_of_all_kinds()).lines)
+            ++crossings[line.kind];
+    }
+    for (const LineKind kind : kKinds) EXPECT_GT(crossings[kind], 10u) << describe(kind).key;
 }
 
 TEST(ViewKinds, DrawNothingOnAPlane) {

@@ -14,6 +14,31 @@ class Options(ScriptTest):
                         f"{words}: {done.returncode}, {said}")
         self.assertFalse(os.path.exists("build"), f"built in spite of {words}")
 
+    def test_without_python(self):
+        """It is installed, or it is said how."""
+        os.mkdir("tools")
+        for tool in ("sh", "dirname", "readlink", "env"):
+            os.symlink(shutil.which(tool), f"tools/{tool}")
+        path = f"{self.work}/tools"
+
+        def run_help(user, install):
+            for name, commands in (("id", f"echo {user}"), ("apt-get", f'echo "$@" >>{path}/calls; {install}')):
+                pathlib.Path("tools", name).write_text(f"#!/bin/sh\n{commands}\n")
+                os.chmod(f"tools/{name}", 0o755)
+            done = subprocess.run([CHECKOUT / "run", "--help"], env={**os.environ, "PATH": path},
+                                  stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True)
+            return done.returncode, done.stdout
+
+        self.assertEqual(run_help(1000, "false")[0], 1)
+        self.assertIn("as root, run: apt-get install python3", run_help(1000, "false")[1])
+        self.assertEqual(run_help(0, "false"),
+                         (1, "laplacian-lines: installing python3\nlaplacian-lines: apt-get update failed; "
+                                               "trying with the package lists at hand\nlaplacian-lines: could not install python3\n"))
+        code, said = run_help(0, f"/bin/ln -sf {sys.executable} {path}/python3")
+        self.assertEqual((code, said.splitlines()[:1]), (0, ["laplacian-lines: installing python3"]))
+        self.assertIn("./run --picture", said)
+
     def test_settings(self):
         self.expect_refused("--set needs NAME=VALUE", "--set")
         self.expect_refused("--set needs NAME=VALUE", "--set", "Detail")
