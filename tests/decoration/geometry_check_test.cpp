@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "event_loop.h"
-#include "press_count.h"
 
 namespace {
 

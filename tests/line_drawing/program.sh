@@ -162,7 +162,7 @@ refused "--format is for a folder" plate.svg --format pdf cube.off
 refused "there is no mesh in the folder" plates/ plates
 refused "have the same name" plates/ cube.off meshes/../cube.off
 refused "cannot be written" cube.off/plates/ meshes
-refused "20 to 2400" plate.png --dpi 5 cube.off
+refused "between 20 and 2400" plate.png --dpi 5 cube.off
 refused "is too large" plate.png --dpi 2400 --paper a0 cube.off
 
 # --- names of files are bytes, in locales of ASCII and of UTF-8

@@ -31,5 +31,7 @@ diff "$WORK/before" "$WORK/after" || fail "what was set for one window is kept"
 rm -f "$WORK/log"
 ! (write_settings "$LAPLACIAN_LINES_BUILD" "$WORK/settings" Detail=70 Detail=abc) 2>"$WORK/log" || fail "abc is taken"
 expect_text "$WORK/log" '^laplacian-lines: "Detail" is abc. It has to be between 0 and 100.$'
+! (write_settings "$LAPLACIAN_LINES_BUILD" "$WORK/settings" "Valley Angle=20") 2>"$WORK/log" || fail "what went is taken"
+expect_text "$WORK/log" '"Valley Angle" can no longer be set, it is always that of ridges. Set Ridge Angle.$'
 ! (write_settings "$LAPLACIAN_LINES_BUILD" /dev/full Detail=70) 2>"$WORK/log" || fail "half of the settings were taken"
 expect_text "$WORK/log" 'cannot be written: No space left on device'
