@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "complaints.h"
 
-#include "meshlab_host/log.h"
+#include "meshlab_host/documents.h"
 
 bool Complaints::isSaid(const GLLogStream& log, int mesh, const QString& line) const {
     const auto last = complaints_.find({&log, mesh});

@@ -3,16 +3,16 @@
 
 #include <QPainter>
 #include <stdexcept>
+#include <utility>
 
 #include "decoration_parameters.h"
+#include "decoration_settings.h"
 #include "laplacian_lines/version.h"
 #include "meshlab_host/camera.h"
+#include "meshlab_host/documents.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/layer_drawing.h"
-#include "meshlab_host/live_meshes.h"
-#include "meshlab_host/log.h"
 #include "panel_lines.h"
-#include "redraw_mark.h"
 #include "view_properties.h"
 
 using laplacian_lines::DrawnKernel;
@@ -148,6 +148,9 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
     const ValidParameters valid = validParameters(parameters);
     meshlab_host::noteDrawnStyle(drawnStyleOf(valid.chosen));
     panel_.arrange(panelLines(valid));
+    if (!std::exchange(has_looked_at_settings_, true))
+        for (const QString& line : ignoredSettings())
+            say(QString("%1: %2").arg(title, line));
     QString refusal;
     try {
         meshlab_host::WindowProgress progress;

@@ -82,5 +82,5 @@ private:
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_, faded_lines_;
     std::vector<laplacian_lines::DrawnKernel> kernels_;
-    bool shows_statistics_ = false;
+    bool shows_statistics_ = false, has_looked_at_settings_ = false;
 };

@@ -11,8 +11,6 @@
 
 namespace {
 
-const char* const prefix = "MeshLab::Decoration::LaplacianLines_";
-
 /// Calls the visitor with each row and its label, which has the heading of the group that it opens.
 template <class Visitor>
 void visitRows(const Visitor& visitor) {
@@ -33,14 +31,15 @@ struct Lister {
 
     template <class Options>
     void visit(const laplacian_lines::OptionDescription<Options>& row, const QString& label) const {
-        meshlab_host::ParameterDescription description = meshlab_host::describe(row, prefix);
+        meshlab_host::ParameterDescription description =
+            meshlab_host::describe(row, decoration_prefix);
         description.label = label;
         description.for_experts = false;  // the panel hides it, in all versions alike
         meshlab_host::addParameter(description, row.get(Options()), 0, list);
     }
     void visit(const ColorRow& row, const QString& label) const {
         DecorationParameters defaults;
-        list.addParam(RichColor(prefix + QString(row.key), row.color(defaults), label,
+        list.addParam(RichColor(decoration_prefix + QString(row.key), row.color(defaults), label,
                                 meshlab_host::toolTip(row.help)));
     }
 };
@@ -71,7 +70,8 @@ struct Reader {
     template <class Options>
     void visit(const laplacian_lines::OptionDescription<Options>& row, const QString&) const {
         Options& read = options(row, result.as_set);
-        const meshlab_host::ParameterDescription parameter = meshlab_host::describe(row, prefix);
+        const meshlab_host::ParameterDescription parameter =
+            meshlab_host::describe(row, decoration_prefix);
         try {
             row.set(read, meshlab_host::readParameter(parameter, row.get(read), list));
         } catch (const laplacian_lines::Error& error) {
@@ -83,9 +83,17 @@ struct Reader {
     }
     void visit(const ColorRow& row, const QString&) const {
         QColor& color = row.color(result.as_set);
-        color = meshlab_host::readColor(prefix + QString(row.key), color, list);
+        color = meshlab_host::readColor(decoration_prefix + QString(row.key), color, list);
     }
 };
+
+/// What white becomes, of a paper of another color.
+QColor shadeOf(const QColor& paper) {
+    const QColor of_white = line_renderer::SurfaceAppearance().shade;
+    const auto share = [](int channel, int of_paper) { return channel * of_paper / 255; };
+    return {share(of_white.red(), paper.red()), share(of_white.green(), paper.green()),
+            share(of_white.blue(), paper.blue())};
+}
 
 void putMixtureIntoEffect(DecorationParameters& parameters) {
     const laplacian_lines::LineMixture* mixture = mixtureOf(parameters);
@@ -109,6 +117,7 @@ void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
 
 DecorationParameters inEffect(DecorationParameters parameters) {
     putMixtureIntoEffect(parameters);
+    parameters.surface.shade = shadeOf(parameters.surface.paper);
     // contours without width must not push other lines aside
     if (parameters.lines.outline_factor == 0)
         parameters.style.shows[laplacian_lines::LineKind::Contour] = false;

@@ -14,6 +14,9 @@
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"
 
+/// Of the names of all parameters, which are then unique among MeshLab's plugins.
+inline const QString decoration_prefix = "MeshLab::Decoration::LaplacianLines_";
+
 /// A choice of looks by one parameter, which then counts more than the others it stands for.
 enum class DrawingStyle { Custom, Publication, Archaeology };
 
@@ -49,7 +52,7 @@ struct DecorationParameters {
 };
 
 /// Adds all parameters with their defaults, in the order in which MeshLab shows them: what
-/// everybody uses first. The names are unique among MeshLab's plugins.
+/// everybody uses first.
 void listDecorationParameters(RichParameterList& list);
 
 /// How a parameter appears in that list.

@@ -2,11 +2,13 @@
 #include "decoration_table.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <string>
 
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_rows.h"
+#include "meshlab_host/parameter_text.h"
 
 namespace {
 
@@ -90,33 +92,16 @@ ParameterGroup everyday() {
              "values.")}};
 }
 
-/// The color of a kind that has one of its own.
-template <LineKind Kind>
-ColorRow kindColor(const char* key, const char* label) {
-    return {
-        key,
-        label,
-        "Where all kinds are drawn in colors, and wherever another color than the default is "
-        "chosen here; otherwise that of other lines.",
-        [](Parameters& parameters) -> QColor& { return parameters.lines.own[std::size_t(Kind)]; },
-        true,
-        Kind};
-}
-
-ParameterGroup colorsOfKinds() {
-    return {
-        "Colors of Kinds",
-        {
-            kindColor<LineKind::Ridge>("ridge_color", "Ridge Color"),
-            kindColor<LineKind::Valley>("valley_color", "Valley Color"),
-            kindColor<LineKind::DemarcatingCurve>("demarcation_color", "Demarcation Color"),
-            kindColor<LineKind::SuggestiveContour>("suggestive_color", "Suggestive Contour Color"),
-            kindColor<LineKind::SuggestiveHighlight>("highlight_color", "Highlight Color"),
-            kindColor<LineKind::ApparentRidge>("apparent_color", "Apparent Ridge Color"),
-            kindColor<LineKind::PhoticExtremum>("photic_color", "Photic Extremum Color"),
-            kindColor<LineKind::Crease>("crease_color", "Crease Color"),
-            kindColor<LineKind::Border>("border_color", "Border Color"),
-        }};
+/// Lights, which want another color on each paper. Other kinds tell themselves apart by theirs.
+ColorRow highlightColor() {
+    return {"highlight_color",
+            "Highlight Color",
+            "Color of suggestive highlights.",
+            [](Parameters& parameters) -> QColor& {
+                return parameters.lines.own[std::size_t(LineKind::SuggestiveHighlight)];
+            },
+            true,
+            LineKind::SuggestiveHighlight};
 }
 
 ParameterGroup surface() {
@@ -135,9 +120,8 @@ ParameterGroup surface() {
                                                     {"As MeshLab Draws It", "Paper Color"},
                                                     "What is seen around the surface.")),
          forExperts(color<look, &SurfaceAppearance::paper>(
-             "paper_color", "Paper Color", "Color of the paper, and of the lightest tone.")),
-         forExperts(color<look, &SurfaceAppearance::shade>("shade_color", "Shade Color",
-                                                           "Color of the darkest tone (Toon)."))}};
+             "paper_color", "Paper Color",
+             "Color of the paper, and of the lightest tone; darker ones are shades of it."))}};
 }
 
 ParameterGroup light() {
@@ -174,7 +158,8 @@ ParameterGroup experts() {
                              "Width of occluding contours, in widths of Laplacian lines."))}};
     const std::vector<ParameterRow> others = everyday().rows;
     for (const StyleRow& row : laplacian_lines::line_style_table())
-        if (!isListed(row, others)) group.rows.push_back(row);
+        if (!row.instead && !isListed(row, others)) group.rows.push_back(row);
+    group.rows.push_back(highlightColor());
     group.rows.push_back(forExperts(boolean<&Parameters::show_statistics>(
         "show_statistics", "Show Statistics",
         "Show in the view the number of lines; the milliseconds of the last redraw to find them "
@@ -186,7 +171,83 @@ ParameterGroup experts() {
 }  // namespace
 
 const std::vector<ParameterGroup>& decorationTable() {
-    static const std::vector<ParameterGroup> table = {everyday(), surface(), light(),
-                                                      colorsOfKinds(), experts()};
+    static const std::vector<ParameterGroup> table = {everyday(), surface(), light(), experts()};
     return table;
+}
+
+std::vector<GoneParameter> goneParameters() {
+    std::vector<GoneParameter> gone = {
+        {"shade_color", "Shade Color", "#969696", "a shade of Paper Color", "Set that."},
+        {"exact_point_light", "Exact Point Light", "off", "off",
+         "Lines are those of the paper's form of the Laplacian."},
+        {"mesh_silhouettes", "Mesh Silhouettes", "off", "off",
+         "Outlines follow the edges of the mesh where these are seen to be edges."},
+        {"valley_angle", "Valley Angle", "10", "that of ridges", "Set Ridge Angle."},
+    };
+    struct {
+        const char *key, *label;
+        LineKind kind;
+    } const colors[] = {
+        {"ridge_color", "Ridge Color", LineKind::Ridge},
+        {"valley_color", "Valley Color", LineKind::Valley},
+        {"demarcation_color", "Demarcation Color", LineKind::DemarcatingCurve},
+        {"suggestive_color", "Suggestive Contour Color", LineKind::SuggestiveContour},
+        {"apparent_color", "Apparent Ridge Color", LineKind::ApparentRidge},
+        {"photic_color", "Photic Extremum Color", LineKind::PhoticExtremum},
+        {"crease_color", "Crease Color", LineKind::Crease},
+        {"border_color", "Border Color", LineKind::Border}};
+    for (const auto& color : colors) {
+        const QString value = QColor(describe(color.kind).key_color).name();
+        gone.push_back({color.key, color.label, value, value,
+                        "Line Color and Contour Color are those of lines."});
+    }
+    const laplacian_lines::LineStyle style;
+    for (const StyleRow& row : laplacian_lines::line_style_table()) {
+        const QString value = meshlab_host::textOf(row.get(style), meshlab_host::describe(row, ""));
+        if (row.instead) gone.push_back({row.key, row.label, value, value, row.instead});
+    }
+    return gone;
+}
+
+namespace {
+
+const Override style_override = {"drawing_style", "Drawing Style", "Custom",
+                                 "The drawing style sets this. Choose Custom to set it here."};
+const Override mixture_override = {
+    "lines", "Lines", "Laplacian Lines, as Switched",
+    "The choice of lines sets this. Choose Laplacian Lines, as Switched, to set it here."};
+
+bool isSwitchOfKind(const std::string& key) {
+    return std::any_of(laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(),
+                       [&](const auto& kind) { return key == kind.key; });
+}
+
+/// Null if this is not a color.
+const ColorRow* colorRow(const std::string& key) {
+    for (const ParameterGroup& group : decorationTable())
+        for (const ParameterRow& any : group.rows)
+            if (const auto* row = std::get_if<ColorRow>(&any); row && key == row->key) return row;
+    return nullptr;
+}
+
+/// The mixture needs it to tell a kind from others, in any style.
+bool isColorOfMixture(const std::string& key, const DecorationParameters& chosen) {
+    const laplacian_lines::LineMixture* lines = mixtureOf(chosen);
+    const ColorRow* color = colorRow(key);
+    return lines && color && color->kind && lines->colored[*color->kind];
+}
+
+}  // namespace
+
+const Override* overrideOf(const std::string& key) {
+    static const std::set<std::string> of_style = {"surface", "tones", "background", "light"};
+    if (isSwitchOfKind(key)) return &mixture_override;
+    return of_style.count(key) || colorRow(key) ? &style_override : nullptr;
+}
+
+bool isOverridden(const std::string& key, const DecorationParameters& chosen) {
+    const Override* overriding = overrideOf(key);
+    if (overriding == &mixture_override) return mixtureOf(chosen);
+    return overriding && chosen.drawing_style != DrawingStyle::Custom &&
+           !isColorOfMixture(key, chosen);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -31,3 +32,27 @@ struct ParameterGroup {
 
 /// All parameters of the decoration, what everybody uses first.
 const std::vector<ParameterGroup>& decorationTable();
+
+/// One that former versions had and that is a constant now.
+struct GoneParameter {
+    QString key, label;
+    QString usual;    ///< its default, which MeshLab keeps of those that were never set
+    QString value;    ///< what it always is
+    QString instead;  ///< what to do, a sentence
+};
+std::vector<GoneParameter> goneParameters();
+
+/// A parameter that stands for others, which have no effect unless it leaves them alone.
+struct Override {
+    const char* key;
+    const char* label;
+    const char* value;     ///< of a choice, that leaves the others alone
+    const char* sentence;  ///< why the others are off
+};
+
+/// What may override the parameter with this key: the drawing style or the choice of lines; null
+/// for those that always count.
+const Override* overrideOf(const std::string& key);
+
+/// Whether it does, with what is chosen.
+bool isOverridden(const std::string& key, const DecorationParameters& chosen);

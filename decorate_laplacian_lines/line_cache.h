@@ -9,7 +9,6 @@
 
 #include "geometry_check.h"
 #include "prepared_lines.h"
-#include "press_count.h"
 
 /// Who uses which prepared lines. Lines are found by content, so that two views, or two layers with
 /// the same geometry, share them, as long as someone uses or keeps them (KeptLines). MeshLab ends

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "overrides.h"
+#include "decoration_table.h"
 
 using line_renderer::SurfaceAppearance;
 using meshlab_host::PanelField;
@@ -29,7 +29,7 @@ const std::vector<Keys> first_lines = {
 
 QString obstacleOf(const std::string& key, const DecorationParameters& chosen) {
     if (isOverridden(key, chosen)) return overrideOf(key)->sentence;
-    if (chosen.surface.style != SurfaceAppearance::Toon && (key == "tones" || key == "shade_color"))
+    if (chosen.surface.style != SurfaceAppearance::Toon && key == "tones")
         return "Only for the surface Toon.";
     if (chosen.light != Light::FixedToTheCamera &&
         (key == "light_azimuth" || key == "light_elevation"))

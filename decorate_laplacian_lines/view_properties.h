@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+class QPainter;
+
+/// Whether this is the first call for a redraw of a view. `painter` of the redraw; it remembers the
+/// call. Without a painter each call counts as the first one.
+bool beginsRedraw(QPainter* painter);
+
 /// Properties of the widget of a view, for pictures. A number: lines are drawn so many times as
 /// wide as the parameters say, where the picture is larger than a view usually is in a window.
 constexpr const char* line_scale_property = "laplacian_lines_scale";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coarse_copy.h"
+#include "compute_filter.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compute_filter.h"
+#include "filters.h"
 
 #include <QElapsedTimer>
 #include <cmath>
 #include <optional>
 
-#include "coarse_copy.h"
-#include "compute_report.h"
-#include "filter_help.h"
+#include "compute_filter.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
+#include "laplacian_lines/version.h"
 #include "line_drawing/bounds.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
@@ -79,7 +78,17 @@ meshlab_host::FilterDescription ComputeFilter::description() const {
     meshlab_host::FilterDescription result;
     result.name = "Compute Laplacian Lines";
     result.python_name = "compute_laplacian_lines_per_vertex";
-    result.help = computeHelp();
+    result.help =
+        QStringLiteral(
+            "Chooses how the surface is analysed for Laplacian lines, once for all views. To see "
+            "them, switch on <b>Laplacian Lines</b> in the Render menu; without this filter, that "
+            "does the same with the default parameters.<br>"
+            "The mesh is not changed: the result is in per-vertex attributes <b>ll_...</b>, until "
+            "the mesh changes. Cuts whose sides only nearly meet leave lines along them: run "
+            "<i>Merge Close Vertices</i> first.<br>"
+            "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, "
+            "2009. Version ") +
+        laplacian_lines::version() + '.';
     result.filter_class =
         meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Quality;
     result.preconditions = MeshModel::MM_FACENUMBER;

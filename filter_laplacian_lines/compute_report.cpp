@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compute_report.h"
+#include "compute_filter.h"
 
 #include "laplacian_lines/option_table.h"
 #include "meshlab_host/field_attributes.h"

@@ -10,10 +10,6 @@
 #include <QPushButton>
 #include <QTimer>
 
-#include "drawing_outlook.h"
-#include "kept_settings.h"
-#include "view_words.h"
-
 using meshlab_host::FilterDialog;
 
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drawing_filter.h"
+#include "filters.h"
 
 #include <QFileInfo>
 #include <QPointer>
 
 #include "drawing_dialog.h"
-#include "drawing_sheet.h"
-#include "filter_help.h"
-#include "kept_settings.h"
+#include "drawing_parameters.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/provenance.h"
@@ -68,7 +66,9 @@ meshlab_host::FilterDescription DrawingFilter::description() const {
     meshlab_host::FilterDescription result;
     result.name = filter_name;
     result.python_name = "export_laplacian_lines_drawing";
-    result.help = drawingHelp();
+    result.help = QStringLiteral(
+        "Writes a measured drawing: lines at scale on paper, as vectors, from the window's view or "
+        "several sides.");
     result.filter_class = meshlab_host::FilterInterface::Normal;
     result.preconditions = MeshModel::MM_FACENUMBER;
     return result;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drawing_outlook.h"
+#include "drawing_dialog.h"
 
-#include "drawing_sheet.h"
+#include "drawing_parameters.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
-#include "mesh_unit.h"
 #include "meshlab_host/current_view.h"
-#include "meshlab_host/layers.h"
+#include "meshlab_host/documents.h"
 
 namespace {
 
@@ -27,7 +26,7 @@ QString lengths(const Eigen::Vector3d& mm) {
 }
 
 QString sizeInWords(const PlacedLayers& layers, const DrawingParameters& chosen) {
-    const MeshUnit& unit = mesh_units[chosen.unit];
+    const line_drawing::MeshUnit& unit = line_drawing::mesh_units[chosen.unit];
     Eigen::AlignedBox3d box;
     for (const PlacedLayer& layer : layers)
         box.extend(line_drawing::boundsOf(layer.mesh));

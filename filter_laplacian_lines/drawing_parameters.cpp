@@ -4,166 +4,44 @@
 #include <QDir>
 #include <QFileInfo>
 #include <cmath>
-#include <variant>
 
-#include "laplacian_lines/option_rows.h"
-#include "mesh_unit.h"
+#include "drawing_dialog.h"
+#include "line_drawing/words.h"
 #include "meshlab_host/camera.h"
+#include "meshlab_host/drawn_style.h"
 #include "meshlab_host/parameter_text.h"
-#include "settings_choice.h"
-#include "view_words.h"
+
+using line_drawing::refuse;
+using line_drawing::SheetOption;
+using line_drawing::SheetOptions;
+using line_drawing::ViewFrame;
+using meshlab_host::CurrentView;
+using meshlab_host::ParameterDescription;
+using meshlab_host::TextDescription;
 
 namespace {
 
-using Parameters = DrawingParameters;
-using Row = laplacian_lines::OptionDescription<Parameters>;
-namespace rows = laplacian_lines::option_rows;
-
 const QString key_prefix;  // scripts use the keys as they are
 
-struct TextRow {
-    meshlab_host::TextDescription description;
-    QString Parameters::*value;
-};
-using AnyRow = std::variant<Row, TextRow>;
-
-/// Dialogs fit small screens.
-Row folded(Row row) {
-    row.for_experts = true;
-    return row;
+const std::vector<SheetOption>& filterOptions() {
+    static const std::vector<SheetOption> options = [] {
+        std::vector<SheetOption> of_filter;
+        for (const SheetOption& option : line_drawing::sheetOptionTable())
+            if (option.isOf(SheetOption::Place::Filter)) of_filter.push_back(option);
+        return of_filter;
+    }();
+    return options;
 }
 
-std::vector<const char*> paperChoices() {
-    std::vector<const char*> names = line_drawing::paperNames();
-    names.push_back("fit");
-    return names;
+ParameterDescription describe(const SheetOption& option) {
+    return meshlab_host::describe(option.row, key_prefix);
 }
 
-std::vector<const char*> unitChoices() {
-    std::vector<const char*> names;
-    for (const MeshUnit& unit : mesh_units)
-        names.push_back(unit.name);
-    return names;
+TextDescription describeText(const SheetOption& option) {
+    const bool is_file = option.text == &DrawingParameters::file;
+    return {option.row.key, option.row.label, option.row.help, is_file ? drawing_files : QString(),
+            option.row.for_experts};
 }
-
-std::vector<AnyRow> makeRows() {
-    return {
-        TextRow{{"file", drawing_labels::file,
-                 "The extension sets the format: .svg, .pdf, .dxf or .png. A file of this name is "
-                 "replaced.",
-                 drawing_files},
-                &Parameters::file},
-        TextRow{
-            {"views", drawing_labels::views,
-             "Several with commas: window, as in MeshLab, front, back, left, right, top, bottom, "
-             "six (all of these), vessel (half section, half view), or two angles, azimuth and "
-             "elevation, such as 30,15."},
-            &Parameters::views},
-        TextRow{{"scale", "Scale",
-                 "Drawn to true length, such as 1:2 or 2:1; fit: the largest usual one that fits "
-                 "the paper."},
-                &Parameters::scale},
-        rows::choice<&Parameters::paper>(
-            "paper", "Paper", paperChoices(),
-            "Upright or lying, whichever takes the drawing larger. fit: as large as the drawing."),
-        rows::choice<&Parameters::unit>(
-            "unit", "Unit of the Mesh", unitChoices(),
-            "What a length of 1 is. The dialog begins with m below a size of 10, else mm."),
-        rows::choice<&Parameters::up>("up", "Upward Axis", {"x", "y", "z"},
-                                      "The axis of the world that points up in named views."),
-        TextRow{{"sections", "Sections",
-                 "What planes across the axes of the world cut: such as x=0.5 y=0.3, where 0 to 1 "
-                 "runs from one end of the object to the other. Empty: none."},
-                &Parameters::sections},
-        TextRow{{"title", "Title", "Stands above the note of scale, size and file."},
-                &Parameters::title},
-        rows::choice<&Parameters::is_of_all_layers>(
-            "layers", "Layers", {"Current Layer", "All Visible Layers"},
-            "All Visible Layers: together, as they stand, hiding each other."),
-        rows::choice<&Parameters::settings>(
-            "settings", "Settings", settingsNames({"Defaults", "As the Decoration"}),
-            "As the Decoration: lines and light as the decoration Laplacian Lines has drawn them "
-            "last. Needs a window in which it has drawn. The others: lines of these kinds, with "
-            "the outlines."),
-        folded(rows::choice<&Parameters::arrangement>(
-            "arrangement", "Arrangement", {"First Angle", "Third Angle"},
-            "How views lie around the front view. First angle (Europe): what is seen from the left "
-            "stands on the right; third angle (America): on the left.")),
-        folded(rows::choice<&Parameters::strokes>(
-            "strokes", "Strokes", {"Tapered", "Plain"},
-            "Lines that swell and taper as in MeshLab's view, or of even width, for plotters and "
-            "CAD; those of DXF are always plain.")),
-        folded(rows::choice<&Parameters::wall>(
-            "wall", "Walls", {"Hatched", "Filled", "None"},
-            "What sections cut: hatched, black, or its outline alone.")),
-        folded(
-            rows::choice<&Parameters::hidden>("hidden", "Hidden Lines", {"None", "Dashed"},
-                                              "Outlines, borders and creases behind the surface.")),
-        folded(rows::choice<&Parameters::weights>(
-            "weights", "Line Weights", {"Illustrator", "ISO 128"},
-            "Illustrator: outlines are widest, edges within the form thin. ISO 128: edges that are "
-            "seen are as wide as outlines, other lines half as wide.")),
-        folded(rows::boolean<&Parameters::has_furniture>(
-            "furniture", "Scale Bar and Notes",
-            "Names of views, scale bar, symbol of the projection, notes of scale, size and "
-            "file."))};
-}
-
-const std::vector<AnyRow>& allRows() {
-    static const std::vector<AnyRow> all = makeRows();
-    return all;
-}
-
-struct Lister {
-    const Parameters& defaults;
-    RichParameterList& list;
-
-    void operator()(const Row& row) {
-        meshlab_host::addParameter(meshlab_host::describe(row, key_prefix), row.get(defaults), 0,
-                                   list);
-    }
-    void operator()(const TextRow& row) {
-        meshlab_host::addText(row.description, defaults.*row.value, list);
-    }
-};
-
-struct ParameterReader {
-    Parameters& result;
-    const RichParameterList& list;
-
-    void operator()(const Row& row) {
-        row.set(result, meshlab_host::readParameter(meshlab_host::describe(row, key_prefix),
-                                                    row.get(result), list));
-    }
-    void operator()(const TextRow& row) {
-        result.*row.value = meshlab_host::readText(row.description, result.*row.value, list);
-    }
-};
-
-struct FieldWriter {
-    const Parameters& parameters;
-
-    DrawingField operator()(const Row& row) const {
-        const meshlab_host::ParameterDescription d = meshlab_host::describe(row, key_prefix);
-        return {d.name, d.label, meshlab_host::textOf(row.get(parameters), d)};
-    }
-    DrawingField operator()(const TextRow& row) const {
-        return {row.description.name, row.description.label, parameters.*row.value};
-    }
-};
-
-struct FieldReader {
-    Parameters& result;
-    const std::function<std::optional<QString>(const QString& label)>& text_of;
-
-    void operator()(const Row& row) {
-        const meshlab_host::ParameterDescription d = meshlab_host::describe(row, key_prefix);
-        if (const auto text = text_of(d.label)) row.set(result, meshlab_host::valueIn(*text, d));
-    }
-    void operator()(const TextRow& row) {
-        if (const auto text = text_of(row.description.label)) result.*row.value = *text;
-    }
-};
 
 /// As the layer stands in the world.
 double diagonalOf(const MeshModel& layer) {
@@ -172,10 +50,27 @@ double diagonalOf(const MeshModel& layer) {
     return factor * double(layer.cm.bbox.Diag());
 }
 
+ViewFrame frameOf(const CurrentView& window) {
+    ViewFrame frame{line_drawing::Side::Other, "View", window.up.cross(window.towards_viewer),
+                    window.up, window.towards_viewer};
+    if (!window.is_orthographic) frame.eye = window.eye;
+    return frame;
+}
+
+void takeFromDecoration(SheetOptions& options) {
+    const std::optional<meshlab_host::DrawnStyle> drawn = meshlab_host::drawnStyle();
+    if (!drawn)
+        refuse(
+            "The decoration Laplacian Lines has drawn nothing here. Switch it on in MeshLab's "
+            "window first, or set \"Settings\" to 0 (Defaults).");
+    options.style = line_drawing::styleOnPaper(drawn->style);
+    if (drawn->light) options.light = meshlab_host::towardsLight(*drawn->light);
+}
+
 }  // namespace
 
 DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window) {
-    Parameters result;
+    DrawingParameters result;
     if (has_window) result.views = window_view;
     if (has_window && mesh) result.unit = likelyUnit(diagonalOf(*mesh));
     if (mesh && !mesh->fullName().isEmpty()) {
@@ -186,36 +81,65 @@ DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window) {
 }
 
 void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list) {
-    for (const AnyRow& row : allRows())
-        std::visit(Lister{defaults, list}, row);
+    for (const SheetOption& option : filterOptions())
+        if (option.text)
+            meshlab_host::addText(describeText(option), defaults.*option.text, list);
+        else
+            meshlab_host::addParameter(describe(option), option.row.get(defaults), 0, list);
 }
 
 std::vector<DrawingField> fieldsOf(const DrawingParameters& parameters) {
     std::vector<DrawingField> fields;
-    for (const AnyRow& row : allRows())
-        fields.push_back(std::visit(FieldWriter{parameters}, row));
+    for (const SheetOption& option : filterOptions())
+        fields.push_back(
+            {option.row.key, option.row.label,
+             option.text ? parameters.*option.text
+                         : meshlab_host::textOf(option.row.get(parameters), describe(option))});
     return fields;
 }
 
 DrawingParameters drawingParametersIn(
     const std::function<std::optional<QString>(const QString& label)>& text_of) {
-    Parameters result;
-    for (const AnyRow& row : allRows())
-        std::visit(FieldReader{result, text_of}, row);
+    DrawingParameters result;
+    for (const SheetOption& option : filterOptions()) {
+        const std::optional<QString> text = text_of(option.row.label);
+        if (text && option.text)
+            result.*option.text = *text;
+        else if (text)
+            option.row.set(result, meshlab_host::valueIn(*text, describe(option)));
+    }
     return result;
 }
 
-std::vector<meshlab_host::ParameterDescription> describeDrawingParameters() {
-    std::vector<meshlab_host::ParameterDescription> result;
-    for (const AnyRow& any : allRows())
-        if (const Row* row = std::get_if<Row>(&any))
-            result.push_back(meshlab_host::describe(*row, key_prefix));
+std::vector<ParameterDescription> describeDrawingParameters() {
+    std::vector<ParameterDescription> result;
+    for (const SheetOption& option : filterOptions())
+        if (!option.text) result.push_back(describe(option));
     return result;
 }
 
 DrawingParameters readDrawingParameters(const RichParameterList& list) {
-    Parameters result;
-    for (const AnyRow& row : allRows())
-        std::visit(ParameterReader{result, list}, row);
+    DrawingParameters result;
+    for (const SheetOption& option : filterOptions())
+        if (QString DrawingParameters::*text = option.text)
+            result.*text = meshlab_host::readText(describeText(option), result.*text, list);
+        else
+            option.row.set(result, meshlab_host::readParameter(describe(option),
+                                                               option.row.get(result), list));
     return result;
+}
+
+SheetOptions sheetOptions(const DrawingParameters& chosen,
+                          const std::optional<CurrentView>& window) {
+    if (chosen.views.contains(window_view, Qt::CaseInsensitive) && !window)
+        refuse(
+            "There is no window whose view could be drawn. Name other \"Views\", such as front, "
+            "six or 30,15.");
+    line_drawing::NamedViews others;
+    if (window) others[window_view] = frameOf(*window);
+    SheetOptions options = line_drawing::sheetOptions(chosen, others);
+    if (chosen.settings == line_drawing::settings_of_decoration) takeFromDecoration(options);
+    if (const auto* mixture = line_drawing::mixtureAt(chosen.settings))
+        options.style.shows = mixture->kinds;
+    return options;
 }

@@ -6,32 +6,22 @@
 #include <optional>
 #include <vector>
 
-#include "line_drawing/sheet_options.h"
+#include "line_drawing/sheet_choices.h"
+#include "meshlab_host/current_view.h"
 #include "meshlab_host/meshlab_api.h"
 #include "meshlab_host/parameters.h"
 
-/// Which lines: the usual ones, or lines and light as the decoration has drawn them last.
-constexpr int default_settings = 0, settings_of_decoration = 1;
+/// What the user chose for a measured drawing, of line_drawing::sheetOptionTable() what the filter
+/// has.
+using DrawingParameters = line_drawing::SheetChoices;
 
-/// What the user chose for a measured drawing, as in the dialog.
-struct DrawingParameters {
-    QString file = "drawing.svg";
-    QString views = "front";
-    QString scale = "fit";
-    QString sections;
-    QString title;
-    int paper = 1;  ///< of paperNames(), and one more: as large as the drawing
-    int unit = 0;   ///< of mm, cm, m, in
-    line_drawing::UpAxis up = line_drawing::UpAxis::Y;
-    line_drawing::Arrangement arrangement = line_drawing::Arrangement::FirstAngle;
-    line_drawing::StrokeStyle strokes = line_drawing::StrokeStyle::Tapered;
-    line_drawing::WallStyle wall = line_drawing::WallStyle::Hatched;
-    line_drawing::Weights weights = line_drawing::Weights::Illustrator;
-    bool has_furniture = true;
-    line_drawing::HiddenLines hidden = line_drawing::HiddenLines::LeftOut;
-    bool is_of_all_layers = false;    ///< the visible ones
-    int settings = default_settings;  ///< from 2 on, mixtures of lines
-};
+/// The number of the unit that a mesh of this size most likely has. Scanners measure in mm what is
+/// larger than a bead, photogrammetry and phones in m what is smaller than a house; there is no
+/// telling cm and inches.
+constexpr int likelyUnit(double diagonal) {
+    constexpr int millimetre = 0, metre = 2;
+    return diagonal < 10 ? metre : millimetre;
+}
 
 /// Labels of fields that the dialog adds something to.
 namespace drawing_labels {
@@ -63,3 +53,9 @@ std::vector<meshlab_host::ParameterDescription> describeDrawingParameters();
 
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
 DrawingParameters readDrawingParameters(const RichParameterList& list);
+
+/// What is to be drawn, views in world coordinates. `window` is the current view of the window.
+/// @throws laplacian_lines::Error(InvalidOption) with what is understood, also if the view of the
+/// window or the decoration's settings are asked for where there are none.
+line_drawing::SheetOptions sheetOptions(const DrawingParameters& chosen,
+                                        const std::optional<meshlab_host::CurrentView>& window);

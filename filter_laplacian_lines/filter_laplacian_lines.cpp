@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_laplacian_lines.h"
 
-#include "compute_filter.h"
-#include "drawing_filter.h"
-#include "polyline_filter.h"
+#include "filters.h"
 
 meshlab_host::FilterList makeFilters() {
     meshlab_host::FilterList result;

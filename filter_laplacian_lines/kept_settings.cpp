@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kept_settings.h"
+#include "drawing_dialog.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -6,12 +6,12 @@
 #include <optional>
 #include <tuple>
 
-#include "coarse_copy.h"
+#include "compute_filter.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 #include "meshlab_host/camera.h"
+#include "meshlab_host/documents.h"
 #include "meshlab_host/field_source.h"
-#include "meshlab_host/layers.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/progress.h"
 #include "placed_mesh.h"
@@ -101,9 +101,9 @@ void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
         }
     }
     if (placed.empty())
-        throw Error(ErrorCode::InvalidOption,
-                    "No visible layer can be drawn. Show one that has faces, or set \"Layers\" to "
-                    "0 (Current Layer).");
+        laplacian_lines::refuse(
+            "No visible layer can be drawn. Show one that has faces, or set \"Layers\" to "
+            "0 (Current Layer).");
 }
 
 /// Enough of a mesh to know its bounds in any view.

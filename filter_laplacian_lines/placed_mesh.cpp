@@ -40,8 +40,7 @@ void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh) {
     const Eigen::Matrix3d linear = layer.topLeftCorner<3, 3>();
     const double determinant = linear.determinant();
     if (determinant == 0 || !layer.allFinite())
-        throw laplacian_lines::Error(
-            laplacian_lines::ErrorCode::InvalidOption,
+        laplacian_lines::refuse(
             "The layer's transformation cannot be inverted. Reset it, or freeze it.");
     for (Eigen::Vector3d& p : mesh.positions)
         p = linear * p + layer.topRightCorner<3, 1>();

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "polyline_filter.h"
+#include "filters.h"
 
 #include <QFileInfo>
 #include <array>
 #include <optional>
 
-#include "filter_help.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
 #include "line_drawing/bounds.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/current_view.h"
-#include "meshlab_host/edge_look.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_source.h"
+#include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/progress.h"
 #include "polyline_parameters.h"
@@ -45,6 +44,21 @@ struct Source {
     Eigen::Matrix4d layer;
 };
 
+QString help() {
+    QStringList kinds;
+    for (const laplacian_lines::LineKindDescription& kind : laplacian_lines::line_kinds)
+        if (kind.shown) kinds << kind.many;
+    return QStringLiteral(
+               "Creates a layer with the lines of the current layer as seen from one view: %1. "
+               "They "
+               "are vertices and edges, for other filters and programs (OBJ, DXF), with attributes "
+               "<b>ll_...</b> that tell more about them.<br>"
+               "The view is that of the window: just apply, or choose another one.<br>"
+               "The results of <i>Compute Laplacian Lines</i> are used while they belong to the "
+               "mesh, otherwise those of its defaults.")
+        .arg(kinds.join(", "));
+}
+
 using Visibility = std::optional<laplacian_lines::LineVisibility>;
 
 /// None, if it is not asked.
@@ -55,9 +69,9 @@ Visibility visibilityOf(const Source& source, const View& view, const PolylinePa
     visibility.emplace(source.triangles,
                        meshlab_host::progressTo(progress, field_share, sight_share));
     if (view.w != 0 && visibility->encloses(view.eye / view.w))
-        throw Error(ErrorCode::InvalidOption,
-                    "The viewpoint is inside the surface. Move it outside, or choose an "
-                    "orthographic view.");
+        laplacian_lines::refuse(
+            "The viewpoint is inside the surface. Move it outside, or choose an "
+            "orthographic view.");
     return visibility;
 }
 
@@ -94,9 +108,9 @@ LineSet extract(const Source& source, const laplacian_lines::Field& field, const
     else
         extractor.extract(view, chosen.style, scratch, lines);
     if (lines.lines.empty())
-        throw Error(ErrorCode::InvalidOption,
-                    "No lines are seen from there, so no layer was created. Take another view, "
-                    "more \"Detail\", or more kinds of lines.");
+        laplacian_lines::refuse(
+            "No lines are seen from there, so no layer was created. Take another view, "
+            "more \"Detail\", or more kinds of lines.");
     return lines;
 }
 
@@ -129,7 +143,7 @@ meshlab_host::FilterDescription PolylineFilter::description() const {
     meshlab_host::FilterDescription result;
     result.name = "Generate Laplacian Lines Polylines";
     result.python_name = "generate_polyline_from_laplacian_lines";
-    result.help = polylineHelp();
+    result.help = help();
     result.filter_class =
         meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer;
     result.preconditions = MeshModel::MM_FACENUMBER;

@@ -7,7 +7,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/option_rows.h"
-#include "settings_choice.h"
+#include "line_drawing/sheet_choices.h"
 
 namespace {
 
@@ -53,7 +53,7 @@ const Row& viewRow() {
 
 const Row& settingsRow() {
     static const Row row = rows::choice<&Parameters::settings>(
-        "settings", "Settings", settingsNames({"As Set Below", "As the Decoration"}),
+        "settings", "Settings", line_drawing::settingsNames({"As Set Below", "As the Decoration"}),
         "As the Decoration: lines, hidden lines, light and colors as the decoration Laplacian "
         "Lines has drawn them last, whatever is set below. Needs a window in which it has drawn. "
         "The others: lines of these kinds, whichever are switched on below, with the outlines.");
@@ -191,8 +191,7 @@ void takeFromMixture(const laplacian_lines::LineMixture& mixture, Parameters& pa
 void takeFromDecoration(Parameters& parameters) {
     const std::optional<meshlab_host::DrawnStyle> drawn = meshlab_host::drawnStyle();
     if (!drawn)
-        throw laplacian_lines::Error(
-            laplacian_lines::ErrorCode::InvalidOption,
+        laplacian_lines::refuse(
             "The decoration Laplacian Lines has drawn nothing here. Switch it on in MeshLab's "
             "window first, or set \"Settings\" to 0 (As Set Below).");
     parameters.style = drawn->style;
@@ -264,6 +263,7 @@ PolylineParameters readPolylineParameters(const RichParameterList& list) {
     ParameterReader reader{result, list};
     visitRows(reader);
     if (result.settings == SettingsChoice::AsTheDecoration) takeFromDecoration(result);
-    if (const auto* mixture = mixtureAt(int(result.settings))) takeFromMixture(*mixture, result);
+    if (const auto* mixture = line_drawing::mixtureAt(int(result.settings)))
+        takeFromMixture(*mixture, result);
     return result;
 }

@@ -44,10 +44,10 @@ Eye orthographic(const Eigen::Vector3d& direction, const Eigen::Vector3d& up) {
 
 Eye ofWindow(const std::optional<CurrentView>& window) {
     if (!window)
-        throw Error(ErrorCode::InvalidOption,
-                    "There is no window with a current view. Set \"View\" to 3 (Front) or another "
-                    "side, to 1 (Perspective) and give a viewpoint, or to 2 (Orthographic) and "
-                    "give a view direction.");
+        laplacian_lines::refuse(
+            "There is no window with a current view. Set \"View\" to 3 (Front) or another "
+            "side, to 1 (Perspective) and give a viewpoint, or to 2 (Orthographic) and "
+            "give a view direction.");
     return window->is_orthographic ? orthographic(window->towards_viewer, window->up)
                                    : perspective(window->eye, window->towards_viewer, window->up);
 }
@@ -88,8 +88,8 @@ laplacian_lines::View viewOf(const Eye& eye, const PolylineParameters& chosen,
                              const Eigen::Matrix4d& layer) {
     std::optional<laplacian_lines::View> view = meshlab_host::viewFromWorld(eye.place, layer);
     if (!view)
-        throw Error(ErrorCode::InvalidOption,
-                    "The layer's transformation cannot be inverted. Reset it, or freeze it.");
+        laplacian_lines::refuse(
+            "The layer's transformation cannot be inverted. Reset it, or freeze it.");
     const auto in_mesh = [&](const Eigen::Vector3d& direction) {
         return meshlab_host::directionInMesh(direction, Eigen::Matrix4d::Identity(), layer);
     };

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view_words.h"
-
-#include <QRegularExpression>
+#include "drawing_dialog.h"
 
 #include "line_drawing/view_frame.h"
+#include "line_drawing/words.h"
 
 namespace {
 
@@ -18,9 +17,8 @@ QStringList sides() {
 
 /// Angles as one word, "six" as its sides.
 QStringList viewsIn(const QString& text) {
-    static const QRegularExpression gaps("[,;\\s]+");
     QStringList views;
-    const QStringList words = text.toLower().split(gaps, Qt::SkipEmptyParts);
+    const QStringList words = line_drawing::wordsOf(text.toLower());
     for (int i = 0; i < words.size(); ++i) {
         bool is_number = false;
         words[i].toDouble(&is_number);

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "meshlab_host/log.h"
+#include "meshlab_host/documents.h"
 
 namespace meshlab_host {
 namespace {

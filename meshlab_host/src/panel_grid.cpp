@@ -6,12 +6,34 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPalette>
+#include <QValidator>
 #include <QVariant>
-
-#include "number_validator.h"
 
 namespace meshlab_host {
 namespace {
+
+bool isNumber(const QString& text) {
+    bool is_number = false;
+    text.toDouble(&is_number);
+    return is_number;
+}
+
+/// Corrects text in MeshLab's fields for numbers, which read as 0 what is not a number: a decimal
+/// comma becomes a point, and what is not a number "nan", which is refused wherever it is read.
+/// Anything can be typed; this is when the field is left.
+class NumberValidator : public QValidator {
+public:
+    using QValidator::QValidator;
+
+    State validate(QString& text, int&) const override {
+        return isNumber(text) ? Acceptable : Intermediate;
+    }
+    void fixup(QString& text) const override {
+        QString number = text.trimmed();
+        if (number.count(',') == 1 && !number.contains('.')) number.replace(',', '.');
+        text = isNumber(number) ? number : "nan";
+    }
+};
 
 constexpr int columns = 4;       ///< two fields side by side, each a label and what it names
 constexpr int line_spacing = 0;  ///< pixels: the panel is low on small screens

@@ -42,19 +42,6 @@ double numberIn(const QString& text, bool is_whole) {
 
 }  // namespace
 
-QString allowedValues(const ParameterDescription& d) {
-    if (d.kind == OptionKind::Boolean) return "on or off";
-    if (d.kind == OptionKind::Choice) {
-        QStringList items;
-        for (int i = 0; i < d.choices.size(); ++i)
-            items << QString("%1 (%2)").arg(i).arg(d.choices[i]);
-        return "one of " + items.join(", ");
-    }
-    const QString kind = d.kind == OptionKind::Integer ? "a whole number, " : "";
-    if (!d.hasMaximum()) return kind + QString("at least %1").arg(d.minimum);
-    return kind + QString("between %1 and %2").arg(d.minimum).arg(d.maximum);
-}
-
 double valueIn(const QString& text, const ParameterDescription& d) {
     double value = no_value;
     switch (d.kind) {
@@ -73,7 +60,7 @@ double valueIn(const QString& text, const ParameterDescription& d) {
     if (value >= d.minimum && value <= d.maximum) return value;
     const bool has_comma = !std::isnan(numberIn(QString(text).replace(',', '.'), false));
     const QString hint = has_comma && text.contains(',') ? ", with a decimal point" : "";
-    refuseValue(text, d.label, allowedValues(d) + hint);
+    refuseValue(text, d.label, d.allowed + hint);
 }
 
 QString textOf(double value, const ParameterDescription& d) {
@@ -83,12 +70,12 @@ QString textOf(double value, const ParameterDescription& d) {
 }
 
 void refuseValue(const QString& value, const ParameterDescription& d) {
-    refuseValue(value, d.label, allowedValues(d));
+    refuseValue(value, d.label, d.allowed);
 }
 
 void refuseValue(const QString& value, const QString& label, const QString& allowed) {
-    const QString sentence = QString("\"%1\" is %2. It has to be %3.").arg(label, value, allowed);
-    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
+    laplacian_lines::refuse_value(QString("\"%1\"").arg(label).toStdString(), value.toStdString(),
+                                  allowed.toStdString());
 }
 
 }  // namespace meshlab_host

@@ -109,8 +109,7 @@ Eigen::Vector3d readPlace(const PlaceDescription& d, const Eigen::Vector3d& fall
     if (!list.hasParameter(d.name)) return fallback;
     const Value& value = list.getParameterByName(d.name).value();
     const auto refuse = [&](const char* why) {
-        throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption,
-                                     QString("\"%1\" %2").arg(d.label, why).toStdString());
+        laplacian_lines::refuse(QString("\"%1\" %2").arg(d.label, why).toStdString());
     };
     if (!isPoint(value)) refuse("has to be three numbers.");
     const Point3m point = pointIn(value);

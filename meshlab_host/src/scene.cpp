@@ -5,7 +5,7 @@
 #include <QPointer>
 #include <algorithm>
 
-#include "meshlab_host/layers.h"
+#include "meshlab_host/documents.h"
 
 namespace meshlab_host {
 namespace {

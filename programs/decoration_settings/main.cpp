@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "decoration_commands.h"
+#include "decoration_settings.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "collection.h"
+#include "drawings.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -7,19 +7,16 @@
 
 #include "collection_items.h"
 #include "file_names.h"
-#include "laplacian_lines/error.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/sheet_file.h"
+#include "line_drawing/words.h"
 #include "processes.h"
-#include "say.h"
+
+using line_drawing::refuse;
 
 namespace {
 
 const char* const contact_name = "contact_sheet";
-
-[[noreturn]] void refuse(const QString& sentence) {
-    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
-}
 
 void makeFolders(const CollectionFolder& folder) {
     if (!QDir().mkpath(folder.recordFolder()) || !QFileInfo(folder.recordFolder()).isWritable())
@@ -57,7 +54,7 @@ void writeContactSheet(const std::vector<CollectionItem>& items, const Collectio
     const QString title = commands.options.title.contains("{name}") ? "" : commands.options.title;
     line_drawing::Sheet sheet = line_drawing::makeContactSheet(entries, title);
     sheet.provenance = line_drawing::provenanceText(meshes, commands.words);
-    line_drawing::writeSheet(sheet, file, commands.dpi);
+    line_drawing::writeSheet(sheet, file, commands.choices.dpi);
     say(stdout, QString("%1: %2 objects").arg(file, QString::number(entries.size())));
 }
 

@@ -9,17 +9,15 @@
 #include <QJsonObject>
 #include <QMap>
 
-#include "laplacian_lines/error.h"
+#include "file_names.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/whole_file.h"
+#include "line_drawing/words.h"
 #include "mesh_reading.h"
-#include "say.h"
+
+using line_drawing::refuse;
 
 namespace {
-
-[[noreturn]] void refuse(const QString& sentence) {
-    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
-}
 
 QByteArray hashOfFile(const QString& name) {
     QFile file(name);

@@ -4,24 +4,22 @@
 #include <QStringList>
 
 #include "line_drawing/provenance.h"
-#include "line_drawing/sheet_options.h"
-#include "mesh_reading.h"
+#include "line_drawing/sheet_choices.h"
 
 struct CommandLine {
     bool help = false, version = false;
     QString drawing;     ///< the file to write, or of a collection the folder to write into
     QStringList meshes;  ///< or folders of them; in a file, all are drawn together
-    Damaged damaged = Damaged::Refused;
     bool is_collection = false;
-    QString format = "pdf";  ///< of a collection
-    double dpi = 300;        ///< of PNG
-    QString contact_view;    ///< a file for the view of a contact sheet; empty: none
+    QString format;        ///< of a collection
+    QString contact_view;  ///< a file for the view of a contact sheet; empty: none
     /// Of the options as they were given, but for what only a collection has.
     QStringList words;
     std::optional<line_drawing::Provenance> like;  ///< what is to be drawn again
+    line_drawing::SheetChoices choices;
     line_drawing::SheetOptions options;
 };
 
 /// @throws laplacian_lines::Error(InvalidOption)
 CommandLine parseCommandLine(const QStringList& arguments);
-const char* usage();
+QString usage();

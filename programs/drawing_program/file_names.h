@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <cstdio>
 
 /// From now on, Qt takes names of files for UTF-8, also in the locale C, and keeps what is none: a
 /// byte that belongs to no character is half a surrogate pair, U+DC80 to U+DCFF, as in Python.
@@ -10,3 +11,8 @@ void keepFileNames();
 
 /// The name as people can read it, with a replacement character for each such byte.
 QString readable(const QString& name);
+
+inline void say(FILE* stream, const QString& line) {
+    std::fprintf(stream, "%s\n", line.toLocal8Bit().constData());
+    std::fflush(stream);
+}

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "laplacian_lines/error.h"
+#include "file_names.h"
 #include "laplacian_lines/version.h"
-#include "say.h"
+#include "line_drawing/words.h"
 
 using line_drawing::Provenance;
 
@@ -24,11 +24,9 @@ Provenance likeOf(const QString& file) {
     for (int i = 0; are_pairs && i < like.options->size(); i += 2)
         are_pairs = isOption((*like.options)[i]);
     if (!are_pairs)
-        throw laplacian_lines::Error(
-            laplacian_lines::ErrorCode::InvalidOption,
+        line_drawing::refuse(
             QString("\"%1\" has no options of this command: it was drawn in another way.")
-                .arg(file)
-                .toStdString());
+                .arg(file));
     return like;
 }
 

@@ -5,11 +5,9 @@
 #include <exception>
 #include <new>
 
-#include "collection.h"
+#include "drawings.h"
 #include "file_names.h"
 #include "laplacian_lines/version.h"
-#include "one_drawing.h"
-#include "say.h"
 
 namespace {
 
@@ -17,7 +15,7 @@ int runCatchingAll(const QStringList& arguments) {
     try {
         const CommandLine commands = parseCommandLine(arguments);
         if (commands.help)
-            std::fputs(usage(), stdout);
+            std::fputs(usage().toUtf8().constData(), stdout);
         else if (commands.version)
             std::printf("laplacian-lines %s\n", laplacian_lines::version());
         else if (commands.is_collection)

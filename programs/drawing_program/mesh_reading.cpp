@@ -6,14 +6,14 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include "laplacian_lines/error.h"
+#include "line_drawing/words.h"
 #include "mesh_files/mesh_file.h"
 
 namespace {
 
 [[noreturn]] void refuse(const QString& file, const QString& why) {
-    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidMesh,
-                                 QString("%1: %2").arg(file, why).toStdString());
+    laplacian_lines::refuse(QString("%1: %2").arg(file, why).toStdString(),
+                            laplacian_lines::ErrorCode::InvalidMesh);
 }
 
 std::optional<mesh_files::Format> formatOf(const QString& file) {
@@ -34,15 +34,13 @@ QStringList meshesOf(const QStringList& named) {
         for (const QString& file : folder.entryList(QDir::Files, QDir::Name))
             if (formatOf(file)) meshes << folder.filePath(file);
         if (meshes.size() == before)
-            throw laplacian_lines::Error(
-                laplacian_lines::ErrorCode::InvalidOption,
-                QString("there is no mesh in the folder \"%1\".").arg(name).toStdString());
+            line_drawing::refuse(QString("there is no mesh in the folder \"%1\".").arg(name));
     }
     meshes.removeDuplicates();
     return meshes;
 }
 
-ReadMesh readMesh(const QString& name, Damaged damaged) {
+ReadMesh readMesh(const QString& name, bool draws_damaged) {
     const auto format = formatOf(name);
     QFile file(name);
     if (!QFileInfo(name).isFile() || !file.open(QIODevice::ReadOnly))
@@ -57,7 +55,7 @@ ReadMesh readMesh(const QString& name, Damaged damaged) {
     if (triangles == 0 && !defect.isEmpty())
         refuse(name, QString("the mesh cannot be read: %1.").arg(defect));
     if (triangles == 0) refuse(name, "the mesh has no faces; lines are drawn on surfaces.");
-    if (!defect.isEmpty() && damaged == Damaged::Refused)
+    if (!defect.isEmpty() && !draws_damaged)
         refuse(name,
                QString("the file is damaged: %1. With --damaged draw, the %2 triangles before "
                        "that are drawn.")

@@ -9,15 +9,13 @@
 /// @throws laplacian_lines::Error(InvalidOption) if there is none in a folder.
 QStringList meshesOf(const QStringList& named);
 
-/// What is done with a file that is not as its format has it.
-enum class Damaged { Refused, Drawn };
-
 struct ReadMesh {
     laplacian_lines::TriangleMesh mesh;
     QString defect;     ///< of a damaged file: why the mesh is not whole
     QByteArray sha256;  ///< of the file's bytes, in hexadecimal
 };
 
-/// Reads a mesh of a PLY, OBJ, STL or OFF file. Polygons become triangles.
+/// Reads a mesh of a PLY, OBJ, STL or OFF file. Polygons become triangles. A file that is not as
+/// its format has it is refused, or what comes before that is drawn.
 /// @throws laplacian_lines::Error(InvalidMesh) with a sentence that names the file.
-ReadMesh readMesh(const QString& name, Damaged damaged);
+ReadMesh readMesh(const QString& name, bool draws_damaged);

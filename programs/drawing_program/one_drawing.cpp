@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "one_drawing.h"
+#include "drawings.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -12,7 +12,6 @@
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 #include "mesh_reading.h"
-#include "say.h"
 
 namespace {
 
@@ -39,7 +38,7 @@ void saySize(const std::vector<ReadMesh>& meshes, double unit) {
 std::vector<ReadMesh> readMeshes(const CommandLine& commands) {
     std::vector<ReadMesh> meshes;
     for (const QString& file : commands.meshes)
-        meshes.push_back(readMesh(file, commands.damaged));
+        meshes.push_back(readMesh(file, commands.choices.draws_damaged));
     return meshes;
 }
 
@@ -93,7 +92,7 @@ void drawOne(const CommandLine& commands) {
         objects.push_back({meshes[i].mesh, nullptr, commands.meshes[int(i)]});
     std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
     sheets[0].provenance = line_drawing::provenanceText(origins, commands.words);
-    line_drawing::writeSheet(sheets[0], commands.drawing, commands.dpi);
+    line_drawing::writeSheet(sheets[0], commands.drawing, commands.choices.dpi);
     for (const QString& remark : sheets[0].remarks)
         say(stderr, remark);
     if (has_view)

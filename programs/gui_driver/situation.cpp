@@ -4,7 +4,7 @@
 #include <QApplication>
 
 #include "gui.h"
-#include "meshlab_host/layers.h"
+#include "meshlab_host/documents.h"
 #include "scene.h"
 
 namespace driver {

@@ -37,12 +37,19 @@ def kind_of(file):
 
 
 def options():
-    """Parameters that docs/parameters.md has, and words with -- in the usages of the programs."""
-    rows = re.findall(r"^\| (?!parameter|---|\|)(?:\*\*[^*]*\*\* )?([^|]+) \|", text_of("docs/parameters.md"), re.M)
+    """Parameters that docs/parameters.md has; words with -- in the usages of the programs and in the table of drawings;
+    and all that users have, once each, without what is for developers."""
+    text = text_of("docs/parameters.md")
+    rows = re.findall(r"^\| (?!parameter|---|\|)(?:\*\*[^*]*\*\* )?([^|]+) \|", text, re.M)
+    labels = {label for row in rows for label in row.split(", ")}
+    keys = set(re.findall(r"^\| [^|]+ \| `([a-z]+)` \|", text.split("## Export")[-1], re.M)) | {"section"}
     commands = [root / f"scripts/{name}.py"
                 for name in ("run", "test", "bench")] + sorted((root / "programs/drawing_program").glob("*.cpp"))
     words = {(c.parent.name, word) for c in commands for word in re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of(c))}
-    return sum(len(row.split(",")) for row in rows), len(words)
+    drawn = set(re.findall(r"^\| `--([a-z]+)` \|", text_of("docs/drawing_sheets.md"), re.M))
+    words |= {("drawing_program", "--" + word) for word in drawn}
+    of_run = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of("scripts/run.py")))
+    return sum(len(row.split(",")) for row in rows), len(words), len(labels) + len(drawn - keys) + len(of_run)
 
 
 lines = {file: text_of(file).count("\n") for file in files if is_code(file)}
@@ -52,12 +59,13 @@ for file, count in lines.items():
 cpp = {file for file in lines if file.suffix in {".cpp", ".h"}}
 pairs = collections.Counter(file.parent for file in cpp if file.suffix == ".h" and file.with_suffix(".cpp") in cpp)
 crowded = {str(folder): count for folder, count in pairs.items() if count > MOST_PAIRS}
-parameters, words = options()
+parameters, words, once = options()
 rows = [(f"lines: {kind}", by_kind[kind])
         for kind in ("all", "product", "tests", "benchmarks and tools", "CMake and Python of scripts", "bash")]
 rows += [
     ("parameters that users have", parameters),
     ("options of the commands", words),
+    ("options that users have, once each", once),
     (f"C++ files of {FEW_LINES} lines and less", sum(lines[file] <= FEW_LINES for file in cpp)),
     (f"folders of more than {MOST_PAIRS} pairs", ", ".join(f"{f} {n}" for f, n in sorted(crowded.items())) or "none"),
     ("bash files", sum(map(is_bash, lines))),

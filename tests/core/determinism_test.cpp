@@ -75,9 +75,6 @@ TEST(Determinism, SameFieldsAndLinesOfEveryMesh) {
 
 class Extraction : public testing::Test {
 protected:
-    Extraction() { silhouettes_.mesh_silhouettes = true; }
-
-    LineStyle silhouettes_;
     const test_meshes::AnalyticMesh surface_ = test_meshes::bumpy_sphere(5, 0.15);
     const LineExtractor extractor_{surface_.mesh, helpers::complete_field(surface_.mesh)};
     const std::vector<View> views_ = helpers::random_views(surface_.mesh, 24);
@@ -88,12 +85,11 @@ TEST_F(Extraction, GivesTheSameLinesWithUsedAndNewScratch) {
     LineSet lines;
     const test_meshes::TestMesh& other = test_meshes::mesh_named("torus");
     const LineExtractor other_extractor(other.mesh, precompute(other.mesh));
-    for (const LineStyle& style : {LineStyle(), silhouettes_})
-        for (const View& view : views_) {
-            other_extractor.extract(view, style, used, lines);
-            extractor_.extract(view, style, used, lines);
-            EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor_, view, style)));
-        }
+    for (const View& view : views_) {
+        other_extractor.extract(view, {}, used, lines);
+        extractor_.extract(view, {}, used, lines);
+        EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor_, view, {})));
+    }
 }
 
 TEST_F(Extraction, SurvivesTheMeshAndItsField) {
@@ -130,8 +126,7 @@ TEST_F(Extraction, RunsInSeveralThreadsAtOnce) {
 }
 
 TEST_F(Extraction, AllocatesNothingInTheSteadyState) {
-    for (const LineStyle& style :
-         {LineStyle(), silhouettes_, helpers::all_crossings(), helpers::all_kinds()})
+    for (const LineStyle& style : {LineStyle(), helpers::all_crossings(), helpers::all_kinds()})
         for (int threads : {1, 2, 5}) {
             const WithThreads scope(threads);
             ExtractionScratch scratch;

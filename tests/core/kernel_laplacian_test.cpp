@@ -46,10 +46,9 @@ LineSet extract(const LineExtractor& extractor, const View& view, const LineStyl
 }
 
 std::vector<LineStyle> styles() {
-    LineStyle usual = helpers::all_kinds(), whole = usual, exact = usual;
+    LineStyle usual = helpers::all_kinds(), whole = usual;
     whole.whole_lines = true;
-    exact.exact_point_light = true;
-    return {usual, whole, exact};
+    return {usual, whole};
 }
 
 /// The same but for rounding.

@@ -10,6 +10,7 @@
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
 #include "made_up_line.h"
+#include "rules/thresholds.h"
 
 namespace {
 

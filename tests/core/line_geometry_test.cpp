@@ -68,20 +68,6 @@ TEST(Sphere, LaplacianLinesCoincideWithTheSilhouette) {
     expect_silhouette(View::orthographic(kDirection), helpers::all_laplacian_lines(), 2e-3);
 }
 
-/// Δ(n·(e − p)) = −2/R² n·l − 2/R: zero where n·l = −R, on the far side.
-TEST(Sphere, ExactPointLightMovesTheLineBehindTheSilhouette) {
-    const auto sphere = test_meshes::sphere(5);
-    const LineExtractor extractor(sphere.mesh, precompute(sphere.mesh, sphere_options()));
-    LineStyle style = helpers::all_laplacian_lines();
-    style.exact_point_light = true;
-    const double distance = 3;
-    const LineSet lines = extract(extractor, View::perspective(distance * kDirection), style);
-    ASSERT_EQ(lines.lines.size(), 1u);
-    // n·(e − p) = d cos − 1 = −1: the great circle.
-    for (const LinePoint& p : lines.points)
-        EXPECT_NEAR(p.position.cast<double>().dot(kDirection), 0, 2e-3);
-}
-
 // ---- torus ----
 
 using ZeroFunction = std::function<double(const test_meshes::SurfacePoint&)>;
@@ -192,28 +178,6 @@ TEST(ExactPointLight, IsTheTrueLaplacianOfTheIllumination) {
             EXPECT_NEAR(exact, test_meshes::torus_illumination_laplacian({}, u, v, kTorusEye),
                         1e-10);
         }
-}
-
-TEST(ExactPointLight, DrawsTheTrueZeroSetAndThePapersFormDoesNot) {
-    const View view = View::perspective({1.6, -1.2, 1.4});
-    const auto truth = zero_set([&](const test_meshes::SurfacePoint& p) {
-        return p.laplacian_normal.dot(view.eye - p.position) - p.shape_operator.trace();
-    });
-    LineStyle style = helpers::all_laplacian_lines();
-    const double paper = hausdorff(truth, torus_lines(160, 0, view, style));
-    style.exact_point_light = true;
-    const double exact = hausdorff(truth, torus_lines(160, 0, view, style));
-    EXPECT_LT(exact, 0.02);
-    EXPECT_GT(paper, 5 * exact);
-}
-
-TEST(ExactPointLight, ChangesNothingForOrthographicViews) {
-    const View view = View::orthographic(kTorusEye);
-    LineStyle style;
-    const LineSet paper = torus_lines(80, 0.2, view, style);
-    style.exact_point_light = true;
-    EXPECT_TRUE(helpers::same_lines(paper, torus_lines(80, 0.2, view, style)));
-    EXPECT_GT(paper.lines.size(), 0u);
 }
 
 /// Perspective views tend to the orthographic one.

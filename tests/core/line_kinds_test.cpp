@@ -41,9 +41,8 @@ LineStyle only(LineKind kind) {
     style.shows = LineKindSet();
     style.shows[kind] = true;
     style.detail = 100;
-    style.ridge_angle = 10;
+    style.ridge_angle = kind == LineKind::Valley ? 5 : 10;
     style.crease_angle = 20;
-    style.valley_angle = 5;
     return style;
 }
 

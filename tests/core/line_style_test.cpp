@@ -126,21 +126,6 @@ TEST(Weights, OfContoursAreFull) {
         EXPECT_EQ(line.slope, 0.f);
 }
 
-/// l = (−x, −y, 5): ΔI = 5 (x − offset) − tr S.
-TEST(ExactPointLight, SubtractsTheTraceOfS) {
-    MadeUp made_up;
-    made_up.trace = 1.5;
-    LineStyle style = helpers::all_laplacian_lines();
-    const View view = View::perspective({0, 0, 5});
-    for (const bool exact : {false, true}) {
-        style.exact_point_light = exact;
-        const LineSet set = extract(made_up.extractor(), view, style);
-        ASSERT_EQ(set.lines.size(), 1u);
-        for (const LinePoint& p : set.points)
-            EXPECT_NEAR(p.position.x(), made_up.offset + (exact ? 1.5 / 5 : 0), 1e-5);
-    }
-}
-
 /// On a cylinder around z seen from the side: two straight lines, ‖∇I‖ = 1/R, whose ΔI changes
 /// sign with the slope 1/R³.
 TEST(Cylinder, StrengthAndSlopeAreAsComputedByHand) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines along edges of the mesh: borders, creases and silhouettes, against plain counts of edges.
+// Lines along edges of the mesh: borders and creases, against plain counts of edges.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -35,12 +35,6 @@ LineStyle creases(double angle) {
     LineStyle style = nothing();
     style.shows[LineKind::Crease] = true;
     style.crease_angle = angle;
-    return style;
-}
-
-LineStyle silhouettes() {
-    LineStyle style = nothing();
-    style.shows[LineKind::Contour] = style.mesh_silhouettes = true;
     return style;
 }
 
@@ -116,29 +110,12 @@ TEST(MeshEdgeLines, CreasesNeedTheirAngle) {
     }
 }
 
-TEST(MeshEdgeLines, SilhouettesAreBetweenFrontAndBack) {
-    for (const char* name : {"sphere_jittered", "torus", "cube", "hills", "rounded_cube"}) {
-        const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
-        const LineExtractor extractor(mesh, precompute(mesh));
-        for (const View& view : helpers::random_views(mesh, 4)) {
-            const Eigen::Vector4d eye(view.eye.x(), view.eye.y(), view.eye.z(), view.w);
-            const auto expected = wanted_edges(mesh, [&](const auto& planes) {
-                return planes.size() == 2 && (planes[0].dot(eye) < 0) != (planes[1].dot(eye) < 0);
-            });
-            const LineSet lines = helpers::extract(extractor, view, silhouettes());
-            EXPECT_EQ(edges_of(mesh, lines), expected) << name;
-            for (const Polyline& line : lines.lines)
-                EXPECT_EQ(line.kind, LineKind::Contour);
-        }
-    }
-}
-
 /// They are found when they are first asked for, even by several threads at once.
 TEST(MeshEdgeLines, CanBeAskedForByManyThreads) {
     const TriangleMesh& mesh = test_meshes::mesh_named("half_torus").mesh;
     LineStyle style = creases(20);
     style.shows[LineKind::Ridge] = style.shows[LineKind::Border] = style.shows[LineKind::Contour] =
-        style.mesh_silhouettes = true;
+        true;
     const Field field = precompute(mesh);
     const View view = View::perspective({3, 2, 4});
     const LineSet expected = helpers::extract(LineExtractor(mesh, field), view, style);

@@ -113,8 +113,6 @@ std::vector<NamedStyle> styles() {
     standard.exact_outlines = false;
     LineStyle all_strokes = standard;
     all_strokes.single_strokes = false;
-    LineStyle exact = standard;
-    exact.exact_point_light = true;
     LineStyle detailed = standard;
     detailed.detail = 100;
     detailed.fading = 0;
@@ -132,7 +130,6 @@ std::vector<NamedStyle> styles() {
     return {{"default", standard},
             {"with creases", with_creases},
             {"all strokes", all_strokes},
-            {"exact point light", exact},
             {"detail 100 without fading", detailed},
             {"all crossings", helpers::all_crossings()},
             {"other kinds", others},

@@ -91,7 +91,7 @@ public:
           eye_(local_eye(view, mesh_)),
           light_(view.light ? Eye{view.light->normalized().cast<float>(), 0} : eye_) {
         for (std::uint32_t v = 0; v < mesh_.size(); ++v)
-            vertices_.push_back(make_vertex(field, v, style.exact_point_light));
+            vertices_.push_back(make_vertex(field, v));
         find_around();
         find_clusters(field);
         for (const Triangle& t : mesh_.triangles)
@@ -135,7 +135,7 @@ public:
     }
 
 private:
-    Vertex make_vertex(const Field& field, std::uint32_t prepared, bool exact_point_light) const {
+    Vertex make_vertex(const Field& field, std::uint32_t prepared) const {
         const std::uint32_t v = mesh_.original_vertex[prepared];
         const double d = mesh_.diagonal;
         const ShapeOperator& s = field.shape_operators[v];
@@ -153,7 +153,6 @@ private:
         vertex.illumination = linear_form(vertex.normal.cast<double>(), p, eye_);
         vertex.laplacian =
             linear_form(field.laplacian_normals[v].cast<double>() * d * d, p, light_);
-        if (exact_point_light) vertex.laplacian -= light_.w * vertex.shape_operator.trace();
         if (!field.has_derivatives()) return vertex;
         const KindVertex at{vertex.position, vertex.normal,
                             (field.smooth_curvatures[v].cast<double>() * d).cast<float>(),

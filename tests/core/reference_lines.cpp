@@ -17,8 +17,7 @@ bool has_area(const TriangleMesh& mesh, const Triangle& t) {
     return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm() > 0;
 }
 
-Values evaluate(const TriangleMesh& mesh, const Field& field, const View& view,
-                bool exact_point_light) {
+Values evaluate(const TriangleMesh& mesh, const Field& field, const View& view) {
     Values values;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const Eigen::Vector3d& p = mesh.positions[v];
@@ -26,7 +25,6 @@ Values evaluate(const TriangleMesh& mesh, const Field& field, const View& view,
             p.allFinite() ? Eigen::Vector3d(view.eye - view.w * p) : Eigen::Vector3d::Zero();
         values.illumination.push_back(field.normals[v].cast<double>().dot(l));
         values.laplacian.push_back(field.laplacian_normals[v].cast<double>().dot(l));
-        if (exact_point_light) values.laplacian[v] -= view.w * field.shape_operators[v].trace();
     }
     return values;
 }

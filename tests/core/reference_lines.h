@@ -19,13 +19,13 @@ namespace reference {
 /// Finite corners that are not on one line.
 bool has_area(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Triangle& t);
 
-/// Values of ΔI = Δn·l and I = n·l (exact_point_light: ΔI − w tr S), in double precision and in
+/// Values of ΔI = Δn·l and I = n·l, in double precision and in
 /// the units of the mesh; only their signs and ratios matter. 0 at vertices that were left out.
 struct Values {
     std::vector<double> laplacian, illumination;
 };
 Values evaluate(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field,
-                const laplacian_lines::View& view, bool exact_point_light = false);
+                const laplacian_lines::View& view);
 
 /// One piece of a zero line: the two edges (sorted vertex pairs) of a triangle that it joins.
 struct Piece {

@@ -121,16 +121,6 @@ TEST_P(Tracing, FindsEachSegmentOnceFromRandomViews) {
     }
 }
 
-TEST_P(Tracing, FindsEachSegmentOfTheExactPointLight) {
-    const Field field = precompute(mesh());
-    const LineExtractor extractor(mesh(), field);
-    LineStyle style = helpers::all_laplacian_lines();
-    style.exact_point_light = true;
-    for (const View& view : helpers::random_views(mesh(), 10))
-        expect_same_segments(mesh(), field.scale.diagonal, helpers::extract(extractor, view, style),
-                             reference::evaluate(mesh(), field, view, true).laplacian);
-}
-
 /// A field with ΔI from {−2..2} for the view along z: exact in any order of summation, and zero
 /// at every fifth vertex.
 Field small_integers(Field field, unsigned seed) {

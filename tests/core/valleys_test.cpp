@@ -19,7 +19,7 @@ LineStyle only(LineKind kind) {
     style.shows = {};
     style.shows[kind] = true;
     style.fading = 0;
-    style.ridge_angle = style.valley_angle = 10;
+    style.ridge_angle = 10;
     return style;
 }
 

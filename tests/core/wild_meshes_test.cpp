@@ -95,11 +95,8 @@ TEST_P(WildMesh, LinesAreFiniteFromAnyEye) {
     const LineExtractor extractor(mesh(), field);
     LineStyle everything = helpers::all_kinds();
     everything.detail = 100;
-    LineStyle silhouettes = everything;
-    silhouettes.mesh_silhouettes = silhouettes.exact_point_light = true;
     for (const View& view : usual_and_odd_views(mesh(), field.scale))
-        for (const LineStyle& style :
-             {everything, silhouettes, helpers::all_crossings_of_all_kinds()})
+        for (const LineStyle& style : {everything, helpers::all_crossings_of_all_kinds()})
             EXPECT_EQ(wild::complaint(helpers::extract(extractor, view, style)), "")
                 << view.eye.transpose() << ", " << view.w;
     const View view = View::perspective({3 * field.scale.diagonal, 0, 0});

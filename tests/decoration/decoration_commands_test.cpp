@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the GUI driver is told to draw: parameters that people name, and pictures of a comparison.
-#include "decoration_commands.h"
+#include "decoration_settings.h"
 
 #include <gtest/gtest.h>
 

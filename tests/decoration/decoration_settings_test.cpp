@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "decoration_parameters.h"
+#include <QCoreApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "decoration_table.h"
 #include "laplacian_lines/error.h"
 
 namespace {
@@ -23,7 +27,7 @@ TEST(DecorationSettings, GoByLabelsAndKeys) {
     for (const char* text : {"Detail=70", "detail = 70", " DETAIL =70", "Detail=7e1"})
         EXPECT_EQ(read(text), "Detail = 70") << text;
     EXPECT_EQ(read("line_width=2.5"), "Line Width = 2.5");
-    EXPECT_EQ(read("Least Slope of a Line=0.012"), "Least Slope of a Line = 0.012");
+    EXPECT_EQ(read("Gradient Threshold t=0.7"), "Gradient Threshold t = 0.7");
 }
 
 TEST(DecorationSettings, AreNumbersWithinTheirLimits) {
@@ -78,6 +82,48 @@ TEST(DecorationSettings, ThatAreUnknownNameAllOthers) {
                 << key.toStdString();
         }
     }
+}
+
+TEST(DecorationSettings, ThatWentSayWhatToDo) {
+    EXPECT_EQ(
+        read("Least Slope of a Line=0.02"),
+        "\"Least Slope of a Line\" can no longer be set, it is always 0.012. Detail shows more "
+        "or fewer lines of all kinds.");
+    EXPECT_EQ(
+        read("valley_angle=20"),
+        "\"Valley Angle\" can no longer be set, it is always that of ridges. Set Ridge Angle.");
+    RichParameterList list;
+    listDecorationParameters(list);
+    for (const GoneParameter& gone : goneParameters()) {
+        EXPECT_FALSE(list.hasParameter(decoration_prefix + gone.key)) << gone.key.toStdString();
+        EXPECT_NE(read((gone.key + "=1").toUtf8().constData()).find("can no longer be set"),
+                  std::string::npos)
+            << gone.key.toStdString();
+    }
+}
+
+/// MeshLab keeps all parameters when it ends, those with their defaults too.
+TEST(DecorationSettings, ThatWentAreNamedWhereMeshLabHasKeptAnotherValue) {
+    const QTemporaryDir folder;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+    QCoreApplication::setOrganizationName("laplacian-lines-test");
+    EXPECT_TRUE(ignoredSettings().isEmpty());
+    QSettings settings;
+    const auto keep = [&](const char* key, const char* attributes) {
+        settings.setValue(decoration_prefix + key, QString("<Param %1/>").arg(attributes));
+    };
+    keep("line_slope", "type=\"RichFloat\" value=\"0.012\"");
+    keep("exact_outlines", "type=\"RichBool\" value=\"true\"");
+    keep("valley_angle", "type=\"RichFloat\" value=\"10\"");
+    keep("ridge_color", "type=\"RichColor\" a=\"255\" b=\"42\" g=\"75\" r=\"122\"");
+    EXPECT_TRUE(ignoredSettings().isEmpty()) << ignoredSettings().join('\n').toStdString();
+    keep("line_slope", "type=\"RichFloat\" value=\"0.02\"");
+    keep("exact_outlines", "type=\"RichBool\" value=\"false\"");
+    keep("ridge_color", "type=\"RichColor\" a=\"255\" b=\"42\" g=\"75\" r=\"1\"");
+    const QString lines = ignoredSettings().join('\n');
+    EXPECT_EQ(ignoredSettings().size(), 3);
+    EXPECT_TRUE(lines.contains("\"Exact Outlines\" can no longer be set, it is always on."))
+        << lines.toStdString();
 }
 
 }  // namespace

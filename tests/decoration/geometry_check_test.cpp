@@ -11,7 +11,6 @@
 #include <new>
 
 #include "event_loop.h"
-#include "press_count.h"
 
 namespace {
 

@@ -146,7 +146,7 @@ for sentence, words in (
         ("there is no mesh in the folder", "plates/ plates"),
         ("have the same name", "plates/ cube.off meshes/../cube.off"),
         ("cannot be written", "cube.off/plates/ meshes"),
-        ("20 to 2400", "plate.png --dpi 5 cube.off"),
+        ("between 20 and 2400", "plate.png --dpi 5 cube.off"),
         ("is too large", "plate.png --dpi 2400 --paper a0 cube.off")):
     refused(sentence, *words.split())
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What dialogs are told of large meshes without looking at all of them.
-#include "coarse_copy.h"
+#include "compute_filter.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "add_layer.h"
-#include "compute_filter.h"
+#include "filters.h"
 #include "generators.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"

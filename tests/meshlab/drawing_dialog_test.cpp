@@ -7,11 +7,8 @@
 #include <QTemporaryDir>
 #include <map>
 
-#include "drawing_outlook.h"
-#include "kept_settings.h"
+#include "drawing_dialog.h"
 #include "line_drawing/view_frame.h"
-#include "mesh_unit.h"
-#include "view_words.h"
 
 namespace {
 
@@ -37,7 +34,7 @@ TEST(DrawingViews, ThatHaveMarksAreViews) {
 
 TEST(DrawingUnits, AreThoseThatScansUsuallyHave) {
     const auto unit = [](double diagonal) {
-        return QString(mesh_units[likelyUnit(diagonal)].name);
+        return QString(line_drawing::mesh_units[likelyUnit(diagonal)].name);
     };
     EXPECT_EQ(unit(0.05), "m");  // a coin of photogrammetry
     EXPECT_EQ(unit(1.8), "m");   // a statue

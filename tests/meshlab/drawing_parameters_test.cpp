@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QStringList>
 
-#include "drawing_sheet.h"
+#include "drawing_parameters.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_mixture.h"
 #include "meshlab_host/drawn_style.h"
-#include "places.h"
 
 namespace {
 
@@ -58,25 +56,14 @@ TEST(DrawingParameters, TheViewOfTheWindowHasItsUpwardDirection) {
 
 TEST(DrawingParameters, BecomeOptionsOfASheet) {
     DrawingParameters chosen;
-    const SheetOptions usual = sheetOptions(chosen, std::nullopt), made = SheetOptions();
-    EXPECT_EQ(usual.paper, made.paper);
-    EXPECT_EQ(usual.mm_per_unit, made.mm_per_unit);
-    EXPECT_EQ(usual.scale, made.scale);
-    EXPECT_EQ(usual.up, made.up);
-    EXPECT_EQ(usual.arrangement, made.arrangement);
-    EXPECT_EQ(usual.strokes, made.strokes);
-    EXPECT_EQ(usual.wall, made.wall);
-    EXPECT_EQ(usual.hidden, made.hidden);
-    EXPECT_TRUE(usual.has_notes && usual.has_scale_bar && usual.has_view_names);
-
     chosen.file = "plate.DXF";
     chosen.scale = "1:4";
     chosen.paper = 6;
     chosen.unit = 3;
-    chosen.up = line_drawing::UpAxis::Z;
+    chosen.look.up = line_drawing::UpAxis::Z;
     chosen.title = "Find 17";
-    chosen.wall = line_drawing::WallStyle::Filled;
-    chosen.hidden = line_drawing::HiddenLines::Dashed;
+    chosen.look.wall = line_drawing::WallStyle::Filled;
+    chosen.look.hidden = line_drawing::HiddenLines::Dashed;
     chosen.has_furniture = false;
     const SheetOptions options = sheetOptions(chosen, std::nullopt);
     EXPECT_EQ(options.scale, 0.25);
@@ -101,14 +88,14 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     given.title = "A = B";
     given.paper = 0;
     given.unit = 2;
-    given.up = line_drawing::UpAxis::X;
-    given.arrangement = line_drawing::Arrangement::ThirdAngle;
-    given.strokes = line_drawing::StrokeStyle::Plain;
-    given.wall = line_drawing::WallStyle::None;
+    given.look.up = line_drawing::UpAxis::X;
+    given.look.arrangement = line_drawing::Arrangement::ThirdAngle;
+    given.look.strokes = line_drawing::StrokeStyle::Plain;
+    given.look.wall = line_drawing::WallStyle::None;
     given.has_furniture = false;
-    given.settings = settings_of_decoration;
+    given.settings = line_drawing::settings_of_decoration;
     given.is_of_all_layers = true;
-    given.hidden = line_drawing::HiddenLines::Dashed;
+    given.look.hidden = line_drawing::HiddenLines::Dashed;
     RichParameterList list;
     listDrawingParameters(given, list);
     const DrawingParameters read = readDrawingParameters(list);
@@ -116,37 +103,18 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
               (QStringList{given.file, given.views, given.scale, given.sections, given.title}));
     EXPECT_EQ(read.paper, 0);
     EXPECT_EQ(read.unit, 2);
-    EXPECT_EQ(read.up, given.up);
-    EXPECT_EQ(read.arrangement, given.arrangement);
-    EXPECT_EQ(read.strokes, given.strokes);
-    EXPECT_EQ(read.wall, given.wall);
+    EXPECT_EQ(read.look.up, given.look.up);
+    EXPECT_EQ(read.look.arrangement, given.look.arrangement);
+    EXPECT_EQ(read.look.strokes, given.look.strokes);
+    EXPECT_EQ(read.look.wall, given.look.wall);
     EXPECT_FALSE(read.has_furniture);
-    EXPECT_EQ(read.settings, settings_of_decoration);
+    EXPECT_EQ(read.settings, line_drawing::settings_of_decoration);
     EXPECT_TRUE(read.is_of_all_layers);
-    EXPECT_EQ(read.hidden, given.hidden);
+    EXPECT_EQ(read.look.hidden, given.look.hidden);
     given.paper = 7;
     RichParameterList wrong;
     listDrawingParameters(given, wrong);
     EXPECT_THROW(readDrawingParameters(wrong), Error);
-}
-
-QString content(const char* file) {
-    QFile input(QString::fromStdString((places::repository() / file).string()));
-    EXPECT_TRUE(input.open(QIODevice::ReadOnly)) << file;
-    return QString::fromUtf8(input.readAll());
-}
-
-TEST(DrawingParameters, AreDocumentedAndInTheExample) {
-    const QString table = content("docs/parameters.md");
-    const QString example = content("docs/examples/laplacian_lines_drawing.mlx");
-    RichParameterList list;
-    listDrawingParameters({}, list);
-    for (const RichParameter& row : list) {
-        const QString key = row.name();
-        EXPECT_TRUE(table.contains(QString("| %1 | `%2` |").arg(row.fieldDescription(), key)))
-            << key.toStdString();
-        EXPECT_TRUE(example.contains(QString("name=\"%1\"").arg(key))) << key.toStdString();
-    }
 }
 
 TEST(DrawingParameters, StartBesideTheMeshAndAtTheWindow) {
@@ -169,7 +137,7 @@ TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
     int count = 0;
     QCoreApplication application(count, nullptr);
     DrawingParameters chosen;
-    chosen.settings = settings_of_decoration;
+    chosen.settings = line_drawing::settings_of_decoration;
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
     meshlab_host::DrawnStyle drawn;
     drawn.style.detail = 77;
@@ -187,7 +155,7 @@ TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
 TEST(DrawingParameters, TakeTheKindsOfMixtures) {
     for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
         DrawingParameters chosen;
-        chosen.settings = settings_of_decoration + 1 + int(i);
+        chosen.settings = line_drawing::settings_of_decoration + 1 + int(i);
         const SheetOptions options = sheetOptions(chosen, std::nullopt);
         for (const auto& kind : laplacian_lines::line_kinds)
             EXPECT_EQ(options.style.shows[kind.kind],

@@ -2,8 +2,8 @@
 // What the filter says about kinds of lines follows their table, whatever is in it.
 #include <gtest/gtest.h>
 
+#include "filters.h"
 #include "laplacian_lines/line_kind.h"
-#include "polyline_filter.h"
 
 namespace {
 

@@ -28,6 +28,8 @@ expect(kept_after(["expect-lines"], *REDS) == before, "what was set for one wind
 
 expect(said_by(settings_commands, BUILD, ["Detail=70", "Detail=abc"]) == 1, "abc is taken")
 expect_text("log", '^laplacian-lines: "Detail" is abc. It has to be between 0 and 100.$')
+expect(said_by(settings_commands, BUILD, ["Valley Angle=20"]) == 1, "what went is taken")
+expect_text("log", '"Valley Angle" can no longer be set, it is always that of ridges. Set Ridge Angle.$')
 done = subprocess.run([BUILD / "bin/decoration_settings", "Detail=70"], stdout=open("/dev/full", "w"),
                       stderr=subprocess.PIPE, text=True)
 expect(done.returncode and "cannot be written: No space left on device" in done.stderr,

@@ -27,4 +27,10 @@ private:
     ErrorCode code_;
 };
 
+/// @throws Error, always
+[[noreturn]] inline void refuse(const std::string& sentence,
+                                ErrorCode code = ErrorCode::InvalidOption) {
+    throw Error(code, sentence);
+}
+
 }  // namespace laplacian_lines

@@ -47,27 +47,20 @@ struct LineStyle {
     /// only double it; from half the distance on nothing is left. Only if contours are drawn and
     /// the light is at the eye.
     double contour_clearance = 0.001;
-    /// Use the Laplacian of n·(e − p), ΔI = Δn·l − w tr S, instead of the paper's Δn·l. The two
-    /// are the same for orthographic views.
-    bool exact_point_light = false;
     LineKindSet shows = LineKindSet::defaults();  ///< which kinds are drawn
     /// Contours along edges of the mesh, between a triangle that faces the eye and one that does
-    /// not, instead of the smooth zero crossings of n·l.
-    bool mesh_silhouettes = false;
-    /// Contours along edges of the mesh only where triangles are so large, or meet at such angles,
-    /// that the zero crossings would lie beside the horizon.
+    /// not, where triangles are so large, or meet at such angles, that the zero crossings of n·l
+    /// would lie beside the horizon.
     bool exact_outlines = true;
     double shortest_contour = 0.005;  ///< least length of a contour or border, in D
-    /// Least angle, in degrees, by which the surface turns across a ridge within 2 % of D to both
-    /// sides, whatever the triangles' size, or a quarter of it within 1 %; that it turns as fast
-    /// beyond, or on one side only, counts against it. Weaker parts of a ridge go on down to half.
+    /// Least angle, in degrees, by which the surface turns across a ridge or valley within 2 % of D
+    /// to both sides, whatever the triangles' size, or a quarter of it within 1 %; that it turns as
+    /// fast beyond, or on one side only, counts against it. Weaker parts go on down to half.
     double ridge_angle = 10;
     /// Angle between the normals of two triangles, degrees, from which the edge between them is a
     /// crease whatever surrounds it. Edges of 3 degrees and more that the faces around do not
     /// explain as facets count as 40.
     double crease_angle = 40;
-    /// The same as ridge_angle for valleys.
-    double valley_angle = 10;
     /// Least demarcation, in degrees, of a demarcating curve: how fast the curvature across it
     /// changes, C(g,g,g), times h_e, the square of the scale that normals and C are seen at.
     double demarcation = 4;
@@ -81,10 +74,6 @@ struct LineStyle {
     /// Least −d²‖∇I‖/dg² h_e^1.5 of a photic extremum line, g along ∇I.
     double photic_slope = 0.004;
 };
-
-/// What the style's detail multiplies thresholds by: 1 at 50, falling. Thresholds on lengths are
-/// multiplied by its square root.
-double threshold_factor(double detail);
 
 /// @throws Error(InvalidOption) naming the first value that is out of range.
 void validate(const LineStyle& style);

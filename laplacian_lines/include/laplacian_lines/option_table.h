@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "laplacian_lines/line_style.h"
@@ -30,7 +31,22 @@ struct OptionDescription {
     double (*get)(const Options&);
     void (*set)(Options&, double);
     bool for_experts = false;  ///< dialogs may put it behind what everybody uses
+    /// Not null: users no longer have it, programs and tests do. What to do instead, for those
+    /// whose scripts name it.
+    const char* instead = nullptr;
 };
+
+/// What is allowed, after "It has to be": "between 0 and 100", "one of 0 (Uniform), 1 (Adaptive)".
+std::string allowed_values(OptionKind kind, double minimum, double maximum,
+                           const std::vector<const char*>& choices);
+template <class Options>
+std::string allowed_values(const OptionDescription<Options>& row) {
+    return allowed_values(row.kind, row.minimum, row.maximum, row.choices);
+}
+
+/// "WHAT is VALUE. It has to be ALLOWED." @throws Error(InvalidOption), always
+[[noreturn]] void refuse_value(const std::string& what, const std::string& value,
+                               const std::string& allowed);
 
 const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table();
 const std::vector<OptionDescription<LineStyle>>& line_style_table();

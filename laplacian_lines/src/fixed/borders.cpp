@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "fixed/edge_chains.h"
+#include "fixed/crossing_graph.h"
 #include "fixed/fixed_kinds.h"
+#include "fixed/segment_tracing.h"
 #include "fixed/showing.h"
 
 namespace laplacian_lines {
@@ -58,7 +59,12 @@ LineSet find_borders(const ExtractorData& data) {
         const std::uint32_t begin = point(side.vertices[0], side.positions[0]);
         graph.segments.push_back({begin, point(side.vertices[1], side.positions[1]), 0});
     }
-    return trace_all(data, LineKind::Border, graph);
+    LineRules rules;
+    rules.kind = LineKind::Border;
+    TracingMemory memory;
+    LineSet lines;
+    trace_segments(data, rules, graph, memory, lines);
+    return lines;
 }
 
 class Borders : public FixedKindLines {
@@ -68,8 +74,8 @@ public:
     void append(const ExtractorData&, FixedLines&, const LocalEye&, const LineStyle& style,
                 LineSet& lines) const override {
         append_lines(
-            lines_, {kPinhole * shortest_line(style), 0}, [](std::size_t) { return true; },
-            [](std::size_t) { return 1.f; }, lines);
+            lines_, {kPinhole * Thresholds(style).shortest_line, 0},
+            [](std::size_t) { return true; }, [](std::size_t) { return 1.f; }, lines);
     }
 
 private:

@@ -76,7 +76,7 @@ public:
     void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
         const auto traced = trace(data, float(style.crease_angle));
-        const float shortest = shortest_line(style);
+        const float shortest = Thresholds(style).shortest_line;
         const HorizonEdges horizon(eye, style);
         for (std::size_t i = 0; i < traced->lines.lines.size(); ++i) {
             const TracedCreases::Net& net = traced->nets[i];

@@ -11,6 +11,7 @@
 #include "fixed/stretches.h"
 #include "rules/contour_clearance.h"
 #include "rules/line_rules.h"
+#include "rules/thresholds.h"
 
 namespace laplacian_lines {
 namespace {
@@ -60,9 +61,9 @@ private:
         int smoothing_passes;
 
         explicit Rules(const LineStyle& style)
-            : demarcation(float(threshold_factor(style.detail) * style.demarcation)),
+            : demarcation(Thresholds(style).demarcation),
               fading(kFading * float(style.fading)),
-              least_length(std::max(kLeastDemarcatingLength, 2 * shortest_line(style))),
+              least_length(std::max(kLeastDemarcatingLength, 2 * Thresholds(style).shortest_line)),
               smoothing_passes(laplacian_lines::smoothing_passes(style.line_smoothing)) {}
 
         bool operator==(const Rules& other) const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ridges and valleys: shows of the crest lines what is sharp enough, with its weaker continuations.
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 
 #include "fixed/fixed_kinds.h"
@@ -26,21 +25,18 @@ struct RidgeRules {
     float clearance, least_length;  ///< D
     int smoothing_passes;
 
-    RidgeRules(const LineStyle& style, double least_angle)
-        // Angles differ less than slopes do: the eighth root.
-        : angle(float(std::pow(threshold_factor(style.detail), 0.125) * least_angle)),
+    explicit RidgeRules(const LineStyle& style)
+        : angle(Thresholds(style).ridge_angle),
           fading(kFading * float(style.fading)),
           // The contour of a rounded edge stays near its crest for long.
           clearance(style.shows[LineKind::Contour] ? 4 * float(style.contour_clearance) : 0),
-          least_length(shortest_line(style)),
+          least_length(Thresholds(style).shortest_line),
           smoothing_passes(laplacian_lines::smoothing_passes(style.line_smoothing)) {}
 };
 
 class CrestLines : public FixedKindLines {
 public:
-    /// `least_angle`: of the style, degrees
-    CrestLines(const ExtractorData& data, Crest crest, double LineStyle::*least_angle)
-        : least_angle_(least_angle) {
+    CrestLines(const ExtractorData& data, Crest crest) {
         const std::vector<PlacedCluster> placed = place_clusters(data);
         found_ = find_ridge_candidates(data, placed, crest);
         measure_ridge_angles(data, placed, crest, found_);
@@ -56,7 +52,7 @@ public:
 
     void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
                 const LineStyle& style, LineSet& lines) const override {
-        const RidgeRules rules(style, style.*least_angle_);
+        const RidgeRules rules(style);
         const auto along = along_creases(data, all.whole(data, LineKind::Crease, style));
         for (std::size_t number = 0; number < found_.lines.lines.size(); ++number) {
             const Polyline& line = found_.lines.lines[number];
@@ -119,7 +115,6 @@ private:
         return along_;
     }
 
-    double LineStyle::*const least_angle_;
     mutable std::mutex mutex_;
     mutable std::shared_ptr<const LineSet> creases_;  // that along_ belongs to
     mutable std::shared_ptr<const std::vector<std::uint8_t>> along_;
@@ -129,14 +124,12 @@ private:
 
 class Ridges : public CrestLines {
 public:
-    explicit Ridges(const ExtractorData& data)
-        : CrestLines(data, kConvexCrest, &LineStyle::ridge_angle) {}
+    explicit Ridges(const ExtractorData& data) : CrestLines(data, kConvexCrest) {}
 };
 
 class Valleys : public CrestLines {
 public:
-    explicit Valleys(const ExtractorData& data)
-        : CrestLines(data, kConcaveCrest, &LineStyle::valley_angle) {}
+    explicit Valleys(const ExtractorData& data) : CrestLines(data, kConcaveCrest) {}
 };
 
 }  // namespace

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "fixed/line_smoothing.h"
 #include "laplacian_lines/line_set.h"
-#include "laplacian_lines/line_style.h"
+#include "rules/thresholds.h"
 
 namespace laplacian_lines {
 
@@ -15,11 +14,6 @@ struct ShowingRules {
     float least_length = 0;  ///< D
     int smoothing_passes = 0;
 };
-
-/// Least length of the lines that a style shows, in D.
-inline float shortest_line(const LineStyle& style) {
-    return float(std::sqrt(threshold_factor(style.detail)) * style.shortest_line);
-}
 
 /// Appends the lines of the set that are long enough and have a point to be seen.
 /// `opacity_of(i)` is the opacity of point i of the set; `may_show(i)` is false if that is 0 for

@@ -15,18 +15,22 @@ using namespace option_rows;
 
 constexpr double kUnlimited = std::numeric_limits<double>::max();
 
+std::string in_words(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+std::string in_quotes(const std::string& label) {
+    return '"' + label + '"';
+}
+
 template <class Options>
 void check_ranges(const std::vector<OptionDescription<Options>>& table, const Options& options) {
     for (const auto& option : table) {
         const double value = option.get(options);
         if (value >= option.minimum && value <= option.maximum) continue;
-        std::ostringstream message;
-        message << option.label << " is " << value << ", but must be ";
-        if (option.maximum == kUnlimited)
-            message << "at least " << option.minimum << ".";
-        else
-            message << "between " << option.minimum << " and " << option.maximum << ".";
-        throw Error(ErrorCode::InvalidOption, message.str());
+        refuse_value(in_quotes(option.label), in_words(value), allowed_values(option));
     }
 }
 
@@ -36,7 +40,33 @@ OptionDescription<Options> for_experts(OptionDescription<Options> row) {
     return row;
 }
 
+/// A constant for users; programs that compare with it can set it.
+template <class Options>
+OptionDescription<Options> for_programs(const char* instead, OptionDescription<Options> row) {
+    row.for_experts = true;
+    row.instead = instead;
+    return row;
+}
+
 }  // namespace
+
+std::string allowed_values(OptionKind kind, double minimum, double maximum,
+                           const std::vector<const char*>& choices) {
+    if (kind == OptionKind::Boolean) return "on or off";
+    if (kind == OptionKind::Choice) {
+        std::string items;
+        for (std::size_t i = 0; i < choices.size(); ++i)
+            items += (i > 0 ? ", " : "") + std::to_string(i) + " (" + choices[i] + ")";
+        return "one of " + items;
+    }
+    const std::string whole = kind == OptionKind::Integer ? "a whole number, " : "";
+    if (maximum == kUnlimited) return whole + "at least " + in_words(minimum);
+    return whole + "between " + in_words(minimum) + " and " + in_words(maximum);
+}
+
+void refuse_value(const std::string& what, const std::string& value, const std::string& allowed) {
+    refuse(what + " is " + value + ". It has to be " + allowed + ".");
+}
 
 const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table() {
     using O = PrecomputeOptions;
@@ -106,6 +136,8 @@ namespace {
 using StyleRow = OptionDescription<LineStyle>;
 using S = LineStyle;
 
+const char* const kAllKinds = "Detail shows more or fewer lines of all kinds.";
+
 /// The switch of a kind of lines.
 template <LineKind Kind>
 StyleRow kind_row() {
@@ -125,11 +157,11 @@ StyleRow kind_row() {
 std::vector<StyleRow> kind_rows() {
     return {
         kind_row<LineKind::Contour>(),
-        for_experts(boolean<&S::exact_outlines>(
-            "exact_outlines", "Exact Outlines",
-            "Outlines follow the edges of triangles that are large or meet at steep angles, and "
-            "are smooth curves elsewhere. Off: smooth curves everywhere, which lie beside the form "
-            "on meshes of few triangles.")),
+        for_programs("Without it outlines lie beside the form on meshes of few triangles.",
+                     boolean<&S::exact_outlines>(
+                         "exact_outlines", "Exact Outlines",
+                         "Outlines follow the edges of triangles that are large or meet at steep "
+                         "angles, and are smooth curves elsewhere.")),
         kind_row<LineKind::Laplacian>(),
         boolean<&S::single_strokes>(
             "single_strokes", "Single Strokes",
@@ -138,8 +170,8 @@ std::vector<StyleRow> kind_rows() {
         kind_row<LineKind::Ridge>(),
         for_experts(real<&S::ridge_angle>(
             "ridge_angle", "Ridge Angle", 5, 180,
-            "Least angle in degrees by which the surface turns across a ridge, within 2 % of the "
-            "bounding-box diagonal to both sides. Larger leaves out softer ridges.")),
+            "Least angle in degrees by which the surface turns across a ridge or valley, within "
+            "2 % of the bounding-box diagonal to both sides. Larger leaves out softer ones.")),
         kind_row<LineKind::Crease>(),
         for_experts(real<&S::crease_angle>(
             "crease_angle", "Crease Angle", 20, 180,
@@ -148,36 +180,40 @@ std::vector<StyleRow> kind_rows() {
             "out softer edges; smaller shows facets of round forms of few triangles.")),
         kind_row<LineKind::Border>(),
         for_experts(kind_row<LineKind::Valley>()),
-        for_experts(real<&S::valley_angle>(
-            "valley_angle", "Valley Angle", 5, 180,
-            "Least angle in degrees by which the surface turns across a valley, measured as that "
-            "of ridges. Larger leaves out softer valleys.")),
         for_experts(kind_row<LineKind::DemarcatingCurve>()),
-        for_experts(real<&S::demarcation>(
-            "demarcation", "Least Demarcation", 0, 180,
-            "How sharply the surface has to turn from hollow to bulging at a demarcating curve, "
-            "in degrees within the scale at which it is looked at. Larger leaves out gentle "
-            "reliefs.")),
+        for_programs(
+            kAllKinds,
+            real<&S::demarcation>(
+                "demarcation", "Least Demarcation", 0, 180,
+                "How sharply the surface has to turn from hollow to bulging at a demarcating "
+                "curve, "
+                "in degrees within the scale at which it is looked at. Larger leaves out gentle "
+                "reliefs.")),
         for_experts(kind_row<LineKind::SuggestiveContour>()),
         for_experts(kind_row<LineKind::SuggestiveHighlight>()),
-        for_experts(real<&S::suggestive_slope>(
-            "suggestive_slope", "Least Slope of Suggestive Contours", 0, 1e6,
-            "Least change of curvature across a suggestive contour (no unit). "
-            "Larger leaves out lines on gentle forms.")),
+        for_programs(kAllKinds,
+                     real<&S::suggestive_slope>(
+                         "suggestive_slope", "Least Slope of Suggestive Contours", 0, 1e6,
+                         "Least change of curvature across a suggestive contour (no unit). "
+                         "Larger leaves out lines on gentle forms.")),
         for_experts(kind_row<LineKind::ApparentRidge>()),
-        for_experts(real<&S::apparent_curvature>(
-            "apparent_curvature", "Least Apparent Curvature", 0, 1e6,
-            "Least curvature, as it is seen, of an apparent ridge (times the bounding-box "
-            "diagonal, no unit). Larger leaves out lines on gentle forms.")),
-        for_experts(real<&S::apparent_slope>(
-            "apparent_slope", "Least Slope of Apparent Ridges", 0, 1e6,
-            "How sharp the maximum of the apparent curvature must be (no unit). Larger leaves out "
-            "faint lines.")),
+        for_programs(
+            kAllKinds,
+            real<&S::apparent_curvature>(
+                "apparent_curvature", "Least Apparent Curvature", 0, 1e6,
+                "Least curvature, as it is seen, of an apparent ridge (times the bounding-box "
+                "diagonal, no unit). Larger leaves out lines on gentle forms.")),
+        for_programs(kAllKinds,
+                     real<&S::apparent_slope>(
+                         "apparent_slope", "Least Slope of Apparent Ridges", 0, 1e6,
+                         "How sharp the maximum of the apparent curvature must be (no unit). "
+                         "Larger leaves out faint lines.")),
         for_experts(kind_row<LineKind::PhoticExtremum>()),
-        for_experts(real<&S::photic_slope>(
-            "photic_slope", "Least Slope of Photic Extremum Lines", 0, 1e6,
-            "How sharp the maximum of the change of shading must be (no unit). Larger leaves out "
-            "faint lines.")),
+        for_programs(kAllKinds, real<&S::photic_slope>(
+                                    "photic_slope", "Least Slope of Photic Extremum Lines", 0, 1e6,
+                                    "How sharp the maximum of the change of shading must be (no "
+                                    "unit). Larger leaves out "
+                                    "faint lines.")),
     };
 }
 
@@ -191,32 +227,40 @@ std::vector<StyleRow> threshold_rows() {
             "strength_threshold", "Strength Threshold tau", 0, 1e6,
             "Least strength of a line: its gradient summed along its length (no unit). Larger "
             "leaves out short and weak lines."),
-        boolean<&S::reject_phantoms>(
-            "reject_phantoms", "Reject Phantom Lines",
-            "Leave out crossings where the change of shading is smallest instead of largest."),
+        for_programs("Without it lines are drawn where the change of shading is smallest.",
+                     boolean<&S::reject_phantoms>(
+                         "reject_phantoms", "Reject Phantom Lines",
+                         "Leave out crossings where the change of shading is smallest instead of "
+                         "largest.")),
         boolean<&S::whole_lines>(
             "whole_lines", "Whole Lines",
             "Test means along lines instead of each of their pieces, so that fine texture does not "
             "cut a line into dashes. Redraws take about half as long again."),
-        real<&S::segment_slope>(
-            "segment_slope", "Least Slope of a Segment", 0, 1e6,
-            "How sharply the Laplacian must change sign at each piece of a line (no unit). Larger "
-            "cuts faint pieces off."),
-        real<&S::line_slope>(
-            "line_slope", "Least Slope of a Line", 0, 1e6,
-            "Least mean slope along a whole line (no unit). Larger leaves out faint lines."),
+        for_programs(kAllKinds,
+                     real<&S::segment_slope>(
+                         "segment_slope", "Least Slope of a Segment", 0, 1e6,
+                         "How sharply the Laplacian must change sign at each piece of a line (no "
+                         "unit). Larger cuts faint pieces off.")),
+        for_programs(kAllKinds,
+                     real<&S::line_slope>(
+                         "line_slope", "Least Slope of a Line", 0, 1e6,
+                         "Least mean slope along a whole line (no unit). Larger leaves out faint "
+                         "lines.")),
         real<&S::full_slope>(
             "full_slope", "Slope for Full Width", 1e-6, 1e6,
             "Slope above the least slope of a segment at which a line has its full width (no "
             "unit). Smaller makes faint lines bolder."),
         real<&S::shortest_line>("shortest_line", "Shortest Line", 0, 10,
                                 "Least length of a line, in bounding-box diagonals."),
-        real<&S::shortest_contour>("shortest_contour", "Shortest Contour", 0, 10,
-                                   "Least length of a contour, in bounding-box diagonals."),
-        real<&S::least_facing>(
-            "least_facing", "Least Facing", -1, 1,
-            "Least cosine between normal and view direction: 1 faces the eye, 0 is a contour, -1 "
-            "shows lines on the far side as well."),
+        for_programs(
+            "Outlines are shown from a two-hundredth of the diagonal on.",
+            real<&S::shortest_contour>("shortest_contour", "Shortest Contour", 0, 10,
+                                       "Least length of a contour, in bounding-box diagonals.")),
+        for_programs("Hidden Lines shows what is behind the surface.",
+                     real<&S::least_facing>(
+                         "least_facing", "Least Facing", -1, 1,
+                         "Least cosine between normal and view direction: 1 faces the eye, 0 is a "
+                         "contour, -1 shows lines on the far side as well.")),
         real<&S::line_smoothing>(
             "line_smoothing", "Line Smoothing", 0, 10,
             "Smooths the course of lines, which follow the triangles' edges otherwise; standard "
@@ -224,21 +268,15 @@ std::vector<StyleRow> threshold_rows() {
         real<&S::fading>("fading", "Fading", 0, 1e6,
                          "How gently lines fade in above the thresholds: 0 is a hard cut, 1 means "
                          "full strength at twice the threshold."),
-        real<&S::end_length>(
-            "end_length", "Fading Ends", 0, 10,
-            "Length over which the ends of lines fade, in bounding-box diagonals."),
-        real<&S::contour_clearance>(
-            "contour_clearance", "Contour Clearance", 0, 10,
-            "Laplacian lines nearer to an outline than this fade out, since they only double it; "
-            "in bounding-box diagonals."),
-        boolean<&S::exact_point_light>(
-            "exact_point_light", "Exact Point Light",
-            "Use the exact Laplacian of a point light at the eye instead of the paper's form. The "
-            "two differ for cameras close to the object."),
-        boolean<&S::mesh_silhouettes>(
-            "mesh_silhouettes", "Mesh Silhouettes",
-            "Draw outlines along the edges of the mesh, exactly where triangles turn away from the "
-            "eye, instead of as smooth curves."),
+        for_programs("Lines run out over a hundredth of the diagonal.",
+                     real<&S::end_length>(
+                         "end_length", "Fading Ends", 0, 10,
+                         "Length over which the ends of lines fade, in bounding-box diagonals.")),
+        for_programs("Lines that only double an outline fade out.",
+                     real<&S::contour_clearance>(
+                         "contour_clearance", "Contour Clearance", 0, 10,
+                         "Laplacian lines nearer to an outline than this fade out, since they only "
+                         "double it; in bounding-box diagonals.")),
     };
 }
 

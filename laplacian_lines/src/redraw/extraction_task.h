@@ -28,7 +28,6 @@ constexpr unsigned kMostKindsOfPass = 2;
 struct ExtractionTask {
     float eye[4], light[4];
     bool light_at_eye;
-    float trace_weight;  ///< w of ΔI − w tr S times the forms' factor; 0 for the paper's ΔI
     struct Wanted {
         bool lines;                 ///< any of this kind
         float least_scaled_facing;  ///< vertices with n·eye below surely face away

@@ -29,7 +29,7 @@ LineStyle laplacian_lines_of(LineStyle style) {
     style.shows = {};
     style.shows[LineKind::Laplacian] = true;
     style.shows[LineKind::Contour] = has_contours;
-    style.mesh_silhouettes = style.exact_outlines = false;
+    style.exact_outlines = false;
     return style;
 }
 

@@ -10,7 +10,6 @@
 #include "fixed/fixed_lines.h"
 #include "laplacian_lines/error.h"
 #include "redraw/horizon.h"
-#include "redraw/kinds/silhouettes.h"
 #include "redraw/kinds/strip_kinds.h"
 #include "redraw/line_finishing.h"
 
@@ -20,8 +19,7 @@ struct LineExtractor::Data : ExtractorData {
     explicit Data(ExtractorData&& data)
         : ExtractorData(std::move(data)), horizon(find_coarse_horizon(*this)) {}
     const CoarseHorizon horizon;
-    mutable FixedLines fixed_lines;          // thread-safe
-    mutable OnDemand<MeshEdges> mesh_edges;  // likewise
+    mutable FixedLines fixed_lines;  // thread-safe
 };
 
 struct ExtractionScratch::Memory {
@@ -31,7 +29,6 @@ struct ExtractionScratch::Memory {
     TracedLines traced;
     HorizonMemory horizon;
     FinishingMemory finishing;
-    SilhouetteMemory silhouettes;
 };
 
 ExtractionScratch::ExtractionScratch() : memory_(std::make_unique<Memory>()) {}
@@ -110,7 +107,6 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     set_eye(eye, task.eye);
     set_eye(light, task.light);
     task.light_at_eye = !view.light;
-    task.trace_weight = style.exact_point_light ? light.w * laplacian.factor : 0;
     for (unsigned number = 0; number < kStripKindCount; ++number) {
         const StripKind* const kind = strip_kinds()[number];
         LineRules rules = kind->rules(style, task.light_at_eye);
@@ -144,7 +140,6 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
     }
     finish_lines(*data_, memory.traced, memory.finishing, lines);
     data_->fixed_lines.append(*data_, eye, style, lines);
-    append_silhouettes(*data_, data_->mesh_edges, eye, style, memory.silhouettes, lines);
 }
 
 }  // namespace laplacian_lines

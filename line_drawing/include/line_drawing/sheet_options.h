@@ -67,23 +67,27 @@ struct DetailSize {
     bool is_share = false;
 };
 
-struct SheetOptions {
+/// What is drawn as it was chosen; the rest of SheetOptions is made from what was written.
+struct SheetLook {
+    UpAxis up = UpAxis::Y;  ///< of sections; views know theirs
+    Arrangement arrangement = Arrangement::FirstAngle;
+    StrokeStyle strokes = StrokeStyle::Tapered;
+    WallStyle wall = WallStyle::Hatched;
+    HiddenLines hidden = HiddenLines::LeftOut;
+    OutlineArea area = OutlineArea::None;
+};
+
+struct SheetOptions : SheetLook {
     std::vector<ViewFrame> views;
     std::vector<line_drawing::Section> sections;  ///< drawn after the views
-    UpAxis up = UpAxis::Y;                        ///< of sections; views know theirs
-    Arrangement arrangement = Arrangement::FirstAngle;
     /// Drawn length over true length. 0: the largest usual scale that fits the paper. Views in
     /// perspective have none: beside others they are as large as at the middle of the object, and
     /// alone they fill the paper.
     double scale = 0;
     double mm_per_unit = 1;  ///< true length of a unit of the mesh
     QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
-    StrokeStyle strokes = StrokeStyle::Tapered;
-    WallStyle wall = WallStyle::Hatched;
-    HiddenLines hidden = HiddenLines::LeftOut;
     /// Widths in mm, by LineClass. Drawings of less than 40 mm are drawn with finer ones.
     std::array<double, line_class_count> pens = pensOf(Weights::Illustrator);
-    OutlineArea area = OutlineArea::None;
     /// √h of the inner lines. Chosen: four inner pens, as far as the mesh has the detail.
     DetailSize kernel;
     /// Standard deviation of the smoothing of normals. Chosen: by the mesh's roughness, and at

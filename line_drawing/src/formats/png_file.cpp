@@ -5,7 +5,7 @@
 
 #include "formats/sheet_painting.h"
 #include "formats/sheet_writers.h"
-#include "options/words.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {

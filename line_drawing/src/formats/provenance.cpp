@@ -7,7 +7,7 @@
 #include <QJsonObject>
 
 #include "laplacian_lines/version.h"
-#include "options/words.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "formats/sheet_writers.h"
 #include "line_drawing/whole_file.h"
-#include "options/words.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {

@@ -6,7 +6,7 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
-#include "options/words.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "options/words.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "options/words.h"
+#include "line_drawing/words.h"
 #include "sections/merged_walls.h"
 #include "sections/wall_area.h"
 

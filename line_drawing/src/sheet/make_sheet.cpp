@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "options/progress_part.h"
-#include "options/words.h"
+#include "line_drawing/words.h"
 #include "sheet/sheet_furniture.h"
 #include "sheet/view_drawing.h"
 #include "sight/observer.h"

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "options/words.h"
+#include "line_drawing/words.h"
 #include "sections/section_marks.h"
 
 namespace line_drawing {

@@ -2,7 +2,7 @@
 #include <QDataStream>
 
 #include "line_drawing/contact_sheet.h"
-#include "options/words.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "laplacian_lines/error.h"
 #include "options/progress_part.h"
-#include "options/words.h"
+#include "line_drawing/words.h"
 #include "planes/cutting.h"
 #include "sections/half_section.h"
 #include "sections/merged_walls.h"

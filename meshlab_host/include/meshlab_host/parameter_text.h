@@ -7,9 +7,6 @@ namespace meshlab_host {
 
 /// Values of parameters as people write and read them. Thread-safe.
 
-/// Such as "between 0 and 100", after "It has to be".
-QString allowedValues(const ParameterDescription& description);
-
 /// The value that a text means: a number; on or off, also yes, no, true and false; a choice, its
 /// number or the beginning that it alone has, in upper or lower case.
 /// @throws laplacian_lines::Error(InvalidOption) that names label, text and allowed values.

@@ -24,6 +24,7 @@ struct ParameterDescription {
     double maximum;
     QStringList choices;
     bool for_experts;  ///< dialogs fold it away, in MeshLab 2022.02 and later
+    QString allowed;   ///< values, after "It has to be"
 
     bool hasMaximum() const { return maximum < 1e30; }
 };
@@ -53,8 +54,15 @@ std::optional<double> defaultOf(const RichParameter& parameter);
 template <class Options>
 ParameterDescription describe(const laplacian_lines::OptionDescription<Options>& row,
                               const QString& key_prefix) {
-    ParameterDescription result{key_prefix + row.key, row.label,   row.help, row.kind,
-                                row.minimum,          row.maximum, {},       row.for_experts};
+    ParameterDescription result{key_prefix + row.key,
+                                row.label,
+                                row.help,
+                                row.kind,
+                                row.minimum,
+                                row.maximum,
+                                {},
+                                row.for_experts,
+                                QString::fromStdString(laplacian_lines::allowed_values(row))};
     for (const char* choice : row.choices)
         result.choices << choice;
     return result;

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which apparent ridges a style shows: T. Judd, F. Durand, E. Adelson, "Apparent Ridges for Line
 // Drawing", 2007.
-#include <cmath>
-
 #include "redraw/kinds/strip_kinds.h"
 
 namespace laplacian_lines {
 namespace {
 
-/// A line of the least curvature has to be as long, D.
-constexpr float kLeastStrong = 0.02f;
-
 /// The gradient is q1·D, the slope −d²q1/dr² h_e^1.5.
 LineRules rules_of(const LineStyle& s, bool) {
-    const auto factor = float(threshold_factor(s.detail));
+    const Thresholds thresholds(s);
     LineRules rules = rules_by_slope(LineKind::ApparentRidge, s);
-    rules.least_gradient = std::sqrt(factor) * float(s.apparent_curvature);
+    rules.least_gradient = thresholds.apparent_curvature;
     rules.least_facing = 0;
     rules.leave_out_away = true;
-    set_slopes(s, s.apparent_slope, 6, rules);
-    rules.least_strength = rules.least_gradient * kLeastStrong * float(std::sqrt(factor));
+    set_slopes(thresholds.apparent_slope, 6 * float(s.apparent_slope), rules);
+    rules.least_strength = thresholds.apparent_strength;
     return rules;
 }
 

@@ -17,10 +17,7 @@ LineRules contour_rules(const LineStyle& style) {
 }
 
 const StripKind contour_strips = {
-    LineKind::Contour,
-    [](const LineStyle& style) {
-        return style.shows[LineKind::Contour] && !style.mesh_silhouettes;
-    },
+    LineKind::Contour, [](const LineStyle& style) { return style.shows[LineKind::Contour]; },
     [](const LineStyle& style, bool) { return contour_rules(style); }};
 
 }  // namespace laplacian_lines

@@ -6,7 +6,7 @@
 
 namespace laplacian_lines {
 
-/// The rules of smooth occluding contours, and of silhouettes along edges but for their smoothing.
+/// The rules of occluding contours.
 LineRules contour_rules(const LineStyle& style);
 
 }  // namespace laplacian_lines

@@ -12,18 +12,18 @@ bool is_wanted(const LineStyle& style) {
 }
 
 LineRules rules_of(const LineStyle& s, bool light_at_eye) {
-    const double factor = threshold_factor(s.detail);
+    const Thresholds thresholds(s);
     LineRules rules = rules_by_slope(LineKind::Laplacian, s);
-    rules.least_gradient = float(factor * s.gradient_threshold);
+    rules.least_gradient = thresholds.gradient;
     rules.least_facing = float(s.least_facing);
     rules.reject_phantoms = s.reject_phantoms;
     rules.concave_only = s.single_strokes;
     rules.whole = s.whole_lines;
     rules.leave_out_convex = s.single_strokes && s.fading <= kMostFadingOfConvex;
-    rules.segment_slope = float(factor * s.segment_slope);
-    rules.line_slope = float(factor * s.line_slope);
+    rules.segment_slope = thresholds.segment_slope;
+    rules.line_slope = thresholds.line_slope;
     rules.full_slope = float(s.full_slope);
-    rules.least_strength = float(factor * s.strength_threshold);
+    rules.least_strength = thresholds.strength;
     if (!light_at_eye) rules.contour_clearance = 0;
     rules.leave_out_away = rules.contour_clearance > 0;
     return rules;

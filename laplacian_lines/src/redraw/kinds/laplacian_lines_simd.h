@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Laplacian lines: the zeros of ΔI = Δn·l, or of Δn·l − w tr S.
+// Laplacian lines: the zeros of ΔI = Δn·l.
 // Included once by each of the files simd_*.cpp.
 #pragma once
 
@@ -10,17 +10,6 @@
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
-
-/// The cross term that the paper's derivation loses. Places that are left over repeat the last
-/// vertex, as in the forms.
-static inline void subtract_traces(const VertexRecord* records, const Cluster& cluster, float w,
-                                   float* values) {
-    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; ++i) {
-        const unsigned v = i < cluster.vertex_count ? i : cluster.vertex_count - 1u;
-        const auto& s = records[v].shape_operator;
-        values[i] -= w * (s[0][0] + s[1][1] + s[2][2]);
-    }
-}
 
 /// How the surface curves towards the light vector l at crossings [i, i + kLanes): −l·Sl, and ‖w‖
 /// of l's tangential part w. The cosine between −∇I and w is −l·Sl/(‖w‖‖∇I‖), since ∇I = Sl.
@@ -81,8 +70,6 @@ struct LaplacianLines : FacingKind {
         const unsigned groups = form_groups(place.cluster);
         float* own = in_slot(values, place);
         evaluate(place.laplacians, groups, task.light, own);
-        if (task.trace_weight != 0)
-            subtract_traces(records_of(place), place.cluster, task.trace_weight, own);
         return below(own, groups, 0);
     }
 

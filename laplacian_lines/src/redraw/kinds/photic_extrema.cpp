@@ -11,7 +11,7 @@ namespace {
 LineRules rules_of(const LineStyle& s, bool light_at_eye) {
     LineRules rules = laplacian_line_strips.rules(s, light_at_eye);
     rules.kind = LineKind::PhoticExtremum;
-    set_slopes(s, s.photic_slope, 12, rules);
+    set_slopes(Thresholds(s).photic_slope, 12 * float(s.photic_slope), rules);
     return rules;
 }
 

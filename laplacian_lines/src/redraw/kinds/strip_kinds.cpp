@@ -2,7 +2,6 @@
 #include "redraw/kinds/strip_kinds.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace laplacian_lines {
 
@@ -11,7 +10,7 @@ LineRules rules_by_slope(LineKind kind, const LineStyle& s) {
     rules.kind = kind;
     rules.leave_out_plain = s.shows[LineKind::Crease];
     rules.use_slope = true;
-    rules.least_length = float(std::sqrt(threshold_factor(s.detail)) * s.shortest_line);
+    rules.least_length = Thresholds(s).shortest_line;
     rules.fading = float(s.fading);
     rules.smoothing_passes = smoothing_passes(s.line_smoothing);
     rules.end_length = float(s.end_length);
@@ -19,11 +18,11 @@ LineRules rules_by_slope(LineKind kind, const LineStyle& s) {
     return rules;
 }
 
-void set_slopes(const LineStyle& s, double least, float widest, LineRules& rules) {
+void set_slopes(float least, float full, LineRules& rules) {
     constexpr float positive = 1e-6f;  // weights are divided by it
-    rules.segment_slope = float(threshold_factor(s.detail)) * float(least);
-    rules.line_slope = 2 * rules.segment_slope;
-    rules.full_slope = std::max(widest * float(least), positive);
+    rules.segment_slope = least;
+    rules.line_slope = 2 * least;
+    rules.full_slope = std::max(full, positive);
 }
 
 }  // namespace laplacian_lines

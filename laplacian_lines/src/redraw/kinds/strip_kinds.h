@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "laplacian_lines/line_style.h"
 #include "redraw/extraction_task.h"
+#include "rules/thresholds.h"
 
 namespace laplacian_lines {
 
@@ -20,9 +20,9 @@ struct StripKind {
 
 /// What rules of kinds that are judged by slopes have in common: all but the kinds' own thresholds.
 LineRules rules_by_slope(LineKind kind, const LineStyle& style);
-/// Slopes of a kind with a least slope of a segment as its one option, of which a segment has its
-/// full width `widest` times that above it, whatever the detail.
-void set_slopes(const LineStyle& style, double least, float widest, LineRules& rules);
+/// Slopes of a kind with a least slope of a segment as its one option. A segment has its full width
+/// `full` above that, whatever the detail.
+void set_slopes(float least, float full, LineRules& rules);
 
 extern const StripKind laplacian_line_strips;  ///< laplacian_lines.cpp
 extern const StripKind contour_strips;         ///< contours.cpp

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "meshlab_host/live_meshes.h"
+#include "meshlab_host/documents.h"
 
 #include <algorithm>
 
-#include "meshlab_host/layers.h"
 #include "scene.h"
 
 namespace meshlab_host {
@@ -36,6 +35,41 @@ void whenMeshesChange(QObject* document, QObject* receiver,
     QObject::connect(sender, &MeshDocument::meshSetChanged, receiver,
                      [=] { changed(idsOf(*sender)); });
     QObject::connect(document, &QObject::destroyed, receiver, [=] { changed({}); });
+}
+
+std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
+    std::vector<const MeshModel*> layers;
+#if MESHLAB_API < 2022
+    for (const MeshModel* mesh : document.meshList)
+        if (mesh) layers.push_back(mesh);
+#else
+    for (const MeshModel& mesh : document.meshIterator())
+        layers.push_back(&mesh);
+#endif
+    return layers;
+}
+
+bool isBusy(const MeshDocument& document) {
+    return const_cast<MeshDocument&>(document).isBusy();  // which changes nothing
+}
+
+GLLogStream* documentLog(const MeshModel& mesh) {
+    MLSceneGLSharedDataContext* scene = sceneOf(mesh);
+    return scene ? &scene->meshDoc().Log : nullptr;
+}
+
+bool hasLine(const GLLogStream& log, const QString& line) {
+    const auto& lines = log.logStringList();
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const auto& entry) { return entry.second == line; });
+}
+
+void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text) {
+#if MESHLAB_API < 2022
+    log.RealTimeLog(title, mesh, text);
+#else
+    log.realTimeLog(title, mesh, text);
+#endif
 }
 
 }  // namespace meshlab_host

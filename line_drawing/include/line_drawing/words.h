@@ -25,7 +25,7 @@ inline QString oneLine(QString text) {
 
 /// @throws laplacian_lines::Error(InvalidOption), always
 [[noreturn]] inline void refuse(const QString& sentence) {
-    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidOption, sentence.toStdString());
+    laplacian_lines::refuse(sentence.toStdString());
 }
 
 }  // namespace line_drawing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "redraw_mark.h"
+#include "view_properties.h"
 
 #include <QPainter>
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "laplacian_lines/line_style.h"
+
+namespace laplacian_lines {
+
+/// What a detail multiplies thresholds by: 1 at 50, falling.
+double threshold_factor(double detail);
+
+/// The thresholds of a style, moved by its detail. Nothing but this reads the detail.
+struct Thresholds {
+    explicit Thresholds(const LineStyle& style);
+
+    float gradient, strength;  ///< of Laplacian lines
+    float segment_slope, line_slope;
+    float shortest_line;  ///< D
+    float ridge_angle;    ///< degrees
+    float demarcation;    ///< degrees
+    float suggestive_slope, photic_slope;
+    float apparent_curvature, apparent_strength, apparent_slope;
+};
+
+}  // namespace laplacian_lines

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laplacian_lines/option_rows.h"
+#include "line_drawing/sheet_choices.h"
+
+namespace line_drawing {
+namespace {
+
+namespace rows = laplacian_lines::option_rows;
+using S = SheetChoices;
+using Place = SheetOption::Place;
+constexpr auto look = &S::look;
+
+SheetOption::Row textRow(const char* key, const char* label, const char* help) {
+    return {key, label, help, laplacian_lines::OptionKind::Choice, 0, 0, {}, nullptr, nullptr};
+}
+
+/// Dialogs fit small screens.
+SheetOption folded(SheetOption option) {
+    option.row.for_experts = true;
+    return option;
+}
+
+std::vector<const char*> papers() {
+    std::vector<const char*> names = paperNames();
+    names.push_back("fit");
+    return names;
+}
+
+std::vector<const char*> units() {
+    std::vector<const char*> names;
+    for (const MeshUnit& unit : mesh_units)
+        names.push_back(unit.name);
+    return names;
+}
+
+std::vector<SheetOption> makeTable() {
+    return {
+        {textRow("file", "File",
+                 "The extension sets the format: .svg, .pdf, .dxf or .png. A file of this name is "
+                 "replaced."),
+         Place::Filter, &S::file},
+        {textRow("views", "Views",
+                 "Several with commas: front, back, left, right, top, bottom, six (all of these), "
+                 "vessel (half section, half view), or two angles, azimuth and elevation, such as "
+                 "30,15; in MeshLab also window, its own view."),
+         Place::Both,
+         &S::views,
+         nullptr,
+         {},
+         "VIEWS"},
+        {textRow("scale", "Scale",
+                 "Drawn to true length, such as 1:2 or 2:1; fit: the largest usual one that fits "
+                 "the paper."),
+         Place::Both,
+         &S::scale,
+         nullptr,
+         {},
+         "1:2|fit"},
+        {rows::choice<&S::paper>(
+            "paper", "Paper", papers(),
+            "Upright or lying, whichever takes the drawing larger. fit: as large as the drawing.")},
+        {rows::choice<&S::unit>(
+            "unit", "Unit of the Mesh", units(),
+            "What a length of 1 is. The dialog begins with m below a size of 10, else mm.")},
+        {rows::choice<look, &SheetLook::up>(
+            "up", "Upward Axis", {"x", "y", "z"},
+            "The axis of the world that points up in named views.")},
+        {textRow("sections", "Sections",
+                 "What planes across the axes of the world cut: such as x=0.5 y=0.3, where 0 to 1 "
+                 "runs from one end of the object to the other. Empty: none."),
+         Place::Both,
+         &S::sections,
+         "section",
+         {},
+         "x|y|z=0..1",
+         true},
+        {textRow("title", "Title",
+                 "Stands above the note of scale, size and file. Of the command, {name} is the "
+                 "name of the mesh."),
+         Place::Both,
+         &S::title,
+         nullptr,
+         {},
+         "TEXT"},
+        {rows::choice<&S::is_of_all_layers>(
+             "layers", "Layers", {"Current Layer", "All Visible Layers"},
+             "All Visible Layers: together, as they stand, hiding each other."),
+         Place::Filter},
+        {rows::choice<&S::settings>(
+             "settings", "Settings", settingsNames({"Defaults", "As the Decoration"}),
+             "As the Decoration: lines and light as the decoration Laplacian Lines has drawn them "
+             "last. Needs a window in which it has drawn. The others: lines of these kinds, with "
+             "the outlines."),
+         Place::Filter},
+        folded({rows::choice<look, &SheetLook::arrangement>(
+            "arrangement", "Arrangement", {"First Angle", "Third Angle"},
+            "How views lie around the front view. First angle (Europe): what is seen from the left "
+            "stands on the right; third angle (America): on the left.")}),
+        folded({rows::choice<look, &SheetLook::strokes>(
+            "strokes", "Strokes", {"Tapered", "Plain"},
+            "Lines that swell and taper as in MeshLab's view, or of even width, for plotters and "
+            "CAD; those of DXF are always plain.")}),
+        folded({rows::choice<look, &SheetLook::wall>(
+            "wall", "Walls", {"Hatched", "Filled", "None"},
+            "What sections cut: hatched, black, or its outline alone.")}),
+        folded({rows::choice<look, &SheetLook::hidden>(
+            "hidden", "Hidden Lines", {"None", "Dashed"},
+            "Outlines, borders and creases behind the surface.")}),
+        folded({rows::choice<&S::weights>(
+            "weights", "Line Weights", {"Illustrator", "ISO 128"},
+            "Illustrator: outlines are widest, edges within the form thin. ISO 128: edges that are "
+            "seen are as wide as outlines, other lines half as wide.")}),
+        folded({rows::boolean<&S::has_furniture>(
+                    "furniture", "Scale Bar and Notes",
+                    "Names of views, scale bar, symbol of the projection, notes of scale, size and "
+                    "file."),
+                Place::Both,
+                nullptr,
+                nullptr,
+                {"none", "all"}}),
+        {textRow("kinds", "Kinds of Lines",
+                 "With the outlines: usual, laplacian_lines, ridges, apparent_ridges and so on, "
+                 "with commas; a wrong one lists all."),
+         Place::Command,
+         &S::kinds,
+         nullptr,
+         {},
+         "NAMES"},
+        {textRow("kernel", "Kernel on Paper",
+                 "Detail of inner lines: a length on paper, or a share of the object's diagonal; "
+                 "auto: four pens of inner lines."),
+         Place::Command,
+         &S::kernel,
+         nullptr,
+         {},
+         "auto|1mm|0.9%"},
+        {textRow("smoothing", "Smoothing on Paper",
+                 "Of the surface before lines are found, likewise."),
+         Place::Command,
+         &S::smoothing,
+         nullptr,
+         {},
+         "auto|0.3mm|0.2%"},
+        {rows::choice<look, &SheetLook::area>(
+             "area", "Areas", {"None", "Filled", "Objects"},
+             "What the outline of all, or of each object alone, encloses, as areas besides."),
+         Place::Command},
+        {rows::choice<&S::draws_damaged>(
+             "damaged", "Damaged Files", {"Refuse", "Draw"},
+             "Files that are not whole; what is drawn of them is called incomplete on the sheet."),
+         Place::Command},
+        {rows::real<&S::dpi>("dpi", "Dots per Inch", 20, 2400, "Of PNG files."),
+         Place::Command,
+         nullptr,
+         nullptr,
+         {},
+         "20..2400"},
+        {rows::choice<&S::format>("format", "Format", {"pdf", "svg", "dxf", "png"},
+                                  "Of the drawings in a folder."),
+         Place::Command},
+    };
+}
+
+}  // namespace
+
+std::vector<const char*> settingsNames(std::vector<const char*> own) {
+    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::line_mixtures)
+        own.push_back(mixture.label);
+    return own;
+}
+
+const laplacian_lines::LineMixture* mixtureAt(int settings) {
+    if (settings <= settings_of_decoration) return nullptr;
+    return &laplacian_lines::line_mixtures.at(std::size_t(settings - settings_of_decoration - 1));
+}
+
+const std::vector<SheetOption>& sheetOptionTable() {
+    static const std::vector<SheetOption> table = makeTable();
+    return table;
+}
+
+}  // namespace line_drawing
