@@ -30,8 +30,7 @@ import typing
 # The compiled half may be in an installed wheel, the plugin for PyMeshLab in a build that stands before it in the path.
 __path__ = pkgutil.extend_path(__path__, __name__)
 
-from .plugin_place import PLUGIN
-from .rows import Attribute, Kind
+from .shared import PLUGIN, Attribute, Kind
 
 _OF_PYMESHLAB = ("DRAWING_FILTER", "FILTER", "Lines", "POLYLINE_FILTER", "Parameter", "draw", "load", "parameters",
                  "picture")

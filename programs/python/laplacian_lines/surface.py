@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from . import _core, options
 from .meshes import as_arrays
 from .polylines import Page, Polylines, Vector
-from .rows import Attribute
+from .shared import Attribute, stored_field
 
 if typing.TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -142,8 +142,6 @@ def _stored_field(mesh):
     has = getattr(mesh, "has_vertex_custom_scalar_attribute", lambda name: False)
     if not has("ll_kernel_size"):
         return None
-    from .stored_field import stored_field
-
     return stored_field(mesh, ATTRIBUTES)
 
 
