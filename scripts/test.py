@@ -23,8 +23,9 @@ USAGE = f"""\
 ./test --sanitized [REGEX...]  GUI tests with plugins compiled with sanitizers: {' '.join(sanitized.GUI_TESTS)}
 ./test --threads [FILTER...]   tests of the core that use several threads, or those of GoogleTest's FILTER, under ThreadSanitizer
 
-Only tests whose names match a REGEX run. A MeshLab of another version than the one installed here runs in a root: the
-release of Debian that packages it, kept in {cache_folder()}/roots, made as root by debootstrap.
+Only tests whose names match a REGEX run; without one all but "wheel", which takes minutes. A MeshLab of another version
+than the one installed here runs in a root: the release of Debian that packages it, kept in {cache_folder()}/roots, made as
+root by debootstrap.
 """
 
 

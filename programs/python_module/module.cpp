@@ -14,6 +14,7 @@
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_table.h"
+#include "laplacian_lines/version.h"
 #include "mesh_files/mesh_file.h"
 #include "surface.h"
 
@@ -194,6 +195,7 @@ nb::object read_mesh(const std::string& ending, const nb::bytes& bytes) {
 
 NB_MODULE(_core, m) {
     nb::exception<Error>(m, "Error", PyExc_ValueError);
+    m.attr("version") = version();
     m.attr("field_options") = rows_of(precompute_option_table());
     m.attr("line_options") = rows_of(line_style_table());
     m.attr("columns") = columns();

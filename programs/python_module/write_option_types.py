@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the options of the core's tables as types: write_option_types.py FILE.pyi"""
+"""Writes the options of the core's tables as types: write_option_types.py FOLDER_OF_CORE FILE.pyi"""
 
 import html
 import sys
 import textwrap
+
+sys.path.insert(0, sys.argv[1])
 
 import _core
 
@@ -20,7 +22,7 @@ def typed_dict(name, rows):
     return f"class {name}(TypedDict, total=False):\n" + "".join(members)
 
 
-with open(sys.argv[1], "w", encoding="utf-8") as file:
+with open(sys.argv[2], "w", encoding="utf-8") as file:
     file.write("from typing import Literal, TypedDict\n\n")
     file.write(typed_dict("FieldOptions", _core.field_options) + "\n")
     file.write(typed_dict("LineOptions", _core.line_options) + "\n")

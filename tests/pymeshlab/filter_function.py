@@ -6,7 +6,7 @@ import numpy
 import pymeshlab
 from harness import MESH, expect_error, expect_no_field, expect_same_field, meshes, reference
 from harness import largest_difference
-from laplacian_lines.stored_field import stored_field
+from laplacian_lines.shared import stored_field
 
 plugins = pymeshlab.plugin_number()
 laplacian_lines.load()

@@ -30,8 +30,7 @@ import typing
 # The compiled half may be in an installed wheel, the plugin for PyMeshLab in a build that stands before it in the path.
 __path__ = pkgutil.extend_path(__path__, __name__)
 
-from .plugin_place import PLUGIN
-from .rows import Attribute, Kind
+from .shared import PLUGIN, Attribute, Kind
 
 _OF_PYMESHLAB = ("DRAWING_FILTER", "FILTER", "Lines", "POLYLINE_FILTER", "Parameter", "draw", "load", "parameters",
                  "picture")
@@ -39,13 +38,14 @@ __all__ = ["Attribute", "Kind", "PLUGIN"]
 
 if typing.TYPE_CHECKING or importlib.util.find_spec("._core", __name__):
     from ._core import Error
+    from ._core import version as __version__
     from .meshes import as_arrays, read_mesh
     from .polylines import KINDS, Page, Polyline, Polylines
     from .surface import ATTRIBUTES, Surface, field, lines, visible_lines
     from .svg import write_svg
 
     __all__ += ["ATTRIBUTES", "Error", "KINDS", "Page", "Polyline", "Polylines", "Surface", "as_arrays", "field", "lines",
-                "read_mesh", "visible_lines", "write_svg"]
+                "read_mesh", "visible_lines", "write_svg", "__version__"]
 else:
     from .meshlab import ATTRIBUTES, field, lines
 

@@ -5,7 +5,7 @@ import pymeshlab
 
 from . import filters
 from .drawing import Lines, draw, lines, picture
-from .stored_field import stored_field
+from .shared import stored_field
 from .tables import ATTRIBUTES, DRAWING_FILTER, FILTER, PLUGIN, POLYLINE_FILTER, Parameter, parameters
 
 _FILTERS = (FILTER, POLYLINE_FILTER, DRAWING_FILTER)

@@ -10,7 +10,7 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _core
-from .rows import Kind
+from .shared import Kind
 
 KINDS = tuple(Kind(**row) for row in _core.kinds)
 Vector = NDArray[numpy.float64]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from . import _core, options
 from .meshes import as_arrays
 from .polylines import Page, Polylines, Vector
-from .rows import Attribute
+from .shared import Attribute, stored_field
 
 if typing.TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -139,12 +139,14 @@ def field(mesh: Any, **field_options: Unpack[FieldOptions]) -> dict[str, NDArray
 
 def _stored_field(mesh):
     """By name, what the filter has left on a mesh of PyMeshLab; None if it has not run since the mesh was changed."""
-    has = getattr(mesh, "has_vertex_custom_scalar_attribute", lambda name: False)
-    if not has("ll_kernel_size"):
+    if not hasattr(mesh, "vertex_custom_scalar_attribute_array"):
         return None
-    from .stored_field import stored_field
+    from pymeshlab import PyMeshLabException
 
-    return stored_field(mesh, ATTRIBUTES)
+    try:
+        return stored_field(mesh, ATTRIBUTES)
+    except PyMeshLabException:
+        return None
 
 
 @options.takes(options.LINES, options.FIELD, told="Surface.lines(), and of Surface() for the field")

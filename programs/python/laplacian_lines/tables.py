@@ -8,9 +8,7 @@ import typing
 
 import pymeshlab  # has loaded the libraries that the plugin needs
 
-from .plugin_place import PLUGIN
-from .rows import Attribute, Kind
-from .stored_field import FILTER
+from .shared import FILTER, PLUGIN, Attribute, Kind
 
 POLYLINE_FILTER = "generate_polyline_from_laplacian_lines"
 DRAWING_FILTER = "export_laplacian_lines_drawing"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What cannot be used raises an exception that says what can."""
 
+import importlib.metadata
 import os
 import pathlib
 import pydoc
@@ -93,6 +94,9 @@ class Help(unittest.TestCase):
         self.assertNotIn("&radic;", text)
         text = " ".join(pydoc.render_doc(ll.lines, renderer=pydoc.plaintext).split())
         self.assertIn("detail: float = 50.0, contours: bool = True", text)
+
+    def test_version(self):
+        self.assertEqual(ll.__version__, importlib.metadata.version("laplacian_lines"))
 
     def test_star_import(self):
         names = {}
