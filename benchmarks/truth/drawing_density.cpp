@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How dense measured drawings of a mesh are from the front, so many mm wide: strokes with inner
 // lines a cm² of what the mesh covers, the length in mm so that half of all is in strokes at least
-// so long, and which share of the length of inner lines has less than half a pen of white beside it.
+// so long, and which share of the length of inner lines has less than half a pen of white beside
+// it.
 #include <QImage>
 #include <QPainter>
 #include <QPolygonF>
@@ -14,8 +15,8 @@
 #include <string>
 #include <tuple>
 
+#include "inner_strokes.h"
 #include "laplacian_lines/precompute.h"
-#include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
 #include "mesh_file.h"
 #include "program.h"
@@ -24,13 +25,14 @@
 
 namespace {
 
+using namespace benchmarks;
 using Eigen::Vector2d;
 
 constexpr double pixels_of_mm = 10;
-constexpr double sample_step = 0.1;  // mm
-constexpr double own_course = 6;     // pens of a stroke, beyond which it can be beside itself
+constexpr double sample_step = 0.1;    // mm
+constexpr double own_course = 6;       // pens of a stroke, beyond which it can be beside itself
 constexpr double beside_cosine = 0.7;  // of the angle between a stroke and what is beside it
-constexpr double widest_reach = 1;   // mm
+constexpr double widest_reach = 1;     // mm
 
 /// A piece of a stroke within which it is not beside itself.
 struct Piece {
@@ -38,15 +40,15 @@ struct Piece {
     double length = 0;
 };
 
-double areaOf(const line_drawing::Sheet& sheet) {
-    QImage image((sheet.size * pixels_of_mm).toSize(), QImage::Format_Grayscale8);
+/// cm²
+double sizeOf(const QPainterPath& area) {
+    const QRectF box = area.boundingRect();
+    QImage image((box.size() * pixels_of_mm).toSize(), QImage::Format_Grayscale8);
     image.fill(0);
     QPainter painter(&image);
     painter.scale(pixels_of_mm, pixels_of_mm);
-    for (const auto& layer : sheet.groups[0].layers)
-        if (layer.key == "area")
-            for (const auto& path : layer.paths)
-                painter.fillPath(path.path, Qt::white);
+    painter.translate(-box.topLeft());
+    painter.fillPath(area, Qt::white);
     painter.end();
     std::size_t covered = 0;
     for (int y = 0; y < image.height(); ++y)
@@ -70,10 +72,6 @@ double lengthOf(const QPolygonF& line) {
     return length;
 }
 
-bool isInner(const line_drawing::SheetLayer& layer) {
-    return layer.key == "inner" || layer.key == "fine";
-}
-
 /// The lengths of strokes that are inner lines, or have a part that is one: as they are drawn
 /// where strokes taper, from end to end. `plain`: with even strokes, which change from contours to
 /// inner lines.
@@ -82,13 +80,13 @@ std::vector<double> strokeLengths(const line_drawing::Sheet& tapered,
     std::vector<QPointF> middles;
     for (const auto& layer : plain.groups[0].layers)
         for (const auto& path : layer.paths)
-            if (isInner(layer)) middles.push_back(path.path.pointAtPercent(0.5));
+            if (is_inner(layer)) middles.push_back(path.path.pointAtPercent(0.5));
     std::vector<double> lengths;
     for (const auto& layer : tapered.groups[0].layers)
         for (const auto& path : layer.paths) {
             const auto covers = [&](const QPointF& p) { return path.path.contains(p); };
-            if (!isInner(layer) && (layer.key != "contour" ||
-                                    std::none_of(middles.begin(), middles.end(), covers)))
+            if (!is_inner(layer) &&
+                (layer.key != "contour" || std::none_of(middles.begin(), middles.end(), covers)))
                 continue;
             lengths.push_back(0);  // half of the edges
             for (const QPolygonF& line : path.path.toSubpathPolygons())
@@ -127,8 +125,7 @@ double closeShare(const line_drawing::Sheet& sheet) {
                 for (const Piece& piece : piecesOf(line, own_course * pen)) {
                     all.try_emplace(path.pen_width, widest_reach)
                         .first->second.add(piece.points, ++number);
-                    if (isInner(layer))
-                        inner.emplace_back(piece, path.pen_width, number);
+                    if (is_inner(layer)) inner.emplace_back(piece, path.pen_width, number);
                 }
             }
     double close = 0, length = 0;
@@ -162,11 +159,7 @@ double usualLength(const std::vector<double>& lengths) {
 /// With strokes that taper, which are whole, and with even ones.
 std::vector<line_drawing::Sheet> draw(const laplacian_lines::TriangleMesh& mesh, double width,
                                       bool segments) {
-    line_drawing::SheetOptions options;
-    options.views = line_drawing::parseViews("front", line_drawing::UpAxis::Y);
-    options.paper = "fit";
-    options.area = line_drawing::OutlineArea::Filled;
-    options.scale = width / line_drawing::boundsOf(mesh).sizes().x();
+    line_drawing::SheetOptions options = front_options(mesh, width);
     options.style.whole_lines = !segments;
     const laplacian_lines::Field field =
         segments ? laplacian_lines::precompute(mesh) : laplacian_lines::Field();
@@ -178,7 +171,6 @@ std::vector<line_drawing::Sheet> draw(const laplacian_lines::TriangleMesh& mesh,
 }  // namespace
 
 int main(int argc, char** argv) {
-    using namespace benchmarks;
     std::vector<double> sizes = {20, 50, 100, 200};
     bool segments = false;
     const std::vector<Option> options = {
@@ -193,8 +185,8 @@ int main(int argc, char** argv) {
                 const auto lengths = strokeLengths(sheets[0], sheets[1]);
                 std::printf("%-20s %6g  %11.1f  %9.1f  %7.1f\n",
                             test_meshes::mesh_name(file).c_str(), size,
-                            double(lengths.size()) / areaOf(sheets[0]), usualLength(lengths),
-                            100 * closeShare(sheets[1]));
+                            double(lengths.size()) / sizeOf(covered_area(sheets[0])),
+                            usualLength(lengths), 100 * closeShare(sheets[1]));
                 std::fflush(stdout);
             }
         }

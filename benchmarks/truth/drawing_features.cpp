@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a feature is one stroke on paper, and stays it. Three wavy grooves on a plate, on a dome,
+// and across three others, from the front: the share of the grooves' length that has an inner line
+// within √h, the strokes a groove, and the share of the lines' length that has a groove there. And
+// of each mesh, the share of the length of inner lines that has no partner within .6 mm when the
+// mesh is turned by 2 degrees.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "generators.h"
+#include "inner_strokes.h"
+#include "line_drawing/bounds.h"
+#include "mesh_file.h"
+#include "mesh_noise.h"
+#include "program.h"
+#include "strokes/drawn_lines.h"
+#include "strokes/refining.h"
+
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+using laplacian_lines::TriangleMesh;
+using line_drawing::DrawnLines;
+using Strokes = std::vector<std::vector<Vector2d>>;
+
+constexpr double pi = 3.141592653589793;
+constexpr double width = 50;           // mm
+constexpr double groove_reach = 1;     // mm: √h
+constexpr double partner_reach = 0.6;  // mm
+constexpr double turn = 2 * pi / 180;
+constexpr double sample_step = 0.1;  // mm
+constexpr double depth_cell = 0.3;   // mm
+constexpr std::size_t none = std::size_t(-1);
+
+double hollow(double distance, double deviation) {
+    return std::exp(-distance * distance / (2 * deviation * deviation));
+}
+
+struct Grooved {
+    const char* name;
+    TriangleMesh mesh;
+    Strokes grooves;  // as they look from the front
+};
+
+/// 2.8 by 2, as convex along y as said: three wavy grooves along x, and three across them.
+Grooved relief(const char* name, double convexity, bool crossing, int columns, double deviation) {
+    const auto wave = [](int k, double along) { return 0.6 * k + 0.1 * std::sin(3 * along + k); };
+    Grooved result{name, {}, {}};
+    const auto height = [&](double x, double y) {
+        double depth = 0;
+        for (int k = -1; k <= 1; ++k) {
+            depth = std::max(depth, deviation * hollow(y - wave(k, x), deviation));
+            if (crossing) depth = std::max(depth, deviation * hollow(x - wave(k, y), deviation));
+        }
+        return -depth - convexity / 2 * y * y;
+    };
+    result.mesh =
+        test_meshes::grid_mesh({columns, columns * 5 / 7},
+                               std::function<Vector3d(double, double)>([&](double u, double v) {
+                                   const double x = 2.8 * (u - 0.5), y = 2 * (v - 0.5);
+                                   return Vector3d(x, y, height(x, y));
+                               }));
+    for (int k = -1; k <= 1; ++k) {
+        result.grooves.emplace_back();
+        for (double x = -1.4; x <= 1.4; x += 0.01)
+            result.grooves.back().emplace_back(x, wave(k, x));
+        if (!crossing) continue;
+        result.grooves.emplace_back();
+        for (double y = -1; y <= 1; y += 0.01)
+            result.grooves.back().emplace_back(wave(k, y), y);
+    }
+    return result;
+}
+
+/// How many points along lines there are, and how many of them have another one near.
+struct Share {
+    double near = 0, all = 0;
+    double value() const { return all > 0 ? near / all : 0; }
+};
+
+Share share_near(const std::vector<Vector2d>& line, const DrawnLines& others, double reach,
+                 double step) {
+    Share share;
+    for (const Vector2d& p : line_drawing::refine(line, step)) {
+        ++share.all;
+        share.near += others.nearestOn(p, none, reach).has_value();
+    }
+    return share;
+}
+
+Share share_near(const Strokes& lines, const Strokes& others, double reach, double step) {
+    DrawnLines there(reach);
+    for (const auto& other : others)
+        there.add(other);
+    Share sum;
+    for (const auto& line : lines) {
+        const Share share = share_near(line, there, reach, step);
+        sum.near += share.near;
+        sum.all += share.all;
+    }
+    return sum;
+}
+
+void print_grooves(const Grooved& form, double noise) {
+    const TriangleMesh mesh =
+        noise > 0 ? mesh_noise::with_noise(form.mesh, noise / 100) : form.mesh;
+    const Strokes strokes = benchmarks::inner_strokes(mesh, width);
+    const double mm = line_drawing::boundsOf(mesh).sizes().x() / width;
+    std::size_t along = 0;
+    for (const auto& stroke : strokes)
+        along +=
+            share_near({stroke}, form.grooves, groove_reach * mm, sample_step * mm).value() > 0.5;
+    std::printf(
+        "%-8s %7zu triangles, noise %g %%: covered %.2f, strokes a groove %.2f, precision %.2f\n",
+        form.name, mesh.triangles.size(), noise,
+        share_near(form.grooves, strokes, groove_reach * mm, sample_step * mm).value(),
+        double(along) / double(form.grooves.size()),
+        share_near(strokes, form.grooves, groove_reach * mm, sample_step * mm).value());
+    std::fflush(stdout);
+}
+
+/// How far in front the vertices of a mesh are, by cell of the picture.
+class Depths {
+public:
+    Depths(const TriangleMesh& mesh, double cell) : cell_(cell) {
+        for (const Vector3d& p : mesh.positions) {
+            const auto found = cells_.emplace(cell_of(p.head<2>()), p.z()).first;
+            found->second = std::max(found->second, p.z());
+        }
+    }
+    double at(const Vector2d& p) const {
+        const auto found = cells_.find(cell_of(p));
+        return found != cells_.end() ? found->second : 0;
+    }
+
+private:
+    std::pair<int, int> cell_of(const Vector2d& p) const {
+        return {int(std::floor(p.x() / cell_)), int(std::floor(p.y() / cell_))};
+    }
+    double cell_;
+    std::map<std::pair<int, int>, double> cells_;
+};
+
+Vector3d turned(const Vector3d& p, double angle) {
+    return {std::cos(angle) * p.x() + std::sin(angle) * p.z(), p.y(),
+            std::cos(angle) * p.z() - std::sin(angle) * p.x()};
+}
+
+void print_turn(const std::string& file) {
+    const TriangleMesh mesh = test_meshes::read_mesh(file);
+    TriangleMesh other = mesh;
+    for (Vector3d& p : other.positions)
+        p = turned(p, turn);
+    const double mm = line_drawing::boundsOf(mesh).sizes().x() / width;
+    const Strokes before = benchmarks::inner_strokes(mesh, width),
+                  after = benchmarks::inner_strokes(other,
+                                                    line_drawing::boundsOf(other).sizes().x() / mm);
+    const Depths depths(mesh, depth_cell * mm);
+    Strokes moved;
+    for (const auto& stroke : before) {
+        moved.emplace_back();
+        for (const Vector2d& p : line_drawing::refine(stroke, sample_step * mm))
+            moved.back().push_back(turned({p.x(), p.y(), depths.at(p)}, turn).head<2>());
+    }
+    const Share vanished = share_near(moved, after, partner_reach * mm, sample_step * mm),
+                appeared = share_near(after, moved, partner_reach * mm, sample_step * mm);
+    std::printf("%s, turned by 2 degrees: %.1f %% without a partner\n",
+                test_meshes::mesh_name(file).c_str(),
+                100 - 100 * (vanished.near + appeared.near) / (vanished.all + appeared.all));
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace benchmarks;
+    std::vector<double> columns = {200, 300, 700}, noise = {0, 20};
+    double deviation = 0.03;
+    const std::vector<Option> options = {
+        numbers("--columns N,N...", "of the grooved forms' grids (200,300,700)", columns),
+        numbers("--noise %,%...", "of their mean edge (0,20)", noise),
+        number("--deviation D", "of a groove's profile, of 2.8 (.03)", deviation, 0.001)};
+    return run_program(argc, argv, "[MESH...]", options, [&](const auto& files) {
+        for (const auto& [name, convexity, crossing] :
+             {std::tuple("plate", 0., false), {"dome", 0.7, false}, {"crossing", 0., true}})
+            for (const double n : columns)
+                for (const double percent : noise)
+                    print_grooves(relief(name, convexity, crossing, int(n), deviation), percent);
+        for (const std::string& file : files)
+            print_turn(file);
+        return true;
+    });
+}

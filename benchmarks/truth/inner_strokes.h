@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/sheet.h"
+#include "line_drawing/sheet_options.h"
+
+namespace benchmarks {
+
+/// How a mesh is drawn from the front, so many mm wide, alone on its sheet; the area that it covers
+/// is a layer.
+line_drawing::SheetOptions front_options(const laplacian_lines::TriangleMesh& mesh, double width);
+
+bool is_inner(const line_drawing::SheetLayer& layer);
+
+/// What the mesh covers on the sheet.
+QPainterPath covered_area(const line_drawing::Sheet& sheet);
+
+/// Inner lines of a drawing by front_options() with even strokes, in the mesh's x and y.
+std::vector<std::vector<Eigen::Vector2d>> inner_strokes(const laplacian_lines::TriangleMesh& mesh,
+                                                        double width);
+
+}  // namespace benchmarks
