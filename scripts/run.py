@@ -17,6 +17,7 @@ from product.extra_plugins import expect_extra_plugins, has_extra_plugins, insta
 from product.meshlab import is_project, open_window, settings_commands
 from product.models import check_mesh
 from product.package import make_packages
+from product.portable import package_portable
 from product.stage import blame_reader, built_plugins, is_signal, outputs_are_there, stage_meshlab
 
 USAGE = f"""\
@@ -46,6 +47,7 @@ USAGE = f"""\
                                               others, --package)
 ./run --uninstall                             removes what --install has added
 ./run --package                               makes a .deb and a .zip of the plugins, for the MeshLab installed here
+./run --package --portable                    makes a .zip for MeshLab 2025.07 as its authors publish it, on any Linux
 ./run --help
 
 MESH is any file that MeshLab reads, also gzipped; without one, the Stanford dragon is fetched. Without a display,
@@ -117,6 +119,8 @@ class Command:
             self.mode, self.rest = word[2:], words[:]
             words.clear()
         elif word in MODES:
+            if word == "--package" and words == ["--portable"]:
+                word = words.pop()
             if words:
                 raise Failure(f"{word} takes no other arguments")
             self.mode = word[2:]
@@ -158,7 +162,12 @@ class Command:
 
     def run_package(self, _):
         build_plugins(*packages.PACKAGING)
+        build_targets("laplacian_lines_drawing")
         make_packages(build_folder(), build_folder() / "packages")
+
+    def run_portable(self, _):
+        ensure_toolchain(*packages.PACKAGING)
+        package_portable()
 
     def run_window(self, work):
         stage = build_and_stage()

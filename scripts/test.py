@@ -9,7 +9,7 @@ from checks import checks, sanitized
 from environment.files import cache_folder
 from environment.messages import Failure, run_main
 from environment.packages import meshlab_version
-from hosts import hosts
+from hosts import hosts, reach
 from hosts.results import Results
 
 USAGE = f"""\
@@ -21,6 +21,7 @@ USAGE = f"""\
                                with --host, after the tests there
 ./test --fuzz SECONDS          fuzzing alone
 ./test --sanitized [REGEX...]  GUI tests with plugins compiled with sanitizers: {' '.join(sanitized.GUI_TESTS)}
+./test --reach                 the portable plugins in MeshLabs that did not build them, the packages, and the wheel
 ./test --threads [FILTER...]   tests of the core that use several threads, or those of GoogleTest's FILTER, under ThreadSanitizer
 
 Only tests whose names match a REGEX run; without one all but "wheel", which takes minutes. A MeshLab of another version
@@ -30,7 +31,7 @@ root by debootstrap.
 
 
 def main():
-    host, required, with_checks, words = None, False, False, sys.argv[1:]
+    host, required, with_checks, with_reach, words = None, False, False, False, sys.argv[1:]
     while words and words[0].startswith("-"):
         word = words.pop(0)
         if word in ("-h", "--help"):
@@ -50,15 +51,17 @@ def main():
             return sanitized.test_gui(words)
         elif word == "--threads":
             return sanitized.test_threads(words)
+        elif word == "--reach":
+            with_reach = True
         elif word == "--required":
             required = True
             os.environ["LAPLACIAN_LINES_REQUIRED"] = "true"  # by tests that would be skipped
         else:
             raise Failure(f"unknown option {word}; see ./test --help")
-    if not host and not with_checks:
+    if not (host or with_checks or with_reach):
         return hosts.test_here(words)
     if words and not host:
-        raise Failure("--checks takes no names of tests")
+        raise Failure("--checks and --reach take no names of tests")
 
     results = Results(required)
     if host == "all":
@@ -68,6 +71,8 @@ def main():
             results.stage(name, hosts.test_host, name, words)
     if with_checks:
         checks.run_checks(results)
+    if with_reach:
+        reach.run_stages(results)
     return results.tell()
 
 

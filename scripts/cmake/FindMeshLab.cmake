@@ -91,4 +91,8 @@ if(MeshLab_FOUND AND NOT TARGET MeshLab::common)
     INTERFACE_COMPILE_DEFINITIONS "MESHLAB_SCALAR=${MESHLAB_SCALAR};MESHLAB_API=${MESHLAB_API};MESHLAB_VERSION=${MeshLab_VERSION}"
     INTERFACE_LINK_LIBRARIES
       "Qt5::Core;Qt5::Gui;Qt5::Widgets;Qt5::OpenGL;Qt5::Xml;OpenGL::GL;OpenGL::GLU;Eigen3::Eigen")
+  if(LAPLACIAN_LINES_PORTABLE) # this system has not what that library needs
+    set_target_properties(MeshLab::common PROPERTIES
+      INTERFACE_LINK_OPTIONS "-Wl,--unresolved-symbols=ignore-in-shared-libs")
+  endif()
 endif()

@@ -7,10 +7,21 @@ if(NOT MeshLab_FOUND OR MESHLAB_IN_PYTHON)
 endif()
 
 # for the .deb alone: "cmake --install" brings none of it
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" RENAME copyright
-  DESTINATION /usr/share/doc/meshlab-laplacian-lines COMPONENT documentation EXCLUDE_FROM_ALL)
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md"
-  DESTINATION . COMPONENT loose EXCLUDE_FROM_ALL)
+set(documents /usr/share/doc/meshlab-laplacian-lines)
+set(made "${PROJECT_BINARY_DIR}/package_files")
+install(TARGETS laplacian_lines_drawing RUNTIME DESTINATION /usr/bin COMPONENT command EXCLUDE_FROM_ALL)
+install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/scripts/product/package_files.py\"
+  \"$<TARGET_FILE:laplacian_lines_drawing>\" \"${PROJECT_SOURCE_DIR}/CHANGELOG.md\" \"${made}\" COMMAND_ERROR_IS_FATAL ANY)"
+  COMPONENT command EXCLUDE_FROM_ALL)
+install(FILES "${made}/laplacian-lines.1.gz" DESTINATION /usr/share/man/man1 COMPONENT command EXCLUDE_FROM_ALL)
+install(FILES "${made}/laplacian-lines" DESTINATION /usr/share/bash-completion/completions
+  COMPONENT command EXCLUDE_FROM_ALL)
+install(FILES "${made}/changelog.gz" DESTINATION ${documents} COMPONENT command EXCLUDE_FROM_ALL)
+install(FILES "${PROJECT_SOURCE_DIR}/scripts/product/copyright" DESTINATION ${documents}
+  COMPONENT command EXCLUDE_FROM_ALL)
+install(FILES "${PROJECT_SOURCE_DIR}/scripts/product/lintian_overrides" RENAME meshlab-laplacian-lines
+  DESTINATION /usr/share/lintian/overrides COMPONENT command EXCLUDE_FROM_ALL)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION . COMPONENT loose EXCLUDE_FROM_ALL)
 
 set(CPACK_GENERATOR DEB ZIP)
 set(CPACK_PROJECT_CONFIG_FILE "${PROJECT_SOURCE_DIR}/scripts/cmake/PackagingByGenerator.cmake")
@@ -23,12 +34,15 @@ set(CPACK_VERBATIM_VARIABLES ON)
 
 set(CPACK_PACKAGE_NAME meshlab-laplacian-lines)
 set(CPACK_PACKAGE_VENDOR "Laplacian Lines")
-set(CPACK_PACKAGE_CONTACT "Laplacian Lines developers")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "line drawings of scanned surfaces, plugins for MeshLab")
+set(CPACK_PACKAGE_CONTACT "Laplacian Lines developers <laplacian-lines@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "line drawings of scanned surfaces, in MeshLab and on paper")
 set(CPACK_PACKAGE_DESCRIPTION
-  "A decoration that draws the Laplacian lines, contours, ridges and borders of a\nmesh as it is turned, and filters that compute them for scripts and as polylines.")
+  "A decoration that draws the Laplacian lines, contours, ridges and borders of a\nmesh as it is turned, and filters that compute them for scripts and as\npolylines. The command laplacian-lines draws meshes at scale on paper, as PDF,\nSVG, DXF or PNG.")
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}+meshlab${MeshLab_VERSION}")
 set(CPACK_PACKAGE_FILE_NAME "meshlab-laplacian-lines-${CPACK_PACKAGE_VERSION}-${CMAKE_SYSTEM_PROCESSOR}")
+if(LAPLACIAN_LINES_PORTABLE)
+  string(APPEND CPACK_PACKAGE_FILE_NAME "-portable")
+endif()
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)

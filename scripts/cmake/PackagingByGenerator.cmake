@@ -4,7 +4,7 @@ if(CPACK_GENERATOR STREQUAL "DEB")
   set(CPACK_SET_DESTDIR ON) # MeshLab's plugin folder is an absolute one
   # with DESTDIR, CPack makes the folder of this prefix, and the package would own it
   set(CPACK_INSTALL_PREFIX /usr)
-  set(CPACK_COMPONENTS_ALL plugins documentation)
+  set(CPACK_COMPONENTS_ALL plugins command)
 else()
   set(CPACK_COMPONENTS_ALL loose)
 endif()

@@ -31,14 +31,14 @@ def readable(pattern, folder=pathlib.Path("/etc/apt")):
     return [file.read_text(errors="replace") for file in sorted(folder.glob(pattern)) if os.access(file, os.R_OK)]
 
 
-def write_source_list(folder, suite=None):
+def write_source_list(folder, suite=None, kind="deb-src"):
     """Entries for apt's sourceparts folder: the machine's sources rewritten to source packages, or those of another
-    release of Debian. Returns whether there are any."""
+    release of Debian, which may be of another kind. Returns whether there are any."""
     folder.mkdir(parents=True, exist_ok=True)
     if suite:
         mirror = debian_mirror()
         options = f"[signed-by={KEYRING}] " if os.access(KEYRING, os.R_OK) else ""
-        (folder / "debian.list").write_text(f"deb-src {options}{mirror} {suite} main\n")
+        (folder / "debian.list").write_text(f"{kind} {options}{mirror} {suite} main\n")
         return mirror is not None
     # one-line style: "deb [options] uri suite components"
     entries = {re.sub(r"^\s*deb(-src)?\s", "deb-src ", line)

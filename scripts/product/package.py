@@ -8,19 +8,21 @@ from environment.files import put_file, turn
 from environment.messages import Failure, quietly, say
 
 
-def are_whole(folder):
+KINDS = {"DEB": ["dpkg-deb", "--fsys-tarfile"], "ZIP": ["cmake", "-E", "tar", "tf"]}  # and what reads them
+
+
+def are_whole(folder, kinds):
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    files = list(folder.glob("*.deb")), list(folder.glob("*.zip"))
-    return all(len(some) == 1 for some in files) and all(subprocess.run(command, **quiet).returncode == 0
-                                                         for command in (
-        ["dpkg-deb", "--fsys-tarfile", *files[0]], ["cmake", "-E", "tar", "tf", *files[1]]))
+    files = {kind: list(folder.glob(f"*.{kind.lower()}")) for kind in kinds}
+    return all(len(some) == 1 and subprocess.run([*KINDS[kind], *some], **quiet).returncode == 0
+               for kind, some in files.items())
 
 
 def packages_in(folder):
     return sorted(file for file in folder.iterdir() if file.suffix in (".deb", ".zip"))
 
 
-def make_packages(build, folder):
+def make_packages(build, folder, kinds=tuple(KINDS)):
     """Of the plugins that are built there, in place of those in the folder, which stay if they cannot be made."""
     scratch, log = build / "packages.new", build / "packages.new.log"
     say("making the packages")
@@ -28,9 +30,10 @@ def make_packages(build, folder):
         shutil.rmtree(scratch, ignore_errors=True)
         try:
             # CPack would first build all that can be built; it does not for generators without a target "preinstall"
-            if not (quietly(log, ["cpack", "--config", build / "CPackConfig.cmake", "-D", "CPACK_CMAKE_GENERATOR=Ninja",
+            if not (quietly(log, ["cpack", "--config", build / "CPackConfig.cmake", "-G", ";".join(kinds),
+                                  "-D", "CPACK_CMAKE_GENERATOR=Ninja",
                                   "-D",
-                                  f"CPACK_OUTPUT_FILE_PREFIX={scratch}", "-B", scratch]) and are_whole(scratch)):
+                                  f"CPACK_OUTPUT_FILE_PREFIX={scratch}", "-B", scratch]) and are_whole(scratch, kinds)):
                 raise Failure(f"the packages could not be made; the whole output is in {log}")
             folder.mkdir(parents=True, exist_ok=True)
             for package in packages_in(scratch):

@@ -18,9 +18,8 @@ MESHLAB, HOST = "2025.07", "2025"  # what it is made of, by its number and the h
 BUILD = CHECKOUT / "build/pymeshlab"
 
 
-def ensure_pymeshlab():
-    """Its Python, whose MeshLab's headers are there. Sets MESHLAB_SOURCE_DIR."""
-    python = ensure_python("pymeshlab", VERSION, "0.5 GB", f"pymeshlab=={VERSION}", "numpy", "matplotlib")
+def ensure_meshlab_headers():
+    """Sets MESHLAB_SOURCE_DIR."""
     folder = cache_folder() / "headers" / MESHLAB
     os.environ["MESHLAB_SOURCE_DIR"] = str(folder)
     if not (folder / "src/common").is_dir():
@@ -29,6 +28,12 @@ def ensure_pymeshlab():
                 (folder / "ML_VERSION").read_text().strip() != MESHLAB):
             shutil.rmtree(folder, ignore_errors=True)
             raise Obstacle(f"the source of MeshLab {MESHLAB} could not be fetched; unpack it yourself to {folder}")
+
+
+def ensure_pymeshlab():
+    """Its Python, whose MeshLab's headers are there. Sets MESHLAB_SOURCE_DIR."""
+    python = ensure_python("pymeshlab", VERSION, "0.5 GB", f"pymeshlab=={VERSION}", "numpy", "matplotlib")
+    ensure_meshlab_headers()
     return python
 
 
