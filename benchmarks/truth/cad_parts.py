@@ -86,6 +86,16 @@ def stepped_block():
     return block.cut(cq.Workplane("XZ", origin=(18, 0, 20)).rect(16, 10).extrude(50))
 
 
+@part
+def countersunk_plate():
+    plate = cq.Workplane().box(90, 60, 7).edges("|Z").fillet(9)
+    corners = plate.faces(">Z").workplane(origin=(0, 0, 3.5)).rect(66, 36, forConstruction=True).vertices()
+    plate = corners.cskHole(5, 10, 90)
+    plate = plate.faces(">Z").workplane(origin=(0, 0, 3.5)).hole(26)
+    plate = plate.edges(cq.selectors.RadiusNthSelector(-1)).edges(">Z").chamfer(0.6)
+    return plate.faces("<Z").edges("%CIRCLE").edges(cq.selectors.RadiusNthSelector(-1)).chamfer(0.4)
+
+
 # Shells
 
 
@@ -109,6 +119,17 @@ def round_box():
     box = turned([(0, 0), (34, 0), (38, 40), (35, 40), (31.5, 3), (0, 3)])
     holes = cq.Workplane("XZ", origin=(0, 60, 22)).circle(6).extrude(120)
     return box.cut(holes)
+
+
+@part
+def snap_box():
+    box = cq.Workplane().box(70, 46, 24).edges("|Z").fillet(4).faces(">Z").shell(-1.2)
+    for x in (-20, 20):
+        profile = [(23, 3), (23, 11), (23.4, 11), (24.6, 6), (23.4, 5)]
+        hook = cq.Workplane("YZ", origin=(x - 4, 0, 0)).polyline(profile).close().extrude(8)
+        box = box.union(hook).union(hook.mirror("XZ"))
+    slots = cq.Workplane("XZ", origin=(0, 30, -4)).rarray(40, 1, 2, 1).rect(10, 5).extrude(60)
+    return box.cut(slots)
 
 
 # Fine and periodic
@@ -135,6 +156,19 @@ def gear():
     gear = gear.faces(">Z").workplane(origin=(0, 0, 12)).hole(16)
     gear = gear.cut(cq.Workplane(origin=(8, 0, 0)).rect(4, 5).extrude(12))
     return gear.faces(">Z").workplane(origin=(0, 0, 12)).pushPoints(around(5, 21)).hole(10)
+
+
+@part
+def helical_gear():
+    teeth, outer, root = 17, 36, 29
+    pitch = 2 * math.pi / teeth
+    outline = []
+    for tooth in range(teeth):
+        for share, radius in [(-0.3, root), (-0.12, outer), (0.12, outer), (0.3, root)]:
+            angle = (tooth + share) * pitch
+            outline.append((radius * math.cos(angle), radius * math.sin(angle)))
+    gear = cq.Workplane().polyline(outline).close().twistExtrude(18, 20)
+    return gear.cut(cq.Workplane(origin=(0, 0, -1)).circle(9).extrude(30))
 
 
 @part
@@ -211,6 +245,17 @@ def grooved_shaft():
     profile += [(12.8, 46.2), (14, 46.2), (14, 60), (20, 60), (20, 66), (19, 66), (19, 67), (20, 67), (20, 74)]
     profile += [(11, 74), (11, 98), (9, 100), (0, 100)]
     return turned(profile).cut(cq.Workplane("XZ", origin=(0, -8, 86)).slot2D(16, 5, 90).extrude(10))
+
+
+@part
+def stepped_shaft():
+    """With grooves for rings, a keyway and small chamfers."""
+    profile = [(0, 0), (5.5, 0), (6, 0.5), (6, 9), (5.5, 9), (5.5, 10.1), (6, 10.1), (6, 16), (8, 16), (8.3, 16.3)]
+    profile += [(8.3, 38), (12, 38), (12.5, 38.5), (12.5, 43.5), (12, 44), (10, 44), (10, 70), (9.4, 70)]
+    profile += [(9.4, 71.3), (10, 71.3), (10, 79.4), (9.4, 80), (0, 80)]
+    shaft = turned(profile)
+    shaft = shaft.cut(cq.Workplane("XZ", origin=(0, -6.5, 57)).slot2D(20, 6, 90).extrude(10))
+    return shaft.cut(cq.Workplane("XY", origin=(0, 7, 27)).box(4, 6, 16))
 
 
 @part

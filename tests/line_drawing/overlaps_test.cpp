@@ -89,6 +89,19 @@ TEST(Overlaps, EndsBesideEachOtherAreJoined) {
 }
 
 /// The step between two edges that end on different lines has no white beside it, but joins them.
+/// An edge that has gone past the one that it met, and two that have gone past each other, as where
+/// the upper and the lower rim of a hub are cut into triangles at other places.
+TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
+    std::vector<DrawnLine> lines = {line(LineClass::Contour, {{0, 0}, {0, 10.05}}),
+                                    line(LineClass::Contour, {{-9, 10}, {0, 10}})};
+    joinLooseEnds(lines, {}, reach);
+    EXPECT_EQ(lines[0].points.back().position, Eigen::Vector2d(0, 10));
+    lines = {line(LineClass::Edge, {{-9, 0}, {0.04, 0.1}}),
+             line(LineClass::Edge, {{0, 0}, {9, -0.1}})};
+    joinLooseEnds(lines, {}, reach);
+    EXPECT_EQ(lines[0].points.back().position, lines[1].points.front().position);
+}
+
 TEST(Overlaps, ShortLinesThatJoinAnEndToAnotherLineStay) {
     std::vector<DrawnLine> lines = {line(LineClass::Contour, {{0, 0}, {20, 0}}),
                                     line(LineClass::Edge, {{5, 10}, {5, 1.5 * reach}})};

@@ -10,6 +10,11 @@ namespace {
 
 using Eigen::Vector2d;
 
+/// Whether a line has to be where it is: an edge or contour of a form with flat faces.
+bool isEdge(const DrawnLine& line) {
+    return line.line_class < LineClass::Inner && !isSmooth(line);
+}
+
 class EndJoining {
 public:
     EndJoining(std::vector<DrawnLine>& lines, double reach)
@@ -30,8 +35,13 @@ public:
     void lead() {
         for (std::size_t i = 0; i < lines_.size(); ++i)
             for (const Vector2d& end : looseEnds(i))
-                if (const auto place = all_.nearestOn(end, i, beside_reach * reach_))
-                    extend(i, end, looseEndNear(*place, end).value_or(place->position));
+                if (const auto place = all_.nearestOn(end, i, beside_reach * reach_)) {
+                    const Vector2d to = looseEndNear(*place, end).value_or(place->position);
+                    if (!runsBack(i, end, to))
+                        extend(i, end, to);
+                    else if (isEdge(lines_[i]) && !shorten(i, end, to))
+                        extend(i, end, to);
+                }
     }
 
 private:
@@ -70,12 +80,31 @@ private:
         return {};
     }
 
+    /// To the place of another line that it has gone past, by no more than leaves no white. Whether
+    /// it has.
+    bool shorten(std::size_t i, const Vector2d& end, const Vector2d& to) {
+        std::vector<DrawnPoint>& points = lines_[i].points;
+        const bool is_first = points.front().position == end;
+        const Vector2d way = end - (is_first ? points[1] : points[points.size() - 2]).position;
+        const Vector2d past = end - to;
+        const double share = past.dot(way) / way.squaredNorm();
+        if (!(share > 0 && share < 1) || (past - share * way).norm() > same_reach * reach_)
+            return false;
+        (is_first ? points.front() : points.back()).position = to;
+        return true;
+    }
+
+    /// Where its own stroke is already.
+    bool runsBack(std::size_t i, const Vector2d& end, const Vector2d& to) const {
+        const std::vector<DrawnPoint>& points = lines_[i].points;
+        const bool is_first = points.front().position == end;
+        const Vector2d before = (is_first ? points[1] : points[points.size() - 2]).position;
+        return (to - end).normalized().dot((end - before).normalized()) < reversal;
+    }
+
     void extend(std::size_t i, const Vector2d& end, const Vector2d& to) {
         std::vector<DrawnPoint>& points = lines_[i].points;
         const bool is_first = points.front().position == end;
-        const Vector2d before = (is_first ? points[1] : points[points.size() - 2]).position;
-        // back along itself: its own stroke is there
-        if ((to - end).normalized().dot((end - before).normalized()) < reversal) return;
         DrawnPoint point{to, (is_first ? points.front() : points.back()).weight};
         points.insert(is_first ? points.begin() : points.end(), point);
         all_.add({end, to}, i);
