@@ -115,7 +115,7 @@ TEST(SheetOptions, OfTheCommandAreDocumented) {
 }
 
 TEST(SheetOptions, OfTheFilterAreDocumented) {
-    const QString document = content("docs/parameters.md");
+    const QString document = content("docs/parameters.md").section("## Export", 1);
     for (const SheetOption& option : optionsOf(Place::Filter)) {
         const QString begin = QString("| %1 | `%2` |").arg(option.row.label, option.row.key);
         const QString line = lineWith(begin, document);
