@@ -71,8 +71,8 @@ def check_sanitized():
     shards = 2 * processors()  # more than processors, for some take longer
 
     def job(log, profile, program, *words, **environment):
-        return folder / log, [folder / "tests" / program,
-                              *words], {"env": {**os.environ, "LLVM_PROFILE_FILE": profile, **environment}}
+        options = {"env": {**os.environ, "LLVM_PROFILE_FILE": profile, **environment}}
+        return folder / log, [folder / "tests" / program, *words], options
 
     jobs = [job("memory.log", f"{folder}/profile/%m-memory.profraw", "core/out_of_memory", "allocations",
                 LAPLACIAN_LINES_THREADS="3"),
