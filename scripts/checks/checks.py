@@ -15,9 +15,10 @@ from environment.messages import Failure, quietly, run, run_together, say, show_
 LEAST_COVERAGE = 95  # percent of the core's lines
 # Tests of accuracy, of many meshes, triangles or options, and of many threads take minutes under sanitizers. Others run
 # the same code.
-SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Guarantee* RealModel* Models/* Meshes/PlainComparison* *TorusLines* *Monotone* *Large*
-    *KindsOnSurface* *ClosedOutlines* PlainSight.* ExactPointLight.* SummationChoice.FollowsThePredictedCost EndlessSum.*
-    Borders.CorrectionHelpsMoreOnFinerMeshes Determinism.* *.DoNotDependOnTheNumberOfThreads *.DoesNotDependOnTheNumberOfThreads
+SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Guarantee* RealModel* Models/* Meshes/PlainComparison* *TorusLines*
+    *Monotone* *Large* *KindsOnSurface* *ClosedOutlines* PlainSight.* ExactPointLight.* EndlessSum.* Determinism.*
+    SummationChoice.FollowsThePredictedCost Borders.CorrectionHelpsMoreOnFinerMeshes
+    *.DoNotDependOnTheNumberOfThreads *.DoesNotDependOnTheNumberOfThreads
     *FiniteFromAnyEye/book *FiniteFromAnyEye/cut_star *FiniteFromAnyEye/triangle_soup""".split()
 FUZZ_GROUPS = ("precompute", "extract"), ("ply", "stl", "obj", "off")
 FUZZ_SECONDS = 60  # of a check; what is found by chance is looked for by ./test --fuzz
@@ -71,8 +72,8 @@ def check_sanitized():
     shards = 2 * processors()  # more than processors, for some take longer
 
     def job(log, profile, program, *words, **environment):
-        return folder / log, [folder / "tests" / program,
-                              *words], {"env": {**os.environ, "LLVM_PROFILE_FILE": profile, **environment}}
+        options = {"env": {**os.environ, "LLVM_PROFILE_FILE": profile, **environment}}
+        return folder / log, [folder / "tests" / program, *words], options
 
     jobs = [job("memory.log", f"{folder}/profile/%m-memory.profraw", "core/out_of_memory", "allocations",
                 LAPLACIAN_LINES_THREADS="3"),

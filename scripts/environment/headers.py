@@ -20,11 +20,12 @@ KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
 def debian_mirror():
     """The mirror that this machine's own release comes from, None if it is no Debian."""
     release = platform.freedesktop_os_release()
-    rows = output("apt-get", "indextargets", "--format", "$(REPO_URI) $(RELEASE) $(COMPONENT)",
-                  "Created-By: Packages") or ""
+    if release.get("ID") != "debian":
+        return None
+    format_of_rows = "$(REPO_URI) $(RELEASE) $(COMPONENT)"
+    rows = output("apt-get", "indextargets", "--format", format_of_rows, "Created-By: Packages") or ""
     wanted = [release.get("VERSION_CODENAME"), "main"]
-    return next((row.split()[0] for row in rows.splitlines() if row.split()[1:] == wanted),
-                None) if release.get("ID") == "debian" else None
+    return next((row.split()[0] for row in rows.splitlines() if row.split()[1:] == wanted), None)
 
 
 def readable(pattern, folder=pathlib.Path("/etc/apt")):

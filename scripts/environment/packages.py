@@ -16,7 +16,8 @@ PACKAGING = ["file"]  # CPack asks it what is a library
 TEST = "python3 libgtest-dev imagemagick ccache librsvg2-bin locales poppler-utils".split() + PACKAGING
 # meshlab 2022 and later show a modal box at start when a bundled plugin misses one of these Recommends; 2020.09 depends
 # on all it needs. Names that this distribution does not know are skipped.
-MESHLAB_RECOMMENDS = "lib3ds-1-3 libgomp1 libmuparser2v5 libopenctm1 libqhull-r8.0 libxerces-c3.2t64 libmpfr6 libgmp10".split()
+MESHLAB_RECOMMENDS = """lib3ds-1-3 libgomp1 libmuparser2v5 libopenctm1 libqhull-r8.0 libxerces-c3.2t64 libmpfr6
+    libgmp10""".split()
 
 
 def missing(packages):

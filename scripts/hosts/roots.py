@@ -17,6 +17,7 @@ from environment.files import cache_folder, publish_into
 from environment.headers import debian_mirror
 from environment.messages import Failure, Obstacle, logged, output, run, say
 
+NAMESPACES = "setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child".split()
 ENTER = pathlib.Path(__file__).with_name("enter_root")
 
 
@@ -34,26 +35,21 @@ def in_root(root, access, binds, command, **environment):
     is a folder of this machine that is there under the same name; ro:FOLDER=NAME under another. Only with rw is there a
     network."""
     network = [] if access == "rw" else ["--net"]
-    return run(["setpriv", "--pdeathsig", "KILL", "unshare", "--mount", "--pid", "--fork", "--kill-child", "--ipc",
-                *network, ENTER, root,
-                access, *binds, "--", *command],
-                env={**os.environ, "LAPLACIAN_LINES_CACHE": str(cache_folder()), **environment})
+    environment = {**os.environ, "LAPLACIAN_LINES_CACHE": str(cache_folder()), **environment}
+    return run([*NAMESPACES, "--ipc", *network, ENTER, root, access, *binds, "--", *command], env=environment)
 
 
 def recipe(suite, mirror):
     """What a root is made from: when this changes, it is made anew."""
     words = [suite, mirror, *packages.BUILD, *packages.DISPLAY, *packages.TEST, *packages.MESHLAB_RECOMMENDS]
-    return hashlib.sha256("\n".join([*words,
-                                     *map(inspect.getsource,
-                                          (make_root, make_bare_root, install_into_root))]).encode()).hexdigest()
+    words += map(inspect.getsource, (make_root, make_bare_root, install_into_root))
+    return hashlib.sha256("\n".join(words).encode()).hexdigest()
 
 
 def make_bare_root(suite, mirror, root, kept):
     # debootstrap of an older release knows no newer one, but all are made like sid
-    code = run(["setpriv", "--pdeathsig", "KILL", "unshare", "--mount", "--pid", "--fork", "--kill-child",
-                "--mount-proc", "debootstrap",
-                "--variant=minbase", "--include=ca-certificates,python3", f"--cache-dir={kept}", suite, root, mirror,
-                "/usr/share/debootstrap/scripts/sid"])
+    code = run([*NAMESPACES, "--mount-proc", "debootstrap", "--variant=minbase", "--include=ca-certificates,python3",
+                f"--cache-dir={kept}", suite, root, mirror, "/usr/share/debootstrap/scripts/sid"])
     if code == 0:
         (root / "etc/apt/apt.conf.d/00laplacian-lines").write_text(machine_apt_settings())
     return code == 0

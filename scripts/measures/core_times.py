@@ -24,10 +24,11 @@ def table_models(*names, checkout=CHECKOUT):
     """Those that can be had, or one of our own making."""
     found = []
     for name in names:
-        mesh = models.stanford_dragon(name.removeprefix("dragon")) if name.startswith("dragon") else models.model_beside(checkout, name)
+        is_dragon = name.startswith("dragon")
+        mesh = models.stanford_dragon(name[6:]) if is_dragon else models.model_beside(checkout, name)
         if mesh:
             found.append(mesh)
-        elif name.startswith("dragon"):
+        elif is_dragon:
             say(f"left out: the model {name} cannot be fetched")
     return found or [models.kept_bumpy_torus()]
 
@@ -82,6 +83,6 @@ def count_instructions(program, mesh):
         for line in (work / "redraws").read_text().splitlines():
             if line.count("\t") == 4:
                 key, label, redraws, vertices, triangles = line.split("\t")
-                total = int(totals.get(key, 0))
+                total, redraw = int(totals.get(key, 0)), int(totals.get(key, 0)) / float(redraws)
                 crossed = f"{total / float(triangles):.0f}" if float(triangles) else "–"
-                print(f"| {label} | {total / float(redraws) / 1e6:.1f} | {total / float(redraws) / float(vertices):.0f} | {crossed} |")
+                print(f"| {label} | {redraw / 1e6:.1f} | {redraw / float(vertices):.0f} | {crossed} |")

@@ -30,10 +30,9 @@ def make_packages(build, folder, kinds=tuple(KINDS)):
         shutil.rmtree(scratch, ignore_errors=True)
         try:
             # CPack would first build all that can be built; it does not for generators without a target "preinstall"
-            if not (quietly(log, ["cpack", "--config", build / "CPackConfig.cmake", "-G", ";".join(kinds),
-                                  "-D", "CPACK_CMAKE_GENERATOR=Ninja",
-                                  "-D",
-                                  f"CPACK_OUTPUT_FILE_PREFIX={scratch}", "-B", scratch]) and are_whole(scratch, kinds)):
+            command = ["cpack", "--config", build / "CPackConfig.cmake", "-G", ";".join(kinds), "-D",
+                       "CPACK_CMAKE_GENERATOR=Ninja", "-D", f"CPACK_OUTPUT_FILE_PREFIX={scratch}", "-B", scratch]
+            if not (quietly(log, command) and are_whole(scratch, kinds)):
                 raise Failure(f"the packages could not be made; the whole output is in {log}")
             folder.mkdir(parents=True, exist_ok=True)
             for package in packages_in(scratch):

@@ -28,7 +28,8 @@ def draw(file, *options, meshes=("torus.ply",), compare=True, **settings):
         say(f"not compared: there is no {PROGRAM}")
     elif compare:
         output(PROGRAM, f"program_{file}", *options, *meshes)
-        expect_text(file, f'laplacian_lines":"{VERSION}"')
+        if not file.endswith(".png"):
+            expect_text(file, f'laplacian_lines":"{VERSION}"')
         expect(without_provenance(file) == without_provenance(f"program_{file}"),
                f"{file} differs from what --drawing {options} writes")
 
