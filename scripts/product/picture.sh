@@ -131,10 +131,12 @@ load_commands() {
 
 # drawing_script FIRST FOLDER: draws the rows from the FIRST-th on by one MeshLab, on white paper. What stands between
 # "together" and the end of its line is done before MeshLab redraws: each redraw of a large mesh takes its time. The style
-# Publication looks the same, but what the user sets besides would not count.
+# Publication looks the same, but what the user sets besides would not count. Lines show what is large enough for the
+# picture, while kinds are compared at one kernel.
 drawing_script() {
     local row view column settings=()
     mapfile -t settings < <(user_settings "$2")
+    [[ -n $PICTURE_KINDS ]] || settings=("setdeco Scale = With the View" "${settings[@]}")
     printf '%s\n' "time-limit $((MESHLAB_MINUTES * 60))" wait "check Show Layer Dialog on" "check Show Info Panel off" \
         "check Show Trackball off" "size $PICTURE_SIZE" "scale-lines $LINE_SIDE" wait-for-levels
     for ((row = $1; row < ${#MESH_FILES[@]}; ++row)); do

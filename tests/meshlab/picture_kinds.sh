@@ -29,10 +29,10 @@ drawn() {
 torus "$WORK/torus.ply"
 printf 'not a mesh\n' >"$WORK/broken.ply"
 
-take 0 "" "" "$WORK/torus.ply"
-cp "$WORK/sheet.png" "$WORK/plain.png"
 take 0 usual "" "$WORK/torus.ply"
-expect_same_picture "$WORK/plain.png" "$WORK/sheet.png" 0
+cp "$WORK/sheet.png" "$WORK/plain.png"
+take 0 "" "" "$WORK/torus.ply"
+(($(differing_pixels "$WORK/plain.png" "$WORK/sheet.png") > 50)) || fail "the kernel does not go with the picture's size"
 
 kinds=usual,apparent_ridges,laplacian_lines,ridges+valleys,suggestive_contours_and_highlights,contours
 take 1 "$kinds" 0.2 "$WORK/torus.ply" "$WORK/broken.ply"

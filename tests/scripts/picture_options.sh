@@ -53,3 +53,14 @@ refuses 'a project opens in a window' --picture picture.png "$work/scene.mlp"
 for mode in --server --python; do
     refuses '--zoom goes with --picture' --zoom 2 "$mode"
 done
+
+# detail goes with the size of a picture; what the user sets comes later and wins, and kinds are compared at one kernel
+# shellcheck source=/dev/null
+source "$(dirname "$run")/scripts/require.sh" product/picture
+MESH_FILES=(mesh.ply) MESH_NOISES=("") PICTURE_VIEWS=("") DRAWINGS=$work
+printf 'setdeco Scale = As Computed\n' >"$work/settings"
+script=$(drawing_script 0 "$work")
+[[ $script == *"Scale = With the View"*"Scale = As Computed"* ]] || fail "the user's Scale does not count: $script"
+PICTURE_KINDS=all
+script=$(drawing_script 0 "$work")
+[[ $script != *"With the View"* ]] || fail "kinds have kernels of their own: $script"
