@@ -174,7 +174,8 @@ class Pictures:
 
     def row_script(self, number):
         """What stands between "together" and the end of its line is done before MeshLab redraws: each redraw of a large
-        mesh takes its time. The style Publication looks the same, but what the user sets besides would not count."""
+        mesh takes its time. The style Publication looks the same, but what the user sets besides would not count. Lines
+        show what is large enough for the picture, while kinds are compared at one kernel."""
         row, options = self.rows[number], self.options
         yield f"load {row.file}"
         if row.noise:
@@ -182,7 +183,8 @@ class Pictures:
             yield from (f'write-noisy {row.noise} {NOISE_SEED} "{noisy}"', "trigger Delete Current Mesh",
                         f"load {noisy}")
         yield f"size {options.size[0]}x{options.size[1]}"
-        commands = ["draw-lines", "setdeco Surface = Paper", "setdeco Background = Paper Color", *self.settings]
+        scale = [] if options.kinds else ["setdeco Scale = With the View"]
+        commands = ["draw-lines", "setdeco Surface = Paper", "setdeco Background = Paper Color", *scale, *self.settings]
         for v, view in enumerate(self.views):
             angles = VIEWS.get(view or "front", view).replace(",", " ")
             commands.append(f"frame {angles} {options.up} {options.zoom} {options.projection}")

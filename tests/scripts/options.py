@@ -60,6 +60,7 @@ class Options(ScriptTest):
 
     def test_pictures(self):
         from product.picture import Options as Picture
+        from product.picture import Pictures, Row
 
         def taken(option, *values):
             words = [word for value in values for word in (option, value)]
@@ -83,6 +84,14 @@ class Options(ScriptTest):
                 ("--size", "--size needs WIDTHxHEIGHT", ["", "0x10", "10", "10x", "1200X900"])):
             for value in values:
                 self.refused(complaint, Picture().take, [option, value])
+        for options in ([], ["--kinds", "all"]):  # what the user sets comes later and wins; kinds have one kernel
+            picture = Picture()
+            if options:
+                picture.take(list(options))
+            pictures = Pictures("stage", pathlib.Path("folder"), picture, settings=["setdeco Scale = As Computed"])
+            pictures.rows = [Row(pathlib.Path("mesh.ply"), "mesh.ply")]
+            scales = re.findall("setdeco Scale = ([^;]+) ;", "\n".join(pictures.row_script(0)))
+            self.assertEqual(scales, ["As Computed"] if options else ["With the View", "As Computed"])
         self.expect_refused("--view needs", *PICTURE, "--view")
         self.expect_refused("unknown option --end", *PICTURE,
                             *"--view 30,15 --up x --zoom 2 --orthographic --kinds all --end".split())
