@@ -7,6 +7,7 @@
 
 #include "clusters/cluster_data.h"
 #include "system/halving.h"
+#include "system/large_array.h"
 
 namespace laplacian_lines {
 namespace {
@@ -134,13 +135,13 @@ public:
         : mesh_(mesh),
           coarse_(coarse),
           result_(result),
-          centres_(mesh.triangles.size()),
-          spare_(mesh.triangles.size()),
+          centres_(large_array<TriangleCentre>(mesh.triangles.size())),
+          spare_(large_array<TriangleCentre>(mesh.triangles.size())),
           vertex_count_at_(mesh.triangles.size(), 0) {
         const std::size_t triangles = mesh.triangles.size();
-        result.order.resize(triangles);
-        result.corners.resize(3 * triangles);
-        result.across.resize(3 * triangles);
+        result.order = large_array<std::uint32_t>(triangles);
+        result.corners = large_array<std::uint8_t>(3 * triangles);
+        result.across = large_array<std::uint32_t>(3 * triangles);
         in_blocks(triangles, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t)
                 centres_[t] = centre(std::uint32_t(t));

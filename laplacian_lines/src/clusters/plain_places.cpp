@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "system/large_array.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -31,7 +32,7 @@ Around compare(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 /// The first triangle of each vertex.
 std::vector<std::uint32_t> first_triangles(const PreparedMesh& mesh) {
-    std::vector<std::uint32_t> first(mesh.size());
+    std::vector<std::uint32_t> first = large_array<std::uint32_t>(mesh.size());
     for (std::size_t t = mesh.triangles.size(); t-- > 0;)
         for (const std::uint32_t v : mesh.triangles[t])
             first[v] = std::uint32_t(t);
@@ -48,7 +49,7 @@ double longest_squared(const PreparedMesh& mesh, const Triangle& t) {
 
 std::vector<Around> look_around(const PreparedMesh& mesh) {
     const std::vector<std::uint32_t> first = first_triangles(mesh);
-    std::vector<Eigen::Vector3d> normals(mesh.triangles.size());
+    std::vector<Eigen::Vector3d> normals = large_array<Eigen::Vector3d>(mesh.triangles.size());
     for_each_element(normals.size(), [&](std::size_t t) {
         normals[t] = area_vector(mesh, mesh.triangles[t]).stableNormalized();
     });

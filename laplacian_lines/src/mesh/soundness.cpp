@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 
 #include "laplacian_lines/mesh_faults.h"
 #include "mesh/stitching.h"
@@ -23,31 +24,44 @@ struct EdgeCounts {
 
 /// A side of a triangle, of its smaller vertex: the larger one, and which of them comes first.
 struct Side {
-    std::uint32_t from, to;
+    std::uint32_t to;
     bool is_forward;
 
-    bool operator<(const Side& other) const {
-        return from != other.from ? from < other.from : to < other.to;
-    }
+    bool operator<(const Side& other) const { return to < other.to; }
 };
 
-/// Counts the edges whose smaller vertex is in the range.
-void count_edges(const VertexRanges::Range& range, EdgeCounts& counts) {
-    std::vector<Side> sides;
+/// Calls visit(smaller, larger, is_forward) for the sides whose smaller vertex is in the range.
+template <class Visit>
+void for_each_side(const VertexRanges::Range& range, Visit visit) {
     range.for_each_triangle([&](const Triangle& t) {
         for (unsigned k = 0; k < 3; ++k) {
-            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-            if (range.holds(std::min(a, b)))
-                sides.push_back({std::min(a, b), std::max(a, b), a < b});
+            const auto [smaller, larger] = std::minmax(t[k], t[(k + 1) % 3]);
+            if (range.holds(smaller)) visit(smaller - range.begin(), larger, t[k] == smaller);
         }
     });
-    std::sort(sides.begin(), sides.end());
+}
+
+/// Counts the edges whose smaller vertex is in the range: a vertex has few, so these are sorted one
+/// vertex after the other.
+void count_edges(const VertexRanges::Range& range, EdgeCounts& counts) {
+    std::vector<std::uint32_t> ends(range.end() - range.begin(), 0);
+    for_each_side(range, [&](std::uint32_t from, std::uint32_t, bool) { ++ends[from]; });
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Side> sides(ends.back());
+    std::vector<std::uint32_t> begins = ends;
+    for_each_side(range, [&](std::uint32_t from, std::uint32_t to, bool is_forward) {
+        sides[--begins[from]] = {to, is_forward};
+    });
     std::size_t edges = 0, borders = 0, opposed = 0;
-    for (auto begin = sides.begin(); begin != sides.end(); ++edges) {
-        const auto end = std::upper_bound(begin, sides.end(), *begin);
-        if (end - begin == 1) ++borders;
-        if (end - begin == 2 && begin[0].is_forward == begin[1].is_forward) ++opposed;
-        begin = end;
+    for (std::size_t v = 0; v < ends.size(); ++v) {
+        const auto last = sides.begin() + ends[v];
+        std::sort(sides.begin() + begins[v], last);
+        for (auto begin = sides.begin() + begins[v], end = begin; begin != last; begin = end) {
+            end = std::find_if(begin, last, [&](const Side& side) { return side.to != begin->to; });
+            ++edges;
+            if (end - begin == 1) ++borders;
+            if (end - begin == 2 && begin[0].is_forward == begin[1].is_forward) ++opposed;
+        }
     }
     counts.edges += edges, counts.borders += borders, counts.opposed += opposed;
 }
