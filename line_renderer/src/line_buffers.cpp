@@ -63,17 +63,18 @@ bool LineBuffers::unmap() {
     return is_kept;
 }
 
-void LineBuffers::bind() const {
+void LineBuffers::bind(std::size_t first) const {
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
     pointAttribute(LineProgram::Corner, 2, 0, 0, 0);
 
     glBindBuffer(GL_ARRAY_BUFFER, stream_);
-    std::size_t offset = 0;
+    const std::size_t begin = first * sizeof(StreamPoint);
+    std::size_t offset = begin;
     for (LineProgram::Attribute window : windows) {
         pointAttribute(window, 4, sizeof(StreamPoint), offset, 1);
         offset += sizeof(StreamPoint);
     }
-    const std::size_t look = offsetof(StreamPoint, opacity);
+    const std::size_t look = begin + offsetof(StreamPoint, opacity);
     pointAttribute(LineProgram::StartLook, 3, sizeof(StreamPoint), sizeof(StreamPoint) + look, 1);
     pointAttribute(LineProgram::EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
 }

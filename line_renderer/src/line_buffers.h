@@ -20,8 +20,8 @@ public:
     /// Hands the points over. False if they were lost.
     bool unmap();
 
-    /// Makes the points the program's attributes, one segment after the other.
-    void bind() const;
+    /// Makes the points from `first` on the program's attributes, one segment after the other.
+    void bind(std::size_t first) const;
     /// Takes back what bind() has set and GlState does not save.
     static void unbind();
 

@@ -135,7 +135,11 @@ void LineRenderer::drawPass(const Objects& objects, const LinePlacement& placeme
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
     clock.count(RedrawClock::DrawCalls);
-    drawInstanced(GL_TRIANGLE_STRIP, 4, GLsizei(stream_length_) - 3);
+    for (const StreamPart& part : parts_) {
+        if (part.length == 0) continue;
+        objects.buffers.bind(part.first);
+        drawInstanced(GL_TRIANGLE_STRIP, 4, GLsizei(part.length) - 3);
+    }
     clock.count(RedrawClock::Drawing);
 }
 
@@ -157,7 +161,7 @@ void LineRenderer::drawHidden(const Objects& objects, const LineAppearance& appe
 
 void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
                           const LinePlacement& placement) {
-    stream_length_ = 0;
+    parts_.clear();
     LineBuffers& buffers = objects_->current(makeObjects).buffers;
     const std::size_t most = streamLength(lines);
     if (most == 0) return;
@@ -165,23 +169,21 @@ void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppea
     GLint bound = 0;
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
     if (StreamPoint* stream = buffers.map(most)) {
-        const std::size_t length =
-            writeStream(lines, streamSettings(appearance, placement, halfViewport()), stream);
-        if (buffers.unmap()) stream_length_ = length;
+        writeStream(lines, streamSettings(appearance, placement, halfViewport()), stream, parts_);
+        if (!buffers.unmap()) parts_.clear();
     }
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
-    if (stream_length_ == 0)
+    if (parts_.empty())
         throw std::runtime_error("Lines cannot be drawn: OpenGL has no memory for them.");
 }
 
 void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& placement,
                         RedrawClock& clock) {
-    if (stream_length_ == 0) return;
+    if (parts_.empty()) return;
     const Objects& objects = objects_->current(makeObjects);
     const LineRadii in_pixels = lineRadii(appearance, placement.pixel_scale);
     const GlState state;
     glUseProgram(objects.program.id);
-    objects.buffers.bind();
     setPlacement(objects.program, placement,
                  *std::max_element(in_pixels.full.begin(), in_pixels.full.end()));
     if (appearance.hidden != HiddenLines::LeftOut)

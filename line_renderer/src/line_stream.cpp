@@ -6,6 +6,7 @@
 
 #include "laplacian_lines/line_visibility.h"
 #include "straight_piece.h"
+#include "system/parallel.h"
 
 namespace line_renderer {
 
@@ -127,8 +128,53 @@ private:
     StreamPoint second_{}, before_last_{}, last_{};
 };
 
+constexpr std::size_t most_runs = 4;          // of a set's lines, for threads
+constexpr std::size_t points_of_run = 4096;  // at least
+
 bool isDrawn(const Polyline& line) {
     return line.count >= 2;
+}
+
+std::size_t lengthOf(const Polyline& line) {
+    return isDrawn(line) ? line.count + 2 : 0;
+}
+
+/// Successive lines, of which the outlines, or the others, are a part of a stream.
+struct Run {
+    std::size_t first_line = 0, last_line = 0;
+    std::size_t lengths[2] = {};  ///< most points of others and of outlines
+};
+using Runs = std::array<Run, most_runs>;
+
+/// Of about the same number of points, the last ones of none if there are few.
+Runs cutInRuns(const LineSet& lines) {
+    const std::size_t size = std::max(points_of_run, streamLength(lines) / most_runs + 1);
+    Runs runs;
+    Run* run = runs.data();
+    std::size_t length = 0;
+    for (const Polyline& line : lines.lines) {
+        if (length >= size && run != &runs.back()) {
+            length = 0;
+            const std::size_t begin = run->last_line;
+            *++run = {begin, begin};
+        }
+        run->lengths[describe(line.kind).is_outline] += lengthOf(line);
+        length += lengthOf(line);
+        ++run->last_line;
+    }
+    return runs;
+}
+
+std::size_t writeRun(const LineSet& lines, const Run& run, bool outlines,
+                     const StreamSettings& settings, StreamPoint* stream) {
+    StreamWriter writer(settings, stream);
+    for (std::size_t i = run.first_line; i < run.last_line; ++i) {
+        const Polyline& line = lines.lines[i];
+        if (!isDrawn(line) || describe(line.kind).is_outline != outlines) continue;
+        const LinePoint* first = lines.points.data() + line.first;
+        writer.write(first, first + line.count - 1, line);
+    }
+    return writer.length();
 }
 
 }  // namespace
@@ -136,19 +182,24 @@ bool isDrawn(const Polyline& line) {
 std::size_t streamLength(const LineSet& lines) {
     std::size_t length = 0;
     for (const Polyline& line : lines.lines)
-        if (isDrawn(line)) length += line.count + 2;
+        length += lengthOf(line);
     return length;
 }
 
-std::size_t writeStream(const LineSet& lines, const StreamSettings& settings, StreamPoint* stream) {
-    StreamWriter writer(settings, stream);
+void writeStream(const LineSet& lines, const StreamSettings& settings, StreamPoint* stream,
+                 std::vector<StreamPart>& parts) {
+    const Runs runs = cutInRuns(lines);
+    parts.clear();
+    std::size_t next = 0;
     for (const bool outlines : {false, true})  // on top of lines of other colors
-        for (const Polyline& line : lines.lines) {
-            if (!isDrawn(line) || describe(line.kind).is_outline != outlines) continue;
-            const LinePoint* first = lines.points.data() + line.first;
-            writer.write(first, first + line.count - 1, line);
+        for (const Run& run : runs) {
+            parts.push_back({next, 0});
+            next += run.lengths[outlines];
         }
-    return writer.length();
+    laplacian_lines::in_parallel(parts.size(), [&](std::size_t i) {
+        parts[i].length = writeRun(lines, runs[i % most_runs], i >= most_runs, settings,
+                                   stream + parts[i].first);
+    });
 }
 
 }  // namespace line_renderer

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "laplacian_lines/line_set.h"
 
@@ -61,10 +62,16 @@ struct StreamSettings {
     bool is_measured = false;
 };
 
-/// Writes up to streamLength() points, reading none, so that `stream` may be memory of the graphics
-/// card. Points that are not needed within the tolerance are left out, but no end of a line.
-/// Outlines come last, above the others. Allocates nothing. Returns the number of points.
-std::size_t writeStream(const laplacian_lines::LineSet& lines, const StreamSettings& settings,
-                        StreamPoint* stream);
+/// Points of a stream that belong together.
+struct StreamPart {
+    std::size_t first, length;
+};
+
+/// Writes into streamLength() points, reading none, so that `stream` may be memory of the graphics
+/// card: parts with points between them that nobody has written, on several threads. Points that
+/// are not needed within the tolerance are left out, but no end of a line. Outlines come last, above
+/// the others. Allocates nothing while there are no more parts, of which there are few.
+void writeStream(const laplacian_lines::LineSet& lines, const StreamSettings& settings,
+                 StreamPoint* stream, std::vector<StreamPart>& parts);
 
 }  // namespace line_renderer

@@ -9,6 +9,7 @@
 
 #include "line_stream.h"
 #include "made_up_lines.h"
+#include "written_stream.h"
 
 namespace {
 
@@ -143,18 +144,12 @@ void append(LineSet& lines, const std::vector<LinePoint>& points, bool closed = 
     lines.points.insert(lines.points.end(), points.begin(), points.end());
 }
 
-std::vector<StreamPoint> streamOf(const LineSet& lines, const StreamSettings& settings) {
-    std::vector<StreamPoint> stream(line_renderer::streamLength(lines));
-    stream.resize(line_renderer::writeStream(lines, settings, stream.data()));
-    return stream;
-}
-
 /// Of a set of one line, without its marks.
 std::vector<StreamPoint> pointsOf(const std::vector<LinePoint>& points,
                                   const StreamSettings& settings) {
     LineSet lines;
     append(lines, points);
-    const std::vector<StreamPoint> stream = streamOf(lines, settings);
+    const std::vector<StreamPoint> stream = writtenStream(lines, settings);
     return {stream.begin() + 1, stream.end() - 1};
 }
 
@@ -230,7 +225,7 @@ TEST(LineSimplification, JoinsTheEndsOfClosedLines) {
     LineSet lines;
     append(lines, circle, true);
     append(lines, circle, true);
-    const std::vector<StreamPoint> stream = streamOf(lines, settings(false));
+    const std::vector<StreamPoint> stream = writtenStream(lines, settings(false));
     const std::size_t length = stream.size() / 2;
     EXPECT_LT(length, 60u);
     for (std::size_t first : {std::size_t(0), length}) {

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "made_up_lines.h"
+#include "written_stream.h"
 
 namespace {
 
@@ -32,11 +35,8 @@ std::vector<StreamPoint> streamOf(const LineSet& lines, const LineRadii& radii,
     settings.tolerance.distance = 0;
     settings.is_measured = measured_on;
     if (measured_on) settings.screen = *measured_on;
-    const StreamPoint untouched = {{-7, -7, -7}, -7, -7, -7, -7};
-    std::vector<StreamPoint> stream(line_renderer::streamLength(lines) + 1, untouched);
-    EXPECT_EQ(line_renderer::writeStream(lines, settings, stream.data()), stream.size() - 1);
-    EXPECT_EQ(stream.back().radius, untouched.radius) << "written beyond its length";
-    stream.pop_back();
+    std::vector<StreamPoint> stream = writtenStream(lines, settings);
+    EXPECT_EQ(stream.size(), line_renderer::streamLength(lines));
     return stream;
 }
 
@@ -66,6 +66,28 @@ TEST(LineStream, JoinsTheEndsOfClosedLines) {
     EXPECT_EQ(stream.back().radius, neighbour_only);
     expectPlace(stream.front(), {1, 1, 0});
     expectPlace(stream.back(), {1, 0, 0});
+}
+
+// Long sets are written in parts, on several threads.
+TEST(LineStream, OfManyLinesIsThatOfEachLineAndOutlinesComeLast) {
+    LineSet lines;
+    std::vector<StreamPoint> parts[2];
+    for (int number = 0; number < 3000; ++number) {
+        std::vector<Vector3f> points;
+        for (int i = 0; i < number % 23; ++i)
+            points.push_back({float(number), float(i), 0});
+        const bool is_outline = number % 3 == 0;
+        const LineKind kind = is_outline ? LineKind::Contour : LineKind::Laplacian;
+        addLine(lines, points, kind);
+        LineSet alone;
+        addLine(alone, points, kind);
+        const std::vector<StreamPoint> stream = streamOf(alone, equalRadii(2));
+        parts[is_outline].insert(parts[is_outline].end(), stream.begin(), stream.end());
+    }
+    parts[0].insert(parts[0].end(), parts[1].begin(), parts[1].end());
+    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(2));
+    ASSERT_EQ(stream.size(), parts[0].size());
+    EXPECT_EQ(std::memcmp(stream.data(), parts[0].data(), stream.size() * sizeof stream[0]), 0);
 }
 
 TEST(LineStream, LeavesOutLinesWithoutASegment) {
@@ -114,8 +136,7 @@ TEST(LineStream, MarksWhatFollowsEdges) {
     StreamSettings settings;
     settings.radii = equalRadii(2);
     settings.tolerance.depth.fill(1);
-    std::vector<StreamPoint> stream(line_renderer::streamLength(lines));
-    stream.resize(line_renderer::writeStream(lines, settings, stream.data()));
+    const std::vector<StreamPoint> stream = writtenStream(lines, settings);
     ASSERT_EQ(stream.size(), 4u + 6) << "the Laplacian line first, of one piece";
     for (const std::size_t point : {1, 2})
         EXPECT_EQ(stream[point].look, float(LineKind::Laplacian));

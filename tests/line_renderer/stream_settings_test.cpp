@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "made_up_lines.h"
+#include "written_stream.h"
 
 namespace {
 
@@ -52,10 +53,7 @@ TEST(StreamSettings, MeasuresDashesOnly) {
 }
 
 std::vector<StreamPoint> streamOf(const LineSet& lines, const LinePlacement& placement) {
-    std::vector<StreamPoint> stream(line_renderer::streamLength(lines));
-    stream.resize(writeStream(lines, streamSettings(LineAppearance(), placement, half_viewport),
-                              stream.data()));
-    return stream;
+    return writtenStream(lines, streamSettings(LineAppearance(), placement, half_viewport));
 }
 
 /// What is left out in one tile of a picture is left out in all.

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "laplacian_lines/line_set.h"
 #include "line_renderer/depth_texture.h"
@@ -14,6 +15,7 @@ namespace line_renderer {
 
 template <class Object>
 class PerShareGroup;
+struct StreamPart;
 
 /// Where lines are drawn.
 struct LinePlacement {
@@ -62,7 +64,7 @@ private:
                   RedrawClock& clock) const;
 
     std::unique_ptr<PerShareGroup<Objects>> objects_;
-    std::size_t stream_length_ = 0;  ///< points of what was uploaded last
+    std::vector<StreamPart> parts_;  ///< of what was uploaded last
 };
 
 }  // namespace line_renderer
