@@ -20,7 +20,7 @@ USAGE = """\
 ./bench --busy [--json FILE] [MESH...]
                               prints the main figures beside a process that streams memory, and with all processors but
                               one busy, in turns with those with nothing else on the machine: a minute or two
-./bench --instructions [MESH] counts the instructions of redraws, in valgrind
+./bench --instructions [MESH] counts the instructions of redraws and the memory that they read, in valgrind
 ./bench --steps ARGS...       times single steps of the core by Google Benchmark with ARGS
 ./bench --truth [OPTION VALUE]... [PART...]
                               holds measured drawings against exact hidden lines of CAD parts, which are made at the
