@@ -4,6 +4,7 @@
 #include <QTimer>
 #include "gui.h"
 #include "process.h"
+#include "times.h"
 
 namespace driver {
 namespace {
@@ -43,6 +44,7 @@ void Runner::addOwnCommands() {
                          watchdog_.setLimit(std::chrono::milliseconds(qint64(1000 * c.number(0))));
                      });
     table_.addSimple("together", [this](const Command& c) { together(c); });
+    table_.addSimple("time", [this](const Command& c) { time(c); });
     table_.addSimple("quit", [this](const Command&) {
         watchdog_.rest();  // looking for leaks takes as long as it takes
         endProcess(0);
@@ -128,6 +130,15 @@ void Runner::together(const Command& command) {
         if (table_.find(part.name).handler(part) == Outcome::Retry)
             throw CommandError(part.name + " takes longer");
     }
+}
+
+// FILE COMMAND
+void Runner::time(const Command& command) {
+    const Command part = parseLine(command.rest.section(' ', 1).trimmed());
+    appendTimes(command.word(0), [&] {
+        if (table_.find(part.name).handler(part) == Outcome::Retry)
+            throw CommandError(part.name + " takes longer");
+    });
 }
 
 // SEED COUNT FILE...

@@ -25,6 +25,7 @@ private:
     void checkNames() const;
     Outcome sleep(const Command& command);
     void together(const Command& command);
+    void time(const Command& command);
     Outcome randomActions(const Command& command);
 
     QVector<Command> script_;
