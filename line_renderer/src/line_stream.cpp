@@ -128,7 +128,7 @@ private:
     StreamPoint second_{}, before_last_{}, last_{};
 };
 
-constexpr std::size_t most_runs = 4;          // of a set's lines, for threads
+constexpr std::size_t most_runs = 4;         // of a set's lines, for threads
 constexpr std::size_t points_of_run = 4096;  // at least
 
 bool isDrawn(const Polyline& line) {
@@ -197,8 +197,8 @@ void writeStream(const LineSet& lines, const StreamSettings& settings, StreamPoi
             next += run.lengths[outlines];
         }
     laplacian_lines::in_parallel(parts.size(), [&](std::size_t i) {
-        parts[i].length = writeRun(lines, runs[i % most_runs], i >= most_runs, settings,
-                                   stream + parts[i].first);
+        parts[i].length =
+            writeRun(lines, runs[i % most_runs], i >= most_runs, settings, stream + parts[i].first);
     });
 }
 

@@ -69,8 +69,8 @@ struct StreamPart {
 
 /// Writes into streamLength() points, reading none, so that `stream` may be memory of the graphics
 /// card: parts with points between them that nobody has written, on several threads. Points that
-/// are not needed within the tolerance are left out, but no end of a line. Outlines come last, above
-/// the others. Allocates nothing while there are no more parts, of which there are few.
+/// are not needed within the tolerance are left out, but no end of a line. Outlines come last,
+/// above the others. Allocates nothing while there are no more parts, of which there are few.
 void writeStream(const laplacian_lines::LineSet& lines, const StreamSettings& settings,
                  StreamPoint* stream, std::vector<StreamPart>& parts);
 

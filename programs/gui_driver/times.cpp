@@ -42,7 +42,8 @@ void appendTimes(const QString& file_name, const std::function<void()>& action) 
     QFile file(file_name);
     if (!file.open(QIODevice::Append)) throw CommandError("cannot write " + file_name);
     for (std::size_t i = 0; i < end.size(); ++i)
-        file.write(QByteArray::number(end[i] - begin[i], 'f', 2) + (i + 1 < end.size() ? " " : "\n"));
+        file.write(QByteArray::number(end[i] - begin[i], 'f', 2) +
+                   (i + 1 < end.size() ? " " : "\n"));
 }
 
 }  // namespace driver
