@@ -11,12 +11,23 @@ namespace laplacian_lines {
 /// the system has none.
 void advise_huge_pages(void* memory, std::size_t bytes);
 
+/// Has pages of much memory that nothing was written to yet cleared on several threads. Otherwise
+/// the system clears each when it is first written to, which takes longer than to fill it.
+void clear_pages(void* memory, std::size_t bytes);
+
+/// Room in huge pages.
+template <class T>
+void reserve_large(std::vector<T>& array, std::size_t count) {
+    array.reserve(count);
+    advise_huge_pages(array.data(), count * sizeof(T));
+    clear_pages(array.data(), count * sizeof(T));
+}
+
 /// A vector in huge pages, of copies of `value`.
 template <class T>
 std::vector<T> large_array(std::size_t count, const T& value) {
     std::vector<T> array;
-    array.reserve(count);
-    advise_huge_pages(array.data(), count * sizeof(T));
+    reserve_large(array, count);
     array.resize(count, value);
     return array;
 }
@@ -25,8 +36,7 @@ std::vector<T> large_array(std::size_t count, const T& value) {
 template <class T>
 std::vector<T> large_array(std::size_t count) {
     std::vector<T> array;
-    array.reserve(count);
-    advise_huge_pages(array.data(), count * sizeof(T));
+    reserve_large(array, count);
     array.resize(count);
     return array;
 }
