@@ -87,7 +87,8 @@ def main():
         frames = {**added("dragging", work), **added("at_rest", work)}
     print(json.dumps({"filter_s": int(filters[-1]) / 1000, "switch_on_s": median(boxes, "switched on in"),
                       "extract_ms": median(boxes, "extraction"), "upload_ms": median(boxes, "upload"),
-                      "draw_calls_ms": median(boxes, "draw calls"), "drawing_ms": median(boxes, "drawing by OpenGL"), **frames}))
+                      "draw_calls_ms": median(boxes, "draw calls"), "drawing_ms": median(boxes, "drawing by OpenGL"),
+                      **frames}))
 
 
 run_main(main)
