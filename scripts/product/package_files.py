@@ -37,11 +37,11 @@ def parse(text):
     calls, options = [], []
     for line in text.splitlines():
         call = re.fullmatch(rf"{NAME} (.*)", line)
-        option = re.fullmatch(r" +(--[a-z-]+(?: \S+)?) +(\S.*)", line)
+        option = re.fullmatch(r" +(--[a-z-]+(?: \S+)?)(?: +(\S.*))?", line)
         if call:
             calls.append([call[1], ""])
         elif option:
-            options.append([option[1], option[2]])
+            options.append([option[1], option[2] or ""])
         elif line.strip():
             (options or calls)[-1][1] += " " + line.strip()
     return calls, options
@@ -60,7 +60,7 @@ def manual(version, calls, options):
         lines += [".TP", f".B {roff(what)}", roff(meaning.strip()[:1].upper() + meaning.strip()[1:]) + "."]
     lines.append(".SH OPTIONS")
     for what, meaning in options:
-        lines += [".TP", f".B {roff(what)}", roff(meaning)]
+        lines += [".TP", f".B {roff(what)}", roff(meaning.strip())]
     return "\n".join(lines) + "\n"
 
 

@@ -80,7 +80,7 @@ def expect_command():
     options = re.findall(r"(?m)^ +(--[a-z-]+)", output("laplacian-lines", "--help"))
     expect(len(options) > 15, f"the help has the options {options}")
     manual = gzip.open("/usr/share/man/man1/laplacian-lines.1.gz", "rt", encoding="utf-8").read().replace("\\-", "-")
-    expect(completed("--wall", "f") == ["filled"] and completed("--un") == ["--unit"], "words are not completed")
+    expect(completed("--unit", "c") == ["cm"] and completed("--un") == ["--unit"], "words are not completed")
     for option in options:
         expect(re.search(rf"(?m)^\.B {option}( |$)", manual), f"the manual has no {option}")
         expect(option in completed(option), f"{option} is not completed")
