@@ -85,8 +85,7 @@ constexpr double kSharp = 0.7660444431189781;  // cos 40°
 
 class PlainExtraction {
 public:
-    PlainExtraction(const TriangleMesh& mesh, const Field& field, const View& view,
-                    const LineStyle& style)
+    PlainExtraction(const TriangleMesh& mesh, const Field& field, const View& view)
         : mesh_(prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left)),
           eye_(local_eye(view, mesh_)),
           light_(view.light ? Eye{view.light->normalized().cast<float>(), 0} : eye_) {
@@ -508,7 +507,7 @@ private:
 
 std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& field,
                                        const View& view, const LineStyle& style) {
-    PlainExtraction extraction(mesh, field, view, style);
+    PlainExtraction extraction(mesh, field, view);
     std::vector<PlainLine> lines;
     LineRules laplacian = laplacian_line_strips.rules(style, !view.light);
     laplacian.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);

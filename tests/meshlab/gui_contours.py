@@ -9,9 +9,10 @@ DISTANCES = [2.2 * 10 ** (i / 19) for i in range(20)]  # from a view that is fil
 WIDTHS = [1, 2, 3.5, 6, 9]
 
 
-def rings(name):
+def rings(name, step=1):
+    """From every so many distances."""
     return "".join(f"look {0.6 * d:.5f} {0.64 * d:.5f} {0.48 * d:.5f}  0 0 0\ngrab {name}_{d:.3f}.png\n"
-                   for d in DISTANCES)
+                   for d in DISTANCES[::step])
 
 
 def widths(name):
@@ -25,10 +26,10 @@ setdeco Ridges = off
 {rings("fill_ring")}
 check Wireframe on
 check Fill off
-{rings("wireframe_ring")}
+{rings("wireframe_ring", 3)}
 check Points on
 check Wireframe off
-{rings("points_ring")}
+{rings("points_ring", 3)}
 check Fill on
 check Points off
 look 0 0 3  0 0 0  0 1 0
