@@ -67,7 +67,7 @@ def manual(version, calls, options):
 def completion(options):
     values = []
     for name, value in (what.split(" ") for what, _ in options if " " in what):
-        words = [word for word in value.split("|") if re.fullmatch("[a-z][a-z_]*", word) and "=" not in value]
+        words = [word for word in value.split("|") if re.fullmatch("[a-z][a-z0-9_]*", word) and "=" not in value]
         action = '-W "{}"'.format(" ".join(words)) if words else "-f" if value == "FILE" else ""
         reply = f'mapfile -t COMPREPLY < <(compgen {action} -- "$word")' if action else "COMPREPLY=()"
         values.append(f"    {name}) {reply} ;;")
