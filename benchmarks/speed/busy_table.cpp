@@ -15,7 +15,7 @@
 #include "report.h"
 #ifdef HAS_FILTERS
 #include "add_layer.h"
-#include "compute_filter.h"
+#include "filters.h"
 #endif
 
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "add_layer.h"
-#include "drawing_outlook.h"
+#include "drawing_dialog.h"
 #include "filter_laplacian_lines.h"
 #include "mesh_file.h"
 #include "midpoint_subdivision.h"
