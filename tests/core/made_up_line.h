@@ -18,7 +18,7 @@ struct MadeUp {
     double offset = 0.013;
     double facing = 1;       ///< n·z
     double kernel_size = 1;  ///< √h; no smoothing, so h_e = h and the line's slope is slope · √h³
-    double trace = 0;        ///< of S, in unequal parts
+    double trace = 0;        ///< of S
 
     static constexpr double kDiagonal = 2.8284271247461903;
 
@@ -31,9 +31,7 @@ struct MadeUp {
             field.normals[v] = {0, float(std::sqrt(1 - facing * facing)), float(facing)};
             field.shape_operators[v] = {};
             field.shape_operators[v].xz = float(gradient);
-            field.shape_operators[v].xx = float(0.1 * trace);
-            field.shape_operators[v].yy = float(0.6 * trace);
-            field.shape_operators[v].zz = float(0.3 * trace);
+            field.shape_operators[v].yy = float(trace);
             field.kernel_sizes[v] = float(kernel_size);
         }
         field.scale.kernel_size = kernel_size;

@@ -41,8 +41,8 @@ std::vector<SheetOption> makeTable() {
          Place::Filter, &S::file},
         {textRow("views", "Views",
                  "Several with commas: front, back, left, right, top, bottom, six (all of these), "
-                 "vessel (half section, half view), or two angles, azimuth and elevation, such as "
-                 "30,15; in MeshLab also window, its own view."),
+                 "vessel (half section, half view), or azimuth and elevation, such as 30,15; in "
+                 "MeshLab also window."),
          Place::Both,
          &S::views,
          nullptr,
@@ -75,8 +75,7 @@ std::vector<SheetOption> makeTable() {
          "x|y|z=0..1",
          true},
         {textRow("title", "Title",
-                 "Stands above the note of scale, size and file. Of the command, {name} is the "
-                 "name of the mesh."),
+                 "Above the note of scale, size and file. {name}: the mesh's, in commands."),
          Place::Both,
          &S::title,
          nullptr,

@@ -39,7 +39,7 @@ public:
                     const Vector2d to = looseEndNear(*place, end).value_or(place->position);
                     if (!runsBack(i, end, to))
                         extend(i, end, to);
-                    else if (isEdge(lines_[i]) && !shorten(i, end, to))
+                    else if (isEdge(lines_[i]) && isLong(i) && !shorten(i, end, to))
                         extend(i, end, to);
                 }
     }
@@ -70,6 +70,11 @@ private:
                 return true;
         }
         return false;
+    }
+
+    /// Of shorter lines nothing would be left beside what joins them.
+    bool isLong(std::size_t i) const {
+        return lengthOf(lines_[i].points) > 2 * beside_reach * reach_;
     }
 
     /// The end of the line at a place, if that is loose itself and as near: one piece joins both.
