@@ -154,8 +154,21 @@ void finish_line(const ExtractorData& data, const TracedLines& traced,
     finish(data, *line.rules, p, line.has_exact, columns, points);
 }
 
+/// Leaves out points that are of no line. Lines are in the order of their points.
+void pack(LineSet& lines) {
+    std::uint32_t next = 0;
+    for (Polyline& line : lines.lines) {
+        const auto first = lines.points.begin() + line.first;
+        if (line.first != next) std::move(first, first + line.count, lines.points.begin() + next);
+        line.first = next;
+        next += line.count;
+    }
+    lines.points.resize(next);
+}
+
 /// Puts what hairpins have cut in the places of the lines that were cut.
-void replace_cut_lines(const std::vector<FinishingThread>& threads, std::vector<Polyline>& lines) {
+void replace_cut_lines(const std::vector<FinishingThread>& threads, LineSet& set) {
+    std::vector<Polyline>& lines = set.lines;
     std::vector<std::uint32_t> cut_lines;
     std::vector<Polyline> parts;
     for (const FinishingThread& thread : threads) {
@@ -171,6 +184,7 @@ void replace_cut_lines(const std::vector<FinishingThread>& threads, std::vector<
     lines.insert(lines.end(), parts.begin(), parts.end());
     std::sort(lines.begin(), lines.end(),
               [](const Polyline& a, const Polyline& b) { return a.first < b.first; });
+    pack(set);
 }
 
 }  // namespace
@@ -202,7 +216,7 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
                 lines.lines[i] = line.polyline;
             }
     });
-    replace_cut_lines(memory, lines.lines);
+    replace_cut_lines(memory, lines);
 }
 
 }  // namespace laplacian_lines
