@@ -37,9 +37,8 @@ public:
             for (const Vector2d& end : looseEnds(i))
                 if (const auto place = all_.nearestOn(end, i, beside_reach * reach_)) {
                     const Vector2d to = looseEndNear(*place, end).value_or(place->position);
-                    if (!runsBack(i, end, to))
-                        extend(i, end, to);
-                    else if (isEdge(lines_[i]) && isLong(i) && !shorten(i, end, to))
+                    if (!runsBack(i, end, to) ||
+                        (isEdge(lines_[i]) && isLong(i) && !shorten(i, end, to)))
                         extend(i, end, to);
                 }
     }
