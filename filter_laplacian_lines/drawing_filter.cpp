@@ -9,13 +9,15 @@
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/provenance.h"
-#include "line_drawing/sheet_file.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/progress.h"
 #include "placed_layers.h"
+#include "sheet_painting/painted_file.h"
+#include "sheet_painting/qt_words.h"
 
 using line_drawing::Sheet;
 using line_drawing::SheetOptions;
+using sheet_painting::inQt;
 
 namespace {
 
@@ -42,9 +44,9 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
                "Drawing of %1: %2, %3 on paper of %4 x %5 mm. %6 %7 in size, with %8 mm to the "
                "unit of the mesh.%9")
         .arg(namesOf(layers), file,
-             sheet.scale > 0 ? "scale " + line_drawing::scaleInWords(sheet.scale)
-                             : "in perspective and so without a scale",
-             QString::number(sheet.size.width()), QString::number(sheet.size.height()),
+             inQt(sheet.scale > 0 ? "scale " + line_drawing::scaleInWords(sheet.scale)
+                                  : "in perspective and so without a scale"),
+             QString::number(sheet.size.x()), QString::number(sheet.size.y()),
              QString(layers.size() > 1 ? "Together the objects are" : "The object is"),
              lengths(size), QString::number(options.mm_per_unit),
              sheet.kernel > 0 ? QString(" Inner lines have a kernel of √h = %1 mm on paper.")
@@ -53,10 +55,10 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
 }
 
 /// Without hashes: a layer need not be any more what its file has.
-QString provenanceOf(const PlacedLayers& layers) {
-    std::vector<line_drawing::Provenance::Mesh> meshes;
+std::string provenanceOf(const PlacedLayers& layers) {
+    std::vector<line_drawing::SourceMesh> meshes;
     for (const PlacedLayer& layer : layers)
-        meshes.push_back({layer.name, {}});
+        meshes.push_back({layer.name.toStdString(), {}});
     return line_drawing::provenanceText(meshes);
 }
 
@@ -95,27 +97,28 @@ std::vector<meshlab_host::ParameterDescription> DrawingFilter::describeParameter
 
 void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const DrawingParameters chosen = readDrawingParameters(run.parameters);
-    line_drawing::checkSheetFile(chosen.file);
+    const QString name = inQt(chosen.file);
+    sheet_painting::checkSheetFile(name);
     const QString mesh = run.document.mm()->fullName();  // before layers may go
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::currentView();
     SheetOptions options = sheetOptions(chosen, window);
     const PlacedLayers layers = placeLayers(
         {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, field_share);
-    options.source = namesOf(layers);
+    options.source = namesOf(layers).toStdString();
     Sheet sheet =
         line_drawing::makeSheets(objectsOf(layers), {options},
                                  meshlab_host::progressTo(run.progress, field_share, sheet_share))
             .front();
     meshlab_host::beginStep(run.progress, 1, "Writing the drawing");
     sheet.provenance = provenanceOf(layers);
-    line_drawing::writeSheet(sheet, chosen.file);
-    const QString file = QFileInfo(chosen.file).absoluteFilePath();
+    sheet_painting::writeSheet(sheet, name);
+    const QString file = QFileInfo(name).absoluteFilePath();
     const Eigen::Vector3d size = options.mm_per_unit * sizeOf(layers);
     run.say(report(layers, file, sheet, size, options));
-    for (const QString& remark : sheet.remarks)
-        run.say(remark);
+    for (const std::string& remark : sheet.remarks)
+        run.say(inQt(remark));
     if (meshlab_host::FilterDialog::isOpen(filter_name)) keepSettings(chosen, mesh);
     run.results["scale"] = sheet.scale;
-    meshlab_host::addResult("paper", {sheet.size.width(), sheet.size.height(), 0}, run.results);
+    meshlab_host::addResult("paper", {sheet.size.x(), sheet.size.y(), 0}, run.results);
     meshlab_host::addResult("object", size, run.results);
 }

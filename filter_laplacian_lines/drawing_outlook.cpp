@@ -6,6 +6,9 @@
 #include "line_drawing/make_sheet.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/documents.h"
+#include "sheet_painting/qt_words.h"
+
+using sheet_painting::inQt;
 
 namespace {
 
@@ -36,12 +39,12 @@ QString sizeInWords(const PlacedLayers& layers, const DrawingParameters& chosen)
              lengths(unit.mm * box.sizes()));
 }
 
-QString planInWords(const line_drawing::SheetPlan& plan, const QString& paper) {
-    const QString size =
-        paper == "fit" ? QString("%1 x %2 mm").arg(plan.paper.width()).arg(plan.paper.height())
-                       : paper.toUpper();
+QString planInWords(const line_drawing::SheetPlan& plan, const std::string& paper) {
+    const QString size = paper == "fit"
+                             ? QString("%1 x %2 mm").arg(plan.paper.x()).arg(plan.paper.y())
+                             : inQt(paper).toUpper();
     if (plan.scale == 0) return QString("In perspective, without a scale, on %1.").arg(size);
-    return QString("Fits %1 at %2.").arg(size, line_drawing::scaleInWords(plan.scale));
+    return QString("Fits %1 at %2.").arg(size, inQt(line_drawing::scaleInWords(plan.scale)));
 }
 
 /// Triangles that have each vertex of the mesh's once: as large, and looked at six times as fast.

@@ -6,18 +6,19 @@
 #include <cmath>
 
 #include "drawing_dialog.h"
-#include "line_drawing/words.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/parameter_text.h"
+#include "sheet_painting/qt_words.h"
 
-using line_drawing::refuse;
+using laplacian_lines::refuse;
 using line_drawing::SheetOption;
 using line_drawing::SheetOptions;
 using line_drawing::ViewFrame;
 using meshlab_host::CurrentView;
 using meshlab_host::ParameterDescription;
 using meshlab_host::TextDescription;
+using sheet_painting::inQt;
 
 namespace {
 
@@ -75,7 +76,7 @@ DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window) {
     if (has_window && mesh) result.unit = likelyUnit(diagonalOf(*mesh));
     if (mesh && !mesh->fullName().isEmpty()) {
         const QFileInfo file(mesh->fullName());
-        result.file = file.dir().filePath(file.completeBaseName() + "_drawing.svg");
+        result.file = file.dir().filePath(file.completeBaseName() + "_drawing.svg").toStdString();
     }
     return result;
 }
@@ -83,7 +84,7 @@ DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window) {
 void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list) {
     for (const SheetOption& option : filterOptions())
         if (option.text)
-            meshlab_host::addText(describeText(option), defaults.*option.text, list);
+            meshlab_host::addText(describeText(option), inQt(defaults.*option.text), list);
         else
             meshlab_host::addParameter(describe(option), option.row.get(defaults), 0, list);
 }
@@ -93,7 +94,7 @@ std::vector<DrawingField> fieldsOf(const DrawingParameters& parameters) {
     for (const SheetOption& option : filterOptions())
         fields.push_back(
             {option.row.key, option.row.label,
-             option.text ? parameters.*option.text
+             option.text ? inQt(parameters.*option.text)
                          : meshlab_host::textOf(option.row.get(parameters), describe(option))});
     return fields;
 }
@@ -104,7 +105,7 @@ DrawingParameters drawingParametersIn(
     for (const SheetOption& option : filterOptions()) {
         const std::optional<QString> text = text_of(option.row.label);
         if (text && option.text)
-            result.*option.text = *text;
+            result.*option.text = text->toStdString();
         else if (text)
             option.row.set(result, meshlab_host::valueIn(*text, describe(option)));
     }
@@ -121,8 +122,9 @@ std::vector<ParameterDescription> describeDrawingParameters() {
 DrawingParameters readDrawingParameters(const RichParameterList& list) {
     DrawingParameters result;
     for (const SheetOption& option : filterOptions())
-        if (QString DrawingParameters::*text = option.text)
-            result.*text = meshlab_host::readText(describeText(option), result.*text, list);
+        if (std::string DrawingParameters::*text = option.text)
+            result.*text = meshlab_host::readText(describeText(option), inQt(result.*text), list)
+                               .toStdString();
         else
             option.row.set(result, meshlab_host::readParameter(describe(option),
                                                                option.row.get(result), list));
@@ -131,7 +133,7 @@ DrawingParameters readDrawingParameters(const RichParameterList& list) {
 
 SheetOptions sheetOptions(const DrawingParameters& chosen,
                           const std::optional<CurrentView>& window) {
-    if (chosen.views.contains(window_view, Qt::CaseInsensitive) && !window)
+    if (inQt(chosen.views).contains(window_view, Qt::CaseInsensitive) && !window)
         refuse(
             "There is no window whose view could be drawn. Name other \"Views\", such as front, "
             "six or 30,15.");

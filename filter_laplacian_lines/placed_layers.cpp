@@ -172,7 +172,8 @@ std::vector<LayerState> layerStates(const MeshDocument& document, bool all_visib
 line_drawing::Objects objectsOf(const PlacedLayers& layers) {
     line_drawing::Objects objects;
     for (const PlacedLayer& layer : layers)
-        objects.push_back({layer.mesh, layer.field ? &*layer.field : nullptr, layer.name});
+        objects.push_back(
+            {layer.mesh, layer.field ? &*layer.field : nullptr, layer.name.toStdString()});
     return objects;
 }
 

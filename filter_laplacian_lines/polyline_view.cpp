@@ -80,7 +80,7 @@ Eye eyeOf(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
     const line_drawing::ViewFrame side = sideView(chosen.view);
     const Eigen::Vector3d towards_viewer = side.towards_viewer + Eigen::Vector3d::Zero();  // no -0
     Eye eye = orthographic(towards_viewer, side.up);
-    eye.words += QString(" (%1)").arg(side.name);
+    eye.words += QString(" (%1)").arg(QString::fromStdString(side.name));
     return eye;
 }
 

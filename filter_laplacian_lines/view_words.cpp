@@ -18,7 +18,9 @@ QStringList sides() {
 /// Angles as one word, "six" as its sides.
 QStringList viewsIn(const QString& text) {
     QStringList views;
-    const QStringList words = line_drawing::wordsOf(text.toLower());
+    QStringList words;
+    for (const std::string& word : line_drawing::wordsOf(text.toLower().toStdString()))
+        words << QString::fromStdString(word);
     for (int i = 0; i < words.size(); ++i) {
         bool is_number = false;
         words[i].toDouble(&is_number);

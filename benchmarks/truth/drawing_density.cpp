@@ -27,6 +27,7 @@ namespace {
 
 using namespace benchmarks;
 using Eigen::Vector2d;
+using sheet_painting::painterPath;
 
 constexpr double pixels_of_mm = 10;
 constexpr double sample_step = 0.1;    // mm
@@ -80,16 +81,17 @@ std::vector<double> strokeLengths(const line_drawing::Sheet& tapered,
     std::vector<QPointF> middles;
     for (const auto& layer : plain.groups[0].layers)
         for (const auto& path : layer.paths)
-            if (is_inner(layer)) middles.push_back(path.path.pointAtPercent(0.5));
+            if (is_inner(layer)) middles.push_back(painterPath(path.path).pointAtPercent(0.5));
     std::vector<double> lengths;
     for (const auto& layer : tapered.groups[0].layers)
         for (const auto& path : layer.paths) {
-            const auto covers = [&](const QPointF& p) { return path.path.contains(p); };
+            const auto outline = painterPath(path.path);
+            const auto covers = [&](const QPointF& p) { return outline.contains(p); };
             if (!is_inner(layer) &&
                 (layer.key != "contour" || std::none_of(middles.begin(), middles.end(), covers)))
                 continue;
             lengths.push_back(0);  // half of the edges
-            for (const QPolygonF& line : path.path.toSubpathPolygons())
+            for (const QPolygonF& line : outline.toSubpathPolygons())
                 lengths.back() += lengthOf(line) / 2;
         }
     std::sort(lengths.begin(), lengths.end());
@@ -119,7 +121,7 @@ double closeShare(const line_drawing::Sheet& sheet) {
     std::size_t number = 0;
     for (const auto& layer : sheet.groups[0].layers)
         for (const auto& path : layer.paths)
-            for (const QPolygonF& line : path.path.toSubpathPolygons()) {
+            for (const QPolygonF& line : painterPath(path.path).toSubpathPolygons()) {
                 if (layer.key == "area") continue;
                 number += 2;  // pieces beside this one belong to one course
                 for (const Piece& piece : piecesOf(line, own_course * pen)) {

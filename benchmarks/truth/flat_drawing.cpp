@@ -16,10 +16,6 @@ using laplacian_lines::TriangleMesh;
 constexpr double flatness = 0.002;    // mm
 constexpr double closing_gap = 0.01;  // mm, between the ends of what counts as closed
 
-PlanePoint point_of(const QPainterPath::Element& element) {
-    return {element.x, element.y};
-}
-
 /// Appends a cubic curve from the line's end.
 void append_curve(PlaneLine& line, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
     const PlanePoint a = line.back();
@@ -31,19 +27,16 @@ void append_curve(PlaneLine& line, const PlanePoint& b, const PlanePoint& c, con
     }
 }
 
-PlaneLines lines_of(const QPainterPath& path) {
+PlaneLines lines_of(const line_drawing::Path& path) {
+    using Step = line_drawing::Path::Step;
     PlaneLines lines;
-    for (int i = 0; i < path.elementCount(); ++i) {
-        const QPainterPath::Element element = path.elementAt(i);
-        if (element.isMoveTo()) lines.emplace_back();
+    for (const line_drawing::Path::Piece& piece : path.pieces) {
+        if (piece.step == Step::Move) lines.emplace_back();
         if (lines.empty()) throw std::runtime_error("a path does not begin with a place");
-        if (element.type != QPainterPath::CurveToElement) {
-            lines.back().push_back(point_of(element));
-        } else {
-            append_curve(lines.back(), point_of(element), point_of(path.elementAt(i + 1)),
-                         point_of(path.elementAt(i + 2)));
-            i += 2;
-        }
+        if (piece.step == Step::Curve)
+            append_curve(lines.back(), piece.first, piece.second, piece.end);
+        else
+            lines.back().push_back(piece.end);
     }
     return lines;
 }
@@ -105,7 +98,7 @@ TriangleMesh box(const Eigen::Vector3d& size) {
 Eigen::AlignedBox2d ink_of_box(const Eigen::Vector3d& size, double& sheet_width) {
     const PlaneFrame front = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const auto sheets = sheets_of(box(size), {front}, 1);
-    sheet_width = sheets.at(0).size.width();
+    sheet_width = sheets.at(0).size.x();
     Eigen::AlignedBox2d ink;
     for (const DrawnPath& path : benchmarks::flattened(sheets[0].groups.at(0)))
         for (const PlanePoint& p : path.points)
@@ -132,9 +125,9 @@ double upper_margin() {
 /// From a sheet to the coordinates of its view, whose extent is known.
 class SheetPlace {
 public:
-    SheetPlace(const QSizeF& sheet, const Eigen::AlignedBox2d& extent) {
+    SheetPlace(const Eigen::Vector2d& sheet, const Eigen::AlignedBox2d& extent) {
         static const double margin = upper_margin();
-        shift_ = {sheet.width() / 2 - extent.center().x(), margin + extent.max().y()};
+        shift_ = {sheet.x() / 2 - extent.center().x(), margin + extent.max().y()};
     }
     PlanePoint in_view(const PlanePoint& p) const {
         return {p.x() - shift_.x(), shift_.y() - p.y()};

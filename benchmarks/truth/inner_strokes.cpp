@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner_strokes.h"
 
-#include <QPolygonF>
-
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
 
@@ -10,6 +8,8 @@ namespace benchmarks {
 
 using namespace line_drawing;
 using laplacian_lines::TriangleMesh;
+
+constexpr double flatness = 0.5;  // mm
 
 SheetOptions front_options(const TriangleMesh& mesh, double width) {
     SheetOptions options;
@@ -29,7 +29,7 @@ QPainterPath covered_area(const Sheet& sheet) {
     for (const SheetLayer& layer : sheet.groups[0].layers)
         if (layer.key == "area")
             for (const SheetPath& path : layer.paths)
-                area.addPath(path.path);
+                area.addPath(sheet_painting::painterPath(path.path));
     return area;
 }
 
@@ -43,9 +43,9 @@ std::vector<std::vector<Eigen::Vector2d>> inner_strokes(const TriangleMesh& mesh
     for (const SheetLayer& layer : sheet.groups[0].layers)
         for (const SheetPath& path : layer.paths) {
             if (!is_inner(layer)) continue;
-            for (const QPolygonF& line : path.path.toSubpathPolygons()) {
+            for (const auto& line : path.path.flattened(flatness)) {
                 strokes.emplace_back();
-                for (const QPointF& p : line)
+                for (const Eigen::Vector2d& p : line)
                     strokes.back().emplace_back(centre.x() + (p.x() - middle.x()) / options.scale,
                                                 centre.y() - (p.y() - middle.y()) / options.scale);
             }

@@ -6,6 +6,7 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/sheet.h"
 #include "line_drawing/sheet_options.h"
+#include "sheet_painting/painting.h"
 
 namespace benchmarks {
 

@@ -8,11 +8,11 @@
 #include "collection_items.h"
 #include "file_names.h"
 #include "line_drawing/contact_sheet.h"
-#include "line_drawing/sheet_file.h"
-#include "line_drawing/words.h"
 #include "processes.h"
+#include "sheet_painting/painted_file.h"
+#include "sheet_painting/qt_words.h"
 
-using line_drawing::refuse;
+using sheet_painting::refuse;
 
 namespace {
 
@@ -43,18 +43,20 @@ std::vector<Job> jobsFor(const std::vector<CollectionItem>& items, const Collect
 void writeContactSheet(const std::vector<CollectionItem>& items, const CollectionFolder& folder,
                        const CommandLine& commands) {
     std::vector<line_drawing::ContactEntry> entries;
-    std::vector<line_drawing::Provenance::Mesh> meshes;
+    std::vector<line_drawing::SourceMesh> meshes;
     for (const CollectionItem& item : items)
         if (folder.isUpToDate(item)) {
-            entries.push_back({readable(item.name), folder.readView(item)});
-            meshes.push_back({readable(QFileInfo(item.mesh).fileName()), item.hash.toHex()});
+            entries.push_back({readable(item.name).toStdString(), folder.readView(item)});
+            meshes.push_back({readable(QFileInfo(item.mesh).fileName()).toStdString(),
+                              item.hash.toHex().toStdString()});
         }
     if (entries.empty()) return;
     const QString file = QDir(folder.path).filePath(contact_name + ('.' + folder.format));
-    const QString title = commands.options.title.contains("{name}") ? "" : commands.options.title;
-    line_drawing::Sheet sheet = line_drawing::makeContactSheet(entries, title);
-    sheet.provenance = line_drawing::provenanceText(meshes, commands.words);
-    line_drawing::writeSheet(sheet, file, commands.choices.dpi);
+    const std::string& title = commands.options.title;
+    line_drawing::Sheet sheet = line_drawing::makeContactSheet(
+        entries, title.find("{name}") == title.npos ? title : std::string());
+    sheet.provenance = line_drawing::provenanceText(meshes, inUtf8(commands.words));
+    sheet_painting::writeSheet(sheet, file, commands.choices.dpi);
     say(stdout, QString("%1: %2 objects").arg(file, QString::number(entries.size())));
 }
 

@@ -12,10 +12,10 @@
 #include "file_names.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/whole_file.h"
-#include "line_drawing/words.h"
 #include "mesh_reading.h"
+#include "sheet_painting/qt_words.h"
 
-using line_drawing::refuse;
+using sheet_painting::refuse;
 
 namespace {
 
@@ -82,7 +82,8 @@ void CollectionFolder::remember(const CollectionItem& item) const {
     const QJsonObject record{{"mesh", QFileInfo(item.mesh).fileName()},
                              {"key", QString::fromLatin1(item.key)}};
     try {
-        line_drawing::writeWhole(recordOf(item), QJsonDocument(record).toJson());
+        line_drawing::writeWhole(sheet_painting::fileName(recordOf(item)),
+                                 QJsonDocument(record).toJson().toStdString());
     } catch (const laplacian_lines::Error& error) {  // the drawing is there
         say(stderr, QString::fromUtf8(error.what()) + " It will be drawn again next time.");
     }
@@ -95,5 +96,5 @@ void CollectionFolder::forget(const CollectionItem& item) const {
 line_drawing::Sheet CollectionFolder::readView(const CollectionItem& item) const {
     QFile file(viewOf(item));
     if (!file.open(QIODevice::ReadOnly)) refuse(file.fileName() + " cannot be read.");
-    return line_drawing::unpackSheet(file.readAll());
+    return line_drawing::unpackSheet(file.readAll().toStdString());
 }

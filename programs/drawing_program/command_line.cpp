@@ -6,12 +6,13 @@
 
 #include "file_names.h"
 #include "like.h"
-#include "line_drawing/words.h"
 #include "mesh_reading.h"
+#include "sheet_painting/qt_words.h"
 
-using line_drawing::refuse;
 using line_drawing::SheetChoices;
 using line_drawing::SheetOption;
+using sheet_painting::inQt;
+using sheet_painting::refuse;
 
 namespace {
 
@@ -22,7 +23,7 @@ const char* const contact_view = "--contact-view";  // of the processes of a col
 const SheetOption* optionOf(const QString& word) {
     const std::vector<SheetOption>& table = line_drawing::sheetOptionTable();
     const auto found = std::find_if(table.begin(), table.end(), [&](const SheetOption& option) {
-        return option.isOf(SheetOption::Place::Command) && option.command() == word;
+        return option.isOf(SheetOption::Place::Command) && inQt(option.command()) == word;
     });
     return found == table.end() ? nullptr : &*found;
 }
@@ -30,7 +31,8 @@ const SheetOption* optionOf(const QString& word) {
 /// A folder of drawings is one that is there, or whose name ends like one.
 void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
     if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
-    result.drawing = result.choices.file = names[0];
+    result.drawing = names[0];
+    result.choices.file = sheet_painting::fileName(names[0]);
     result.meshes = names.mid(1);
     result.is_collection = names[0].endsWith('/') || QFileInfo(names[0]).isDir();
     if (result.is_collection) return;
@@ -52,14 +54,14 @@ bool takeOption(const QString& word, QStringList& rest, CommandLine& result) {
         result.version = true;
     } else if (word == "--like") {
         result.like = likeOf(takeValue(rest, word));
-        rest = *result.like->options + rest;
+        rest = result.like->options + rest;
     } else if (word == contact_view) {
         result.contact_view = takeValue(rest, word);
     } else if (const SheetOption* option = optionOf(word)) {
         const QString value = takeValue(rest, word);
-        option->read(value, result.choices);
+        option->read(value.toStdString(), result.choices);
         if (word == format)
-            result.format = option->valueIn(result.choices);
+            result.format = inQt(option->valueIn(result.choices));
         else
             result.words << word << value;
     } else if (word.startsWith("--")) {
@@ -75,7 +77,7 @@ bool takeOption(const QString& word, QStringList& rest, CommandLine& result) {
 CommandLine parseCommandLine(const QStringList& arguments) {
     CommandLine result;
     SheetChoices& choices = result.choices;
-    const QString usual_views = choices.views;
+    const std::string usual_views = choices.views;
     choices.views.clear();
     QStringList rest = arguments, names;
     while (!rest.isEmpty()) {
@@ -87,15 +89,16 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     }
     if (result.help || result.version) return result;
     nameFiles(names, !result.format.isEmpty(), result);
-    result.format = optionOf(format)->valueIn(choices);
-    if (choices.views.isEmpty() && choices.sections.trimmed().isEmpty())
+    result.format = inQt(optionOf(format)->valueIn(choices));
+    if (choices.views.empty() && line_drawing::trimmed(choices.sections).empty())
         choices.views = usual_views;
     result.options = line_drawing::sheetOptions(choices);
     if (result.is_collection) return result;
     QStringList mesh_names;
     for (const QString& mesh : result.meshes)
         mesh_names << readable(QFileInfo(mesh).completeBaseName());
-    result.options.title.replace("{name}", mesh_names.join(", "));
+    result.options.title =
+        inQt(result.options.title).replace("{name}", mesh_names.join(", ")).toStdString();
     return result;
 }
 
@@ -108,7 +111,7 @@ QString usage() {
            "is\n"
            "                       not drawn again\n"
            "\n" +
-           line_drawing::sheetOptionsHelp() +
+           inQt(line_drawing::sheetOptionsHelp()) +
            "  --like FILE          with the options that a drawing (SVG, PDF, DXF) was made with;\n"
            "                       others that follow count more\n"
            "  --version            of this program\n"

@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-#include "line_drawing/provenance.h"
+#include "like.h"
 #include "line_drawing/sheet_choices.h"
 
 struct CommandLine {
@@ -15,7 +15,7 @@ struct CommandLine {
     QString contact_view;  ///< a file for the view of a contact sheet; empty: none
     /// Of the options as they were given, but for what only a collection has.
     QStringList words;
-    std::optional<line_drawing::Provenance> like;  ///< what is to be drawn again
+    std::optional<Provenance> like;  ///< what is to be drawn again
     line_drawing::SheetChoices choices;
     line_drawing::SheetOptions options;
 };

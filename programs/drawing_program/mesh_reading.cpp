@@ -6,8 +6,8 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include "line_drawing/words.h"
 #include "mesh_files/mesh_file.h"
+#include "sheet_painting/qt_words.h"
 
 namespace {
 
@@ -34,7 +34,7 @@ QStringList meshesOf(const QStringList& named) {
         for (const QString& file : folder.entryList(QDir::Files, QDir::Name))
             if (formatOf(file)) meshes << folder.filePath(file);
         if (meshes.size() == before)
-            line_drawing::refuse(QString("there is no mesh in the folder \"%1\".").arg(name));
+            sheet_painting::refuse(QString("there is no mesh in the folder \"%1\".").arg(name));
     }
     meshes.removeDuplicates();
     return meshes;
@@ -62,5 +62,5 @@ ReadMesh readMesh(const QString& name, bool draws_damaged) {
                    .arg(defect)
                    .arg(triangles));
     return {std::move(read.mesh), defect,
-            QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex()};
+            QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex().toStdString()};
 }

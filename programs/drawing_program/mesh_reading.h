@@ -11,8 +11,8 @@ QStringList meshesOf(const QStringList& named);
 
 struct ReadMesh {
     laplacian_lines::TriangleMesh mesh;
-    QString defect;     ///< of a damaged file: why the mesh is not whole
-    QByteArray sha256;  ///< of the file's bytes, in hexadecimal
+    QString defect;      ///< of a damaged file: why the mesh is not whole
+    std::string sha256;  ///< of the file's bytes, in hexadecimal
 };
 
 /// Reads a mesh of a PLY, OBJ, STL or OFF file. Polygons become triangles. A file that is not as

@@ -9,13 +9,14 @@
 #include "line_drawing/bounds.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/make_sheet.h"
-#include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 #include "mesh_reading.h"
+#include "sheet_painting/painted_file.h"
+#include "sheet_painting/qt_words.h"
 
 namespace {
 
-using line_drawing::Provenance;
+using line_drawing::SourceMesh;
 
 /// Scans come in metres, too, and nothing in a file tells.
 void saySize(const std::vector<ReadMesh>& meshes, double unit) {
@@ -67,35 +68,36 @@ QString sourcesOf(const QStringList& files, const std::vector<ReadMesh>& meshes)
     return sources.join(", ");
 }
 
-std::vector<Provenance::Mesh> originsOf(const QStringList& files,
-                                        const std::vector<ReadMesh>& meshes) {
-    std::vector<Provenance::Mesh> origins;
+std::vector<SourceMesh> originsOf(const QStringList& files, const std::vector<ReadMesh>& meshes) {
+    std::vector<SourceMesh> origins;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        origins.push_back({readable(QFileInfo(files[int(i)]).fileName()), meshes[i].sha256});
+        origins.push_back(
+            {readable(QFileInfo(files[int(i)]).fileName()).toStdString(), meshes[i].sha256});
     return origins;
 }
 
 }  // namespace
 
 void drawOne(const CommandLine& commands) {
-    line_drawing::checkSheetFile(commands.drawing);
+    sheet_painting::checkSheetFile(commands.drawing);
     const std::vector<ReadMesh> meshes = readMeshes(commands);
-    const std::vector<Provenance::Mesh> origins = originsOf(commands.meshes, meshes);
+    const std::vector<SourceMesh> origins = originsOf(commands.meshes, meshes);
     if (commands.like) sayWhatDiffers(*commands.like, origins);
     saySize(meshes, commands.options.mm_per_unit);
     std::vector<line_drawing::SheetOptions> options = {commands.options};
-    options[0].source = sourcesOf(commands.meshes, meshes);
+    options[0].source = sourcesOf(commands.meshes, meshes).toStdString();
     const bool has_view = !commands.contact_view.isEmpty();
     if (has_view) options.push_back(line_drawing::contactOptions(meshes.front().mesh, options[0]));
     line_drawing::Objects objects;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        objects.push_back({meshes[i].mesh, nullptr, commands.meshes[int(i)]});
+        objects.push_back({meshes[i].mesh, nullptr, commands.meshes[int(i)].toStdString()});
     std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
-    sheets[0].provenance = line_drawing::provenanceText(origins, commands.words);
-    line_drawing::writeSheet(sheets[0], commands.drawing, commands.choices.dpi);
-    for (const QString& remark : sheets[0].remarks)
-        say(stderr, remark);
+    sheets[0].provenance = line_drawing::provenanceText(origins, inUtf8(commands.words));
+    sheet_painting::writeSheet(sheets[0], commands.drawing, commands.choices.dpi);
+    for (const std::string& remark : sheets[0].remarks)
+        say(stderr, sheet_painting::inQt(remark));
     if (has_view)
-        line_drawing::writeWhole(commands.contact_view, line_drawing::packSheet(sheets[1]));
+        line_drawing::writeWhole(sheet_painting::fileName(commands.contact_view),
+                                 line_drawing::packSheet(sheets[1]));
     say(stdout, "the drawing is " + commands.drawing);
 }

@@ -22,7 +22,7 @@ SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Guarantee* RealModel* Mo
     *FiniteFromAnyEye/book *FiniteFromAnyEye/cut_star *FiniteFromAnyEye/triangle_soup""".split()
 FUZZ_GROUPS = ("precompute", "extract"), ("ply", "stl", "obj", "off")
 FUZZ_SECONDS = 60  # of a check; what is found by chance is looked for by ./test --fuzz
-CPP_FOLDERS = """laplacian_lines line_drawing line_renderer filter_laplacian_lines decorate_laplacian_lines meshlab_host
+CPP_FOLDERS = """laplacian_lines line_drawing sheet_painting line_renderer filter_laplacian_lines decorate_laplacian_lines meshlab_host
     programs/drawing_program programs/headless_host""".split()
 
 

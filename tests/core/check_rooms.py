@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tables of rooms in docs/architecture.md hold: every folder of code is a room of theirs, files include what its row
-allows and nothing else, and each room in the first table has a README.md that says what goes in and what does not."""
+allows and nothing else, none of Qt where the row says "no Qt"; and each room in the first table has a README.md that says
+what goes in and what does not."""
 
 import pathlib
 import re
@@ -66,7 +67,10 @@ def check_top(rooms):
         headers[room] = {str(file.relative_to(base)) for base in (root / room, root / room / "src", root / room / "include")
                          for file in files if file.is_relative_to(base)} | {file.name for file in files}
     count = 0
-    for room, (allowed, *_) in rooms.items():
+    for room, (allowed, held) in rooms.items():
+        if re.search(r"\bno Qt\b", held):
+            complaints.extend(f"{file.relative_to(root)} includes Qt, which its room may not" for file in sources(root / room)
+                              if re.search(r"^#include <Q", file.read_text(), re.M))
         allowed = {room, *(word.strip() for word in allowed.split(","))}
         complaints.extend(f"{room} may include {name}, which is not a room" for name in allowed - set(rooms) - {"nothing"})
         for file in sources(root / room):

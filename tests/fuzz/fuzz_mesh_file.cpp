@@ -25,8 +25,9 @@ void draw(const laplacian_lines::TriangleMesh& mesh) {
     options.area = line_drawing::OutlineArea::Filled;
     try {
         const auto sheets = line_drawing::makeSheets({{mesh}}, {options});
-        const QByteArray svg = line_drawing::writeSvg(sheets.front());
-        if (svg.contains("nan") || svg.contains("inf ")) refuse("a drawing without numbers");
+        const std::string svg = line_drawing::writeSvg(sheets.front());
+        if (svg.find("nan") != svg.npos || svg.find("inf ") != svg.npos)
+            refuse("a drawing without numbers");
         line_drawing::writeDxf(sheets.front());
     } catch (const laplacian_lines::Error&) {
     }

@@ -8,6 +8,7 @@
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
+#include "sheet_painting/painted_file.h"
 
 using namespace line_drawing;
 
@@ -28,7 +29,7 @@ TEST(ContactSheets, HoldAllViewsWithoutOverlapOnOnePage) {
     for (const int count : {1, 2, 6, 13, 40, 200}) {
         const Sheet sheet = makeContactSheet(cubes(count), "Cubes");
         ASSERT_EQ(sheet.groups.size(), std::size_t(count) + 1);
-        const QRectF page(QPointF(0, 0), sheet.size);
+        const QRectF page = made_sheets::paperOf(sheet.size);
         for (int i = 0; i < count; ++i) {
             const QRectF place = made_sheets::extentOf(sheet.groups[std::size_t(i)]);
             EXPECT_GT(place.width(), 30) << count;
@@ -51,20 +52,21 @@ TEST(ContactSheets, TellSizes) {
 
 TEST(ContactSheets, ArePackedAndUnpacked) {
     const Sheet view = entryOf(test_meshes::bumpy_sphere(3).mesh, "").view;
-    const QByteArray bytes = packSheet(view);
+    const std::string bytes = packSheet(view);
     const Sheet same = unpackSheet(bytes);
     EXPECT_EQ(writeSvg(same), writeSvg(view));
     Sheet dashed = view;
     dashed.scale = 0.25;
-    dashed.groups.at(0).layers.at(0).paths = {{QPainterPath(), 0.5, 2, 0.75}};
+    dashed.groups.at(0).layers.at(0).paths = {{{}, 0.5, 2, 0.75}};
     const Sheet unpacked = unpackSheet(packSheet(dashed));
     EXPECT_EQ(unpacked.scale, 0.25);
     EXPECT_EQ(unpacked.groups.at(0).layers.at(0).paths.at(0).dash, 2);
     EXPECT_EQ(unpacked.groups.at(0).layers.at(0).paths.at(0).tone, 0.75);
     EXPECT_THROW(unpackSheet("no sheet"), laplacian_lines::Error);
     EXPECT_THROW(unpackSheet({}), laplacian_lines::Error);
-    for (const int size : {6, 40, 200, bytes.size() / 2, bytes.size() - 1})
-        EXPECT_THROW(unpackSheet(bytes.left(size)), laplacian_lines::Error) << size;
+    for (const std::size_t size :
+         {std::size_t(6), std::size_t(40), bytes.size() / 2, bytes.size() - 1})
+        EXPECT_THROW(unpackSheet(bytes.substr(0, size)), laplacian_lines::Error) << size;
 }
 
 TEST(MeasuredDrawing, OfSeveralSheetsIsThatOfEach) {
@@ -88,9 +90,10 @@ TEST(MeasuredDrawing, OfSeveralSheetsIsThatOfEach) {
 TEST(SheetFiles, PngHasItsDotsPerInch) {
     Sheet sheet{{127, 50.8}, "", {}, 1};
     SheetPath area;
-    area.path.addRect(25.4, 25.4, 50.8, 12.7);
+    area.path.addRectangle({25.4, 25.4}, 50.8, 12.7);
     sheet.groups.push_back({"a", "A", {{"outline", "Outlines", {area}, {}}}});
-    const QImage image = QImage::fromData(writePng(sheet, 100));
+    const QImage image =
+        QImage::fromData(QByteArray::fromStdString(sheet_painting::writePng(sheet, 100)));
     EXPECT_EQ(image.size(), QSize(500, 200));
     EXPECT_NEAR(image.dotsPerMeterX() * 0.0254, 100, 0.05);
     int black = 0;
@@ -100,7 +103,7 @@ TEST(SheetFiles, PngHasItsDotsPerInch) {
     EXPECT_EQ(black, 200 * 50);
     EXPECT_LT(qGray(image.pixel(101, 101)), 128);
     EXPECT_GT(qGray(image.pixel(99, 101)), 128);
-    EXPECT_THROW(writePng(sheet, 1e5), laplacian_lines::Error);
+    EXPECT_THROW(sheet_painting::writePng(sheet, 1e5), laplacian_lines::Error);
 }
 
 }  // namespace

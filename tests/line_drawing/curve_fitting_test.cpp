@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <QPolygonF>
-#include <QTransform>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -12,24 +11,23 @@
 using Eigen::Vector2d;
 using line_drawing::findCorners;
 using line_drawing::fitCurve;
+using line_drawing::Path;
 using Points = std::vector<Vector2d>;
 
 namespace {
 
 constexpr double tolerance = 0.02;
 
-int curvesOf(const QPainterPath& path) {
-    int count = 0;
-    for (int i = 0; i < path.elementCount(); ++i)
-        count += path.elementAt(i).isCurveTo();
-    return count;
+int curvesOf(const Path& path) {
+    return int(std::count_if(path.pieces.begin(), path.pieces.end(), [](const Path::Piece& piece) {
+        return piece.step == Path::Step::Curve;
+    }));
 }
 
-double distanceTo(const QPolygonF& polygon, const Vector2d& p) {
+double distanceTo(const Points& line, const Vector2d& p) {
     double least = std::numeric_limits<double>::max();
-    for (int i = 1; i < polygon.size(); ++i) {
-        const Vector2d a(polygon[i - 1].x(), polygon[i - 1].y());
-        const Vector2d way = Vector2d(polygon[i].x(), polygon[i].y()) - a;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Vector2d &a = line[i - 1], way = line[i] - a;
         const double length = way.squaredNorm();
         const double t = length > 0 ? std::clamp(way.dot(p - a) / length, 0., 1.) : 0;
         least = std::min(least, (a + t * way - p).norm());
@@ -38,12 +36,11 @@ double distanceTo(const QPolygonF& polygon, const Vector2d& p) {
 }
 
 /// Of the points from the curve.
-double largestDistance(const Points& points, const QPainterPath& path) {
-    const QTransform larger = QTransform::fromScale(1000, 1000);
-    const QPolygonF polygon = larger.inverted().map(path.toSubpathPolygons(larger).value(0));
+double largestDistance(const Points& points, const Path& path) {
+    const Points line = path.flattened(0.0005).at(0);
     double largest = 0;
     for (const Vector2d& p : points)
-        largest = std::max(largest, distanceTo(polygon, p));
+        largest = std::max(largest, distanceTo(line, p));
     return largest;
 }
 
@@ -60,7 +57,7 @@ Points circle(int n, double radius) {
 TEST(CurveFitting, ReachesTheEndsOfFlatLoops) {
     for (const double height : {0.0, 0.001, 0.05}) {
         const Points points = {{0, 0}, {70, 0}, {70, height}, {0, height}, {0, 0}};
-        QPainterPath path;
+        Path path;
         fitCurve(points, true, tolerance, path);
         EXPECT_LT(largestDistance(points, path), 1.1 * tolerance) << height;
     }
@@ -68,11 +65,11 @@ TEST(CurveFitting, ReachesTheEndsOfFlatLoops) {
 
 TEST(CurveFitting, OfACircleTakesFewCurvesAndStaysWithinTheTolerance) {
     const Points points = circle(500, 20);
-    QPainterPath path;
+    Path path;
     fitCurve(points, true, tolerance, path);
     EXPECT_LE(largestDistance(points, path), 1.01 * tolerance);
     EXPECT_LE(curvesOf(path), 12);
-    EXPECT_EQ(QPointF(path.elementAt(0)), path.currentPosition());
+    EXPECT_EQ(path.pieces.front().end, path.pieces.back().end);
 }
 
 /// Between the points, too: a curve with long handles could pass all of them and leap in between.
@@ -81,21 +78,19 @@ TEST(CurveFitting, StaysNearLinesOfAnyShape) {
     std::uniform_real_distribution<double> share(0, 1);
     for (int line = 0; line < 2000; ++line) {
         Points points = {{0, 0}};
-        QPolygonF polygon(QVector<QPointF>{QPointF(0, 0)});
         double angle = 0;
         const double turn = 3 * share(random), step = 0.01 + 0.5 * share(random);
         for (int i = 0; i < 40; ++i) {
             angle += turn * (share(random) - 0.5);
             points.push_back(points.back() +
                              step * share(random) * Vector2d(std::cos(angle), std::sin(angle)));
-            polygon << QPointF(points.back().x(), points.back().y());
         }
-        QPainterPath path;
+        Path path;
         fitCurve(points, false, tolerance, path);
-        const QTransform larger = QTransform::fromScale(1000, 1000);
+        const Points curve = path.flattened(0.0005).at(0);
         double largest = 0;
-        for (const QPointF& p : larger.inverted().map(path.toSubpathPolygons(larger).value(0)))
-            largest = std::max(largest, distanceTo(polygon, {p.x(), p.y()}));
+        for (const Vector2d& p : curve)
+            largest = std::max(largest, distanceTo(points, p));
         ASSERT_LT(largest, 3 * tolerance) << line;
     }
 }
@@ -107,12 +102,12 @@ TEST(CurveFitting, KeepsCorners) {
     for (int i = 1; i <= 100; ++i)
         points.emplace_back(10, i * 0.1);
     EXPECT_EQ(findCorners(points, false, 0.2), std::vector<std::size_t>{100});
-    QPainterPath path;
+    Path path;
     fitCurve(points, false, tolerance, path);
-    EXPECT_EQ(path.elementCount(), 3);
+    EXPECT_EQ(path.pieces.size(), 3u);
     bool has_corner = false;
-    for (int i = 0; i < path.elementCount(); ++i)
-        has_corner |= QPointF(path.elementAt(i)) == QPointF(10, 0);
+    for (const Path::Piece& piece : path.pieces)
+        has_corner |= piece.end == Vector2d(10, 0);
     EXPECT_TRUE(has_corner);
 }
 
@@ -125,11 +120,12 @@ TEST(CurveFitting, OfASquareBeginsAtACornerAndHasFour) {
     std::rotate(points.begin(), points.begin() + 20, points.end());
     points.push_back(points.front());
     EXPECT_EQ(findCorners(points, true, 0.2).size(), 4u);
-    QPainterPath path;
+    Path path;
     fitCurve(points, true, tolerance, path);
-    EXPECT_EQ(path.elementCount(), 5);
+    EXPECT_EQ(path.pieces.size(), 5u);
     EXPECT_LE(largestDistance(points, path), 1.01 * tolerance);
-    EXPECT_EQ(path.boundingRect(), QRectF(0, 0, 5, 5));
+    EXPECT_EQ(path.bounds().min(), Vector2d(0, 0));
+    EXPECT_EQ(path.bounds().max(), Vector2d(5, 5));
 }
 
 TEST(CurveFitting, FollowsAWildLine) {
@@ -140,31 +136,31 @@ TEST(CurveFitting, FollowsAWildLine) {
         points.emplace_back(i * 0.05 + (seed >> 16) * 1e-5,
                             5 * std::sin(i * 0.03) + (seed >> 20) * 1e-3);
     }
-    QPainterPath path;
+    Path path;
     fitCurve(points, false, tolerance, path);
     EXPECT_LE(largestDistance(points, path), 1.01 * tolerance);
 }
 
 TEST(CurveFitting, KeepsAngularLinesOfFewPoints) {
     const Points points = {{0, 0}, {20, 0}, {40, 12}, {45, 50}};
-    QPainterPath path;
+    Path path;
     fitCurve(points, false, tolerance, path);
-    EXPECT_EQ(path.elementCount(), 4);
+    EXPECT_EQ(path.pieces.size(), 4u);
     EXPECT_LE(largestDistance(points, path), 1e-9);
 }
 
 TEST(CurveFitting, OfOnePlaceIsEmpty) {
-    QPainterPath path;
+    Path path;
     fitCurve(Points(10, Vector2d(1, 2)), false, tolerance, path);
     fitCurve({}, true, tolerance, path);
     EXPECT_TRUE(path.isEmpty());
 }
 
 TEST(CurveFitting, OfTwoPointsIsStraight) {
-    QPainterPath path;
+    Path path;
     fitCurve({{0, 0}, {3, 4}}, false, tolerance, path);
-    EXPECT_EQ(path.elementCount(), 2);
-    EXPECT_EQ(path.currentPosition(), QPointF(3, 4));
+    EXPECT_EQ(path.pieces.size(), 2u);
+    EXPECT_EQ(path.pieces.back().end, Vector2d(3, 4));
 }
 
 }  // namespace

@@ -9,8 +9,21 @@
 #include "generators.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/words.h"
+#include "sheet_painting/painting.h"
 
 namespace made_sheets {
+
+using sheet_painting::painterPath;
+
+inline QRectF inQt(const Eigen::AlignedBox2d& box) {
+    return {box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y()};
+}
+
+/// What is on a sheet.
+inline QRectF paperOf(const Eigen::Vector2d& size) {
+    return {0, 0, size.x(), size.y()};
+}
 
 /// A cube of 100 mm, whose axes are the views'.
 inline laplacian_lines::TriangleMesh cubeOf100() {
@@ -46,13 +59,13 @@ inline QRectF extentOf(const line_drawing::SheetGroup& group) {
     QRectF extent;
     for (const line_drawing::SheetLayer& layer : group.layers)
         for (const line_drawing::SheetPath& path : layer.paths)
-            extent = extent.united(path.path.boundingRect());
+            extent = extent.united(painterPath(path.path).boundingRect());
     return extent;
 }
 
 /// Of closed loops that do not cross, without the holes in them.
 inline double areaOf(const line_drawing::SheetPath& path) {
-    const auto loops = path.path.toSubpathPolygons();
+    const auto loops = painterPath(path.path).toSubpathPolygons();
     double sum = 0;
     for (const QPolygonF& loop : loops) {
         double twice = 0;

@@ -17,6 +17,7 @@
 using namespace line_drawing;
 using made_sheets::cubeOf100;
 using made_sheets::extentOf;
+using made_sheets::painterPath;
 using made_sheets::plainViews;
 using made_sheets::sheetOf;
 
@@ -24,11 +25,11 @@ namespace {
 
 /// All texts of the last group, with "|" between.
 std::string furnitureOf(const Sheet& sheet) {
-    QStringList texts;
+    Words texts;
     for (const SheetLayer& layer : sheet.groups.back().layers)
         for (const SheetText& text : layer.texts)
-            texts << text.text;
-    return texts.join("|").toStdString();
+            texts.push_back(text.text);
+    return joined(texts, "|");
 }
 
 /// Their layers' names in SVG are to be unique.
@@ -63,7 +64,7 @@ TEST(MeasuredDrawing, TellsProgressOnTheThreadThatAskedForIt) {
 /// Names of files may hold what is not text.
 TEST(MeasuredDrawing, HasTextsOfOneLine) {
     SheetOptions options = plainViews("front");
-    options.title = QString("A\nB") + QChar(1);
+    options.title = "A\nB\x01";
     options.source = "cube\r\n.ply";
     const Sheet sheet = sheetOf(cubeOf100(), options);
     EXPECT_EQ(sheet.title, "A B ");
@@ -87,8 +88,8 @@ TEST(MeasuredDrawing, ACubeOf100MillimetresMeasures100At1To1) {
     ASSERT_EQ(sheet.groups.size(), 7u);
     for (std::size_t view = 0; view < 6; ++view) {
         const QRectF extent = extentOf(sheet.groups[view]);
-        EXPECT_NEAR(extent.width(), 100, 0.02) << sheet.groups[view].key.toStdString();
-        EXPECT_NEAR(extent.height(), 100, 0.02) << sheet.groups[view].key.toStdString();
+        EXPECT_NEAR(extent.width(), 100, 0.02) << sheet.groups[view].key;
+        EXPECT_NEAR(extent.height(), 100, 0.02) << sheet.groups[view].key;
     }
 }
 
@@ -135,7 +136,7 @@ TEST(MeasuredDrawing, OutlinesOfASphereAreClosedCircles) {
         const SheetLayer& outlines = sheet.groups[view].layers.back();
         ASSERT_EQ(outlines.key, "outline");
         ASSERT_EQ(outlines.paths.size(), 1u);
-        const QPainterPath& path = outlines.paths[0].path;
+        const QPainterPath path = painterPath(outlines.paths[0].path);
         EXPECT_EQ(QPointF(path.elementAt(0)), path.currentPosition());
         EXPECT_NEAR(path.boundingRect().width(), 80, 0.1);
         EXPECT_LE(path.elementCount(), 3 * 16 + 1);
@@ -151,7 +152,7 @@ TEST(MeasuredDrawing, HiddenEdgesAreDashedIfWanted) {
         ASSERT_EQ(hidden.key, "hidden");
         double length = 0;
         for (const SheetPath& path : hidden.paths) {
-            length += path.path.length();
+            length += painterPath(path.path).length();
             EXPECT_GT(path.dash, 0);
             EXPECT_EQ(path.pen_width, options.pens[std::size_t(LineClass::Hidden)]);
         }
@@ -169,10 +170,11 @@ TEST(MeasuredDrawing, StrokesSwellToThePen) {
     const Sheet sheet = sheetOf(test_meshes::sphere(5).mesh, options);
     const SheetPath& ring = sheet.groups[0].layers.back().paths.at(0);
     EXPECT_EQ(ring.pen_width, 0);
-    EXPECT_NEAR(ring.path.boundingRect().width(), 80 + options.pens[0], 0.1);
-    EXPECT_TRUE(ring.path.contains(
-        QPointF(ring.path.boundingRect().left() + 0.25, ring.path.boundingRect().center().y())));
-    EXPECT_FALSE(ring.path.contains(ring.path.boundingRect().center()));
+    EXPECT_NEAR(painterPath(ring.path).boundingRect().width(), 80 + options.pens[0], 0.1);
+    EXPECT_TRUE(painterPath(ring.path).contains(
+        QPointF(painterPath(ring.path).boundingRect().left() + 0.25,
+                painterPath(ring.path).boundingRect().center().y())));
+    EXPECT_FALSE(painterPath(ring.path).contains(painterPath(ring.path).boundingRect().center()));
 }
 
 TEST(MeasuredDrawing, StrokesEndRound) {
@@ -181,12 +183,12 @@ TEST(MeasuredDrawing, StrokesEndRound) {
     const auto stroke = drawStroke(line, options);
     ASSERT_TRUE(stroke);
     const double half = options.pens[0] / 2;
-    const QRectF box = stroke->path.boundingRect();
+    const QRectF box = painterPath(stroke->path).boundingRect();
     EXPECT_NEAR(box.left(), 10 - half, 0.02);
     EXPECT_NEAR(box.right(), 20 + half, 0.02);
     EXPECT_NEAR(box.height(), 2 * half, 0.05);
-    EXPECT_FALSE(stroke->path.contains(QPointF(20 + 0.9 * half, 10 + 0.9 * half)));
-    EXPECT_TRUE(stroke->path.contains(QPointF(20 + 0.6 * half, 10 - 0.6 * half)));
+    EXPECT_FALSE(painterPath(stroke->path).contains(QPointF(20 + 0.9 * half, 10 + 0.9 * half)));
+    EXPECT_TRUE(painterPath(stroke->path).contains(QPointF(20 + 0.6 * half, 10 - 0.6 * half)));
 }
 
 TEST(MeasuredDrawing, IsTheSameOnAnyNumberOfThreads) {

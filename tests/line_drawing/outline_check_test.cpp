@@ -73,14 +73,14 @@ void expectClosedOutlines(const laplacian_lines::TriangleMesh& mesh, const char*
     options.views = parseViews(views, UpAxis::Y);
     options.paper = "fit";
     const Sheet sheet = made_sheets::sheetOf(mesh, options);
-    EXPECT_TRUE(sheet.remarks.isEmpty()) << sheet.remarks.join(" ").toStdString();
+    EXPECT_TRUE(sheet.remarks.empty()) << joined(sheet.remarks, " ");
     for (const SheetGroup& group : sheet.groups) {
         if (group.key == "sheet") continue;
         const auto& outlines = layerOf(group, "outline").paths;
-        EXPECT_FALSE(outlines.empty()) << group.key.toStdString();
+        EXPECT_FALSE(outlines.empty()) << group.key;
         for (const SheetPath& path : outlines) {
-            const QPointF begin = path.path.elementAt(0);
-            EXPECT_LT(QLineF(begin, path.path.currentPosition()).length(), 1e-6);
+            const std::vector<Path::Piece>& pieces = path.path.pieces;
+            EXPECT_LT((pieces.front().end - pieces.back().end).norm(), 1e-6);
         }
     }
 }

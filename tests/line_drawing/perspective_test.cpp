@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
 using made_sheets::cubeOf100;
 using made_sheets::layerOf;
+using made_sheets::painterPath;
 using made_sheets::plainViews;
 using made_sheets::sheetOf;
 
@@ -31,16 +32,16 @@ SheetOptions fromHeight(double z, const char* paper = "a4") {
 double lengthOf(const SheetLayer& layer) {
     double length = 0;
     for (const SheetPath& path : layer.paths)
-        length += path.path.length();
+        length += painterPath(path.path).length();
     return length;
 }
 
-QStringList textsOf(const Sheet& sheet) {
-    QStringList texts;
+Words textsOf(const Sheet& sheet) {
+    Words texts;
     for (const SheetGroup& group : sheet.groups)
         for (const SheetLayer& layer : group.layers)
             for (const SheetText& text : layer.texts)
-                texts << text.text;
+                texts.push_back(text.text);
     return texts;
 }
 
@@ -60,13 +61,13 @@ TEST(Perspective, MakesTheNearFaceOfACubeLarger) {
 TEST(Perspective, HasNoScale) {
     const Sheet sheet = sheetOf(cubeOf100(), fromHeight(150));
     EXPECT_EQ(sheet.scale, 0);
-    EXPECT_EQ(sheet.size, QSizeF(210, 297));
-    EXPECT_TRUE(textsOf(sheet).join('/').contains("perspective, not to scale"));
+    EXPECT_EQ(sheet.size, Eigen::Vector2d(210, 297));
+    EXPECT_NE(joined(textsOf(sheet), "/").find("perspective, not to scale"), std::string::npos);
     for (const SheetLayer& layer : sheet.groups.back().layers)
         EXPECT_NE(layer.key, "scale");
     const Sheet fit = sheetOf(cubeOf100(), fromHeight(150, "fit"));
-    EXPECT_NEAR(fit.size.width(), 210, 1e-9);
-    EXPECT_LT(fit.size.height(), 297);
+    EXPECT_NEAR(fit.size.x(), 210, 1e-9);
+    EXPECT_LT(fit.size.y(), 297);
 }
 
 /// A ball of 40 mm, whose outline is nearer to the eye than its middle.
@@ -83,8 +84,9 @@ TEST(Perspective, StandsBesideViewsAtScale) {
     EXPECT_NEAR(front.width(), 80, 0.1);
     EXPECT_NEAR(view.width(), 2 * 40 * 100 / std::sqrt(100. * 100 - 40 * 40), 0.1);
     EXPECT_GT(view.top(), front.bottom());
-    EXPECT_TRUE(textsOf(sheet).contains("View (perspective, not to scale)"));
-    EXPECT_TRUE(textsOf(sheet).contains("Front"));
+    const Words texts = textsOf(sheet);
+    for (const char* name : {"View (perspective, not to scale)", "Front"})
+        EXPECT_EQ(std::count(texts.begin(), texts.end(), name), 1) << name;
 }
 
 /// A plate of 160 x 40 mm from a height of 30 is seen as far as 60 degrees to both sides.

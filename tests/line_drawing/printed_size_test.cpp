@@ -34,8 +34,8 @@ double kernelOf(const Sheet& sheet) {
     for (const SheetGroup& group : sheet.groups)
         for (const SheetLayer& layer : group.layers)
             for (const SheetText& text : layer.texts) {
-                const int at = text.text.indexOf(QStringLiteral("√h "));
-                if (at >= 0) return text.text.mid(at + 3).section(' ', 0, 0).toDouble();
+                const std::size_t at = text.text.find("√h ");
+                if (at != text.text.npos) return std::stod(text.text.substr(at + 5));
             }
     return 0;
 }

@@ -7,6 +7,7 @@
 
 using namespace line_drawing;
 using Eigen::Vector2d;
+using made_sheets::painterPath;
 
 namespace {
 
@@ -41,7 +42,7 @@ TEST(SectionMarks, StayBesideTheSurfaceAndOnThePaper) {
     SheetOptions options = withSections("front,left,top", "x=0.3 y=0.5 z=0.6");
     options.paper = "fit";
     const Sheet sheet = made_sheets::sheetOf(made_sheets::cubeOf100(), options);
-    const QRectF paper(QPointF(0, 0), sheet.size);
+    const QRectF paper = made_sheets::paperOf(sheet.size);
     for (std::size_t view = 0; view < 3; ++view) {
         const SheetLayer* marks = marksOf(sheet.groups[view]);
         ASSERT_TRUE(marks);
@@ -52,13 +53,14 @@ TEST(SectionMarks, StayBesideTheSurfaceAndOnThePaper) {
         const QRectF surface = made_sheets::extentOf(lines);
         EXPECT_NEAR(surface.width(), 100, 0.1);
         for (const SheetPath& path : marks->paths) {
-            const QRectF mark = path.path.boundingRect().adjusted(-0.25, -0.25, 0.25, 0.25);
+            const QRectF mark =
+                painterPath(path.path).boundingRect().adjusted(-0.25, -0.25, 0.25, 0.25);
             EXPECT_FALSE(mark.intersects(surface));
             EXPECT_TRUE(paper.contains(mark));
         }
         for (const SheetText& text : marks->texts) {
-            EXPECT_FALSE(surface.contains(text.position));
-            EXPECT_TRUE(paper.contains(text.position));
+            EXPECT_FALSE(surface.contains(text.position.x(), text.position.y()));
+            EXPECT_TRUE(paper.contains(text.position.x(), text.position.y()));
         }
     }
 }
@@ -104,7 +106,7 @@ TEST(Walls, AreHatchedFilledOrEmpty) {
         for (const SheetLayer& layer : group.layers)
             for (const SheetPath& path : layer.paths) {
                 hatching += layer.key == "fine";
-                const QRectF box = path.path.boundingRect();
+                const QRectF box = painterPath(path.path).boundingRect();
                 if (path.pen_width == 0) area += box.width() * box.height();
             }
         return area;

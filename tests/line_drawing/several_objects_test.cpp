@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
 using made_sheets::cubeOf100;
 using made_sheets::layerOf;
+using made_sheets::painterPath;
 using made_sheets::plainViews;
 
 namespace {
@@ -47,7 +48,7 @@ Sheet sheetOfAll(const std::vector<TriangleMesh>& meshes, const SheetOptions& op
 double lengthOf(const SheetLayer& layer) {
     double length = 0;
     for (const SheetPath& path : layer.paths)
-        length += path.path.length();
+        length += painterPath(path.path).length();
     return length;
 }
 
@@ -62,7 +63,7 @@ TEST(SeveralObjects, ACubeHidesWhatIsBehindItOfAPlate) {
     EXPECT_NEAR(lengthOf(layerOf(view, "contour")), 2 * 40, 1);
     EXPECT_NEAR(lengthOf(layerOf(view, "hidden")), 2 * 100, 1);
     for (const SheetPath& path : layerOf(view, "hidden").paths)
-        EXPECT_NEAR(path.path.boundingRect().width(), 100, 0.5);
+        EXPECT_NEAR(painterPath(path.path).boundingRect().width(), 100, 0.5);
     options.views = parseViews("bottom", UpAxis::Z);  // now the plate is in front
     const SheetGroup below = sheetOfAll({cubeOf100(), plate()}, options).groups[0];
     EXPECT_NEAR(lengthOf(layerOf(below, "outline")), 2 * 160 + 2 * 100, 1);
@@ -108,7 +109,8 @@ TEST(SeveralObjects, LookAsTheyDoAlone) {
 std::pair<int, int> hatchingOf(const SheetGroup& section) {
     int rising = 0, falling = 0;
     for (const SheetPath& path : layerOf(section, "fine").paths) {
-        const QPointF way = path.path.pointAtPercent(1) - path.path.pointAtPercent(0);
+        const QPointF way =
+            painterPath(path.path).pointAtPercent(1) - painterPath(path.path).pointAtPercent(0);
         (way.x() * way.y() < 0 ? rising : falling)++;
     }
     return {rising, falling};

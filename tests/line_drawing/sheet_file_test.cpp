@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
-#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <map>
@@ -13,24 +12,40 @@
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
+#include "sheet_painting/painted_file.h"
 
 using namespace line_drawing;
+using sheet_painting::checkSheetFile;
+using sheet_painting::writePdf;
+using sheet_painting::writeSheet;
 
 namespace {
 
 Sheet smallSheet() {
     Sheet sheet{{100, 50}, "A & B", {}};
     SheetPath line{{}, 0.25};
-    line.path.moveTo(10, 20);
-    line.path.lineTo(30.0004, 20);
-    line.path.cubicTo(31, 20, 32, 21, 32, 22);
+    line.path.moveTo({10, 20});
+    line.path.lineTo({30.0004, 20});
+    line.path.curveTo({31, 20}, {32, 21}, {32, 22});
     SheetPath area;
-    area.path.addRect(40, 10, 5, 5);
+    area.path.addRectangle({40, 10}, 5, 5);
     sheet.groups.push_back({"front",
                             "Front",
                             {{"outline", "Outlines", {line, area}, {}},
-                             {"names", "Names", {}, {{{50, 40}, 3, Qt::AlignHCenter, "30°"}}}}});
+                             {"names", "Names", {}, {{{50, 40}, 3, TextAnchor::Middle, "30°"}}}}});
     return sheet;
+}
+
+/// How often a text is in another one.
+int count(const std::string& text, const std::string& part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return count(text, part) > 0;
 }
 
 QByteArray contentOf(const QString& file) {
@@ -40,14 +55,14 @@ QByteArray contentOf(const QString& file) {
 }
 
 TEST(SheetFiles, SvgIsInMillimetresWithLayers) {
-    const QByteArray svg = writeSvg(smallSheet());
+    const std::string svg = writeSvg(smallSheet());
     for (const char* part :
          {"width=\"100mm\"", "height=\"50mm\"", "viewBox=\"0 0 100 50\"", "id=\"front-outline\"",
           "inkscape:groupmode=\"layer\"", "inkscape:label=\"Outlines\"",
           "d=\"M10 20l20 0c1 0 2 1 2 2\"", "stroke-width=\".25\"", "text-anchor=\"middle\"",
           "A &amp; B", "d=\"M40 10l5 0l0 5l-5 0l0-5z\""})
-        EXPECT_TRUE(svg.contains(part)) << part << "\n" << svg.toStdString();
-    QXmlStreamReader reader(svg);
+        EXPECT_TRUE(has(svg, part)) << part << "\n" << svg;
+    QXmlStreamReader reader(QByteArray::fromStdString(svg));
     while (!reader.atEnd())
         reader.readNext();
     EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
@@ -55,39 +70,39 @@ TEST(SheetFiles, SvgIsInMillimetresWithLayers) {
 
 TEST(SheetFiles, DashesAreAPropertyOfLines) {
     Sheet sheet = smallSheet();
-    EXPECT_FALSE(writeSvg(sheet).contains("dasharray"));
-    EXPECT_FALSE(writeDxf(sheet).contains("DASHED"));
+    EXPECT_FALSE(has(writeSvg(sheet), "dasharray"));
+    EXPECT_FALSE(has(writeDxf(sheet), "DASHED"));
     sheet.groups[0].layers[0].paths[0].dash = 2;
-    EXPECT_EQ(writeSvg(sheet).count("stroke-dasharray=\"2 1\""), 1);
-    const QByteArray dxf = writeDxf(sheet);
-    EXPECT_TRUE(dxf.contains("2\nDASHED\n"));
-    EXPECT_TRUE(dxf.contains("2\nOUTLINE\n70\n0\n62\n7\n6\nDASHED\n"));
-    EXPECT_TRUE(dxf.contains("2\nNAMES\n70\n0\n62\n30\n6\nCONTINUOUS\n"));
+    EXPECT_EQ(count(writeSvg(sheet), "stroke-dasharray=\"2 1\""), 1);
+    const std::string dxf = writeDxf(sheet);
+    EXPECT_TRUE(has(dxf, "2\nDASHED\n"));
+    EXPECT_TRUE(has(dxf, "2\nOUTLINE\n70\n0\n62\n7\n6\nDASHED\n"));
+    EXPECT_TRUE(has(dxf, "2\nNAMES\n70\n0\n62\n30\n6\nCONTINUOUS\n"));
 }
 
 TEST(SheetFiles, DxfPointsUp) {
-    const QByteArray dxf = writeDxf(smallSheet());
-    EXPECT_TRUE(dxf.startsWith("0\nSECTION\n"));
-    EXPECT_TRUE(dxf.endsWith("0\nEOF\n"));
-    EXPECT_TRUE(dxf.contains("0\nVERTEX\n8\nOUTLINE\n10\n10.0000\n20\n30.0000\n"));
-    EXPECT_TRUE(dxf.contains("1\n30%%d\n"));
+    const std::string dxf = writeDxf(smallSheet());
+    EXPECT_EQ(dxf.find("0\nSECTION\n"), 0u);
+    EXPECT_TRUE(endsWith(dxf, "0\nEOF\n"));
+    EXPECT_TRUE(has(dxf, "0\nVERTEX\n8\nOUTLINE\n10\n10.0000\n20\n30.0000\n"));
+    EXPECT_TRUE(has(dxf, "1\n30%%d\n"));
 }
 
 /// Whatever is in a text, it is one value of DXF; R12 knows letters of four digits.
 TEST(SheetFiles, OfDxfHaveTextsAsData) {
     Sheet sheet = smallSheet();
     SheetText& text = sheet.groups[0].layers[1].texts[0];
-    const QByteArray before = writeDxf(sheet);
-    text.text = QString::fromUtf8("a\n0\nLINE\r8 100 %c \xc3\xbc \xf0\x9f\x98\x80");
-    const QByteArray dxf = writeDxf(sheet);
-    EXPECT_TRUE(dxf.contains("\n1\na 0 LINE 8 100 %%%c \\U+00FC ?\n"));
-    EXPECT_EQ(dxf.count('\n'), before.count('\n'));
+    const std::string before = writeDxf(sheet);
+    text.text = "a\n0\nLINE\r8 100 %c \xc3\xbc \xf0\x9f\x98\x80";
+    const std::string dxf = writeDxf(sheet);
+    EXPECT_TRUE(has(dxf, "\n1\na 0 LINE 8 100 %%%c \\U+00FC ?\n"));
+    EXPECT_EQ(count(dxf, "\n"), count(before, "\n"));
 }
 
 /// The colours of the layers in a file, by name.
-std::map<std::string, int> layersOf(const QByteArray& dxf) {
+std::map<std::string, int> layersOf(const std::string& dxf) {
     std::map<std::string, int> colors;
-    const QList<QByteArray> lines = dxf.split('\n');
+    const QList<QByteArray> lines = QByteArray::fromStdString(dxf).split('\n');
     for (int i = 0; i + 7 < lines.size(); i += 2)
         if (lines[i] == "0" && lines[i + 1] == "LAYER" && lines[i + 6] == "62")
             colors[lines[i + 3].toStdString()] = lines[i + 7].toInt();
@@ -119,14 +134,14 @@ TEST(SheetFiles, OfDxfHaveLayersByViews) {
     EXPECT_EQ(layers.count("OUTLINE"), 0u);
     EXPECT_EQ(layers.at("FRONT_OUTLINE"), layers.at("VIEW-2_OUTLINE"));
     for (const auto& [name, color] : layers)
-        EXPECT_EQ(QString::fromStdString(name).indexOf(QRegularExpression("[^A-Z0-9_-]")), -1)
+        EXPECT_EQ(name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-"), name.npos)
             << name;
 }
 
 TEST(SheetFiles, HaveTheSameBytesAgain) {
     const Sheet sheet = smallSheet();
     EXPECT_EQ(writePdf(sheet), writePdf(sheet));
-    EXPECT_TRUE(writePdf(sheet).contains("/CreationDate (D:20000101000000"));
+    EXPECT_TRUE(has(writePdf(sheet), "/CreationDate (D:20000101000000"));
 }
 
 TEST(SheetFiles, AppearWhole) {

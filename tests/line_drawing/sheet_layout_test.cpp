@@ -25,8 +25,8 @@ std::vector<DrawnView> viewsOfABox(const char* names) {
 TEST(SheetLayout, KnowsThePapersThatItNames) {
     SheetOptions options;
     for (const char* name : paperNames()) {
-        options.paper = QString(name).toUpper();
-        EXPECT_GT(layOut(viewsOfABox("front"), options).size.width(), 100) << name;
+        options.paper = upper(name);
+        EXPECT_GT(layOut(viewsOfABox("front"), options).size.x(), 100) << name;
     }
     EXPECT_EQ(paperNames().size(), 6u);
 }
@@ -58,11 +58,11 @@ TEST(SheetLayout, TurnsTheArrangementInThirdAngle) {
 TEST(SheetLayout, ViewsDoNotOverlapAndStayOnThePaper) {
     for (const char* names : {"front", "six", "six 30,15 60,15 90,40 0,10 45,45", "top,bottom"}) {
         const SheetLayout layout = layOut(viewsOfABox(names), {});
-        const QRectF paper(QPointF(0, 0), layout.size);
+        const QRectF paper = made_sheets::paperOf(layout.size);
         for (std::size_t i = 0; i < layout.places.size(); ++i) {
-            EXPECT_TRUE(paper.contains(layout.places[i])) << names;
+            EXPECT_TRUE(paper.contains(made_sheets::inQt(layout.places[i]))) << names;
             for (std::size_t k = 0; k < i; ++k)
-                EXPECT_FALSE(layout.places[i].intersects(layout.places[k])) << names;
+                EXPECT_TRUE(layout.places[i].intersection(layout.places[k]).isEmpty()) << names;
         }
     }
 }
@@ -79,8 +79,8 @@ TEST(SheetLayout, PaperCanBeAsLargeAsTheDrawing) {
     options.paper = "fit";
     options.scale = 10;
     const SheetLayout layout = layOut(viewsOfABox("front"), options);
-    EXPECT_EQ(layout.places[0].width(), 600);
-    EXPECT_EQ(layout.size.width(), 600 + 2 * sheet_margin);
+    EXPECT_EQ(layout.places[0].sizes().x(), 600);
+    EXPECT_EQ(layout.size.x(), 600 + 2 * sheet_margin);
 }
 
 TEST(SheetLayout, SaysWhichScaleWouldFit) {

@@ -3,8 +3,9 @@
 // it.
 #include <gtest/gtest.h>
 
-#include <QFile>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_choices.h"
@@ -16,16 +17,21 @@ namespace {
 
 using Place = SheetOption::Place;
 
-QString content(const char* file) {
-    QFile input(QString::fromStdString((places::repository() / file).string()));
-    EXPECT_TRUE(input.open(QIODevice::ReadOnly)) << file;
-    return QString::fromUtf8(input.readAll());
+std::string content(const char* file) {
+    std::ifstream input(places::repository() / file);
+    EXPECT_TRUE(input) << file;
+    return {std::istreambuf_iterator<char>(input), {}};
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != text.npos;
 }
 
 /// A line that begins so; empty if there is none.
-QString lineWith(const QString& begin, const QString& text) {
-    for (const QString& line : text.split('\n'))
-        if (line.trimmed().startsWith(begin)) return line.trimmed();
+std::string lineWith(const std::string& begin, const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (trimmed(line).substr(0, begin.size()) == begin) return line;
     return {};
 }
 
@@ -36,35 +42,35 @@ std::vector<SheetOption> optionsOf(Place place) {
     return options;
 }
 
-QString complaint(const SheetOption& option, const QString& word) {
+std::string complaint(const SheetOption& option, const std::string& word) {
     SheetChoices choices;
     try {
         option.read(word, choices);
     } catch (const laplacian_lines::Error& error) {
-        return QString::fromUtf8(error.what());
+        return error.what();
     }
     return {};
 }
 
 TEST(SheetOptions, HaveNamesOfTheirOwn) {
-    std::set<QString> keys, labels, commands;
+    std::set<std::string> keys, labels, commands;
     for (const SheetOption& option : sheetOptionTable()) {
         EXPECT_TRUE(keys.insert(option.row.key).second) << option.row.key;
         EXPECT_TRUE(labels.insert(option.row.label).second) << option.row.label;
         EXPECT_TRUE(commands.insert(option.command()).second) << option.row.key;
-        EXPECT_TRUE(QString(option.row.help).endsWith('.')) << option.row.key;
+        EXPECT_TRUE(endsWith(option.row.help, ".")) << option.row.key;
         EXPECT_EQ(option.text != nullptr, option.row.get == nullptr) << option.row.key;
     }
 }
 
 TEST(SheetOptions, AreReadAsTheyAreWritten) {
     for (const SheetOption& option : optionsOf(Place::Command))
-        for (const QString& word : option.words()) {
+        for (const std::string& word : option.words()) {
             SheetChoices choices;
-            option.read(word.toUpper(), choices);
+            option.read(upper(word), choices);
             EXPECT_EQ(option.valueIn(choices), word) << option.row.key;
             for (const SheetOption& other : optionsOf(Place::Command))
-                if (other.row.key != QString(option.row.key)) {
+                if (other.row.key != std::string(option.row.key)) {
                     EXPECT_EQ(other.valueIn(choices), other.valueIn({})) << option.row.key;
                 }
         }
@@ -72,10 +78,10 @@ TEST(SheetOptions, AreReadAsTheyAreWritten) {
 
 TEST(SheetOptions, RefuseWhatIsNotAllowedAndSayWhatIs) {
     for (const SheetOption& option : optionsOf(Place::Command))
-        if (!option.words().isEmpty()) {
-            EXPECT_EQ(complaint(option, "sideways"),
-                      QString("%1 is \"sideways\". It has to be one of %2.")
-                          .arg(option.command(), option.words().join(", ")))
+        if (!option.words().empty()) {
+            EXPECT_EQ(complaint(option, "sideways"), option.command() +
+                                                         " is \"sideways\". It has to be one of " +
+                                                         joined(option.words(), ", ") + '.')
                 << option.row.key;
         }
 }
@@ -94,60 +100,60 @@ TEST(SheetOptions, AreThoseOfASheetByDefault) {
 }
 
 TEST(SheetOptions, AreInTheHelpWithValuesAndDefault) {
-    const QString help = sheetOptionsHelp();
-    for (const QString& line : help.split('\n'))
-        EXPECT_LE(line.size(), 100) << line.toStdString();
-    EXPECT_TRUE(help.contains("  --wall hatched|filled|none\n")) << help.toStdString();
-    EXPECT_TRUE(help.contains("outline alone. (hatched)\n"));
-    EXPECT_FALSE(help.contains("--layers"));
+    const std::string help = sheetOptionsHelp();
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 100u) << line;
+    EXPECT_TRUE(has(help, "  --wall hatched|filled|none\n")) << help;
+    EXPECT_TRUE(has(help, "outline alone. (hatched)\n"));
+    EXPECT_FALSE(has(help, "--layers"));
 }
 
 TEST(SheetOptions, OfTheCommandAreDocumented) {
-    const QString document = content("docs/drawing_sheets.md");
+    const std::string document = content("docs/drawing_sheets.md");
     for (const SheetOption& option : optionsOf(Place::Command)) {
-        const QString line = lineWith(QString("| `%1` |").arg(option.command()), document);
-        const QString usual = option.valueIn({});
-        EXPECT_TRUE(line.contains(QString("| %1 |").arg(usual.isEmpty() ? "none" : usual)))
-            << option.row.key << ": " << usual.toStdString();
-        const QString words = option.words().join(", ");
-        EXPECT_TRUE(line.contains("| " + words)) << option.row.key << ": " << words.toStdString();
+        const std::string line = lineWith("| `" + option.command() + "` |", document);
+        const std::string usual = option.valueIn({});
+        EXPECT_TRUE(has(line, "| " + (usual.empty() ? "none" : usual) + " |"))
+            << option.row.key << ": " << usual;
+        const std::string words = joined(option.words(), ", ");
+        EXPECT_TRUE(has(line, "| " + words)) << option.row.key << ": " << words;
     }
 }
 
 TEST(SheetOptions, OfTheFilterAreDocumented) {
-    const QString document = content("docs/parameters.md").section("## Export", 1);
+    const std::string all = content("docs/parameters.md");
+    const std::string document = all.substr(all.find("## Export"));
     for (const SheetOption& option : optionsOf(Place::Filter)) {
-        const QString begin = QString("| %1 | `%2` |").arg(option.row.label, option.row.key);
-        const QString line = lineWith(begin, document);
-        const QString usual = option.valueIn({});
-        EXPECT_FALSE(line.isEmpty()) << begin.toStdString();
+        const std::string begin =
+            std::string("| ") + option.row.label + " | `" + option.row.key + "` |";
+        const std::string line = lineWith(begin, document);
+        const std::string usual = option.valueIn({});
+        EXPECT_FALSE(line.empty()) << begin;
         if (option.row.kind == laplacian_lines::OptionKind::Boolean) continue;
-        EXPECT_TRUE(line.contains(usual, Qt::CaseInsensitive))
-            << option.row.key << ": " << usual.toStdString();
+        EXPECT_TRUE(has(lower(line), lower(usual))) << option.row.key << ": " << usual;
     }
 }
 
 /// As MeshLab writes the parameter.
-QString inScript(const SheetOption& option) {
+std::string inScript(const SheetOption& option) {
     const SheetOption::Row& row = option.row;
-    const QString begin = QString("<Param name=\"%1\" type=\"").arg(row.key);
-    if (option.text) return begin + QString("RichString\" value=\"%1\"/>").arg(option.valueIn({}));
+    const std::string begin = std::string("<Param name=\"") + row.key + "\" type=\"";
+    if (option.text) return begin + "RichString\" value=\"" + option.valueIn({}) + "\"/>";
     const double value = row.get({});
     if (row.kind == laplacian_lines::OptionKind::Boolean)
-        return begin + QString("RichBool\" value=\"%1\"/>").arg(value != 0 ? "true" : "false");
-    QString choices;
+        return begin + "RichBool\" value=\"" + (value != 0 ? "true" : "false") + "\"/>";
+    std::string choices = std::to_string(row.choices.size()) + '"';
     for (std::size_t i = 0; i < row.choices.size(); ++i)
-        choices += QString(" enum_val%1=\"%2\"").arg(i).arg(row.choices[i]);
-    return begin + QString("RichEnum\" value=\"%1\" enum_cardinality=\"%2\"%3/>")
-                       .arg(value)
-                       .arg(row.choices.size())
-                       .arg(choices);
+        choices += " enum_val" + std::to_string(i) + "=\"" + row.choices[i] + '"';
+    return begin + "RichEnum\" value=\"" + inDigits(value) + "\" enum_cardinality=\"" + choices +
+           "/>";
 }
 
 TEST(SheetOptions, OfTheFilterAreInTheExample) {
-    const QString example = content("docs/examples/laplacian_lines_drawing.mlx");
+    const std::string example = content("docs/examples/laplacian_lines_drawing.mlx");
     for (const SheetOption& option : optionsOf(Place::Filter))
-        EXPECT_TRUE(example.contains(inScript(option) + '\n')) << inScript(option).toStdString();
+        EXPECT_TRUE(has(example, inScript(option) + '\n')) << inScript(option);
 }
 
 }  // namespace

@@ -15,10 +15,9 @@ namespace {
 constexpr UpAxis all_axes[] = {UpAxis::X, UpAxis::Y, UpAxis::Z};
 
 void expectRightHanded(const ViewFrame& frame) {
-    EXPECT_NEAR(frame.right.norm(), 1, 1e-12) << frame.name.toStdString();
-    EXPECT_NEAR(frame.up.norm(), 1, 1e-12) << frame.name.toStdString();
-    EXPECT_LT((frame.right.cross(frame.up) - frame.towards_viewer).norm(), 1e-12)
-        << frame.name.toStdString();
+    EXPECT_NEAR(frame.right.norm(), 1, 1e-12) << frame.name;
+    EXPECT_NEAR(frame.up.norm(), 1, 1e-12) << frame.name;
+    EXPECT_LT((frame.right.cross(frame.up) - frame.towards_viewer).norm(), 1e-12) << frame.name;
 }
 
 TEST(ViewFrames, AreRightHanded) {

@@ -15,10 +15,14 @@
 #include <string>
 
 #include "laplacian_lines/error.h"
-#include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
+#include "sheet_painting/painted_file.h"
+#include "sheet_painting/qt_words.h"
 
 using namespace line_drawing;
+using sheet_painting::checkSheetFile;
+using sheet_painting::fileName;
+using sheet_painting::writeSheet;
 
 namespace {
 
@@ -67,7 +71,7 @@ const Sheet& sheet() {
 
 class WholeFile : public testing::TestWithParam<const char*> {
 protected:
-    void SetUp() override { writeWhole(file(), "old"); }
+    void SetUp() override { writeWhole(fileName(file()), "old"); }
 
     QString file() const { return folder_.filePath(QString("sheet.") + GetParam()); }
 
@@ -105,11 +109,11 @@ INSTANTIATE_TEST_SUITE_P(Formats, WholeFile, testing::Values("svg", "pdf", "dxf"
 TEST(WholeFiles, EndAtAnyByte) {
     const QTemporaryDir folder;
     const QString file = folder.filePath("sheet.svg");
-    writeWhole(file, "old");
-    const QByteArray data(2000, 'x');
+    writeWhole(fileName(file), "old");
+    const std::string data(2000, 'x');
     for (std::size_t bytes = 0; bytes < 2000; ++bytes) {
         const FullDisk disk(bytes);
-        EXPECT_NE(complaintOf([&] { writeWhole(file, data); }), "") << bytes;
+        EXPECT_NE(complaintOf([&] { writeWhole(fileName(file), data); }), "") << bytes;
     }
     expectOldFile(folder, file);
 }
@@ -118,7 +122,7 @@ TEST(WholeFiles, NamesAreNotCut) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QString("cut") + QChar(0) + "off.svg");
     for (const auto& complaint : {complaintOf([&] { checkSheetFile(file); }),
-                                  complaintOf([&] { writeWhole(file, "new"); })})
+                                  complaintOf([&] { writeWhole(fileName(file), "new"); })})
         EXPECT_NE(complaint.find("cut\\0off.svg\" cannot be written: the name"), std::string::npos)
             << complaint;
     EXPECT_TRUE(QDir(folder.path()).isEmpty());
@@ -127,9 +131,9 @@ TEST(WholeFiles, NamesAreNotCut) {
 TEST(WholeFiles, LinksAreFollowed) {
     const QTemporaryDir folder;
     const QString file = folder.filePath("real.svg"), link = folder.filePath("link.svg");
-    writeWhole(file, "old");
+    writeWhole(fileName(file), "old");
     ASSERT_TRUE(QFile::link(file, link));
-    writeWhole(link, "new");
+    writeWhole(fileName(link), "new");
     EXPECT_EQ(contentOf(file), "new");
     EXPECT_TRUE(QFileInfo(link).isSymLink());
 }
@@ -139,9 +143,9 @@ TEST(WholeFiles, DevicesAreWrittenIntoAndStay) {
     const QString link = folder.filePath("null.svg"), full = folder.filePath("full.svg");
     ASSERT_TRUE(QFile::link("/dev/null", link) && QFile::link("/dev/full", full));
     checkSheetFile(link);
-    writeWhole(link, "new");
+    writeWhole(fileName(link), "new");
     EXPECT_TRUE(QFileInfo(link).isSymLink());
-    const std::string complaint = complaintOf([&] { writeWhole(full, "new"); });
+    const std::string complaint = complaintOf([&] { writeWhole(fileName(full), "new"); });
     EXPECT_NE(complaint.find("No space left on device"), std::string::npos) << complaint;
     struct stat null = {};
     ASSERT_EQ(stat("/dev/null", &null), 0);
@@ -150,9 +154,9 @@ TEST(WholeFiles, DevicesAreWrittenIntoAndStay) {
 
 TEST(WholeFiles, PipesGetAll) {
     const QTemporaryDir folder;
-    const QByteArray pipe = folder.filePath("pipe.svg").toLocal8Bit();
-    ASSERT_EQ(mkfifo(pipe.constData(), 0600), 0);
-    const int reader = open(pipe.constData(), O_RDONLY | O_NONBLOCK);
+    const std::string pipe = fileName(folder.filePath("pipe.svg"));
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
     ASSERT_GE(reader, 0);
     checkWritable(pipe);
     writeWhole(pipe, "new");
@@ -161,7 +165,7 @@ TEST(WholeFiles, PipesGetAll) {
     EXPECT_STREQ(read_back, "new");
     close(reader);
     struct stat still = {};
-    ASSERT_EQ(stat(pipe.constData(), &still), 0);
+    ASSERT_EQ(stat(pipe.c_str(), &still), 0);
     EXPECT_TRUE(S_ISFIFO(still.st_mode));
 }
 
@@ -170,7 +174,7 @@ TEST(WholeFiles, FoldersAreRefusedBefore) {
     ASSERT_TRUE(QDir(folder.path()).mkdir("sheet.svg"));
     const QString file = folder.filePath("sheet.svg");
     EXPECT_NE(complaintOf([&] { checkSheetFile(file); }).find("folder"), std::string::npos);
-    EXPECT_NE(complaintOf([&] { checkWritable(folder.filePath("none/sheet.svg")); }), "");
+    EXPECT_NE(complaintOf([&] { checkWritable(fileName(folder.filePath("none/sheet.svg"))); }), "");
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QByteArray>
+#include <string>
+#include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/sheet.h"
@@ -14,16 +15,16 @@ namespace line_drawing {
 SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& options);
 
 struct ContactEntry {
-    QString name;
+    std::string name;
     Sheet view;
 };
 
 /// One page with all views, each in a square of the same size, with name and size below.
-Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const QString& title);
+Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const std::string& title);
 
 /// The paths of a sheet as bytes, to be kept in a file.
-QByteArray packSheet(const Sheet& sheet);
+std::string packSheet(const Sheet& sheet);
 /// @throws laplacian_lines::Error(InvalidOption) if it is none.
-Sheet unpackSheet(const QByteArray& bytes);
+Sheet unpackSheet(const std::string& bytes);
 
 }  // namespace line_drawing

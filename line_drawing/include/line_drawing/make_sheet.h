@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QSizeF>
-
 #include "laplacian_lines/progress.h"
 #include "line_drawing/object.h"
 #include "line_drawing/sheet.h"
@@ -25,8 +23,8 @@ std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOpt
 
 /// What can be known of a sheet before its lines are.
 struct SheetPlan {
-    QSizeF paper;
-    double scale;  ///< as Sheet's
+    Eigen::Vector2d paper;  ///< width and height, mm
+    double scale;           ///< as Sheet's
 };
 
 /// Size and scale of the sheet that these options make of objects, whose fields do not count: in

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <string>
 #include <vector>
 
 #include "laplacian_lines/field.h"
@@ -15,7 +15,7 @@ namespace line_drawing {
 struct Object {
     const laplacian_lines::TriangleMesh& mesh;
     const laplacian_lines::Field* field = nullptr;
-    QString name = {};  ///< for messages
+    std::string name = {};  ///< for messages
 };
 using Objects = std::vector<Object>;
 

@@ -1,31 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QByteArray>
-#include <QStringList>
 #include <optional>
+#include <string>
 #include <vector>
+
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 
-/// What a sheet was made of, for who finds it: its file has it as metadata.
-struct Provenance {
-    struct Mesh {
-        QString name;       ///< of its file, without folders
-        QByteArray sha256;  ///< of its bytes, in hexadecimal; empty: not known
-    };
-
-    QString version;  ///< of Laplacian Lines
-    std::vector<Mesh> meshes;
-    std::optional<QStringList> options;  ///< of the command, as they were given; none: another way
+/// A mesh that a sheet was made of.
+struct SourceMesh {
+    std::string name;    ///< of its file, without folders
+    std::string sha256;  ///< of its bytes, in hexadecimal; empty: not known
 };
 
-/// By this version. A line of ASCII without <, > and &: what any format takes as it is.
-QString provenanceText(const std::vector<Provenance::Mesh>& meshes,
-                       const std::optional<QStringList>& options = {});
+/// What a sheet was made of, for who finds it, as the metadata of its file: by this version, with
+/// these options of the command, as they were given; none: another way. A line of ASCII without
+/// <, > and &: what any format takes as it is.
+std::string provenanceText(const std::vector<SourceMesh>& meshes,
+                           const std::optional<Words>& options = {});
 
-/// That of a sheet's SVG, PDF or DXF file.
-/// @throws laplacian_lines::Error(InvalidOption) if it cannot be read or has none.
-Provenance provenanceOf(const QString& file);
+/// With what the text begins.
+inline constexpr const char* provenance_begin = "{\"laplacian_lines\":";
 
 }  // namespace line_drawing

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "line_drawing/view_frame.h"
@@ -16,10 +17,10 @@ struct Section {
 
 /// Sections from their names, such as "y=0.5", separated by commas or spaces; none from no text.
 /// @throws laplacian_lines::Error(InvalidOption)
-std::vector<Section> parseSections(const QString& text);
+std::vector<Section> parseSections(std::string_view text);
 
 /// "A", "B", ..., "Z", "AA", ...: of the first section, the second, ...
-QString letterOf(std::size_t number);
+std::string letterOf(std::size_t number);
 
 /// How the section is looked at: as the side of the object that lies across its axis, from above,
 /// from the front or from the left.

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QPainterPath>
-#include <QPointF>
-#include <QSizeF>
-#include <QString>
-#include <QStringList>
+#include <string>
 #include <vector>
+
+#include "line_drawing/path.h"
 
 namespace line_drawing {
 
@@ -15,42 +13,44 @@ namespace line_drawing {
 
 /// A stroke of even width, or, if that is 0, an area to be filled by the path's fill rule.
 struct SheetPath {
-    QPainterPath path;
+    Path path;
     double pen_width = 0;
     double dash = 0;  ///< length of dashes, with gaps of half of it; 0: unbroken
     double tone = 0;  ///< of areas: 0 black, 1 white
 };
 
+enum class TextAnchor { Left, Middle, Right };
+
 struct SheetText {
-    QPointF position;  ///< on the base line, at `alignment` of the text
+    Eigen::Vector2d position;  ///< on the base line, at `anchor` of the text
     double height = 0;
-    Qt::Alignment alignment = Qt::AlignLeft;  ///< left, right or horizontal centre
-    QString text;
+    TextAnchor anchor = TextAnchor::Left;
+    std::string text;
 };
 
 /// What belongs to one class of lines: a layer of DXF and of SVG.
 struct SheetLayer {
-    QString key;   ///< of the class: "outline"; the same in all groups
-    QString name;  ///< for people
+    std::string key;   ///< of the class: "outline"; the same in all groups
+    std::string name;  ///< for people
     std::vector<SheetPath> paths;
     std::vector<SheetText> texts;
 };
 
 /// A view with its lines, or what frames the drawing.
 struct SheetGroup {
-    QString key;  ///< unique: "front"
-    QString name;
+    std::string key;  ///< unique: "front"
+    std::string name;
     std::vector<SheetLayer> layers;
 };
 
 struct Sheet {
-    QSizeF size;
-    QString title;
+    Eigen::Vector2d size;  ///< width, height
+    std::string title;
     std::vector<SheetGroup> groups;
-    double scale = 1;          ///< drawn length over true length; 0: all views are in perspective
-    double kernel = 0;         ///< √h of the inner lines in mm of the sheet; 0: there are none
-    QString provenance = {};   ///< metadata of files, as provenanceText() has it; empty: none
-    QStringList remarks = {};  ///< what is to be said of the drawing besides
+    double scale = 1;   ///< drawn length over true length; 0: all views are in perspective
+    double kernel = 0;  ///< √h of the inner lines in mm of the sheet; 0: there are none
+    std::string provenance = {};  ///< metadata of files, as provenanceText() has it; empty: none
+    std::vector<std::string> remarks = {};  ///< what is to be said of the drawing besides
 };
 
 }  // namespace line_drawing

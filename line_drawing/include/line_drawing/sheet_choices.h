@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
-#include <QStringList>
+#include <string>
 #include <vector>
 
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_table.h"
 #include "line_drawing/sheet_options.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 
 /// What a person chooses for a drawing, as the command or the filter have it in writing.
 struct SheetChoices {
     SheetLook look;
-    QString file = "drawing.svg";  ///< to be written
-    QString views = "front", sections, scale = "fit";
-    QString title;  ///< empty: none
-    QString kinds = "usual", kernel = "auto", smoothing = "auto";
+    std::string file = "drawing.svg";  ///< to be written
+    std::string views = "front", sections, scale = "fit";
+    std::string title;  ///< empty: none
+    std::string kinds = "usual", kernel = "auto", smoothing = "auto";
     int paper = 1;  ///< of paperNames(), and one more: as large as the drawing
     int unit = 0;   ///< of mesh_units
     Weights weights = Weights::Illustrator;
@@ -50,7 +50,7 @@ struct SheetOption {
 
     Row row;
     Place place = Place::Both;
-    QString SheetChoices::*text = nullptr;  ///< of an option that is a text
+    std::string SheetChoices::*text = nullptr;  ///< of an option that is a text
     /// What the command calls it, without --; null: by its key.
     const char* command_word = nullptr;
     /// The command's words for a switch, off and on; those of choices are the first words of their
@@ -61,12 +61,12 @@ struct SheetOption {
     bool adds_up = false;  ///< the command takes several
 
     bool isOf(Place one) const { return place == Place::Both || place == one; }
-    QString command() const;    ///< "--paper"
-    QStringList words() const;  ///< of the command; none if anything may be written
-    QString valueIn(const SheetChoices& choices) const;  ///< as the command writes it
+    std::string command() const;  ///< "--paper"
+    Words words() const;          ///< of the command; none if anything may be written
+    std::string valueIn(const SheetChoices& choices) const;  ///< as the command writes it
     /// Reads what the command was given.
     /// @throws laplacian_lines::Error(InvalidOption) that says what is allowed
-    void read(const QString& word, SheetChoices& choices) const;
+    void read(const std::string& word, SheetChoices& choices) const;
 };
 
 /// All of them, in the order of the dialog. The command line, its help, the filter's parameters and
@@ -74,7 +74,7 @@ struct SheetOption {
 const std::vector<SheetOption>& sheetOptionTable();
 
 /// The command's help: a few lines an option.
-QString sheetOptionsHelp();
+std::string sheetOptionsHelp();
 
 /// What was written, read; `others` are views that a program knows besides.
 /// @throws laplacian_lines::Error(InvalidOption) with what is understood

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
 #include <array>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "laplacian_lines/line_style.h"
@@ -84,8 +85,8 @@ struct SheetOptions : SheetLook {
     /// perspective have none: beside others they are as large as at the middle of the object, and
     /// alone they fill the paper.
     double scale = 0;
-    double mm_per_unit = 1;  ///< true length of a unit of the mesh
-    QString paper = "a4";    ///< a5 to a0, or "fit": as large as the drawing
+    double mm_per_unit = 1;    ///< true length of a unit of the mesh
+    std::string paper = "a4";  ///< a5 to a0, or "fit": as large as the drawing
     /// Widths in mm, by LineClass. Drawings of less than 40 mm are drawn with finer ones.
     std::array<double, line_class_count> pens = pensOf(Weights::Illustrator);
     /// √h of the inner lines. Chosen: four inner pens, as far as the mesh has the detail.
@@ -95,8 +96,8 @@ struct SheetOptions : SheetLook {
     DetailSize smoothing;
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
     double tolerance = 0.02;     ///< of curves against the lines, mm on paper
-    QString title;               ///< empty: none
-    QString source;              ///< name of the file of the object; empty: none
+    std::string title;           ///< empty: none
+    std::string source;          ///< name of the file of the object; empty: none
     bool has_view_names = true;  ///< below the views, if there are several
     bool has_scale_bar = true;   ///< with the symbol of the projection
     bool has_notes = true;       ///< title, scale, size of the object, source
@@ -111,11 +112,11 @@ std::vector<const char*> paperNames();
 
 /// A scale from its name, "1:2", "2:1" or "fit" (0).
 /// @throws laplacian_lines::Error(InvalidOption)
-double parseScale(const QString& text);
+double parseScale(std::string_view text);
 /// A length of detail from its name: "auto", "1mm" (on paper), "0.9%".
 /// @throws laplacian_lines::Error(InvalidOption)
-DetailSize parseDetailSize(const QString& text);
+DetailSize parseDetailSize(std::string_view text);
 /// "1:2" of 0.5.
-QString scaleInWords(double scale);
+std::string scaleInWords(double scale);
 
 }  // namespace line_drawing

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <QString>
 #include <array>
 #include <map>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace line_drawing {
@@ -21,7 +22,7 @@ enum class Side { Front, Back, Left, Right, Top, Bottom, Other };
 /// right × up = towards_viewer.
 struct ViewFrame {
     Side side = Side::Front;
-    QString name;  ///< for people, "Front" or "30°, 15°"
+    std::string name;  ///< for people, "Front" or "30°, 15°"
     Eigen::Vector3d right, up, towards_viewer;
     /// A vessel: left of its axis the section and what is behind it, right of it the outside.
     bool is_half_section = false;
@@ -53,11 +54,11 @@ ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis up);
 ViewFrame frameOfVessel(UpAxis up);
 
 /// Views that a program knows besides.
-using NamedViews = std::map<QString, ViewFrame>;
+using NamedViews = std::map<std::string, ViewFrame>;
 
 /// Views from their names, separated by commas or spaces: front, back, left, right, top, bottom,
 /// six (all of these), vessel, two numbers, azimuth and elevation, or `others`.
 /// @throws laplacian_lines::Error(InvalidOption) with the words that are understood.
-std::vector<ViewFrame> parseViews(const QString& text, UpAxis up, const NamedViews& others = {});
+std::vector<ViewFrame> parseViews(std::string_view text, UpAxis up, const NamedViews& others = {});
 
 }  // namespace line_drawing

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QByteArray>
-#include <QString>
+#include <string>
 
 namespace line_drawing {
 
@@ -10,10 +9,10 @@ namespace line_drawing {
 /// followed. Devices and pipes are written into, never replaced.
 /// @throws laplacian_lines::Error(InvalidOption) naming the file and the reason. Then a file that
 /// was there is as it was, and nothing is left beside it.
-void writeWhole(const QString& file, const QByteArray& data);
+void writeWhole(const std::string& file, const std::string& data);
 
 /// Before much work is done: whether the file could be written now. Writes nothing.
 /// @throws laplacian_lines::Error(InvalidOption)
-void checkWritable(const QString& file);
+void checkWritable(const std::string& file);
 
 }  // namespace line_drawing

@@ -1,31 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QRegularExpression>
-#include <QString>
-#include <QStringList>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "laplacian_lines/error.h"
 
 namespace line_drawing {
 
+// Texts are UTF-8; upper and lower case are those of ASCII, and numbers are the same in any locale.
+
+using laplacian_lines::refuse;
+
+using Words = std::vector<std::string>;
+
 /// Those of a list whose words are separated by commas, semicolons or spaces.
-inline QStringList wordsOf(const QString& text) {
-    return text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts);
-}
+Words wordsOf(std::string_view text);
+std::string joined(const Words& words, const char* between);
 
+std::string lower(std::string text);
+std::string upper(std::string text);
+std::string_view trimmed(std::string_view text);
+bool endsWith(std::string_view text, std::string_view end);
+
+/// Of a text that is a number and nothing else, blanks around it apart.
+std::optional<double> numberIn(std::string_view text);
+/// As short as so many significant digits can be written: "0.5", "1e+06".
+std::string inDigits(double x, int digits = 6);
+std::string inDecimals(double x, int decimals);
+/// Of four digits: "00AB".
+std::string inHexadecimal(char32_t number);
+
+/// The characters of a text; U+FFFD for what is none.
+std::u32string lettersOf(std::string_view text);
+std::string inUtf8(std::u32string_view letters);
 /// A text that may hold anything, made to fit a line: no line breaks or other control characters.
-inline QString oneLine(QString text) {
-    for (QChar& c : text)
-        if (c.category() == QChar::Other_Control || c == QChar::LineSeparator ||
-            c == QChar::ParagraphSeparator)
-            c = ' ';
-    return text;
-}
-
-/// @throws laplacian_lines::Error(InvalidOption), always
-[[noreturn]] inline void refuse(const QString& sentence) {
-    laplacian_lines::refuse(sentence.toStdString());
-}
+std::string oneLine(std::string_view text);
 
 }  // namespace line_drawing

@@ -1,32 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QPolygonF>
-#include <QTransform>
 #include <algorithm>
 #include <map>
 
 #include "formats/sheet_writers.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {
 
-// Qt makes polygons of curves to half a unit: to a hundredth of a millimetre.
-constexpr double flattening = 50;
+constexpr double tolerance = 0.01;  // of polylines to curves, mm
 
 /// So that what a layer is can be told on a screen: AutoCAD's numbers of colours, by keys of
 /// layers.
-const std::map<QString, QByteArray> colors = {{"outline", "7"}, {"contour", "3"}, {"edge", "5"},
-                                              {"inner", "4"},   {"fine", "8"},    {"hidden", "2"},
-                                              {"section", "1"}, {"marks", "6"},   {"area", "9"},
-                                              {"names", "30"},  {"scale", "40"},  {"title", "50"}};
+const std::map<std::string, std::string> colors = {
+    {"outline", "7"}, {"contour", "3"}, {"edge", "5"},    {"inner", "4"},
+    {"fine", "8"},    {"hidden", "2"},  {"section", "1"}, {"marks", "6"},
+    {"area", "9"},    {"names", "30"},  {"scale", "40"},  {"title", "50"}};
 
-constexpr int comment_length = 250;  // R12 has at most 255 characters in a line
+constexpr std::size_t comment_length = 250;  // R12 has at most 255 characters in a line
 const char* const furniture_key = "sheet";
 
 /// A name as R12 knows them: letters, digits, - and _.
-QByteArray inSigns(const QString& name) {
-    QByteArray signs;
-    for (const QChar c : name.toUpper())
-        signs += c.unicode() < 128 && c.isLetterOrNumber() ? c.toLatin1() : '-';
+std::string inSigns(const std::string& name) {
+    std::string signs;
+    for (const char32_t c : lettersOf(upper(name)))
+        signs += (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ? char(c) : '-';
     return signs;
 }
 
@@ -38,9 +36,9 @@ public:
                 note(nameOf(group, layer), layer);
     }
 
-    QByteArray write() {
-        for (int i = 0; i < sheet_.provenance.size(); i += comment_length)
-            write(999, sheet_.provenance.mid(i, comment_length).toLatin1());
+    std::string write() {
+        for (std::size_t i = 0; i < sheet_.provenance.size(); i += comment_length)
+            write(999, sheet_.provenance.substr(i, comment_length));
         writeHeader();
         writeLayers();
         begin("ENTITIES");
@@ -58,20 +56,20 @@ public:
 
 private:
     struct Layer {
-        QByteArray name, color;
+        std::string name, color;
         double dash;  ///< of its paths, which have all the same
     };
 
     /// With that of the view, if there are several.
-    QByteArray nameOf(const SheetGroup& group, const SheetLayer& layer) const {
+    std::string nameOf(const SheetGroup& group, const SheetLayer& layer) const {
         const auto views =
             std::count_if(sheet_.groups.begin(), sheet_.groups.end(),
                           [](const SheetGroup& other) { return other.key != furniture_key; });
         const bool is_one_of_many = views > 1 && group.key != furniture_key;
-        return (is_one_of_many ? inSigns(group.key) + '_' : QByteArray()) + inSigns(layer.key);
+        return (is_one_of_many ? inSigns(group.key) + '_' : "") + inSigns(layer.key);
     }
 
-    void note(const QByteArray& name, const SheetLayer& layer) {
+    void note(const std::string& name, const SheetLayer& layer) {
         if (layer.paths.empty() && layer.texts.empty()) return;
         const double dash = layer.paths.empty() ? 0 : layer.paths[0].dash;
         for (Layer& known : layers_)
@@ -83,16 +81,16 @@ private:
         layers_.push_back({name, color == colors.end() ? "7" : color->second, dash});
     }
 
-    void write(int code, const QByteArray& value) {
-        data_ += QByteArray::number(code) + '\n' + value + '\n';
+    void write(int code, const std::string& value) {
+        data_ += std::to_string(code) + '\n' + value + '\n';
     }
-    void write(int code, double value) { write(code, QByteArray::number(value, 'f', 4)); }
-    void writePoint(int code, const QPointF& p) {
+    void write(int code, double value) { write(code, inDecimals(value, 4)); }
+    void writePoint(int code, const Eigen::Vector2d& p) {
         write(code, p.x());
-        write(code + 10, sheet_.size.height() - p.y());
+        write(code + 10, sheet_.size.y() - p.y());
         write(code + 20, 0.);
     }
-    void begin(const QByteArray& section) {
+    void begin(const std::string& section) {
         write(0, "SECTION");
         write(2, section);
     }
@@ -105,9 +103,9 @@ private:
         write(9, "$INSUNITS");
         write(70, "4");  // millimetres
         write(9, "$EXTMIN");
-        writePoint(10, {0, sheet_.size.height()});
+        writePoint(10, {0, sheet_.size.y()});
         write(9, "$EXTMAX");
-        writePoint(10, {sheet_.size.width(), 0});
+        writePoint(10, {sheet_.size.x(), 0});
         end();
     }
 
@@ -127,7 +125,7 @@ private:
         write(0, "ENDTAB");
         write(0, "TABLE");
         write(2, "LAYER");
-        write(70, QByteArray::number(int(layers_.size())));
+        write(70, std::to_string(layers_.size()));
         for (const Layer& layer : layers_) {
             write(0, "LAYER");
             write(2, layer.name);
@@ -155,20 +153,19 @@ private:
         write(49, -dash / 2);
     }
 
-    void writePath(const SheetPath& path, const QByteArray& layer) {
-        const QTransform larger = QTransform::fromScale(flattening, flattening);
-        for (const QPolygonF& polygon : path.path.toSubpathPolygons(larger))
-            writePolyline(larger.inverted().map(polygon), layer);
+    void writePath(const SheetPath& path, const std::string& layer) {
+        for (const auto& line : path.path.flattened(tolerance))
+            if (line.size() > 1) writePolyline(line, layer);
     }
 
-    void writePolyline(const QPolygonF& points, const QByteArray& layer) {
-        const bool closed = points.size() > 2 && points.isClosed();
+    void writePolyline(const std::vector<Eigen::Vector2d>& points, const std::string& layer) {
+        const bool closed = points.size() > 2 && points.front() == points.back();
         write(0, "POLYLINE");
         write(8, layer);
         write(66, "1");
-        writePoint(10, {0, sheet_.size.height()});
+        writePoint(10, {0, sheet_.size.y()});
         write(70, closed ? "1" : "0");
-        for (int i = 0; i < points.size() - int(closed); ++i) {
+        for (std::size_t i = 0; i < points.size() - std::size_t(closed); ++i) {
             write(0, "VERTEX");
             write(8, layer);
             writePoint(10, points[i]);
@@ -178,9 +175,9 @@ private:
     }
 
     /// Codes of DXF are of up to four digits; letters that take more, such as emoji, are "?".
-    static QByteArray inLetters(const QString& text) {
-        QByteArray letters;
-        for (const uint c : text.toUcs4()) {
+    static std::string inLetters(const std::string& text) {
+        std::string letters;
+        for (const char32_t c : lettersOf(text)) {
             if (c == '%')
                 letters += "%%%";
             else if (c < 128)
@@ -188,35 +185,32 @@ private:
             else if (c == 0x00b0)
                 letters += "%%d";
             else if (c < 0x10000)
-                letters += "\\U+" + QByteArray::number(c, 16).rightJustified(4, '0').toUpper();
+                letters += "\\U+" + inHexadecimal(c);
             else
                 letters += '?';
         }
         return letters;
     }
 
-    void writeText(const SheetText& text, const QByteArray& layer) {
+    void writeText(const SheetText& text, const std::string& layer) {
         write(0, "TEXT");
         write(8, layer);
         writePoint(10, text.position);
         write(40, text.height * 0.7);  // of capital letters
         write(1, inLetters(text.text));
-        const int alignment = text.alignment == Qt::AlignRight     ? 2
-                              : text.alignment == Qt::AlignHCenter ? 1
-                                                                   : 0;
-        if (alignment == 0) return;
-        write(72, QByteArray::number(alignment));
+        if (text.anchor == TextAnchor::Left) return;
+        write(72, text.anchor == TextAnchor::Middle ? "1" : "2");
         writePoint(11, text.position);
     }
 
     const Sheet& sheet_;
     std::vector<Layer> layers_;
-    QByteArray data_;
+    std::string data_;
 };
 
 }  // namespace
 
-QByteArray writeDxf(const Sheet& sheet) {
+std::string writeDxf(const Sheet& sheet) {
     return DxfWriter(sheet).write();
 }
 

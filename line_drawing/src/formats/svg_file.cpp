@@ -1,32 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QBuffer>
-#include <QXmlStreamWriter>
 #include <cmath>
+#include <cstdint>
 
-#include "formats/sheet_painting.h"
 #include "formats/sheet_writers.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {
 
-const char* const svg_namespace = "http://www.w3.org/2000/svg";
-const char* const inkscape_namespace = "http://www.inkscape.org/namespaces/inkscape";
-
 /// A number given in thousandths, as short as it can be written.
-QString decimal(qint64 thousandths) {
-    QString digits = QString::number(std::abs(thousandths)).rightJustified(4, '0');
-    digits.insert(digits.size() - 3, '.');
-    while (digits.endsWith('0'))
-        digits.chop(1);
-    if (digits.endsWith('.')) digits.chop(1);
-    if (digits.startsWith("0.")) digits.remove(0, 1);
+std::string decimal(std::int64_t thousandths) {
+    std::string digits = std::to_string(std::abs(thousandths));
+    digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+    digits.insert(digits.size() - 3, ".");
+    while (digits.back() == '0')
+        digits.pop_back();
+    if (digits.back() == '.') digits.pop_back();
+    if (digits.size() > 1 && digits[0] == '0') digits.erase(0, 1);
     return thousandths < 0 ? '-' + digits : digits;
 }
 
-qint64 thousandths(double mm) {
+std::int64_t thousandths(double mm) {
     return std::llround(mm * 1000);
 }
-QString number(double mm) {
+std::string number(double mm) {
     return decimal(thousandths(mm));
 }
 
@@ -34,23 +31,22 @@ QString number(double mm) {
 /// rounding does not add up.
 class PathData {
 public:
-    QString of(const QPainterPath& path) {
-        for (int i = 0; i < path.elementCount(); ++i) {
-            const QPainterPath::Element& e = path.elementAt(i);
-            if (e.isMoveTo()) {
+    std::string of(const Path& path) {
+        for (const Path::Piece& piece : path.pieces) {
+            if (piece.step == Path::Step::Move) {
                 close();
                 command('M');
                 x_ = y_ = 0;
-                add(e);
+                add(piece.end);
                 start_x_ = x_, start_y_ = y_;
-            } else if (e.isLineTo()) {
+            } else if (piece.step == Path::Step::Line) {
                 command('l');
-                add(e);
-            } else if (e.isCurveTo()) {
+                add(piece.end);
+            } else {
                 command('c');
-                add(e, false);
-                add(path.elementAt(i + 1), false);
-                add(path.elementAt(i += 2));
+                add(piece.first, false);
+                add(piece.second, false);
+                add(piece.end);
             }
         }
         close();
@@ -62,17 +58,17 @@ private:
         data_ += letter;
         has_number_ = false;
     }
-    void add(const QPainterPath::Element& e, bool moves = true) {
-        const qint64 x = thousandths(e.x), y = thousandths(e.y);
+    void add(const Eigen::Vector2d& p, bool moves = true) {
+        const std::int64_t x = thousandths(p.x()), y = thousandths(p.y());
         write(x - x_);
         write(y - y_);
         if (!moves) return;
         x_ = x, y_ = y;
         ++points_;
     }
-    void write(qint64 value) {
-        const QString digits = decimal(value);
-        if (has_number_ && !digits.startsWith('-')) data_ += ' ';
+    void write(std::int64_t value) {
+        const std::string digits = decimal(value);
+        if (has_number_ && digits[0] != '-') data_ += ' ';
         data_ += digits;
         has_number_ = true;
     }
@@ -81,46 +77,75 @@ private:
         points_ = 0;
     }
 
-    QString data_;
+    std::string data_;
     bool has_number_ = false;
-    qint64 x_ = 0, y_ = 0, start_x_ = 0, start_y_ = 0;
+    std::int64_t x_ = 0, y_ = 0, start_x_ = 0, start_y_ = 0;
     int points_ = 0;
 };
 
+/// As text and in quotes; XML has no other control characters.
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c >= 0 && c < ' ' ? ' ' : c;
+    }
+    return result;
+}
+
 class SvgWriter {
 public:
-    explicit SvgWriter(QBuffer& buffer) : xml_(&buffer) {
-        xml_.setAutoFormatting(true);
-        xml_.setAutoFormattingIndent(1);
-    }
-
-    void write(const Sheet& sheet) {
-        xml_.writeStartDocument();
-        xml_.writeDefaultNamespace(svg_namespace);
-        xml_.writeNamespace(inkscape_namespace, "inkscape");
-        xml_.writeStartElement(svg_namespace, "svg");
-        const QString width = number(sheet.size.width()), height = number(sheet.size.height());
-        xml_.writeAttribute("width", width + "mm");
-        xml_.writeAttribute("height", height + "mm");
-        xml_.writeAttribute("viewBox", QString("0 0 %1 %2").arg(width, height));
-        if (!sheet.title.isEmpty()) xml_.writeTextElement(svg_namespace, "title", sheet.title);
-        if (!sheet.provenance.isEmpty()) {
-            xml_.writeStartElement(svg_namespace, "metadata");
-            xml_.writeCDATA(sheet.provenance);  // keeps quotes as they are
-            xml_.writeEndElement();
+    std::string write(const Sheet& sheet) {
+        const std::string width = number(sheet.size.x()), height = number(sheet.size.y());
+        svg_ = R"(<?xml version="1.0" encoding="UTF-8"?>
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape")";
+        attribute("width", width + "mm");
+        attribute("height", height + "mm");
+        attribute("viewBox", "0 0 " + width + ' ' + height);
+        svg_ += '>';
+        depth_ = 1;
+        if (!sheet.title.empty()) {
+            begin("title");
+            content("title", escaped(sheet.title));
+        }
+        if (!sheet.provenance.empty()) {
+            begin("metadata");
+            content("metadata", "<![CDATA[" + sheet.provenance + "]]>");  // quotes stay as they are
         }
         for (const SheetGroup& group : sheet.groups)
             writeGroup(group);
-        xml_.writeEndDocument();
+        return svg_ + "\n</svg>\n";
     }
 
 private:
-    void beginLayer(const QString& id, const QString& name, const QString& css_class) {
-        xml_.writeStartElement(svg_namespace, "g");
-        xml_.writeAttribute("id", id);
-        xml_.writeAttribute("class", css_class);
-        xml_.writeAttribute(inkscape_namespace, "groupmode", "layer");
-        xml_.writeAttribute(inkscape_namespace, "label", name);
+    void begin(const char* element) { svg_ += '\n' + std::string(depth_, ' ') + '<' + element; }
+    void attribute(const char* name, const std::string& value) {
+        svg_ += std::string(" ") + name + "=\"" + value + '"';
+    }
+    void content(const char* element, const std::string& text) {
+        svg_ += '>' + text + "</" + element + '>';
+    }
+
+    void beginLayer(const std::string& id, const std::string& name, const std::string& css_class) {
+        begin("g");
+        attribute("id", escaped(id));
+        attribute("class", css_class);
+        attribute("inkscape:groupmode", "layer");
+        attribute("inkscape:label", escaped(name));
+        svg_ += '>';
+        ++depth_;
+    }
+    void endLayer() {
+        --depth_;
+        svg_ += '\n' + std::string(depth_, ' ') + "</g>";
     }
 
     void writeGroup(const SheetGroup& group) {
@@ -132,53 +157,56 @@ private:
                 writePath(path);
             for (const SheetText& text : layer.texts)
                 writeText(text);
-            xml_.writeEndElement();
+            endLayer();
         }
-        xml_.writeEndElement();
+        endLayer();
     }
 
     void writePath(const SheetPath& path) {
-        xml_.writeEmptyElement(svg_namespace, "path");
-        xml_.writeAttribute("d", PathData().of(path.path));
+        begin("path");
+        attribute("d", PathData().of(path.path));
         if (path.pen_width == 0) {  // filled with black, as is usual
-            if (path.tone > 0) xml_.writeAttribute("fill", grey(path.tone).name());
-            if (path.path.fillRule() == Qt::OddEvenFill)
-                xml_.writeAttribute("fill-rule", "evenodd");
-            return;
+            if (path.tone > 0) attribute("fill", grey(path.tone));
+            if (path.path.fill_rule == FillRule::EvenOdd) attribute("fill-rule", "evenodd");
+        } else {
+            attribute("fill", "none");
+            attribute("stroke", "#000");
+            attribute("stroke-width", number(path.pen_width));
+            if (path.dash > 0)
+                attribute("stroke-dasharray", number(path.dash) + ' ' + number(path.dash / 2));
+            else
+                attribute("stroke-linecap", "round");
+            attribute("stroke-linejoin", "round");
         }
-        xml_.writeAttribute("fill", "none");
-        xml_.writeAttribute("stroke", "#000");
-        xml_.writeAttribute("stroke-width", number(path.pen_width));
-        if (path.dash > 0)
-            xml_.writeAttribute("stroke-dasharray",
-                                number(path.dash) + ' ' + number(path.dash / 2));
-        else
-            xml_.writeAttribute("stroke-linecap", "round");
-        xml_.writeAttribute("stroke-linejoin", "round");
+        svg_ += "/>";
+    }
+
+    static std::string grey(double tone) {
+        constexpr const char* digits = "0123456789abcdef";
+        const auto value = std::size_t(std::lround(255 * tone));
+        const std::string byte = {digits[value / 16], digits[value % 16]};
+        return '#' + byte + byte + byte;
     }
 
     void writeText(const SheetText& text) {
-        xml_.writeStartElement(svg_namespace, "text");
-        xml_.writeAttribute("x", number(text.position.x()));
-        xml_.writeAttribute("y", number(text.position.y()));
-        xml_.writeAttribute("font-size", number(text.height));
-        xml_.writeAttribute("font-family", "sans-serif");
-        if (text.alignment == Qt::AlignRight) xml_.writeAttribute("text-anchor", "end");
-        if (text.alignment == Qt::AlignHCenter) xml_.writeAttribute("text-anchor", "middle");
-        xml_.writeCharacters(text.text);
-        xml_.writeEndElement();
+        begin("text");
+        attribute("x", number(text.position.x()));
+        attribute("y", number(text.position.y()));
+        attribute("font-size", number(text.height));
+        attribute("font-family", "sans-serif");
+        if (text.anchor == TextAnchor::Right) attribute("text-anchor", "end");
+        if (text.anchor == TextAnchor::Middle) attribute("text-anchor", "middle");
+        content("text", escaped(text.text));
     }
 
-    QXmlStreamWriter xml_;
+    std::string svg_;
+    std::size_t depth_ = 0;
 };
 
 }  // namespace
 
-QByteArray writeSvg(const Sheet& sheet) {
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    SvgWriter(buffer).write(sheet);
-    return buffer.data();
+std::string writeSvg(const Sheet& sheet) {
+    return SvgWriter().write(sheet);
 }
 
 }  // namespace line_drawing

@@ -1,72 +1,140 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/whole_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
-#include <QFile>
-#include <QFileInfo>
-#include <QSaveFile>
 
-#include "line_drawing/words.h"
+#include <cerrno>
+#include <filesystem>
+#include <random>
+#include <string_view>
+#include <system_error>
+
+#include "laplacian_lines/error.h"
 
 namespace line_drawing {
 namespace {
 
-[[noreturn]] void refuseToWrite(const QString& file, const QString& reason) {
-    refuse(QString("\"%1\" cannot be written: %2").arg(file, reason));
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuseToWrite(const std::string& file, const std::string& reason) {
+    laplacian_lines::refuse("\"" + file + "\" cannot be written: " + reason);
+}
+
+[[noreturn]] void refuseBySystem(const std::string& file, int error = errno) {
+    refuseToWrite(file, std::generic_category().message(error));
 }
 
 /// The system would take what comes before it.
-void refuseNull(QString file) {
-    if (!file.contains(QChar::Null)) return;
-    refuseToWrite(file.replace(QChar::Null, "\\0"), "the name holds a null character");
+void refuseNull(std::string file) {
+    const std::size_t place = file.find('\0');
+    if (place == file.npos) return;
+    refuseToWrite(file.replace(place, 1, "\\0"), "the name holds a null character");
 }
 
-/// A device, a pipe or a link to one.
-bool isSpecial(const QString& file) {
-    const QFileInfo info(file);
-    return info.exists() && !info.isFile();
+/// A device, a pipe, a folder, or a link to one.
+bool isSpecial(const std::string& file) {
+    std::error_code none;
+    const fs::file_status status = fs::status(file, none);
+    return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-/// Not buffered: the system's reason is known of each write.
-void open(QFileDevice& output) {
-    if (!output.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
-        refuseToWrite(output.fileName(), output.errorString());
-}
-
-/// The system writes as much as there is room for; the next write then says what is missing.
-void writeAll(QFileDevice& output, const QByteArray& data) {
-    for (qint64 done = 0; done < data.size();) {
-        const qint64 count = output.write(data.constData() + done, data.size() - done);
-        if (count <= 0) refuseToWrite(output.fileName(), output.errorString());
-        done += count;
+class OpenFile {
+public:
+    /// `name` is for messages.
+    OpenFile(const std::string& name, const std::string& place, int flags)
+        : name_(name), number_(::open(place.c_str(), flags | O_WRONLY | O_CLOEXEC, 0666)) {
+        if (number_ < 0) refuseBySystem(name);
     }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile() { ::close(number_); }
+
+    int number() const { return number_; }
+
+    /// The system writes as much as there is room for; the next write then says what is missing.
+    void write(std::string_view data) {
+        while (!data.empty()) {
+            const ssize_t count = ::write(number_, data.data(), data.size());
+            if (count < 0 && errno != EINTR) refuseBySystem(name_);
+            data.remove_prefix(std::size_t(std::max<ssize_t>(0, count)));
+        }
+    }
+
+private:
+    const std::string name_;
+    const int number_;
+};
+
+/// Where a file is that a name or a link stands for, or will be.
+std::string placeOf(const std::string& file) {
+    constexpr int most_links = 40;
+    fs::path place = file;
+    std::error_code none;
+    for (int links = 0; fs::is_symlink(place, none); ++links) {
+        if (links == most_links) refuseBySystem(file, ELOOP);
+        place = place.parent_path() / fs::read_symlink(place, none);
+    }
+    return place.string();
 }
+
+/// Beside the place of a file, which it takes when it is complete; else it goes.
+class NewFile {
+public:
+    explicit NewFile(const std::string& file)
+        : name_(file),
+          place_(placeOf(file)),
+          beside_(place_ + '.' + std::to_string(std::random_device()())),
+          output_(file, beside_, O_CREAT | O_EXCL) {
+        struct stat before = {};
+        if (::stat(place_.c_str(), &before) != 0) return;
+        if (::access(place_.c_str(), W_OK) != 0) giveUp();
+        if (::fchmod(output_.number(), before.st_mode & 07777) != 0) giveUp();
+    }
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+    ~NewFile() {
+        if (!is_complete_) ::unlink(beside_.c_str());
+    }
+
+    void complete(const std::string& data) {
+        output_.write(data);
+        if (::fsync(output_.number()) != 0 || ::rename(beside_.c_str(), place_.c_str()) != 0)
+            refuseBySystem(name_);
+        is_complete_ = true;
+    }
+
+private:
+    [[noreturn]] void giveUp() const {
+        const int error = errno;
+        ::unlink(beside_.c_str());
+        refuseBySystem(name_, error);
+    }
+
+    const std::string name_, place_, beside_;
+    OpenFile output_;
+    bool is_complete_ = false;
+};
 
 }  // namespace
 
-void writeWhole(const QString& file, const QByteArray& data) {
+void writeWhole(const std::string& file, const std::string& data) {
     refuseNull(file);
-    if (isSpecial(file)) {
-        QFile output(file);
-        open(output);
-        return writeAll(output, data);
-    }
-    QSaveFile output(file);  // takes away what it has written unless it is committed
-    open(output);
-    writeAll(output, data);
-    if (::fsync(output.handle()) != 0 || !output.commit()) refuseToWrite(file, qt_error_string());
+    if (isSpecial(file))
+        OpenFile(file, file, 0).write(data);
+    else
+        NewFile(file).complete(data);
 }
 
-void checkWritable(const QString& file) {
+void checkWritable(const std::string& file) {
     refuseNull(file);
-    if (isSpecial(file)) {
-        if (QFileInfo(file).isDir()) refuseToWrite(file, "it is a folder");
-        if (!QFileInfo(file).isWritable()) refuseToWrite(file, "it is not yours to write");
+    if (!isSpecial(file)) {
+        const NewFile could_be(file);
         return;
     }
-    QSaveFile output(file);
-    open(output);
-    output.cancelWriting();
+    if (fs::is_directory(file)) refuseToWrite(file, "it is a folder");
+    if (::access(file.c_str(), W_OK) != 0) refuseToWrite(file, "it is not yours to write");
 }
 
 }  // namespace line_drawing

@@ -6,32 +6,31 @@
 namespace line_drawing {
 namespace {
 
-Section parse(const QString& word) {
-    const QStringList parts = word.split('=');
-    const int axis =
-        parts.size() == 2 && parts[0].size() == 1 ? QString("xyz").indexOf(parts[0].toLower()) : -1;
-    bool is_number = axis >= 0;
-    const double share = is_number ? parts[1].toDouble(&is_number) : 0;
-    if (!is_number || !(share > 0 && share < 1))
-        refuse(QString(
-                   "\"%1\" is not a section. A section is an axis and a place on it, 0 to 1 of the "
-                   "object, such as y=0.5.")
-                   .arg(word));
-    return {axis, share};
+constexpr std::string_view axes = "xyz";
+
+Section parse(const std::string& word) {
+    const std::size_t axis = axes.find(lower(word)[0]);
+    const double share =
+        word.size() > 2 && word[1] == '=' ? numberIn(word.substr(2)).value_or(0) : 0;
+    if (axis == axes.npos || !(share > 0 && share < 1))
+        refuse("\"" + word +
+               "\" is not a section. A section is an axis and a place on it, 0 to 1 of the object, "
+               "such as y=0.5.");
+    return {int(axis), share};
 }
 
 }  // namespace
 
-std::vector<Section> parseSections(const QString& text) {
+std::vector<Section> parseSections(std::string_view text) {
     std::vector<Section> sections;
-    for (const QString& word : wordsOf(text))
+    for (const std::string& word : wordsOf(text))
         sections.push_back(parse(word));
     return sections;
 }
 
-QString letterOf(std::size_t number) {
+std::string letterOf(std::size_t number) {
     constexpr std::size_t letters = 26;
-    const QString last(QChar(ushort('A' + number % letters)));
+    const std::string last(1, char('A' + number % letters));
     return number < letters ? last : letterOf(number / letters - 1) + last;
 }
 
@@ -42,8 +41,8 @@ ViewFrame frameOfSection(const Section& section, UpAxis up) {
         if (frame.towards_viewer[section.axis] != 0) break;
     }
     frame.side = Side::Other;
-    frame.name =
-        QString("Section %1 = %2 %").arg(QString("xyz")[section.axis]).arg(100 * section.share);
+    frame.name = std::string("Section ") + axes[std::size_t(section.axis)] + " = " +
+                 inDigits(100 * section.share) + " %";
     return frame;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/sheet_choices.h"
 
+#include <algorithm>
+
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/words.h"
 
@@ -9,86 +11,85 @@ namespace {
 
 using laplacian_lines::OptionKind;
 
-[[noreturn]] void refuseWord(const SheetOption& option, const QString& word,
-                             const QString& allowed) {
-    laplacian_lines::refuse_value(option.command().toStdString(),
-                                  QString("\"%1\"").arg(word).toStdString(), allowed.toStdString());
+[[noreturn]] void refuseWord(const SheetOption& option, const std::string& word,
+                             const std::string& allowed) {
+    laplacian_lines::refuse_value(option.command(), "\"" + word + "\"", allowed);
 }
 
-laplacian_lines::LineKindSet kindsIn(const QString& names) {
-    if (const auto kinds = laplacian_lines::kinds_named(names.toStdString())) return *kinds;
-    refuse(QString("--kinds is \"%1\". It has to be some of %2, with commas between.")
-               .arg(names, QString::fromStdString(laplacian_lines::names_of_kinds())));
+laplacian_lines::LineKindSet kindsIn(const std::string& names) {
+    if (const auto kinds = laplacian_lines::kinds_named(names)) return *kinds;
+    refuse("--kinds is \"" + names + "\". It has to be some of " +
+           laplacian_lines::names_of_kinds() + ", with commas between.");
 }
 
 /// Lines of at most `width` characters, each with `indent` blanks before it but the first.
-QString wrapped(const QString& text, int indent, int width) {
-    QString result;
-    int column = indent;
-    for (const QString& word : text.split(' ')) {
-        if (column > indent && column + 1 + word.size() > width) {
-            result += '\n' + QString(indent, ' ');
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
+    std::string result;
+    std::size_t column = indent;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        if (column > indent && column + 1 + end - begin > width) {
+            result += '\n' + std::string(indent, ' ');
             column = indent;
         } else if (column > indent) {
             result += ' ';
             ++column;
         }
-        result += word;
-        column += word.size();
+        result += text.substr(begin, end - begin);
+        column += end - begin;
+        begin = end + 1;
     }
     return result;
 }
 
 }  // namespace
 
-QString SheetOption::command() const {
-    return QString("--") + (command_word ? command_word : row.key);
+std::string SheetOption::command() const {
+    return std::string("--") + (command_word ? command_word : row.key);
 }
 
-QStringList SheetOption::words() const {
-    QStringList result;
-    for (const char* word : switch_words)
-        result << word;
-    for (const char* label : row.choices)
-        result << QString(label).section(' ', 0, 0).toLower();
+Words SheetOption::words() const {
+    Words result(switch_words.begin(), switch_words.end());
+    for (const std::string label : row.choices)
+        result.push_back(lower(label.substr(0, label.find(' '))));
     return result;
 }
 
-QString SheetOption::valueIn(const SheetChoices& choices) const {
+std::string SheetOption::valueIn(const SheetChoices& choices) const {
     if (text) return choices.*text;
     const double value = row.get(choices);
-    return words().value(int(value), QString::number(value));
+    const Words known = words();
+    return std::size_t(value) < known.size() ? known[std::size_t(value)] : inDigits(value);
 }
 
-void SheetOption::read(const QString& word, SheetChoices& choices) const {
+void SheetOption::read(const std::string& word, SheetChoices& choices) const {
     if (text) {
         choices.*text = adds_up ? choices.*text + ' ' + word : word;
         return;
     }
-    if (const QStringList known = words(); !known.isEmpty()) {
-        const int number = known.indexOf(word.toLower());
-        if (number < 0) refuseWord(*this, word, "one of " + known.join(", "));
-        return row.set(choices, number);
+    if (const Words known = words(); !known.empty()) {
+        const auto place = std::find(known.begin(), known.end(), lower(word));
+        if (place == known.end()) refuseWord(*this, word, "one of " + joined(known, ", "));
+        return row.set(choices, double(place - known.begin()));
     }
-    bool is_number = false;
-    const double value = word.toDouble(&is_number);
-    if (!is_number || !(value >= row.minimum && value <= row.maximum))
-        refuseWord(*this, word, QString::fromStdString(laplacian_lines::allowed_values(row)));
-    row.set(choices, value);
+    const std::optional<double> value = numberIn(word);
+    if (!value || !(*value >= row.minimum && *value <= row.maximum))
+        refuseWord(*this, word, laplacian_lines::allowed_values(row));
+    row.set(choices, *value);
 }
 
-QString sheetOptionsHelp() {
-    constexpr int column = 23, width = 90;
-    QString help;
+std::string sheetOptionsHelp() {
+    constexpr std::size_t column = 23, width = 90;
+    std::string help;
     for (const SheetOption& option : sheetOptionTable()) {
         if (!option.isOf(SheetOption::Place::Command)) continue;
-        const QString form = option.words().isEmpty() ? option.form : option.words().join('|');
-        const QString head = QString("  %1 %2").arg(option.command(), form);
-        const QString usual = option.valueIn({});
-        const QString text =
-            usual.isEmpty() ? option.row.help : QString("%1 (%2)").arg(option.row.help, usual);
-        help +=
-            head.size() < column ? head.leftJustified(column) : head + '\n' + QString(column, ' ');
+        const Words words = option.words();
+        const std::string head =
+            "  " + option.command() + ' ' + (words.empty() ? option.form : joined(words, "|"));
+        const std::string usual = option.valueIn({});
+        const std::string text = option.row.help + (usual.empty() ? usual : " (" + usual + ')');
+        help += head.size() < column ? head : head + '\n';
+        help += std::string(head.size() < column ? column - head.size() : column, ' ');
         help += wrapped(text, column, width) + '\n';
     }
     return help;
@@ -98,7 +99,7 @@ SheetOptions sheetOptions(const SheetChoices& chosen, const NamedViews& others) 
     SheetOptions options;
     static_cast<SheetLook&>(options) = chosen.look;
     options.sections = parseSections(chosen.sections);
-    if (!chosen.views.trimmed().isEmpty() || options.sections.empty())
+    if (!trimmed(chosen.views).empty() || options.sections.empty())
         options.views = parseViews(chosen.views, chosen.look.up, others);
     options.scale = parseScale(chosen.scale);
     const std::vector<const char*> papers = paperNames();

@@ -22,21 +22,21 @@ Vector3d frontOf(UpAxis axis) {
     return axis == UpAxis::Z ? Vector3d(0, -1, 0) : Vector3d(0, 0, 1);
 }
 
-ViewFrame makeFrame(Side side, const QString& name, const Vector3d& towards_viewer,
+ViewFrame makeFrame(Side side, const std::string& name, const Vector3d& towards_viewer,
                     const Vector3d& up) {
     return {side, name, up.cross(towards_viewer), up, towards_viewer, false};
 }
 
 class ViewWords {
 public:
-    ViewWords(const QString& text, UpAxis up, const NamedViews& others)
+    ViewWords(std::string_view text, UpAxis up, const NamedViews& others)
         : words_(wordsOf(text)), up_(up), others_(others) {}
 
     std::vector<ViewFrame> read() {
         std::vector<ViewFrame> views;
         while (next_ < words_.size()) {
-            const QString word = words_[next_++];
-            if (word.compare("six", Qt::CaseInsensitive) == 0)
+            const std::string word = words_[next_++];
+            if (lower(word) == "six")
                 for (std::size_t side = 0; side < side_names.size(); ++side)
                     views.push_back(frameOfSide(Side(side), up_));
             else
@@ -47,32 +47,30 @@ public:
     }
 
 private:
-    ViewFrame readOne(const QString& word) {
+    ViewFrame readOne(const std::string& word) {
+        const std::string name = lower(word);
         for (std::size_t side = 0; side < side_names.size(); ++side)
-            if (word.compare(side_names[side], Qt::CaseInsensitive) == 0)
-                return frameOfSide(Side(side), up_);
-        if (word.compare("vessel", Qt::CaseInsensitive) == 0) return frameOfVessel(up_);
-        for (const auto& [name, frame] : others_)
-            if (word.compare(name, Qt::CaseInsensitive) == 0) return frame;
-        bool is_number = false;
-        const double azimuth = word.toDouble(&is_number);
-        if (!is_number || next_ == words_.size()) refuseWord(word);
-        const double elevation = words_[next_++].toDouble(&is_number);
-        if (!is_number) refuseWord(words_[next_ - 1]);
-        return frameOfDirection(azimuth, elevation, up_);
+            if (name == lower(side_names[side])) return frameOfSide(Side(side), up_);
+        if (name == "vessel") return frameOfVessel(up_);
+        for (const auto& [other, frame] : others_)
+            if (name == lower(other)) return frame;
+        const std::optional<double> azimuth = numberIn(word);
+        if (!azimuth || next_ == words_.size()) refuseWord(word);
+        const std::optional<double> elevation = numberIn(words_[next_++]);
+        if (!elevation) refuseWord(words_[next_ - 1]);
+        return frameOfDirection(*azimuth, *elevation, up_);
     }
 
-    [[noreturn]] static void refuseWord(const QString& word) {
-        refuse(QString("\"%1\" is not a view. Views are front, back, left, right, top, bottom, "
-                       "six (all of these), vessel, or azimuth and elevation in degrees, such "
-                       "as 30,15.")
-                   .arg(word));
+    [[noreturn]] static void refuseWord(const std::string& word) {
+        refuse("\"" + word +
+               "\" is not a view. Views are front, back, left, right, top, bottom, six (all of "
+               "these), vessel, or azimuth and elevation in degrees, such as 30,15.");
     }
 
-    const QStringList words_;
+    const Words words_;
     const UpAxis up_;
     const NamedViews& others_;
-    int next_ = 0;
+    std::size_t next_ = 0;
 };
 
 }  // namespace
@@ -88,7 +86,7 @@ Vector3d inMesh(const Vector3d& direction, const ViewFrame& frame) {
 
 ViewFrame frameOfSide(Side side, UpAxis axis) {
     const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
-    const QString name = side_names[std::size_t(side)];
+    const std::string name = side_names[std::size_t(side)];
     switch (side) {
         case Side::Back:
             return makeFrame(side, name, -front, up);
@@ -121,12 +119,12 @@ ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {
     const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
     const double a = azimuth * degree, e = elevation * degree;
     const Vector3d outwards = std::cos(a) * front + std::sin(a) * right;
-    const QString name = QString("%1°, %2°").arg(azimuth).arg(elevation);
+    const std::string name = inDigits(azimuth) + "°, " + inDigits(elevation) + "°";
     return makeFrame(Side::Other, name, std::cos(e) * outwards + std::sin(e) * up,
                      std::cos(e) * up - std::sin(e) * outwards);
 }
 
-std::vector<ViewFrame> parseViews(const QString& text, UpAxis up, const NamedViews& others) {
+std::vector<ViewFrame> parseViews(std::string_view text, UpAxis up, const NamedViews& others) {
     return ViewWords(text, up, others).read();
 }
 

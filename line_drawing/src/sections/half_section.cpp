@@ -21,8 +21,8 @@ constexpr double least_span = 0.1;     // of the height: a round base is not a l
 // section 9 mm beside its axis above and below.
 constexpr double least_round = 0.4, least_rim = 0.5, most_lean = 5;
 
-QString percent(double share) {
-    return QString("%1 %").arg(std::floor(100 * share + 1e-9));
+std::string percent(double share) {
+    return inDigits(std::floor(100 * share + 1e-9)) + " %";
 }
 
 int axisAlong(const Vector3d& direction) {
@@ -63,22 +63,21 @@ HalfSection::HalfSection(const Objects& objects, const laplacian_lines::Triangle
       right_{frame.right, frame.right.dot(axis_.point)} {}
 
 void HalfSection::expectVessel() const {
-    const auto say = [](const QString& what) {
+    const auto say = [](const std::string& what) {
         refuse(what +
                " Vessel views take a vessel that stands upright, nearly whole. Fix that, or "
                "take other views and a section.");
     };
     if (axis_.round < least_round)
-        say(QString("Of what faces sideways, only %1 is round about one axis.")
-                .arg(percent(axis_.round)));
+        say("Of what faces sideways, only " + percent(axis_.round) + " is round about one axis.");
     if (axis_.lean > most_lean)
-        say(QString("The vessel's axis leans by %1 degrees.").arg(axis_.lean, 0, 'f', 0));
+        say("The vessel's axis leans by " + inDecimals(axis_.lean, 0) + " degrees.");
     if (axis_.rim < least_rim)
-        say(QString("The rim goes only %1 of the way around the axis.").arg(percent(axis_.rim)));
+        say("The rim goes only " + percent(axis_.rim) + " of the way around the axis.");
 }
 
-QString HalfSection::words() const {
-    return QString("rim %1, axis off by %2°").arg(percent(axis_.rim)).arg(axis_.lean, 0, 'f', 1);
+std::string HalfSection::words() const {
+    return "rim " + percent(axis_.rim) + ", axis off by " + inDecimals(axis_.lean, 1) + "°";
 }
 
 void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) const {

@@ -19,7 +19,7 @@ public:
     /// @throws laplacian_lines::Error(InvalidOption) if the axis found is none of a vessel.
     void expectVessel() const;
     /// What speaks for the axis, for notes: "rim 62 %, axis off by 1.5°".
-    QString words() const;
+    std::string words() const;
 
     HalfSpace behind() const { return behind_; }
     HalfSpace left() const { return right_.opposite(); }

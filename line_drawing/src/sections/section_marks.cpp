@@ -15,34 +15,31 @@ constexpr double mark_gap = 1, mark_length = 4, shaft_length = 3.5, head_length 
                  head_width = 1.2, letter_height = 3.5, letter_distance = 2.2;
 constexpr double capital_height = 0.72;  // of a font's height
 
-QPointF pointOf(const Vector2d& p) {
-    return {p.x(), p.y()};
-}
-
 SheetPath lineOf(const Vector2d& begin, const Vector2d& end, double pen) {
     SheetPath line{{}, pen};
-    line.path.moveTo(pointOf(begin));
-    line.path.lineTo(pointOf(end));
+    line.path.moveTo(begin);
+    line.path.lineTo(end);
     return line;
 }
 
 SheetPath arrowHead(const Vector2d& tip, const Vector2d& direction) {
     const Vector2d across(-direction.y(), direction.x()), base = tip - head_length * direction;
     SheetPath head;
-    head.path.setFillRule(Qt::WindingFill);
-    head.path.moveTo(pointOf(tip));
-    head.path.lineTo(pointOf(base + head_width / 2 * across));
-    head.path.lineTo(pointOf(base - head_width / 2 * across));
-    head.path.closeSubpath();
+    head.path.fill_rule = FillRule::NonZero;
+    head.path.moveTo(tip);
+    head.path.lineTo(base + head_width / 2 * across);
+    head.path.lineTo(base - head_width / 2 * across);
+    head.path.close();
     return head;
 }
 
 /// How far along `direction` a rectangle reaches from `from`.
-double reachOf(const QRectF& place, const Vector2d& from, const Vector2d& direction) {
+double reachOf(const Eigen::AlignedBox2d& place, const Vector2d& from, const Vector2d& direction) {
+    using Box = Eigen::AlignedBox2d;
     double reach = 0;
-    for (const QPointF& p :
-         {place.topLeft(), place.topRight(), place.bottomLeft(), place.bottomRight()})
-        reach = std::max(reach, direction.dot(Vector2d(p.x(), p.y()) - from));
+    for (const Box::CornerType corner :
+         {Box::TopLeft, Box::TopRight, Box::BottomLeft, Box::BottomRight})
+        reach = std::max(reach, direction.dot(place.corner(corner) - from));
     return reach;
 }
 
@@ -53,7 +50,7 @@ Vector2d onSheet(const Vector2d& direction) {
 
 /// The end of a mark towards `direction`, all in the sheet's coordinates.
 void addEnd(const Vector2d& surface_end, const Vector2d& direction, const Vector2d& looking,
-            const QString& letter, const SheetOptions& options, SheetLayer& layer) {
+            const std::string& letter, const SheetOptions& options, SheetLayer& layer) {
     const Vector2d begin = surface_end + mark_gap * direction,
                    end = begin + mark_length * direction;
     const Vector2d foot = end - direction * options.pens[std::size_t(LineClass::Outline)] / 2;
@@ -65,7 +62,7 @@ void addEnd(const Vector2d& surface_end, const Vector2d& direction, const Vector
     const Vector2d middle = end + letter_distance * direction;
     layer.texts.push_back({{middle.x(), middle.y() + capital_height * letter_height / 2},
                            letter_height,
-                           Qt::AlignHCenter,
+                           TextAnchor::Middle,
                            letter});
 }
 
@@ -97,8 +94,8 @@ Vector2d roomOfMarks(const DrawnView& view) {
     return room;
 }
 
-SheetLayer drawMarks(const DrawnView& view, const Placement& placement, const QRectF& place,
-                     const SheetOptions& options) {
+SheetLayer drawMarks(const DrawnView& view, const Placement& placement,
+                     const Eigen::AlignedBox2d& place, const SheetOptions& options) {
     SheetLayer layer{"marks", "Marks of sections", {}, {}};
     for (const SectionMark& mark : view.marks) {
         const Vector2d at = placement.onSheet(mark.point), looking = onSheet(mark.looking);

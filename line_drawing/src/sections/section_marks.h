@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QRectF>
-
 #include "line_drawing/sheet.h"
 #include "views/drawn_view.h"
 
@@ -20,7 +18,7 @@ Eigen::Vector2d roomOfMarks(const DrawnView& view);
 
 /// Short thick ends of each plane's line with an arrow in the direction of sight and a letter
 /// (ISO 128-3). `place` is the surface's on the sheet.
-SheetLayer drawMarks(const DrawnView& view, const Placement& placement, const QRectF& place,
-                     const SheetOptions& options);
+SheetLayer drawMarks(const DrawnView& view, const Placement& placement,
+                     const Eigen::AlignedBox2d& place, const SheetOptions& options);
 
 }  // namespace line_drawing

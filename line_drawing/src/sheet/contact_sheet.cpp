@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/contact_sheet.h"
 
-#include <QTransform>
 #include <algorithm>
 #include <cmath>
 
@@ -12,29 +11,31 @@
 namespace line_drawing {
 namespace {
 
+using Box = Eigen::AlignedBox2d;
+using Eigen::Vector2d;
+
 // mm
 constexpr double view_size = 85, cell_gap = 5, least_cell = 35, name_height = 2.6,
                  size_height = 2.2, title_height = 4;
 constexpr double caption_height = 2 * name_height + 1.5 * size_height;
-constexpr double letter_width = 0.6;  // of a font's height, on average
 
 /// The cells of a page in a grid.
 struct Grid {
-    QSizeF paper;
+    Vector2d paper;
     int columns = 1;
     double cell = 0;  // a square, above its caption
 
     double rowHeight() const { return cell + caption_height + cell_gap; }
 };
 
-double roomBelow(const QString& title) {
-    return title.isEmpty() ? 0 : 2 * title_height;
+double roomBelow(const std::string& title) {
+    return title.empty() ? 0 : 2 * title_height;
 }
 
 /// The one with the largest cells in the fewest rows.
-Grid fillPaper(const QSizeF& paper, int count, double title_room) {
-    const double width = paper.width() - 2 * sheet_margin,
-                 height = paper.height() - 2 * sheet_margin - title_room;
+Grid fillPaper(const Vector2d& paper, int count, double title_room) {
+    const double width = paper.x() - 2 * sheet_margin,
+                 height = paper.y() - 2 * sheet_margin - title_room;
     Grid best{paper, 1, 0};
     for (int columns = 1; columns <= count; ++columns) {
         const int rows = (count + columns - 1) / columns;
@@ -47,46 +48,46 @@ Grid fillPaper(const QSizeF& paper, int count, double title_room) {
 
 /// On the smallest paper with room enough, from A4 on.
 Grid chooseGrid(int count, double title_room) {
-    const QSizeF papers[] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
+    const Vector2d papers[] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
     Grid grid;
-    for (const QSizeF& paper : papers) {
+    for (const Vector2d& paper : papers) {
         const Grid upright = fillPaper(paper, count, title_room),
-                   lying = fillPaper(paper.transposed(), count, title_room);
+                   lying = fillPaper(paper.reverse(), count, title_room);
         grid = lying.cell > upright.cell ? lying : upright;
         if (grid.cell >= least_cell) break;
     }
     return grid;
 }
 
-SheetText caption(const QString& text, double height, double base, const QRectF& cell) {
-    const auto letters = int(cell.width() / (letter_width * height));
-    const QString shown = text.size() <= letters ? text : text.left(letters - 1) + "…";
-    return {{cell.center().x(), base}, height, Qt::AlignHCenter, shown};
+SheetText caption(const std::string& text, double height, double base, const Box& cell) {
+    return {{cell.center().x(), base},
+            height,
+            TextAnchor::Middle,
+            elided(text, height, cell.sizes().x())};
 }
 
-QRectF extentOf(const Sheet& sheet) {
-    QRectF extent;
+Box extentOf(const Sheet& sheet) {
+    Box extent;
     for (const SheetGroup& group : sheet.groups)
         for (const SheetLayer& layer : group.layers)
             for (const SheetPath& path : layer.paths)
-                extent = extent.united(path.path.boundingRect());
+                extent.extend(path.path.bounds());
     return extent;
 }
 
-SheetGroup placeIn(const QRectF& cell, const ContactEntry& entry, int number) {
-    const double scale = cell.width() / view_size;
-    const QPointF shift = cell.center() - scale * extentOf(entry.view).center();
-    const QTransform transform(scale, 0, 0, scale, shift.x(), shift.y());
-    SheetGroup result{QString("object-%1").arg(number), entry.name, {}};
+SheetGroup placeIn(const Box& cell, const ContactEntry& entry, int number) {
+    const double scale = cell.sizes().x() / view_size;
+    const Vector2d shift = cell.center() - scale * extentOf(entry.view).center();
+    SheetGroup result{"object-" + std::to_string(number), entry.name, {}};
     for (const SheetGroup& group : entry.view.groups)
         for (SheetLayer layer : group.layers) {
             for (SheetPath& path : layer.paths) {
-                path.path = transform.map(path.path);
+                path.path = path.path.placed(scale, shift);
                 path.pen_width *= scale;
             }
             result.layers.push_back(std::move(layer));
         }
-    const double base = cell.bottom() + 1.5 * name_height;
+    const double base = cell.max().y() + 1.5 * name_height;
     result.layers.push_back(
         {"names",
          "Names",
@@ -115,19 +116,20 @@ SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh,
     return result;
 }
 
-Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const QString& title) {
+Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const std::string& title) {
     const Grid grid = chooseGrid(std::max(1, int(entries.size())), roomBelow(title));
     Sheet sheet{grid.paper, title, {}, 1};
-    const double left = (grid.paper.width() - grid.columns * (grid.cell + cell_gap) + cell_gap) / 2;
+    const double left = (grid.paper.x() - grid.columns * (grid.cell + cell_gap) + cell_gap) / 2;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const int column = int(i) % grid.columns, row = int(i) / grid.columns;
-        const QRectF cell(left + column * (grid.cell + cell_gap),
-                          sheet_margin + row * grid.rowHeight(), grid.cell, grid.cell);
+        const Vector2d corner(left + column * (grid.cell + cell_gap),
+                              sheet_margin + row * grid.rowHeight());
+        const Box cell(corner, corner + Vector2d(grid.cell, grid.cell));
         sheet.groups.push_back(placeIn(cell, entries[i], int(i) + 1));
     }
-    if (title.isEmpty()) return sheet;
+    if (title.empty()) return sheet;
     const SheetText text{
-        {sheet_margin, grid.paper.height() - sheet_margin}, title_height, Qt::AlignLeft, title};
+        {sheet_margin, grid.paper.y() - sheet_margin}, title_height, TextAnchor::Left, title};
     sheet.groups.push_back({"sheet", "Sheet", {{"title", "Title", {}, {text}}}});
     return sheet;
 }

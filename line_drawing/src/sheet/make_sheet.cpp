@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/make_sheet.h"
 
-#include <QSet>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
-#include "options/progress_part.h"
 #include "line_drawing/words.h"
+#include "options/progress_part.h"
 #include "sheet/sheet_furniture.h"
 #include "sheet/view_drawing.h"
 #include "sight/observer.h"
@@ -49,8 +49,8 @@ double finer(double pen, int steps) {
 
 SheetOptions withPensFor(const SheetLayout& layout, SheetOptions options) {
     double size = 0;
-    for (const QRectF& place : layout.places)
-        size = std::max({size, place.width(), place.height()});
+    for (const Eigen::AlignedBox2d& place : layout.places)
+        size = std::max(size, place.sizes().maxCoeff());
     const int steps = size >= full_size ? 0 : size >= half_size ? 1 : 2;
     for (double& pen : options.pens)
         if (steps > 0 && pen <= pen_series.back()) pen = std::min(pen, finer(pen, steps));
@@ -64,35 +64,30 @@ void nameSections(std::vector<DrawnView>& views) {
     std::size_t number = 0;
     for (DrawnView& view : views)
         if (view.is_section && has_marks) {
-            const QString letter = letterOf(number++);
+            const std::string letter = letterOf(number++);
             view.frame.name = letter + "–" + letter;
         }
 }
 
 /// The same view may have been asked for twice.
 void tellApart(std::vector<SheetGroup>& groups) {
-    QSet<QString> keys;
+    std::set<std::string> keys;
     for (SheetGroup& group : groups) {
-        const QString key = group.key;
-        for (int number = 2; keys.contains(group.key); ++number)
-            group.key = QString("%1-%2").arg(key).arg(number);
-        keys << group.key;
+        const std::string key = group.key;
+        for (int number = 2; !keys.insert(group.key).second; ++number)
+            group.key = key + '-' + std::to_string(number);
     }
 }
 
-QString remarkOn(const DrawnView& view, double missing) {
-    return QString(
-               "%1: %2 mm of the outline were missing and have been drawn from the mesh's edges. "
-               "Please report this with the mesh.")
-        .arg(view.frame.name)
-        .arg(missing, 0, 'f', 1);
+std::string remarkOn(const DrawnView& view, double missing) {
+    return view.frame.name + ": " + inDecimals(missing, 1) +
+           " mm of the outline were missing and have been drawn from the mesh's edges. Please "
+           "report this with the mesh.";
 }
 
-QString remarkOn(const QString& note) {
-    return QString(
-               "Vessel: %1. That is how far the rim goes around the axis, and how much the "
-               "vessel lean.")
-        .arg(note);
+std::string remarkOn(const std::string& note) {
+    return "Vessel: " + note +
+           ". That is how far the rim goes around the axis, and how much the vessel leans.";
 }
 
 /// A sheet on its way.
@@ -158,8 +153,8 @@ Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
                 options.views.empty() ? 0 : options.kernel.size};
     const std::vector<double> missing = look(observer, draft, progress);
     for (std::size_t i = 0; i < missing.size(); ++i) {
-        if (missing[i] > 0) sheet.remarks << remarkOn(views[i], missing[i]);
-        if (!views[i].note.isEmpty()) sheet.remarks << remarkOn(views[i].note);
+        if (missing[i] > 0) sheet.remarks.push_back(remarkOn(views[i], missing[i]));
+        if (!views[i].note.empty()) sheet.remarks.push_back(remarkOn(views[i].note));
     }
     sheet.groups.resize(views.size());
     laplacian_lines::in_parallel<laplacian_lines::NoScratch>(

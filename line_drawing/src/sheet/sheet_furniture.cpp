@@ -1,49 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sheet/sheet_furniture.h"
 
-#include <QRectF>
 #include <algorithm>
 #include <cmath>
 
+#include "line_drawing/words.h"
 #include "sections/section_marks.h"
 
 namespace line_drawing {
 namespace {
 
+using Eigen::Vector2d;
+
 // mm
 constexpr double thin_pen = 0.18;
 constexpr double title_height = 4, note_height = 2.6, longest_bar = 50, bar_height = 1.2;
 constexpr double symbol_height = 5, symbol_width = 14, strip_gap = 6;
-constexpr double letter_width = 0.6;  // of a font's height, on average
 const char* const no_scale = "perspective, not to scale";
 
-SheetPath filled(const QRectF& rectangle) {
-    SheetPath result;
-    result.path.addRect(rectangle);
+/// Black, or with this pen.
+SheetPath rectangle(const Vector2d& corner, double width, double height, double pen = 0) {
+    SheetPath result{{}, pen};
+    result.path.addRectangle(corner, width, height);
     return result;
 }
 
-SheetPath drawn(const QPainterPath& path) {
-    return {path, thin_pen};
+std::string inMillimetres(double x) {
+    if (x < 0.1) return inDigits(x, 3);
+    return inDecimals(x, x < 10 ? 2 : x < 1000 ? 1 : 0);
 }
 
-QString inMillimetres(double x) {
-    if (x < 0.1) return QString::number(x, 'g', 3);
-    return QString::number(x, 'f', x < 10 ? 2 : x < 1000 ? 1 : 0);
-}
-
-QString nameOf(const ViewFrame& frame, bool beside_scale) {
-    return frame.eye && beside_scale ? QString("%1 (%2)").arg(frame.name, no_scale) : frame.name;
+std::string nameOf(const ViewFrame& frame, bool beside_scale) {
+    return frame.eye && beside_scale ? frame.name + " (" + no_scale + ')' : frame.name;
 }
 
 SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& layout) {
     SheetLayer layer{"names", "Names of views", {}, {}};
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const QRectF& place = layout.places[i];
+        const Eigen::AlignedBox2d& place = layout.places[i];
         layer.texts.push_back({{place.center().x(),
-                                place.bottom() + roomOfMarks(views[i]).y() + 2 * view_name_height},
+                                place.max().y() + roomOfMarks(views[i]).y() + 2 * view_name_height},
                                view_name_height,
-                               Qt::AlignHCenter,
+                               TextAnchor::Middle,
                                nameOf(views[i].frame, layout.scale > 0)});
     }
     return layer;
@@ -56,70 +54,61 @@ int partsOf(double length) {
 }
 
 /// With its lower right corner at `corner`. Returns its left end.
-double addScaleBar(const QPointF& corner, double scale, SheetLayer& layer) {
+double addScaleBar(const Vector2d& corner, double scale, SheetLayer& layer) {
     const double length = barLength(scale, longest_bar), width = length * scale;
     const int parts = partsOf(length);
     const double left = corner.x() - width, top = corner.y() - bar_height;
-    QPainterPath frame;
-    frame.addRect({left, top, width, bar_height});
-    layer.paths.push_back(drawn(frame));
+    layer.paths.push_back(rectangle({left, top}, width, bar_height, thin_pen));
     for (int part = 0; part < parts; part += 2)
         layer.paths.push_back(
-            filled({left + width * part / parts, top, width / parts, bar_height}));
+            rectangle({left + width * part / parts, top}, width / parts, bar_height));
     const double base = top - 1;
-    layer.texts.push_back({{left, base}, note_height, Qt::AlignLeft, "0"});
-    layer.texts.push_back({{corner.x(), base}, note_height, Qt::AlignRight, lengthInWords(length)});
+    layer.texts.push_back({{left, base}, note_height, TextAnchor::Left, "0"});
+    layer.texts.push_back(
+        {{corner.x(), base}, note_height, TextAnchor::Right, lengthInWords(length)});
     return left;
 }
 
 /// A truncated cone and what is seen from its small end, which lies on the left: on the right of
 /// it in first angle, on the left in third angle (ISO 5456-2).
-void addProjectionSymbol(const QPointF& corner, Arrangement arrangement, SheetLayer& layer) {
+void addProjectionSymbol(const Vector2d& corner, Arrangement arrangement, SheetLayer& layer) {
     const double h = symbol_height, y = corner.y() - h / 2;
     const bool is_first = arrangement == Arrangement::FirstAngle;
     const double cone = is_first ? corner.x() : corner.x() + symbol_width - h * 1.2;
     const double circles = is_first ? corner.x() + symbol_width - h / 2 : corner.x() + h / 2;
-    QPainterPath trapezium;
-    trapezium.moveTo(cone, y - h / 4);
-    trapezium.lineTo(cone + 1.2 * h, y - h / 2);
-    trapezium.lineTo(cone + 1.2 * h, y + h / 2);
-    trapezium.lineTo(cone, y + h / 4);
-    trapezium.closeSubpath();
-    layer.paths.push_back(drawn(trapezium));
+    Path trapezium;
+    trapezium.moveTo({cone, y - h / 4});
+    trapezium.lineTo({cone + 1.2 * h, y - h / 2});
+    trapezium.lineTo({cone + 1.2 * h, y + h / 2});
+    trapezium.lineTo({cone, y + h / 4});
+    trapezium.close();
+    layer.paths.push_back({trapezium, thin_pen});
     for (const double radius : {h / 4, h / 2}) {
-        QPainterPath circle;
-        circle.addEllipse(QPointF(circles, y), radius, radius);
-        layer.paths.push_back(drawn(circle));
+        Path circle;
+        circle.addCircle({circles, y}, radius);
+        layer.paths.push_back({circle, thin_pen});
     }
 }
 
-QString elided(const QString& text, double height, double width) {
-    const auto letters = int(width / (letter_width * height));
-    if (text.size() <= letters) return text;
-    QString begin = text.left(std::max(0, letters - 1));
-    if (!begin.isEmpty() && begin.at(begin.size() - 1).isHighSurrogate())
-        begin.chop(1);  // half a letter
-    return begin + "…";
-}
-
-QString noteOf(const std::vector<DrawnView>& views, const SheetLayout& layout,
-               const Eigen::Vector3d& size, const SheetOptions& options) {
-    QStringList parts = {layout.scale > 0 ? scaleInWords(layout.scale) : no_scale,
-                         sizeInWords(size)};
-    if (options.kernel.size > 0) parts << QString("√h %1 mm").arg(options.kernel.size, 0, 'g', 2);
+std::string noteOf(const std::vector<DrawnView>& views, const SheetLayout& layout,
+                   const Eigen::Vector3d& size, const SheetOptions& options) {
+    Words parts = {layout.scale > 0 ? scaleInWords(layout.scale) : no_scale, sizeInWords(size)};
+    if (options.kernel.size > 0) parts.push_back("√h " + inDigits(options.kernel.size, 2) + " mm");
     for (const DrawnView& view : views)
-        if (!view.note.isEmpty()) parts << view.note;
-    if (!options.source.isEmpty()) parts << options.source;
-    return parts.join(" · ");
+        if (!view.note.empty()) parts.push_back(view.note);
+    if (!options.source.empty()) parts.push_back(options.source);
+    return joined(parts, " · ");
 }
 
 /// Lines of text with the lower left corner at `corner`.
-SheetLayer notes(const QPointF& corner, double width, const QString& note, const QString& title) {
+SheetLayer notes(const Vector2d& corner, double width, const std::string& note,
+                 const std::string& title) {
     SheetLayer layer{"title", "Title", {}, {}};
-    layer.texts.push_back({corner, note_height, Qt::AlignLeft, elided(note, note_height, width)});
-    if (!title.isEmpty())
-        layer.texts.push_back({corner - QPointF(0, 1.6 * note_height), title_height, Qt::AlignLeft,
-                               elided(title, title_height, width)});
+    layer.texts.push_back(
+        {corner, note_height, TextAnchor::Left, elided(note, note_height, width)});
+    if (!title.empty())
+        layer.texts.push_back({corner - Vector2d(0, 1.6 * note_height), title_height,
+                               TextAnchor::Left, elided(title, title_height, width)});
     return layer;
 }
 
@@ -137,15 +126,22 @@ double barLength(double scale, double most) {
     return power;
 }
 
-QString sizeInWords(const Eigen::Vector3d& size) {
-    return QString("%1 × %2 × %3 mm")
-        .arg(inMillimetres(size.x()), inMillimetres(size.y()), inMillimetres(size.z()));
+std::string sizeInWords(const Eigen::Vector3d& size) {
+    return inMillimetres(size.x()) + " × " + inMillimetres(size.y()) + " × " +
+           inMillimetres(size.z()) + " mm";
 }
 
-QString lengthInWords(double mm) {
-    if (mm >= 1000) return QString("%1 m").arg(mm / 1000);
-    if (mm >= 10) return QString("%1 cm").arg(mm / 10);
-    return QString("%1 mm").arg(mm);
+std::string elided(const std::string& text, double height, double width) {
+    constexpr double letter_width = 0.6;  // of a font's height, on average
+    const std::u32string letters = lettersOf(text);
+    const auto most = std::size_t(std::max(1., width / (letter_width * height)));
+    return letters.size() <= most ? text : inUtf8(letters.substr(0, most - 1)) + "…";
+}
+
+std::string lengthInWords(double mm) {
+    if (mm >= 1000) return inDigits(mm / 1000) + " m";
+    if (mm >= 10) return inDigits(mm / 10) + " cm";
+    return inDigits(mm) + " mm";
 }
 
 SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
@@ -153,8 +149,8 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
     SheetGroup group{"sheet", "Sheet", {}};
     if (options.has_view_names && views.size() > 1)
         group.layers.push_back(viewNames(views, layout));
-    const double bottom = layout.size.height() - sheet_margin;
-    double right = layout.size.width() - sheet_margin;
+    const double bottom = layout.size.y() - sheet_margin;
+    double right = layout.size.x() - sheet_margin;
     if (options.has_scale_bar && layout.scale > 0) {
         SheetLayer layer{"scale", "Scale", {}, {}};
         right = addScaleBar({right, bottom}, layout.scale, layer) - strip_gap;

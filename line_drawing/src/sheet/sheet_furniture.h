@@ -13,8 +13,11 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
 /// long; in the object's mm.
 double barLength(double scale, double most);
 /// "50.0 × 20.0 × 1.00 mm"
-QString sizeInWords(const Eigen::Vector3d& size);
+std::string sizeInWords(const Eigen::Vector3d& size);
+/// The text if it fits the width, as far as that can be told without a font; else its beginning
+/// and "…".
+std::string elided(const std::string& text, double height, double width);
 /// "5 cm" of 50.
-QString lengthInWords(double mm);
+std::string lengthInWords(double mm);
 
 }  // namespace line_drawing

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sheet/sheet_layout.h"
 
-#include <QRectF>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,6 +11,8 @@
 
 namespace line_drawing {
 namespace {
+
+using Eigen::Vector2d;
 
 /// The usual ones of drawings, largest first: 1:2 is 0.5.
 std::vector<double> usualScales() {
@@ -33,14 +34,12 @@ constexpr Paper papers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420}
                             {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
 
 /// Upright. None: as large as the drawing.
-std::optional<QSizeF> paperSize(const QString& name) {
-    if (name.compare("fit", Qt::CaseInsensitive) == 0) return {};
+std::optional<Vector2d> paperSize(const std::string& name) {
+    if (lower(name) == "fit") return {};
     for (const Paper& paper : papers)
-        if (name.compare(paper.name, Qt::CaseInsensitive) == 0)
-            return QSizeF(paper.width, paper.height);
-    refuse(QString("There is no paper \"%1\". Papers are a5, a4, a3, a2, a1, a0, or fit: as large "
-                   "as the drawing.")
-               .arg(name));
+        if (lower(name) == paper.name) return Vector2d(paper.width, paper.height);
+    refuse("There is no paper \"" + name +
+           "\". Papers are a5, a4, a3, a2, a1, a0, or fit: as large as the drawing.");
 }
 
 struct Cell {
@@ -141,33 +140,33 @@ public:
         : views_(views), options_(options), cells_(cellsOf(views, options)) {
         for (std::size_t i = 0; i < views.size(); ++i) {
             const auto& box = views[i].bounds;
-            const Eigen::Vector2d room = roomOfMarks(views[i]);
+            const Vector2d room = roomOfMarks(views[i]);
             columns_[cells_[i].column].hold(-box.min().x(), box.max().x(), room.x());
             rows_[cells_[i].row].hold(box.max().y(), -box.min().y(), room.y());
         }
     }
 
     /// The size of the views alone.
-    QSizeF sizeAt(double scale) {
+    Vector2d sizeAt(double scale) {
         const double below = options_.has_view_names ? 2 * view_name_height : 0;
         return {place(columns_, 0, scale, view_gap),
                 place(rows_, 0, scale, view_gap + below) + below};
     }
 
-    SheetLayout layOut(double scale, const QSizeF& paper) {
-        const QSizeF size = sizeAt(scale);
-        const double left = (paper.width() - size.width()) / 2;
+    SheetLayout layOut(double scale, const Vector2d& paper) {
+        const Vector2d size = sizeAt(scale);
+        const double left = (paper.x() - size.x()) / 2;
         const double top =
-            sheet_margin + (paper.height() - 2 * sheet_margin - strip_height - size.height()) / 2;
+            sheet_margin + (paper.y() - 2 * sheet_margin - strip_height - size.y()) / 2;
         SheetLayout layout{paper, scale, {}, {}};
         for (std::size_t i = 0; i < views_.size(); ++i) {
             const Placement placement{
                 scale,
                 {left + columns_[cells_[i].column].middle, top + rows_[cells_[i].row].middle}};
-            const Eigen::Vector2d a = placement.onSheet(views_[i].bounds.min());
-            const Eigen::Vector2d b = placement.onSheet(views_[i].bounds.max());
+            const Vector2d a = placement.onSheet(views_[i].bounds.min());
+            const Vector2d b = placement.onSheet(views_[i].bounds.max());
             layout.placements.push_back(placement);
-            layout.places.emplace_back(QPointF(a.x(), b.y()), QPointF(b.x(), a.y()));
+            layout.places.emplace_back(Vector2d(a.x(), b.y()), Vector2d(b.x(), a.y()));
         }
         return layout;
     }
@@ -179,15 +178,15 @@ private:
     Bands rows_, columns_;
 };
 
-QSizeF room(const QSizeF& paper) {
-    return {paper.width() - 2 * sheet_margin, paper.height() - 2 * sheet_margin - strip_height};
+Vector2d room(const Vector2d& paper) {
+    return {paper.x() - 2 * sheet_margin, paper.y() - 2 * sheet_margin - strip_height};
 }
 
-bool fits(const QSizeF& size, const QSizeF& paper) {
-    return size.width() <= room(paper).width() && size.height() <= room(paper).height();
+bool fits(const Vector2d& size, const Vector2d& paper) {
+    return (size.array() <= room(paper).array()).all();
 }
 
-std::optional<double> largestScale(Layout& layout, const QSizeF& paper) {
+std::optional<double> largestScale(Layout& layout, const Vector2d& paper) {
     for (const double scale : usualScales())
         if (fits(layout.sizeAt(scale), paper)) return scale;
     return {};
@@ -196,22 +195,21 @@ std::optional<double> largestScale(Layout& layout, const QSizeF& paper) {
 /// The layout on a paper that is as large as the drawing.
 SheetLayout layOutFreely(Layout& layout, double scale) {
     constexpr double least_width = 90;  // of the strip below the drawing
-    const QSizeF size = layout.sizeAt(scale);
-    return layout.layOut(scale, {std::max(least_width, size.width()) + 2 * sheet_margin,
-                                 size.height() + 2 * sheet_margin + strip_height});
+    const Vector2d size = layout.sizeAt(scale);
+    return layout.layOut(scale, {std::max(least_width, size.x()) + 2 * sheet_margin,
+                                 size.y() + 2 * sheet_margin + strip_height});
 }
 
 /// The scale at which views just fit, since lengths between them stay as they are.
-double fillingScale(Layout& layout, const QSizeF& paper) {
-    const QSizeF fixed = layout.sizeAt(0), growing = layout.sizeAt(1) - fixed;
-    const QSizeF left = room(paper) - fixed;
-    return std::min(left.width() / growing.width(), left.height() / growing.height());
+double fillingScale(Layout& layout, const Vector2d& paper) {
+    const Vector2d fixed = layout.sizeAt(0), growing = layout.sizeAt(1) - fixed;
+    return (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
 }
 
 /// Views that have no scale: as large as the paper takes them, A4 if that may be any.
-SheetLayout layOutFilling(Layout& layout, const std::optional<QSizeF>& paper) {
-    const QSizeF upright = paper.value_or(QSizeF(papers[1].width, papers[1].height));
-    const QSizeF lying = upright.transposed();
+SheetLayout layOutFilling(Layout& layout, const std::optional<Vector2d>& paper) {
+    const Vector2d upright = paper.value_or(Vector2d(papers[1].width, papers[1].height));
+    const Vector2d lying = upright.reverse();
     const double a = fillingScale(layout, upright), b = fillingScale(layout, lying);
     if (!(std::max(a, b) > 0) || !std::isfinite(std::max(a, b)))
         refuse("Nothing of the object is in sight, or the paper has no room for so many views.");
@@ -223,28 +221,26 @@ SheetLayout layOutFilling(Layout& layout, const std::optional<QSizeF>& paper) {
 }
 
 /// Upright or lying, whichever takes the drawing larger.
-SheetLayout layOutLargest(Layout& layout, const QSizeF& upright) {
-    const QSizeF lying = upright.transposed();
+SheetLayout layOutLargest(Layout& layout, const Vector2d& upright) {
+    const Vector2d lying = upright.reverse();
     const auto a = largestScale(layout, upright), b = largestScale(layout, lying);
     if (!a && !b) refuse("The object is too large for any scale. Is the unit of the mesh right?");
     return b.value_or(0) > a.value_or(0) ? layout.layOut(*b, lying) : layout.layOut(*a, upright);
 }
 
-SheetLayout layOutAt(Layout& layout, double scale, const QSizeF& upright, const QString& name) {
-    const QSizeF size = layout.sizeAt(scale);
-    for (const QSizeF& paper : {upright, upright.transposed()})
+SheetLayout layOutAt(Layout& layout, double scale, const Vector2d& upright,
+                     const std::string& name) {
+    const Vector2d size = layout.sizeAt(scale);
+    for (const Vector2d& paper : {upright, Vector2d(upright.reverse())})
         if (fits(size, paper)) return layout.layOut(scale, paper);
     const auto best = std::max(largestScale(layout, upright).value_or(0),
-                               largestScale(layout, upright.transposed()).value_or(0));
-    refuse(QString("At the scale %1 the views take %2 x %3 mm, and %4 paper has room for %5 x %6. "
-                   "Take %7a larger paper, or the paper \"fit\".")
-               .arg(scaleInWords(scale))
-               .arg(std::ceil(size.width()))
-               .arg(std::ceil(size.height()))
-               .arg(name.toUpper())
-               .arg(room(upright).width())
-               .arg(room(upright).height())
-               .arg(best > 0 ? QString("the scale %1, ").arg(scaleInWords(best)) : QString()));
+                               largestScale(layout, upright.reverse()).value_or(0));
+    refuse("At the scale " + scaleInWords(scale) + " the views take " +
+           inDigits(std::ceil(size.x())) + " x " + inDigits(std::ceil(size.y())) + " mm, and " +
+           upper(name) + " paper has room for " + inDigits(room(upright).x()) + " x " +
+           inDigits(room(upright).y()) + ". Take " +
+           (best > 0 ? "the scale " + scaleInWords(best) + ", " : "") +
+           "a larger paper, or the paper \"fit\".");
 }
 
 }  // namespace
@@ -263,7 +259,7 @@ bool areInPerspective(const std::vector<DrawnView>& views) {
 
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {
     Layout layout(views, options);
-    const std::optional<QSizeF> paper = paperSize(options.paper);
+    const std::optional<Vector2d> paper = paperSize(options.paper);
     if (areInPerspective(views)) return layOutFilling(layout, paper);
     if (!paper) return layOutFreely(layout, options.scale > 0 ? options.scale : 1);
     if (options.scale > 0) return layOutAt(layout, options.scale, *paper, options.paper);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QSizeF>
-
 #include "strokes/strokes.h"
 
 namespace line_drawing {
@@ -11,10 +9,10 @@ namespace line_drawing {
 constexpr double sheet_margin = 10, view_gap = 10, view_name_height = 3, strip_height = 16;
 
 struct SheetLayout {
-    QSizeF size;
-    double scale;                       ///< 0: all views are in perspective
-    std::vector<Placement> placements;  ///< one for each view
-    std::vector<QRectF> places;         ///< of the views' surfaces, mm
+    Eigen::Vector2d size;
+    double scale;                             ///< 0: all views are in perspective
+    std::vector<Placement> placements;        ///< one for each view
+    std::vector<Eigen::AlignedBox2d> places;  ///< of the views' surfaces, mm
 };
 
 /// Whether there is no scale at all.

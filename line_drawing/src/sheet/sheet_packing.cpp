@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QDataStream>
+#include <cstring>
 
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/words.h"
@@ -7,60 +7,100 @@
 namespace line_drawing {
 namespace {
 
-constexpr quint32 magic = 0x4c4c5333;  // "LLS3"
+constexpr std::uint32_t magic = 0x4c4c5334;  // "LLS4"
 
-template <class Item, class Read>
-std::vector<Item> readAll(QDataStream& stream, const Read& read) {
-    quint32 count = 0;
-    stream >> count;
-    std::vector<Item> items;
-    for (quint32 i = 0; i < count && stream.status() == QDataStream::Ok; ++i)
-        items.push_back(read());
-    return items;
+/// Numbers as this machine has them: packed sheets stay on it.
+class Packing {
+public:
+    template <class Number>
+    void operator()(const Number& number) {
+        static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
+        bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+    }
+    void operator()(const std::string& text) {
+        (*this)(std::uint32_t(text.size()));
+        bytes += text;
+    }
+    void operator()(const Eigen::Vector2d& p) { (*this)(p.x()), (*this)(p.y()); }
+    template <class Item, class Pack>
+    void each(const std::vector<Item>& items, const Pack& pack) {
+        (*this)(std::uint32_t(items.size()));
+        for (const Item& item : items)
+            pack(item);
+    }
+
+    std::string bytes;
+};
+
+/// Reads what Packing has written.
+class Unpacking {
+public:
+    explicit Unpacking(std::string_view bytes) : rest_(bytes) {}
+
+    template <class Number>
+    void operator()(Number& number) {
+        static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
+        std::memcpy(&number, take(sizeof number).data(), sizeof number);
+    }
+    void operator()(std::string& text) {
+        std::uint32_t size = 0;
+        (*this)(size);
+        text = take(size);
+    }
+    void operator()(Eigen::Vector2d& p) { (*this)(p.x()), (*this)(p.y()); }
+    template <class Item, class Unpack>
+    void each(std::vector<Item>& items, const Unpack& unpack) {
+        std::uint32_t count = 0;
+        (*this)(count);
+        for (std::uint32_t i = 0; i < count; ++i)
+            unpack(items.emplace_back());
+    }
+
+private:
+    std::string_view take(std::size_t size) {
+        if (size > rest_.size()) refuse("This packed sheet is not whole.");
+        const std::string_view taken = rest_.substr(0, size);
+        rest_.remove_prefix(size);
+        return taken;
+    }
+
+    std::string_view rest_;
+};
+
+/// Both ways: what of a sheet is kept, in its order.
+template <class Way, class Kept>
+void pass(Way& way, Kept& sheet) {
+    way(sheet.size), way(sheet.title), way(sheet.scale);
+    way.each(sheet.groups, [&](auto& group) {
+        way(group.key), way(group.name);
+        way.each(group.layers, [&](auto& layer) {
+            way(layer.key), way(layer.name);
+            way.each(layer.paths, [&](auto& path) {
+                way(path.pen_width), way(path.dash), way(path.tone), way(path.path.fill_rule);
+                way.each(path.path.pieces, [&](auto& piece) {
+                    way(piece.step), way(piece.end), way(piece.first), way(piece.second);
+                });
+            });
+        });
+    });
 }
 
 }  // namespace
 
-QByteArray packSheet(const Sheet& sheet) {
-    QByteArray bytes;
-    QDataStream stream(&bytes, QIODevice::WriteOnly);
-    stream.setVersion(QDataStream::Qt_5_6);
-    stream << magic << sheet.size << sheet.title << sheet.scale << quint32(sheet.groups.size());
-    for (const SheetGroup& group : sheet.groups) {
-        stream << group.key << group.name << quint32(group.layers.size());
-        for (const SheetLayer& layer : group.layers) {
-            stream << layer.key << layer.name << quint32(layer.paths.size());
-            for (const SheetPath& path : layer.paths)
-                stream << path.path << path.pen_width << path.dash << path.tone;
-        }
-    }
-    return bytes;
+std::string packSheet(const Sheet& sheet) {
+    Packing packing;
+    packing(magic);
+    pass(packing, sheet);
+    return packing.bytes;
 }
 
-Sheet unpackSheet(const QByteArray& bytes) {
-    QDataStream stream(bytes);
-    stream.setVersion(QDataStream::Qt_5_6);
-    quint32 begin = 0;
-    Sheet sheet;
-    stream >> begin;
+Sheet unpackSheet(const std::string& bytes) {
+    Unpacking unpacking(bytes);
+    std::uint32_t begin = 0;
+    if (bytes.size() >= sizeof begin) unpacking(begin);
     if (begin != magic) refuse("This is not a packed sheet.");
-    stream >> sheet.size >> sheet.title >> sheet.scale;
-    sheet.groups = readAll<SheetGroup>(stream, [&] {
-        SheetGroup group;
-        stream >> group.key >> group.name;
-        group.layers = readAll<SheetLayer>(stream, [&] {
-            SheetLayer layer;
-            stream >> layer.key >> layer.name;
-            layer.paths = readAll<SheetPath>(stream, [&] {
-                SheetPath path;
-                stream >> path.path >> path.pen_width >> path.dash >> path.tone;
-                return path;
-            });
-            return layer;
-        });
-        return group;
-    });
-    if (stream.status() != QDataStream::Ok) refuse("This packed sheet is not whole.");
+    Sheet sheet;
+    pass(unpacking, sheet);
     return sheet;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sheet/view_drawing.h"
 
+#include "line_drawing/words.h"
 #include "planes/cutting.h"
 #include "sections/section_marks.h"
 #include "strokes/chaining.h"
@@ -62,12 +63,11 @@ void addHatching(const std::vector<MergedWalls>& walls, std::vector<DrawnLine>& 
 SheetPath filled(const Wall& loops, double tone = 0) {
     SheetPath area;
     area.tone = tone;
-    area.path.setFillRule(Qt::OddEvenFill);
     for (const auto& loop : loops) {
-        area.path.moveTo(loop[0].x(), loop[0].y());
+        area.path.moveTo(loop[0]);
         for (const Eigen::Vector2d& p : loop)
-            area.path.lineTo(p.x(), p.y());
-        area.path.closeSubpath();
+            area.path.lineTo(p);
+        area.path.close();
     }
     return area;
 }
@@ -97,9 +97,9 @@ SheetLayer areas(const DrawnView& view, const std::vector<DrawnLine>& lines,
 }  // namespace
 
 SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
-                    const QRectF& surface_place, const SheetOptions& options) {
+                    const Eigen::AlignedBox2d& surface_place, const SheetOptions& options) {
     const bool has_name = view.frame.side != Side::Other;
-    const QString key = has_name ? view.frame.name.toLower() : QString("view-%1").arg(number);
+    const std::string key = has_name ? lower(view.frame.name) : "view-" + std::to_string(number);
     SheetGroup group{key, view.frame.name, {}};
     const double pen = options.pens[std::size_t(LineClass::Outline)],
                  inner_pen = options.pens[std::size_t(LineClass::Inner)];

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QRectF>
-
 #include "line_drawing/sheet.h"
 #include "views/drawn_view.h"
 
@@ -11,6 +9,6 @@ namespace line_drawing {
 /// A view as it is drawn on the sheet; `number` is its place among the views, from 1 on,
 /// `surface_place` that of its surface on the sheet. Thin lines first: outlines lie over them.
 SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
-                    const QRectF& surface_place, const SheetOptions& options);
+                    const Eigen::AlignedBox2d& surface_place, const SheetOptions& options);
 
 }  // namespace line_drawing

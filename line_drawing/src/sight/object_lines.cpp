@@ -45,8 +45,8 @@ Field computeField(const Object& object, PrecomputeOptions wanted, const SheetOp
                                   laplacian_lines::measure_scale(object.mesh, wanted).mean_edge;
         return laplacian_lines::precompute(object.mesh, wanted, progress);
     } catch (const laplacian_lines::Error& error) {
-        if (object.name.isEmpty()) throw;
-        throw laplacian_lines::Error(error.code(), object.name.toStdString() + ": " + error.what());
+        if (object.name.empty()) throw;
+        throw laplacian_lines::Error(error.code(), object.name + ": " + error.what());
     }
 }
 

@@ -34,7 +34,7 @@ Vector2d secondDerivative(const Cubic& c, double t) {
 /// Fits a smooth run of points.
 class RunFitter {
 public:
-    RunFitter(const Points& points, double tolerance, QPainterPath& path)
+    RunFitter(const Points& points, double tolerance, Path& path)
         : points_(points),
           squared_tolerance_(tolerance * tolerance),
           reach_(corner_reach * tolerance),
@@ -42,7 +42,7 @@ public:
 
     /// points[first..last], with unit tangents inwards at both ends.
     void fit(std::size_t first, std::size_t last, const Vector2d& begin, const Vector2d& end) {
-        if (isStraight(first, last)) return path_.lineTo(points_[last].x(), points_[last].y());
+        if (isStraight(first, last)) return path_.lineTo(points_[last]);
         if (last - first > longest_run)
             return split(first, first + (last - first) / 2, last, begin, end);
         std::vector<double> parameters = lengthsTo(first, last);
@@ -97,9 +97,7 @@ private:
                                             : tangentFrom(i, first);
     }
 
-    void add(const Cubic& c) {
-        path_.cubicTo(c[1].x(), c[1].y(), c[2].x(), c[2].y(), c[3].x(), c[3].y());
-    }
+    void add(const Cubic& c) { path_.curveTo(c[1], c[2], c[3]); }
 
     /// Of a run, to each of its points.
     std::vector<double> lengthsTo(std::size_t first, std::size_t last) const {
@@ -165,7 +163,7 @@ private:
 
     const Points& points_;
     const double squared_tolerance_, reach_;
-    QPainterPath& path_;
+    Path& path_;
 };
 
 /// The direction from points[i] to the point that is `reach` away along the line, or to its end.
@@ -207,7 +205,7 @@ std::vector<std::size_t> findCorners(const Points& points, bool closed, double r
     return corners;
 }
 
-void fitCurve(const Points& given, bool closed, double tolerance, QPainterPath& path) {
+void fitCurve(const Points& given, bool closed, double tolerance, Path& path) {
     // so that curves near the points are near the line between them, too
     Points points = refine(given, corner_reach * tolerance);
     if (points.size() < 2) return;
@@ -224,7 +222,7 @@ void fitCurve(const Points& given, bool closed, double tolerance, QPainterPath& 
     const bool is_smooth_loop = closed && corners.empty();
     if (corners.empty() || corners.front() != 0) corners.insert(corners.begin(), 0);
     if (corners.back() != points.size() - 1) corners.push_back(points.size() - 1);
-    path.moveTo(points[0].x(), points[0].y());
+    path.moveTo(points[0]);
     RunFitter fitter(points, tolerance, path);
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
         Vector2d begin = fitter.tangentFrom(corners[i], corners[i + 1]);
@@ -235,7 +233,7 @@ void fitCurve(const Points& given, bool closed, double tolerance, QPainterPath& 
         }
         fitter.fit(corners[i], corners[i + 1], begin, end);
     }
-    if (closed) path.closeSubpath();
+    if (closed) path.close();
 }
 
 }  // namespace line_drawing

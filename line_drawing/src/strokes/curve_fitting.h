@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-#include <QPainterPath>
 #include <vector>
+
+#include "line_drawing/path.h"
 
 namespace line_drawing {
 
@@ -14,7 +14,7 @@ namespace line_drawing {
 /// Source: P. J. Schneider, "An Algorithm for Automatically Fitting Digitized Curves", Graphics
 /// Gems (1990).
 void fitCurve(const std::vector<Eigen::Vector2d>& points, bool closed, double tolerance,
-              QPainterPath& path);
+              Path& path);
 
 /// Where `points` turn by more than 25° within `reach`; ends of open lines are none.
 std::vector<std::size_t> findCorners(const std::vector<Eigen::Vector2d>& points, bool closed,

@@ -78,12 +78,12 @@ void addCap(const Vector2d& end, const Vector2d& normal, double width, double di
     }
 }
 
-QPainterPath taperedStroke(const Spine& spine, bool closed, double tolerance) {
+Path taperedStroke(const Spine& spine, bool closed, double tolerance) {
     const Points normals = normalsOf(spine.points, closed);
     Points right = offset(spine, normals, 1), left = offset(spine, normals, -1);
     std::reverse(left.begin(), left.end());
-    QPainterPath path;
-    path.setFillRule(Qt::WindingFill);
+    Path path;
+    path.fill_rule = FillRule::NonZero;
     if (closed) {  // a ring: its edges run in opposite directions
         fitCurve(right, true, tolerance, path);
         fitCurve(left, true, tolerance, path);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 #include <vector>
 
 #include "laplacian_lines/line_visibility.h"
@@ -49,7 +50,7 @@ using MergedWalls = std::vector<Wall>;
 
 /// A plane of a section that a view shows as a line. In the coordinates of the view.
 struct SectionMark {
-    QString letter;
+    std::string letter;
     Eigen::Vector2d point, along, looking;  ///< on the line; unit directions of the line, of sight
 };
 
@@ -64,7 +65,7 @@ struct DrawnView {
     bool is_section = false;
     std::vector<MergedWalls> walls = {};
     std::vector<SectionMark> marks = {};
-    QString note = {};  ///< what the sheet has to say of it
+    std::string note = {};  ///< what the sheet has to say of it
 };
 
 /// Where a view is on its sheet.

@@ -3,21 +3,21 @@
 #include <QImage>
 #include <cmath>
 
-#include "formats/sheet_painting.h"
-#include "formats/sheet_writers.h"
-#include "line_drawing/words.h"
+#include "sheet_painting/painted_file.h"
+#include "sheet_painting/painting.h"
+#include "sheet_painting/qt_words.h"
 
-namespace line_drawing {
+namespace sheet_painting {
 namespace {
 
 constexpr double most_pixels = 32000;  // of a side; Qt paints no farther
 
 }  // namespace
 
-QByteArray writePng(const Sheet& sheet, double dpi) {
+std::string writePng(const line_drawing::Sheet& sheet, double dpi) {
     const double scale = dpi / mm_per_inch;
-    const double width = std::ceil(sheet.size.width() * scale),
-                 height = std::ceil(sheet.size.height() * scale);
+    const double width = std::ceil(sheet.size.x() * scale),
+                 height = std::ceil(sheet.size.y() * scale);
     if (width > most_pixels || height > most_pixels)
         refuse(QString("A picture of %1 x %2 pixels is too large; take fewer dots per inch.")
                    .arg(width)
@@ -36,7 +36,7 @@ QByteArray writePng(const Sheet& sheet, double dpi) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     image.save(&buffer, "PNG");
-    return buffer.data();
+    return buffer.data().toStdString();
 }
 
-}  // namespace line_drawing
+}  // namespace sheet_painting

@@ -3,24 +3,25 @@
 #include <QPainter>
 #include <QPdfWriter>
 
-#include "formats/sheet_painting.h"
-#include "formats/sheet_writers.h"
 #include "laplacian_lines/version.h"
+#include "sheet_painting/painted_file.h"
+#include "sheet_painting/painting.h"
+#include "sheet_painting/qt_words.h"
 
-namespace line_drawing {
+namespace sheet_painting {
 namespace {
 
 constexpr int dots_per_inch = 1200;
 
 /// The metadata of PDF, of which readers show what they know.
-QByteArray xmp(const QString& provenance) {
+QByteArray xmp(const std::string& provenance) {
     return QString(R"(<?xpacket begin="" id="W5M0MpCehiHzreSzNTczkc9d"?>
 <x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">
 <rdf:Description rdf:about="" xmlns:ll="urn:laplacian-lines"><ll:provenance>%1</ll:provenance></rdf:Description>
 </rdf:RDF></x:xmpmeta>
 <?xpacket end="w"?>
 )")
-        .arg(provenance)
+        .arg(inQt(provenance))
         .toUtf8();
 }
 
@@ -35,17 +36,17 @@ void forgetTime(QByteArray& pdf) {
 
 }  // namespace
 
-QByteArray writePdf(const Sheet& sheet) {
+std::string writePdf(const line_drawing::Sheet& sheet) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     {
         QPdfWriter writer(&buffer);
         writer.setCreator(QString("Laplacian Lines ") + laplacian_lines::version());
-        if (!sheet.provenance.isEmpty()) writer.setDocumentXmpMetadata(xmp(sheet.provenance));
-        writer.setTitle(sheet.title);
+        if (!sheet.provenance.empty()) writer.setDocumentXmpMetadata(xmp(sheet.provenance));
+        writer.setTitle(inQt(sheet.title));
         writer.setResolution(dots_per_inch);
-        writer.setPageSize(
-            QPageSize(sheet.size, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
+        writer.setPageSize(QPageSize(QSizeF(sheet.size.x(), sheet.size.y()), QPageSize::Millimeter,
+                                     QString(), QPageSize::ExactMatch));
         writer.setPageMargins({0, 0, 0, 0});
         QPainter painter(&writer);
         painter.scale(dots_per_inch / mm_per_inch, dots_per_inch / mm_per_inch);
@@ -53,7 +54,7 @@ QByteArray writePdf(const Sheet& sheet) {
     }
     QByteArray pdf = buffer.data();
     forgetTime(pdf);
-    return pdf;
+    return pdf.toStdString();
 }
 
-}  // namespace line_drawing
+}  // namespace sheet_painting

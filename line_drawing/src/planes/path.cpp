@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/path.h"
+
+#include <cmath>
+
+namespace line_drawing {
+namespace {
+
+using Point = Path::Point;
+
+constexpr double quarter_handle = 0.5522847498;  // of a curve for a quarter of a circle; of 1
+constexpr int most_halvings = 9;
+
+/// But for rounding.
+bool isSame(const Point& p, const Point& q) {
+    return (p - q).lpNorm<Eigen::Infinity>() <= 1e-12;
+}
+
+double manhattan(const Point& p) {
+    return p.lpNorm<1>();
+}
+
+/// Whether both handles are, together, nearer than `tolerance` to the line from begin to end.
+bool isFlat(const Point& begin, const Path::Piece& curve, double tolerance) {
+    const Point way = curve.end - begin, first = begin - curve.first, second = begin - curve.second;
+    const double length = manhattan(way);
+    if (length <= 2 * tolerance) return manhattan(first) + manhattan(second) < tolerance;
+    const auto across = [&](const Point& p) { return std::abs(way.x() * p.y() - way.y() * p.x()); };
+    return across(first) + across(second) < tolerance * length;
+}
+
+void flatten(const Point& begin, const Path::Piece& curve, double tolerance, int halvings,
+             std::vector<Point>& points) {
+    if (halvings == 0 || isFlat(begin, curve, tolerance)) return points.push_back(curve.end);
+    const Point a = (begin + curve.first) / 2, b = (curve.first + curve.second) / 2,
+                c = (curve.second + curve.end) / 2, ab = (a + b) / 2, bc = (b + c) / 2,
+                middle = (ab + bc) / 2;
+    flatten(begin, {Path::Step::Curve, middle, a, ab}, tolerance, halvings - 1, points);
+    flatten(middle, {Path::Step::Curve, curve.end, bc, c}, tolerance, halvings - 1, points);
+}
+
+double coordinateAt(double t, double a, double b, double c, double d) {
+    const double s = 1 - t;
+    return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
+}
+
+/// Where a coordinate of a curve turns back.
+void extendToTurns(const Point& begin, const Path::Piece& curve, int axis,
+                   Eigen::AlignedBox2d& box) {
+    const double a = begin[axis], b = curve.first[axis], c = curve.second[axis],
+                 d = curve.end[axis];
+    const double square = d - 3 * c + 3 * b - a, half = c - 2 * b + a, rest = b - a;
+    const double root = std::sqrt(std::max(0., half * half - square * rest));
+    const double sum = -half - std::copysign(root, half);
+    for (const double t : {sum / square, rest / sum})
+        if (t > 0 && t < 1) {
+            const double turn = coordinateAt(t, a, b, c, d);
+            box.min()[axis] = std::min(box.min()[axis], turn);
+            box.max()[axis] = std::max(box.max()[axis], turn);
+        }
+}
+
+}  // namespace
+
+void Path::moveTo(const Point& p) {
+    if (!pieces.empty() && pieces.back().step == Step::Move) pieces.pop_back();
+    pieces.push_back({Step::Move, p});
+}
+
+void Path::lineTo(const Point& p) {
+    if (!isSame(pieces.back().end, p)) pieces.push_back({Step::Line, p});
+}
+
+void Path::curveTo(const Point& first, const Point& second, const Point& end) {
+    const Point& begin = pieces.back().end;
+    if (begin != first || first != second || second != end)
+        pieces.push_back({Step::Curve, end, first, second});
+}
+
+void Path::close() {
+    auto begin = pieces.rbegin();
+    while (begin->step != Step::Move)
+        ++begin;
+    lineTo(Point(begin->end));
+}
+
+void Path::addRectangle(const Point& corner, double width, double height) {
+    moveTo(corner);
+    lineTo(corner + Point(width, 0));
+    lineTo(corner + Point(width, height));
+    lineTo(corner + Point(0, height));
+    close();
+}
+
+void Path::addCircle(const Point& center, double radius) {
+    Point out(radius, 0);
+    moveTo(center + out);
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const Point next(-out.y(), out.x());
+        curveTo(center + out + quarter_handle * next, center + next + quarter_handle * out,
+                center + next);
+        out = next;
+    }
+}
+
+Path Path::placed(double scale, const Point& shift) const {
+    Path path = *this;
+    for (Piece& piece : path.pieces)
+        for (Point* p : {&piece.end, &piece.first, &piece.second})
+            *p = scale * *p + shift;
+    return path;
+}
+
+Eigen::AlignedBox2d Path::bounds() const {
+    Eigen::AlignedBox2d box;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        box.extend(pieces[i].end);
+        if (pieces[i].step == Step::Curve)
+            for (const int axis : {0, 1})
+                extendToTurns(pieces[i - 1].end, pieces[i], axis, box);
+    }
+    return box;
+}
+
+std::vector<std::vector<Point>> Path::flattened(double tolerance) const {
+    std::vector<std::vector<Point>> lines;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (pieces[i].step == Step::Move)
+            lines.push_back({pieces[i].end});
+        else if (pieces[i].step == Step::Line)
+            lines.back().push_back(pieces[i].end);
+        else
+            flatten(pieces[i - 1].end, pieces[i], tolerance, most_halvings, lines.back());
+    }
+    return lines;
+}
+
+}  // namespace line_drawing

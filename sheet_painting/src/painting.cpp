@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet_painting/painting.h"
+
+#include <QFont>
+#include <QFontMetricsF>
+#include <QPen>
+
+namespace sheet_painting {
+namespace {
+
+using line_drawing::SheetPath;
+using line_drawing::SheetText;
+using line_drawing::TextAnchor;
+
+QPointF inQt(const Eigen::Vector2d& p) {
+    return {p.x(), p.y()};
+}
+
+void paint(const SheetPath& path, QPainter& painter) {
+    if (path.pen_width == 0)
+        return painter.fillPath(painterPath(path.path),
+                                QColor::fromRgbF(path.tone, path.tone, path.tone));
+    QPen pen(Qt::black, path.pen_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    if (path.dash > 0) {
+        const double in_pens = path.dash / path.pen_width;
+        pen.setDashPattern({in_pens, in_pens / 2});
+        pen.setCapStyle(Qt::FlatCap);
+    }
+    painter.strokePath(painterPath(path.path), pen);
+}
+
+void paint(const SheetText& text, QPainter& painter) {
+    constexpr int pixels = 100;
+    QFont font("sans-serif");
+    font.setPixelSize(pixels);
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.1);  // without ligatures, which searches miss
+    const QString letters = QString::fromStdString(text.text);
+    const double width = QFontMetricsF(font).horizontalAdvance(letters);
+    const double shift = text.anchor == TextAnchor::Right    ? width
+                         : text.anchor == TextAnchor::Middle ? width / 2
+                                                             : 0;
+    const double size = text.height / pixels;
+    painter.save();
+    painter.translate(inQt(text.position));
+    painter.scale(size, size);
+    painter.setFont(font);
+    painter.setPen(Qt::black);
+    painter.drawText(QPointF(-shift, 0), letters);  // as letters, that PDF readers find
+    painter.restore();
+}
+
+}  // namespace
+
+QPainterPath painterPath(const line_drawing::Path& path) {
+    using Step = line_drawing::Path::Step;
+    QPainterPath result;
+    for (const auto& piece : path.pieces)
+        if (piece.step == Step::Move)
+            result.moveTo(inQt(piece.end));
+        else if (piece.step == Step::Line)
+            result.lineTo(inQt(piece.end));
+        else
+            result.cubicTo(inQt(piece.first), inQt(piece.second), inQt(piece.end));
+    const bool is_even_odd = path.fill_rule == line_drawing::FillRule::EvenOdd;
+    result.setFillRule(is_even_odd ? Qt::OddEvenFill : Qt::WindingFill);
+    return result;
+}
+
+void paint(const line_drawing::Sheet& sheet, QPainter& painter) {
+    for (const line_drawing::SheetGroup& group : sheet.groups)
+        for (const line_drawing::SheetLayer& layer : group.layers) {
+            for (const SheetPath& path : layer.paths)
+                paint(path, painter);
+            for (const SheetText& text : layer.texts)
+                paint(text, painter);
+        }
+}
+
+}  // namespace sheet_painting
