@@ -21,7 +21,7 @@ import tempfile
 sys.dont_write_bytecode = True  # files beside the sources have them look changed
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "scripts"))
 from environment import packages
-from environment.build import build_folder, build_targets, ensure_toolchain
+from environment.build import build_folder, build_targets
 from environment.messages import Failure, run_main
 from product.display import display, private_home
 from product.meshlab import explain_failure, run_meshlab
@@ -61,9 +61,7 @@ def added(what, work):
 
 def main():
     build = build_folder()
-    packages.ensure_packages(*packages.DISPLAY)
-    ensure_toolchain()
-    build_targets("meshlab_plugins", options=["-DLAPLACIAN_LINES_BUILD_DRIVER=ON"])
+    build_targets("meshlab_plugins", options=["-DLAPLACIAN_LINES_BUILD_DRIVER=ON"], extra_packages=packages.DISPLAY)
     stage_meshlab(build / "stage", built_plugins(build, "plugins", "driver"))
     with tempfile.TemporaryDirectory() as name, display(1700, 1000):
         work = pathlib.Path(name)

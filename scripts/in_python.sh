@@ -15,4 +15,7 @@ if ! command -v python3 >/dev/null; then
 fi
 command=$1
 shift
-exec python3 -B "$(dirname "$(readlink -f "$0")")/$command.py" "$@" # no files beside the sources, or they look changed
+python=/usr/bin/python3 # version managers put a script before it, which takes longer than ours
+[ -x "$python" ] || python=python3
+# -B: no files beside the sources, or they look changed; -S: no packages are needed
+exec "$python" -BS "${0%/*}/$command.py" "$@"

@@ -1,193 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Builds the plugins and opens MeshLab with Laplacian lines switched on. See USAGE below."""
+"""./run: product/command.py. A drawing of a small part takes less time than to import what it does not need."""
 
-import contextlib
 import os
 import pathlib
 import sys
 import tempfile
 
-from environment import packages
-from environment.build import build_folder, build_targets, ensure_toolchain
-from environment.files import cache_folder
-from environment.messages import Failure, run, run_main, say
-from product import drawing, picture, pymeshlab
-from product.display import display
-from product.extra_plugins import expect_extra_plugins, has_extra_plugins, install_plugins, uninstall_plugins
-from product.meshlab import is_project, open_window, settings_commands
-from product.models import check_mesh
-from product.package import make_packages
-from product.portable import package_portable
-from product.stage import blame_reader, built_plugins, is_signal, outputs_are_there, stage_meshlab
-
-USAGE = f"""\
-./run [MESH...] [PROJECT.mlp...]              opens MeshLab on them with Laplacian lines switched on, a layer each
-./run --picture FILE.png [OPTIONS] [MESH...]  writes a drawing of MeshLab's view instead; of several meshes or views, a
-                                              sheet, without those that fail
-    --size WxH                                in pixels (1200x900); above 900, lines get wider with the
-                                              shorter side
-    --view NAME, --view AZIMUTH,ELEVATION     from the front, back, left, right, top or bottom, or degrees to the right
-                                              around the mesh and up, -90 to 90; once for each drawing of a mesh
-    --up x, --up y, --up z                    the axis of the mesh that points upwards (y)
-    --zoom FACTOR                             the middle of the drawing, larger (0.1 to 10)
-    --orthographic                            without perspective
-    --kinds NAME,NAME...                      a drawing on the sheet for each kind of lines, such as all, usual,
-                                              apparent_ridges, ridges+valleys; log and canny are edges in the picture
-    --noise SHARE                             another drawing of each mesh, its vertices moved by that share of the mean
-                                              edge in random directions
-./run --set NAME=VALUE... [...]               any parameter of the lines, for this window or picture, as in
-                                              --set Detail=70 --set "Line Color=navy"; a wrong NAME lists all
-./run --drawing FILE.svg|.pdf|.dxf|.png [OPTIONS] [MESH...]
-./run --drawing FOLDER/ [OPTIONS] MESH...     writes a measured drawing: views at scale on paper; of several meshes, or
-                                              folders of them, one of all in a FILE, or one each and a contact sheet
-                                              in a FOLDER/; --drawing --help has the options
-./run --server ARGS...                        runs meshlabserver ARGS..., or what stands in for it, with the filter
-./run --python ARGS...                        runs Python ARGS... with PyMeshLab and the module laplacian_lines
-./run --install                               adds the plugins to the user's own (MeshLab 2022.02 and later; for the
-                                              others, --package)
-./run --uninstall                             removes what --install has added
-./run --package                               makes a .deb and a .zip of the plugins, for the MeshLab installed here
-./run --package --portable                    makes a .zip for MeshLab 2025.07 as its authors publish it, on any Linux
-./run --help
-
-MESH is any file that MeshLab reads, also gzipped; without one, the Stanford dragon is fetched. Without a display,
-./run alone writes the picture laplacian_lines.png. Whatever is missing (MeshLab, compiler, libraries) is installed
-with apt-get; downloads are kept in {cache_folder()}.
-"""
-MODES = ("--install", "--uninstall", "--package")
-
-
-def build_plugins(*extra_packages):
-    ensure_toolchain(*extra_packages)
-    say(f"building the plugins for MeshLab {packages.meshlab_version()}")
-    build_targets("meshlab_plugins", options=["-DLAPLACIAN_LINES_BUILD_DRIVER=ON"])
-
-
-def build_and_stage(*extra_packages):
-    """The stage."""
-    build_plugins(*extra_packages)
-    stage = build_folder() / "stage"
-    stage_meshlab(stage, built_plugins(build_folder(), "plugins", "driver"))
-    return stage
-
-
-def run_server(words, begun):
-    server = build_and_stage() / "bin/meshlabserver"
-    begun.touch()
-    with contextlib.ExitStack() as shown:
-        if not os.environ.get("DISPLAY") and not has_extra_plugins():
-            # MeshLab 2020.09's needs an X display with OpenGL even to run filters
-            packages.ensure_packages(*packages.DISPLAY)
-            shown.enter_context(display(1280, 900))
-        code = run([server, *words])
-        if is_signal(code):
-            blame_reader(server, words)
-    return code or int(not outputs_are_there(begun, words))
-
-
-class Command:
-    """What the command line says."""
-
-    def __init__(self, words):
-        self.mode, self.picture, self.meshes, self.settings = "window", "laplacian_lines.png", [], []
-        self.options, self.options_given, self.rest = picture.Options(), [], []
-        while words:
-            self.take(words)
-        if self.settings and self.mode not in ("window", "picture"):
-            raise Failure(f"--set goes with a window or a picture, not with --{self.mode}")
-        if self.mode == "window" and not os.environ.get("DISPLAY"):
-            say(f"no display: writing the picture {self.picture} instead of opening a window")
-            self.mode = "picture"
-        projects = [mesh for mesh in self.meshes if is_project(mesh)]
-        if projects and self.mode != "window":
-            raise Failure(f"a project opens in a window; for a picture, name its meshes instead of {projects[0]}")
-        if self.options_given and self.mode != "picture":
-            raise Failure(f"{self.options_given[0]} goes with --picture")
-
-    def take(self, words):
-        """The first of the words, and what belongs to it."""
-        word = words[0]
-        if word in picture.Options.OPTIONS:
-            self.options_given.append(word)
-            self.options.take(words)
-            return
-        words.pop(0)
-        if word in ("-h", "--help"):
-            print(USAGE, end="")
-            sys.exit()
-        elif word in ("--drawing", "--server", "--python"):
-            self.mode, self.rest = word[2:], words[:]
-            words.clear()
-        elif word in MODES:
-            if word == "--package" and words == ["--portable"]:
-                word = words.pop()
-            if words:
-                raise Failure(f"{word} takes no other arguments")
-            self.mode = word[2:]
-        elif word == "--picture":
-            if not words:
-                raise Failure("--picture needs the name of a file")
-            self.mode, self.picture = "picture", words.pop(0)
-        elif word == "--set":
-            if not words or "=" not in words[0]:
-                raise Failure('--set needs NAME=VALUE, such as Detail=70 or "Line Color=navy"')
-            self.settings.append(words.pop(0))
-        elif word.startswith("-"):
-            raise Failure(f"unknown option {word}; see ./run --help")
-        else:
-            check_mesh(word)
-            self.meshes.append(word)
-
-    def run(self, work):
-        """The exit code; the folder is for what is needed meanwhile."""
-        return getattr(self, f"run_{self.mode}")(work)
-
-    def run_drawing(self, work):
-        return drawing.run_drawing(work, self.rest)
-
-    def run_server(self, work):
-        return run_server(self.rest, work / "begun")
-
-    def run_python(self, _):
-        return pymeshlab.run_python(self.rest)
-
-    def run_install(self, _):
-        packages.ensure_packages("meshlab")
-        expect_extra_plugins(build_folder() / "packages")
-        build_plugins()
-        install_plugins(built_plugins(build_folder(), "plugins"))
-
-    def run_uninstall(self, _):
-        uninstall_plugins()
-
-    def run_package(self, _):
-        build_plugins(*packages.PACKAGING)
-        build_targets("laplacian_lines_drawing")
-        make_packages(build_folder(), build_folder() / "packages")
-
-    def run_portable(self, _):
-        ensure_toolchain(*packages.PACKAGING)
-        package_portable()
-
-    def run_window(self, work):
-        stage = build_and_stage()
-        open_window(stage, work, self.meshes or [""], settings_commands(build_folder(), self.settings))
-
-    def run_picture(self, work):
-        picture.check_picture(self.picture)
-        stage = build_and_stage(*packages.DISPLAY, "imagemagick")
-        settings = settings_commands(build_folder(), self.settings)
-        columns = picture.columns_of(build_folder(), self.options.kinds, self.settings)
-        picture.Pictures(stage, work, self.options, columns, settings).take(self.picture, self.meshes or [""])
+from environment.messages import run_main
 
 
 def main():
-    command = Command(sys.argv[1:])
+    words = sys.argv[1:]
     with tempfile.TemporaryDirectory() as work:
         if not os.environ.get("XDG_RUNTIME_DIR"):  # Qt would make one that stays
             os.mkdir(f"{work}/runtime", 0o700)
             os.environ["XDG_RUNTIME_DIR"] = f"{work}/runtime"
-        return command.run(pathlib.Path(work))
+        if words[:1] == ["--drawing"]:
+            from product.drawing import run_drawing
+            return run_drawing(pathlib.Path(work), words[1:])
+        from product.command import Command
+        return Command(words).run(pathlib.Path(work))
 
 
 run_main(main)

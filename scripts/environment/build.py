@@ -26,13 +26,17 @@ def build_folder(checkout=CHECKOUT):
     return pathlib.Path(os.environ.get("LAPLACIAN_LINES_BUILD") or checkout / "build")
 
 
-def build_targets(*targets, options=(), checkout=CHECKOUT):
-    """Configures and compiles, all targets when none is named."""
+def build_targets(*targets, options=(), extra_packages=None, checkout=CHECKOUT):
+    """Configures and compiles, all targets when none is named. With extra_packages, these and all that building takes
+    are installed before."""
     build = build_folder(checkout)
     with turn(build):
-        described = description(checkout, *targets, *options)
+        described = description(checkout, *targets, *options, *(extra_packages or ()))
         if is_built(checkout, build, described):
             return
+        if extra_packages is not None:
+            ensure_toolchain(*extra_packages)
+            say(f"building {' '.join(targets) or 'all'} for MeshLab {packages.meshlab_version()}")
         (build / ".begun").touch()
         configure(checkout, build, options)
         compile_targets(checkout, build, targets)
@@ -55,12 +59,18 @@ def is_built(checkout, build, described):
         sources = [place for place in checkout.iterdir() if place.is_dir() and place.name != ".git"
                    and not place.samefile(build)]
         made = [place for name in ("plugins", "driver", "bin") if (place := build / name).is_dir()]
-        below = [file for folder in sources for file in folder.rglob("*")]
-        beside = [file for folder in made for file in folder.iterdir()]
-        return not (newer(build / ".sources", *sources, *below, checkout / "CMakeLists.txt", "/var/lib/dpkg/status") or
-                    newer(build / ".built", *made, *beside, build / "CMakeCache.txt"))
+        return not (newer(build / ".sources", *all_in(*sources), checkout / "CMakeLists.txt", "/var/lib/dpkg/status") or
+                    newer(build / ".built", *all_in(*made), build / "CMakeCache.txt"))
     except OSError:
         return False
+
+
+def all_in(*folders):
+    """And the folders themselves. os.walk() takes a fifth of the time of pathlib."""
+    for folder in folders:
+        for place, _, files in os.walk(folder):
+            yield place
+            yield from (f"{place}/{file}" for file in files)
 
 
 def processors():

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Python environments in the cache folder."""
 
-import platform
+import shutil
 import subprocess
-import sys
 
 from environment.files import cache_folder, publish_into
 from environment.messages import Failure, Obstacle, output, quietly, say
@@ -11,25 +10,27 @@ from environment.packages import ensure_packages
 
 
 def ensure_python(name, version, size, *packages):
-    """The Python of the environment of this name, for this Python, of about that size. Other packages need another
+    """The Python of the environment of this name, for the user's Python, of about that size. Other packages need another
     version. Raises Obstacle."""
-    if output(sys.executable, "-c", "import ensurepip, venv") is None:
+    users = shutil.which("python3")
+    if output(users, "-c", "import ensurepip, venv") is None:
         try:
             ensure_packages("python3", "python3-venv")
         except Failure as reason:
             say(reason)
             raise Obstacle("python3-venv could not be installed") from None
-    folder = cache_folder() / name / f"{version}-python{platform.python_version()}"
+    users_version = output(users, "-c", "import platform; print(platform.python_version())")
+    folder = cache_folder() / name / f"{version}-python{users_version}"
     python, log = folder / "bin/python", folder.with_name(folder.name + ".log")
     if python.exists():
         return python
     say(f"installing {' '.join(packages)} into {folder} ({size})")
 
     def install(scratch):
-        return (subprocess.run([sys.executable, "-m", "venv", scratch]).returncode == 0 and
+        return (subprocess.run([users, "-m", "venv", scratch]).returncode == 0 and
                 quietly(log, [scratch / "bin/python", "-m", "pip", "--disable-pip-version-check", "--no-input",
                               "install", *packages]))
 
     if not publish_into(folder, install):
-        raise Obstacle(f"{' '.join(packages)} could not be installed for Python {platform.python_version()}; the log is {log}")
+        raise Obstacle(f"{' '.join(packages)} could not be installed for Python {users_version}; the log is {log}")
     return python

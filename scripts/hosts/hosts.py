@@ -6,7 +6,7 @@ import os
 import time
 
 from environment import packages
-from environment.build import CHECKOUT, build_folder, build_targets, ensure_toolchain, processors
+from environment.build import CHECKOUT, build_folder, build_targets, processors
 from environment.files import cache_folder, compiled_folder
 from environment.messages import Failure, duration, say, started
 from environment.releases import SUITES
@@ -36,9 +36,8 @@ def run_ctest(build, regexes, label=None):
 def test_here(regexes, label=None):
     """Builds and runs the tests with the MeshLab installed here; without a label also the core's."""
     began = time.monotonic()
-    ensure_toolchain(*packages.DISPLAY, *packages.TEST)
-    say(f"building the plugins and the tests for MeshLab {packages.meshlab_version()}")
-    build_targets(*(["meshlab_tests"] if label else []), options=TESTS)
+    build_targets(*(["meshlab_tests"] if label else []), options=TESTS,
+                  extra_packages=[*packages.DISPLAY, *packages.TEST])
     say(f"built in {duration(time.monotonic() - began)}; running the tests")
     run_ctest(build_folder(), regexes, label)
 

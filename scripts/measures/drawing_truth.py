@@ -3,7 +3,7 @@
 
 import hashlib
 
-from environment.build import CHECKOUT, build_folder, build_targets, ensure_toolchain
+from environment.build import CHECKOUT, build_folder, build_targets
 from environment.files import cache_folder
 from environment.messages import Failure, Obstacle, run, say
 from environment.python_environments import ensure_python
@@ -45,9 +45,8 @@ def split(words):
 
 def build_truth():
     """The folder of the two programs."""
-    ensure_toolchain()
-    say("building drawing_truth and drawing_silhouettes")
-    build_targets("drawing_truth", "drawing_silhouettes", options=["-DLAPLACIAN_LINES_BUILD_BENCHMARKS=ON"])
+    build_targets("drawing_truth", "drawing_silhouettes", options=["-DLAPLACIAN_LINES_BUILD_BENCHMARKS=ON"],
+                  extra_packages=())
     return build_folder() / "benchmarks/truth"
 
 

@@ -48,7 +48,7 @@ def options():
     words = {(c.parent.name, word) for c in commands for word in re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of(c))}
     drawn = set(re.findall(r"^\| `--([a-z]+)` \|", text_of("docs/drawing_sheets.md"), re.M))
     words |= {("drawing_program", "--" + word) for word in drawn}
-    of_run = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of("scripts/run.py")))
+    of_run = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of("scripts/product/command.py")))
     return sum(len(row.split(",")) for row in rows), len(words), len(labels) + len(drawn - keys) + len(of_run)
 
 

@@ -3,8 +3,8 @@
 
 import os
 
-from environment.build import build_folder, build_targets, ensure_toolchain
-from environment.messages import Failure, run, say
+from environment.build import build_folder, build_targets
+from environment.messages import Failure, run
 from product.models import check_mesh, prepare_mesh
 
 PACKAGES = ["fonts-dejavu-core"]
@@ -24,10 +24,7 @@ def run_drawing(folder, words):
     """The words are as the program takes them, but that MESH may be missing or gzipped; the folder takes unpacked
     copies, each in one of its own, since their names may be the same."""
     program = build_folder() / "bin/laplacian-lines"
-    ensure_toolchain(*PACKAGES)
-    if not program.exists():
-        say("building laplacian-lines, for some minutes")
-    build_targets("laplacian_lines_drawing")
+    build_targets("laplacian_lines_drawing", extra_packages=PACKAGES)
     options, names = [], []
     while words:
         word = words.pop(0)

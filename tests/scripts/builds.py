@@ -4,6 +4,7 @@ that was copied or moved is built anew; CMake and make are asked again after any
 only then; in any country."""
 import signal
 import time
+from unittest import mock
 
 from harness import *
 
@@ -151,10 +152,12 @@ class MovedBuild(ScriptTest):
 
 class UnchangedBuild(ScriptTest):
     def expect_asked(self, when, asked, *options):
-        """Whether building asks CMake and make."""
+        """Whether building asks for packages, CMake and make."""
         log, made = self.work / "build/configure.log", self.work / "build/plugins/program"
         log.unlink(missing_ok=True)
-        build_targets("program", options=options, checkout=self.work)
+        with mock.patch("environment.build.ensure_toolchain") as ensure:
+            self.said_by(build_targets, "program", options=options, extra_packages=["some"], checkout=self.work)
+        self.assertEqual([call.args for call in ensure.mock_calls], [("some",)] if asked else [], when)
         self.assertEqual(log.exists(), asked, when)
         self.assertTrue(made.exists(), when)
         time.sleep(0.02)  # more than the steps of a file system's clock
