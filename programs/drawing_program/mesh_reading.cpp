@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <future>
 
 #include "mesh_files/mesh_file.h"
 #include "sheet_painting/qt_words.h"
@@ -48,6 +49,9 @@ ReadMesh readMesh(const QString& name, bool draws_damaged) {
     if (!format) refuse(name, "meshes are read from PLY, OBJ, STL and OFF files.");
     const QByteArray bytes = file.readAll();
     if (bytes.size() != file.size()) refuse(name, "it cannot be read to its end.");
+    auto hash = std::async([&] {
+        return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex().toStdString();
+    });
     mesh_files::MeshInFile read =
         mesh_files::read_mesh(*format, {bytes.constData(), std::size_t(bytes.size())});
     const std::size_t triangles = read.mesh.triangles.size();
@@ -61,6 +65,5 @@ ReadMesh readMesh(const QString& name, bool draws_damaged) {
                        "that are drawn.")
                    .arg(defect)
                    .arg(triangles));
-    return {std::move(read.mesh), defect,
-            QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex().toStdString()};
+    return {std::move(read.mesh), defect, hash.get()};
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "laplacian_lines/error.h"
@@ -106,6 +107,20 @@ void for_each_element(std::size_t count, Body body) {
         for (std::size_t i = begin; i < end; ++i)
             body(i);
     });
+}
+
+/// What find(i, found) appends to `found` for all i, in their order.
+template <class T, class Find>
+std::vector<T> collect(std::size_t count, Find find) {
+    std::vector<std::vector<T>> found(block_count(count));
+    in_blocks(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            find(std::uint32_t(i), found[begin / kBlockElements]);
+    });
+    std::vector<T> all;
+    for (const auto& of_block : found)
+        all.insert(all.end(), of_block.begin(), of_block.end());
+    return all;
 }
 
 /// Joins value(begin, end) of the blocks to `start` in their order, so that the number of threads

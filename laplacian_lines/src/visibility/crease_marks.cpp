@@ -5,16 +5,8 @@
 #include <utility>
 
 namespace laplacian_lines {
-namespace {
 
 using Eigen::Vector3d;
-
-void mark_edge(const SightMesh& mesh, std::uint32_t a, std::uint32_t b, CreaseMarks& marks) {
-    const std::uint32_t edge = mesh.edge_between(a, b);
-    if (edge != SightMesh::kNoEdge) marks[edge] = true;
-}
-
-}  // namespace
 
 const VertexPlaces& CreaseMarker::places() const {
     return *places_.get(
@@ -22,8 +14,8 @@ const VertexPlaces& CreaseMarker::places() const {
 }
 
 /// Other vertices may lie on the way.
-void CreaseMarker::mark_along(const Vector3d& begin, const Vector3d& end,
-                              CreaseMarks& marks) const {
+void CreaseMarker::find_along(const Vector3d& begin, const Vector3d& end,
+                              std::vector<std::uint32_t>& edges) const {
     const double reach = 2 * mesh_.line_precision + mesh_.precision, length = (end - begin).norm();
     if (!(length > 0)) return;
     const Vector3d direction = (end - begin) / length;
@@ -35,20 +27,26 @@ void CreaseMarker::mark_along(const Vector3d& begin, const Vector3d& end,
     });
     std::sort(on.begin(), on.end());
     on.erase(std::unique(on.begin(), on.end()), on.end());
-    for (std::size_t i = 1; i < on.size(); ++i)
-        mark_edge(mesh_, on[i - 1].second, on[i].second, marks);
+    for (std::size_t i = 1; i < on.size(); ++i) {
+        const std::uint32_t edge = mesh_.edge_between(on[i - 1].second, on[i].second);
+        if (edge != SightMesh::kNoEdge) edges.push_back(edge);
+    }
 }
 
 CreaseMarks CreaseMarker::mark(const std::vector<LineSet>& lines) const {
-    CreaseMarks marks;
+    std::vector<const LinePoint*> begins;  // of the creases' segments
     for (const LineSet& set : lines)
-        for (const Polyline& line : set.lines) {
-            if (line.kind != LineKind::Crease) continue;
-            marks.resize(mesh_.edge_count());
-            for (std::uint32_t i = line.first; i + 1 < line.first + line.count; ++i)
-                mark_along(mesh_.local(set.points[i].position.cast<double>()),
-                           mesh_.local(set.points[i + 1].position.cast<double>()), marks);
-        }
+        for (const Polyline& line : set.lines)
+            for (std::uint32_t i = 0; line.kind == LineKind::Crease && i + 1 < line.count; ++i)
+                begins.push_back(&set.points[line.first + i]);
+    if (begins.empty()) return {};
+    CreaseMarks marks(mesh_.edge_count());
+    const auto find = [&](std::uint32_t i, std::vector<std::uint32_t>& edges) {
+        find_along(mesh_.local(begins[i][0].position.cast<double>()),
+                   mesh_.local(begins[i][1].position.cast<double>()), edges);
+    };
+    for (const std::uint32_t edge : collect<std::uint32_t>(begins.size(), find))
+        marks[edge] = true;
     return marks;
 }
 

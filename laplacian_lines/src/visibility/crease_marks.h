@@ -26,8 +26,8 @@ public:
     CreaseMarks mark(const std::vector<LineSet>& lines) const;
 
 private:
-    void mark_along(const Eigen::Vector3d& begin, const Eigen::Vector3d& end,
-                    CreaseMarks& marks) const;
+    void find_along(const Eigen::Vector3d& begin, const Eigen::Vector3d& end,
+                    std::vector<std::uint32_t>& edges) const;
     const VertexPlaces& places() const;
 
     const SightMesh& mesh_;

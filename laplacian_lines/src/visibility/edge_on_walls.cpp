@@ -14,8 +14,9 @@ using Eigen::Vector3d;
 EdgeOnWalls::EdgeOnWalls(const Picture& picture) : picture_(picture), mesh_(picture.mesh()) {
     find_walls();
     if (is_wall_.empty()) return;
-    join_faces();
-    note_folds();
+    const std::vector<std::uint32_t> edges = edges_of_walls();
+    join_faces(edges);
+    note_folds(edges);
 }
 
 void EdgeOnWalls::find_walls() {
@@ -30,9 +31,18 @@ void EdgeOnWalls::find_walls() {
     if (std::find(is_wall_.begin(), is_wall_.end(), 1) == is_wall_.end()) is_wall_.clear();
 }
 
-void EdgeOnWalls::join_faces() {
+std::vector<std::uint32_t> EdgeOnWalls::edges_of_walls() const {
+    return collect<std::uint32_t>(
+        mesh_.edge_count(), [&](std::uint32_t e, std::vector<std::uint32_t>& found) {
+            const SightMesh::Side *begin = mesh_.sides_of(e), *end = begin + mesh_.side_count(e);
+            if (std::any_of(begin, end, [&](const auto& side) { return is_wall(side.triangle); }))
+                found.push_back(e);
+        });
+}
+
+void EdgeOnWalls::join_faces(const std::vector<std::uint32_t>& edges) {
     DisjointSets faces(mesh_.triangles.size());
-    for (std::uint32_t e = 0; e < mesh_.edge_count(); ++e) {
+    for (const std::uint32_t e : edges) {
         if (mesh_.side_count(e) != 2) continue;
         const std::uint32_t a = mesh_.sides_of(e)[0].triangle, b = mesh_.sides_of(e)[1].triangle;
         if (is_wall(a) && is_wall(b) &&
@@ -42,8 +52,8 @@ void EdgeOnWalls::join_faces() {
     face_of_ = faces.take_roots();
 }
 
-void EdgeOnWalls::note_folds() {
-    for (std::uint32_t e = 0; e < mesh_.edge_count(); ++e) {
+void EdgeOnWalls::note_folds(const std::vector<std::uint32_t>& edges) {
+    for (const std::uint32_t e : edges) {
         const SightMesh::Side* sides = mesh_.sides_of(e);
         if (!picture_.is_fold(e)) continue;
         for (std::size_t i = 0; i < mesh_.side_count(e); ++i)

@@ -24,8 +24,9 @@ public:
 private:
     bool is_wall(std::uint32_t triangle) const { return !is_wall_.empty() && is_wall_[triangle]; }
     void find_walls();
-    void join_faces();
-    void note_folds();
+    std::vector<std::uint32_t> edges_of_walls() const;
+    void join_faces(const std::vector<std::uint32_t>& edges);
+    void note_folds(const std::vector<std::uint32_t>& edges);
     bool recedes(std::uint32_t edge, std::uint32_t triangle) const;
     bool cover(const std::vector<std::uint32_t>& edges, std::uint32_t other) const;
 

@@ -83,20 +83,6 @@ bool weld_borders(SightMesh& mesh) {
     return any;
 }
 
-/// What find(i, found) adds for all i < count, in their order.
-template <class T, class Find>
-std::vector<T> find_in_order(std::size_t count, Find find) {
-    std::vector<std::vector<T>> found(block_count(count));
-    in_blocks(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            find(std::uint32_t(i), found[begin / kBlockElements]);
-    });
-    std::vector<T> all;
-    for (const auto& of_block : found)
-        all.insert(all.end(), of_block.begin(), of_block.end());
-    return all;
-}
-
 /// For each end of cuts, the vertices from `first_end` on, the first vertex at its place.
 std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::size_t first_end) {
     const std::size_t count = mesh.positions.size();
@@ -115,7 +101,7 @@ std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::size_t firs
     };
     std::vector<std::uint32_t> first(count - first_end);
     std::iota(first.begin(), first.end(), std::uint32_t(first_end));
-    for (const auto& [end, v] : find_in_order<Pair>(count, find))
+    for (const auto& [end, v] : collect<Pair>(count, find))
         first[end - first_end] = std::min(first[end - first_end], v);
     for (std::uint32_t& nearest : first)  // what stands for an end before it
         if (nearest >= first_end) nearest = first[nearest - first_end];
@@ -189,8 +175,8 @@ void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
         ends.visit_along(mesh.positions[edge[0]], mesh.positions[edge[1]], mesh.precision,
                          [&](std::uint32_t v) { add_if_on(v, edge, found); });
     };
-    for (const auto& found : {find_in_order<OnEdge>(mesh.positions.size(), find_cuts),
-                              find_in_order<OnEdge>(mesh.edge_count(), find_ends)})
+    for (const auto& found : {collect<OnEdge>(mesh.positions.size(), find_cuts),
+                              collect<OnEdge>(mesh.edge_count(), find_ends)})
         contacts.on_edges.insert(contacts.on_edges.end(), found.begin(), found.end());
     std::sort(contacts.on_edges.begin(), contacts.on_edges.end(), come_before);
 }
@@ -278,7 +264,7 @@ std::uint32_t SightMesh::edge_between(std::uint32_t a, std::uint32_t b) const {
 Vector3d SightMesh::normal(std::uint32_t triangle) const {
     const Triangle& t = triangles[triangle];
     const Vector3d& a = positions[t[0]];
-    return (positions[t[1]] - a).cross(positions[t[2]] - a).stableNormalized();
+    return (positions[t[1]] - a).cross(positions[t[2]] - a).normalized();
 }
 
 SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage) {

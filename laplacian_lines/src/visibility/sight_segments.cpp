@@ -82,20 +82,16 @@ void append_edges(const CreaseMarks& creases, SightSegments& all) {
     const auto is_cut_off = [&](std::uint32_t vertex) {
         return frame.has_perspective() && frame.depth(mesh.positions[vertex]) < kCutOff;
     };
-    std::vector<std::vector<SightSegment>> found(block_count(mesh.edge_count()));
-    in_blocks(mesh.edge_count(), [&](std::size_t begin, std::size_t end) {
+    const auto find = [&](std::uint32_t e, std::vector<SightSegment>& found) {
         SightSegment segment;
-        for (std::size_t e = begin; e < end; ++e) {
-            if (!judge.judge(std::uint32_t(e), segment)) continue;
-            segment.edge = std::uint32_t(e);
-            segment.points[0] = mesh.edges[e].vertices[0];
-            segment.points[1] = mesh.edges[e].vertices[1];
-            if (is_cut_off(segment.points[0]) && is_cut_off(segment.points[1])) continue;
-            found[begin / kBlockElements].push_back(segment);
-        }
-    });
-    for (const auto& of_block : found)
-        all.segments.insert(all.segments.end(), of_block.begin(), of_block.end());
+        if (!judge.judge(e, segment)) return;
+        segment.edge = e;
+        segment.points[0] = mesh.edges[e].vertices[0];
+        segment.points[1] = mesh.edges[e].vertices[1];
+        if (is_cut_off(segment.points[0]) && is_cut_off(segment.points[1])) return;
+        found.push_back(segment);
+    };
+    all.segments = collect<SightSegment>(mesh.edge_count(), find);
 }
 
 void append_line(const LineSet& lines, const Polyline& line, std::uint32_t number,

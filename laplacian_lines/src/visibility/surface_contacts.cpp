@@ -93,6 +93,25 @@ int common_corners(const Triangle& a, const Triangle& b) {
     return count;
 }
 
+/// A triangle's sides from a corner.
+std::array<Vector3d, 2> spans_from(std::uint32_t corner, const Triangle& t, const SightMesh& mesh) {
+    const std::size_t k = corner == t[0] ? 0 : corner == t[1] ? 1 : 2;
+    const Vector3d& from = mesh.positions[corner];
+    return {mesh.positions[t[(k + 1) % 3]] - from, mesh.positions[t[(k + 2) % 3]] - from};
+}
+
+/// Whether a plane through the one corner that two triangles have in common is between them, with
+/// the other corners farther from it than `reach`: so it is with most at a vertex that have another
+/// one between them.
+bool are_apart(const Triangle& a, const Triangle& b, double reach, const SightMesh& mesh) {
+    const std::uint32_t corner = has_corner(b, a[0]) ? a[0] : has_corner(b, a[1]) ? a[1] : a[2];
+    const auto of_a = spans_from(corner, a, mesh), of_b = spans_from(corner, b, mesh);
+    const Vector3d across = of_a[0] + of_a[1] - of_b[0] - of_b[1];
+    const double least = reach * across.norm();
+    return across.dot(of_a[0]) > least && across.dot(of_a[1]) > least &&
+           across.dot(of_b[0]) < -least && across.dot(of_b[1]) < -least;
+}
+
 /// Finds out how two triangles meet.
 class PairJudge {
 public:
@@ -114,7 +133,8 @@ public:
     void judge(std::uint32_t t, std::uint32_t other, const std::array<std::uint32_t, 4>& place,
                Found& found) const {
         const Triangle &a = mesh_.triangles[t], &b = mesh_.triangles[other];
-        if (common_corners(a, b) > 1) return;
+        const int common = common_corners(a, b);
+        if (common > 1 || (common == 1 && are_apart(a, b, reach(), mesh_))) return;
         const Vector3d& m = normals_[other];
         const Heights of_t(mesh_, a, m, mesh_.positions[b[0]]);
         if (of_t.are_beside(reach(), a, b)) return;

@@ -126,18 +126,21 @@ std::vector<double> look(const Observer& observer, Draft& draft, const Progress&
     const std::size_t count = draft.options.views.size();
     std::vector<double> missing(count);
     SharedProgress shared(progress, count);
-    const auto look_at = [&](std::size_t i, laplacian_lines::NoScratch&) {
+    const auto look_at = [&](std::size_t i) {
         observer.look(draft.views[i], draft.lines[i], draft.options, shared.of(i));
         draft.lines[i].clear();
+    };
+    const auto check = [&](std::size_t i) {
         missing[i] = observer.checkOutlines(draft.views[i], draft.options,
                                             check_pixel / draft.layout.placements[i].scale);
     };
-    laplacian_lines::NoScratch none;
     if (observer.triangleCount() <= most_triangles_at_once)
-        laplacian_lines::in_parallel<laplacian_lines::NoScratch>(count, look_at);
-    else  // by all threads, in the memory of one
-        for (std::size_t i = 0; i < count; ++i)
-            look_at(i, none);
+        laplacian_lines::in_parallel(count, [&](std::size_t i) { look_at(i), check(i); });
+    else  // one by all threads, in the memory of one; the one before is checked meanwhile
+        for (std::size_t i = 0; i <= count; ++i)
+            laplacian_lines::in_parallel(2, [&](std::size_t is_check) {
+                if (is_check ? i > 0 : i < count) is_check ? check(i - 1) : look_at(i);
+            });
     laplacian_lines::StageProgress(progress, 0, 1, "Finding what is seen").report(1);
     return missing;
 }
