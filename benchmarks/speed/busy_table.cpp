@@ -3,8 +3,11 @@
 // those with nothing else on it. All take turns; medians by the clock.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdio>
+#include <ctime>
 #include <functional>
+#include <thread>
 
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/threads.h"
@@ -30,8 +33,10 @@ struct LoadName {
     Load load;
     const char* name;
 };
-constexpr std::array<LoadName, 3> kLoads = {
-    {{Load::Quiet, "quiet"}, {Load::Stream, "memory streamed"}, {Load::Cores, "other cores busy"}}};
+constexpr std::array<LoadName, 4> kLoads = {{{Load::Quiet, "quiet"},
+                                             {Load::Stream, "memory streamed"},
+                                             {Load::Cores, "other cores busy"},
+                                             {Load::AllCores, "all cores busy"}}};
 
 /// One of the figures, and its seconds by load and round.
 struct Work {
@@ -63,10 +68,42 @@ void add_redraws(Redraws& redraws, std::vector<Work>& works) {
     works.push_back(redraw(redraws.plain().front(), redraws.view_count()));
 }
 
-Work field(const TriangleMesh& mesh) {
-    return {"field", "the field, all threads", [&mesh] {
+/// Puts the processor time of the latest one into `processor`.
+Work field(const TriangleMesh& mesh, double& processor) {
+    return {"field", "the field, all threads", [&] {
                 set_thread_limit(0);
-                return seconds([&] { precompute(mesh); });
+                const std::clock_t start = std::clock();
+                const double time = seconds([&] { precompute(mesh); });
+                processor = double(std::clock() - start) / CLOCKS_PER_SEC;
+                return time;
+            }};
+}
+
+double thread_seconds() {
+    timespec time;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+/// What the scheduler gives to as many threads that wait for nothing until they have had the
+/// processor time together, a millisecond at a time.
+Work fair_share(const double& processor) {
+    return {"fair_share", "as much processor time, of threads that wait for nothing", [&] {
+                constexpr double kPiece = 1e-3;
+                std::atomic<int> left{int(processor / kPiece)};
+                const auto compute = [&] {
+                    for (double end = thread_seconds(); left-- > 0;)
+                        for (end += kPiece; thread_seconds() < end;) {
+                        }
+                };
+                return seconds([&] {
+                    std::vector<std::thread> others(std::thread::hardware_concurrency() - 1);
+                    for (std::thread& thread : others)
+                        thread = std::thread(compute);
+                    compute();
+                    for (std::thread& thread : others)
+                        thread.join();
+                });
             }};
 }
 
@@ -106,6 +143,8 @@ std::vector<MeshFigures> figures_of(const std::string& mesh, const std::vector<W
             column.add(kRatios, work.key + "_to_quiet", work.text + " : quiet",
                        work.median(load) / work.median(0));
         const double contours = column.value(kTimes, "plain_contours");
+        column.add(kRatios, "field_to_fair_share", "the field : its fair share",
+                   column.value(kTimes, "field") / column.value(kTimes, "fair_share"));
         column.add(kRatios, "lines_to_contours", "Laplacian lines and contours : plain contours",
                    column.value(kTimes, "lines") / contours);
         columns.push_back(std::move(column));
@@ -119,7 +158,8 @@ std::vector<MeshFigures> measure(const std::string& file, const Neighbours& neig
     const TriangleMesh mesh = test_meshes::read_mesh(file);
     const Field of_mesh = precompute(mesh);
     Redraws redraws(mesh, of_mesh);
-    std::vector<Work> works = {field(mesh)};
+    double processor = 0;
+    std::vector<Work> works = {field(mesh, processor), fair_share(processor)};
     add_redraws(redraws, works);
 #ifdef HAS_FILTERS
     MeshDocument document;

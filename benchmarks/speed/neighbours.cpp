@@ -40,7 +40,7 @@ void signal_all(const std::vector<pid_t>& group, int signal) {
 Neighbours::Neighbours() {
     try {
         start(stream_, [] { copy_memory(); });
-        for (unsigned core = 1; core < std::thread::hardware_concurrency(); ++core)
+        for (unsigned core = 0; core < std::thread::hardware_concurrency(); ++core)
             start(cores_, [] { compute(); });
     } catch (...) {
         end();
@@ -73,7 +73,8 @@ void Neighbours::end() const {
 
 void Neighbours::set(Load load) const {
     signal_all(stream_, load == Load::Stream ? SIGCONT : SIGSTOP);
-    signal_all(cores_, load == Load::Cores ? SIGCONT : SIGSTOP);
+    signal_all(cores_, load == Load::Cores || load == Load::AllCores ? SIGCONT : SIGSTOP);
+    if (load == Load::Cores) signal_all({cores_.front()}, SIGSTOP);
     std::this_thread::sleep_for(kUntilItShows);
 }
 

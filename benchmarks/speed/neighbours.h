@@ -9,9 +9,10 @@ namespace benchmarks {
 
 /// What else runs on the machine.
 enum class Load {
-    Quiet,   ///< nothing of ours
-    Stream,  ///< a process that copies memory, more than caches hold
-    Cores    ///< on all processors but one, a process that only computes
+    Quiet,     ///< nothing of ours
+    Stream,    ///< a process that copies memory, more than caches hold
+    Cores,     ///< on all processors but one, a process that only computes
+    AllCores,  ///< on all processors
 };
 
 /// Processes that make these loads; all are stopped at first, and gone with this object or with the

@@ -42,15 +42,17 @@ std::size_t count_of_working() {
 }
 
 TEST(Neighbours, WorkWhenTheyAreAskedToAndAreGoneAfterwards) {
-    const std::size_t others = std::thread::hardware_concurrency() - 1;
+    const std::size_t cores = std::thread::hardware_concurrency();
     {
         const Neighbours neighbours;
-        EXPECT_EQ(times_of_children().size(), 1 + others);
+        EXPECT_EQ(times_of_children().size(), 1 + cores);
         EXPECT_EQ(count_of_working(), 0u);
         neighbours.set(Load::Stream);
         EXPECT_EQ(count_of_working(), 1u);
         neighbours.set(Load::Cores);
-        EXPECT_EQ(count_of_working(), others);
+        EXPECT_EQ(count_of_working(), cores - 1);
+        neighbours.set(Load::AllCores);
+        EXPECT_EQ(count_of_working(), cores);
         neighbours.set(Load::Quiet);
         EXPECT_EQ(count_of_working(), 0u);
     }

@@ -77,7 +77,7 @@ public:
         for (;;) {
             area += walk_.area();
             moment += walk_.area() * walk_.centre();
-            facet.is_flat = facet.is_flat || walk_.has_side_between(-least_, least_);
+            facet.is_flat = facet.is_flat || walk_.has_side_within(least_);
             facet.bends_back = count_++ == 0 && has_side_bent_back();
             if (ends_facet(facet)) break;
             walk_.go_on();
@@ -93,24 +93,26 @@ public:
 
 private:
     bool has_side_bent_back() const {
-        const float least = kTelling / kWithinFacet * least_;
+        const float least = kTelling / kWithinFacet * least_.degrees;
         return sign_ > 0 ? walk_.has_side_between(-kEdgeAngle, -least)
                          : walk_.has_side_between(least, kEdgeAngle);
     }
     bool ends_facet(Facet& facet) {
-        const float turn = sign_ * walk_.turn();
+        if (walk_.goes_on_within(least_)) return is_over_ = count_ == kMostTriangles;
+        const float turn = walk_.is_at_border() ? 0 : sign_ * walk_.turn();
         if (walk_.is_at_border() || std::abs(walk_.angle()) >= kEdgeAngle)
             end_ = End::Edge;
-        else if (turn <= -least_)
+        else if (turn <= -least_.degrees)
             end_ = End::Back;
         is_over_ = end_ != End::None || count_ == kMostTriangles;
         if (is_over_) return true;
-        facet.turn = turn >= least_ ? turn : 0;
-        return turn >= least_;
+        facet.turn = turn >= least_.degrees ? turn : 0;
+        return turn >= least_.degrees;
     }
 
     SurfaceWalk walk_;
-    const float sign_, least_;
+    const float sign_;
+    const SmallAngle least_;
     int count_ = 0;
     bool is_over_ = false;
     End end_ = End::None;

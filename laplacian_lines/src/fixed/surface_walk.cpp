@@ -29,19 +29,27 @@ float clamped(float sine) {
     return std::min(std::max(sine, -1.f), 1.f);
 }
 
-bool is_wall(const TriangleGraph& graph, const TriangleSide& side, float least) {
+/// Whether the edge at a side, which there has to be, is bent by less.
+bool is_within(const TriangleGraph& graph, const TriangleSide& side, const SmallAngle& angle) {
+    const float cosine = graph.cosine_across(side.triangle, side.k);
+    return cosine > angle.cosine_below ||
+           (cosine >= angle.cosine_above && std::abs(signed_angle(graph, side)) < angle.degrees);
+}
+
+bool is_wall(const TriangleGraph& graph, const TriangleSide& side, const SmallAngle& least) {
     const std::uint32_t next = graph.triangles[side.triangle].neighbours[side.k];
     return next == TriangleGraph::kNone || graph.triangles[next].normal.isZero(0) ||
-           std::abs(signed_angle(graph, side)) >= least;
+           !is_within(graph, side, least);
 }
 
 /// What turns so much beside an edge is no part of a face that goes on across it.
-float wall_angle(float angle) {
-    return std::min(kWall * std::abs(angle), kEdgeAngle);
+SmallAngle wall_angle(float angle) {
+    return SmallAngle(std::min(kWall * std::abs(angle), kEdgeAngle));
 }
 
 /// From a side along the only other one that is a wall; zero: none is, or both.
-Vector3f along_wall(const TriangleGraph& graph, const TriangleSide& side, float least) {
+Vector3f along_wall(const TriangleGraph& graph, const TriangleSide& side,
+                    const SmallAngle& least) {
     const TriangleSide next{side.triangle, (side.k + 1) % 3}, last{side.triangle, (side.k + 2) % 3};
     const bool is_next = is_wall(graph, next, least);
     if (is_next == is_wall(graph, last, least)) return Vector3f::Zero();
@@ -76,12 +84,19 @@ float signed_angle(const TriangleGraph& graph, const TriangleSide& side) {
 float lean_of_walls(const TriangleGraph& graph, const TriangleSide& side) {
     const TriangleSide beyond = side_beyond(graph, side);
     const Vector3f along = direction_of(graph, side);
-    const float least = wall_angle(signed_angle(graph, side));
+    const SmallAngle least = wall_angle(signed_angle(graph, side));
     const Vector3f here = along_wall(graph, side, least), there = -along_wall(graph, beyond, least);
     if (here.isZero(0) || there.isZero(0)) return 0;
     const float a = std::asin(clamped(here.dot(along))), b = std::asin(clamped(there.dot(along)));
     const float lean = std::sin((a + b) / 2);
     return std::abs(a - b) < std::asin(kAcross) && std::abs(lean) < kMostLean ? lean : 0;
+}
+
+SmallAngle::SmallAngle(float size) : degrees(size) {
+    constexpr float kRounding = 1e-6f;  // of products of unit vectors
+    const float cosine = std::cos(size / kDegrees);
+    cosine_below = cosine + kRounding;
+    cosine_above = cosine - kRounding;
 }
 
 SurfaceWalk::SurfaceWalk(const TriangleGraph& graph, const TriangleSide& from, float lean)
@@ -97,16 +112,31 @@ SurfaceWalk::SurfaceWalk(const TriangleGraph& graph, const TriangleSide& from, f
     cross();
 }
 
-bool SurfaceWalk::has_side_between(float least, float most) const {
+template <class Is>
+bool SurfaceWalk::has_side(const Is& is) const {
     const TriangleGraph::Node& node = graph_.triangles[at_.triangle];
     for (unsigned k = 0; k < 3; ++k) {
         const std::uint32_t next = node.neighbours[k];
         if (k == at_.k || next == TriangleGraph::kNone) continue;
-        if (graph_.triangles[next].normal.isZero(0)) continue;
-        const float angle = sign_ * signed_angle(graph_, {at_.triangle, k});
-        if (angle > least && angle < most) return true;
+        if (!graph_.triangles[next].normal.isZero(0) && is(TriangleSide{at_.triangle, k}))
+            return true;
     }
     return false;
+}
+
+bool SurfaceWalk::has_side_between(float least, float most) const {
+    return has_side([&](const TriangleSide& side) {
+        const float angle = sign_ * signed_angle(graph_, side);
+        return angle > least && angle < most;
+    });
+}
+
+bool SurfaceWalk::has_side_within(const SmallAngle& angle) const {
+    return has_side([&](const TriangleSide& side) { return is_within(graph_, side, angle); });
+}
+
+bool SurfaceWalk::goes_on_within(const SmallAngle& angle) const {
+    return goes_on_ && graph_.cosine_across(at_.triangle, exit_) > angle.cosine_below;
 }
 
 void SurfaceWalk::cross() {
@@ -117,8 +147,7 @@ void SurfaceWalk::cross() {
     if (!find_exit(at_.k)) return;
     const unsigned wall = exit_;
     if (slant_ >= kAcross || !is_wall(graph_, {at_.triangle, wall}, wall_angle_)) return;
-    const Vector3f along = direction_of(graph_, {at_.triangle, wall});
-    direction_ = direction_.dot(along) > 0 ? along : -along;
+    direction_ = direction_.dot(along_) > 0 ? along_ : -along_;
     // the side that is left, unless the path has come from there
     if (!find_exit(wall)) goes_on_ = false;
 }
@@ -128,14 +157,15 @@ bool SurfaceWalk::find_exit(unsigned wall) {
     float nearest = std::numeric_limits<float>::max();
     for (unsigned k = 0; k < 3; ++k) {
         if (k == at_.k || k == wall) continue;
-        const Vector3f out = outwards(graph_, {at_.triangle, k});
+        const Vector3f along = direction_of(graph_, {at_.triangle, k});
+        const Vector3f out = along.cross(node.normal);
         const float slant = direction_.dot(out);
         if (!(slant > 1e-6f)) continue;
         const float distance = (graph_.position(at_.triangle, k) - place_).dot(out) / slant;
         if (distance >= nearest) continue;
         nearest = distance;
         exit_ = k;
-        out_ = out;
+        along_ = along;
         slant_ = slant;
     }
     goes_on_ = nearest < std::numeric_limits<float>::max();
@@ -144,16 +174,14 @@ bool SurfaceWalk::find_exit(unsigned wall) {
     place_ += std::max(nearest, 0.f) * direction_;
     const std::uint32_t next = node.neighbours[exit_];
     goes_on_ = next != TriangleGraph::kNone && !graph_.triangles[next].normal.isZero(0);
-    angle_ = goes_on_ ? sign_ * signed_angle(graph_, {at_.triangle, exit_}) : 0;
     return true;
 }
 
 void SurfaceWalk::go_on() {
     const TriangleSide exit{at_.triangle, exit_};
-    const Vector3f along = direction_of(graph_, exit);
     const TriangleSide next = side_beyond(graph_, exit);
     sign_ *= graph_.triangles[at_.triangle].sign_across(exit_);
-    direction_ = (direction_.dot(along) * along - slant_ * outwards(graph_, next)).normalized();
+    direction_ = (direction_.dot(along_) * along_ - slant_ * outwards(graph_, next)).normalized();
     begin_ = end_;
     at_ = next;
     cross();

@@ -30,6 +30,15 @@ float signed_angle(const TriangleGraph& graph, const TriangleSide& side);
 /// side does.
 float lean_of_walls(const TriangleGraph& graph, const TriangleSide& side);
 
+/// An angle of up to 90 degrees, for comparing with. Of most edges the cosine between their normals
+/// tells, which is had without an arc tangent.
+struct SmallAngle {
+    explicit SmallAngle(float size);
+
+    float degrees;
+    float cosine_below, cosine_above;  ///< of what is less, and more, for certain
+};
+
 /// A straight path on a face: from the middle of an edge over one triangle after the other. Where
 /// it meets a wall at a slant it goes on along it.
 class SurfaceWalk {
@@ -47,10 +56,13 @@ public:
     /// Whether the surface goes on beyond another side than the one it came in by, bent by an
     /// angle() between these.
     bool has_side_between(float least, float most) const;
+    bool has_side_within(const SmallAngle& angle) const;
     /// By how much the edge there is bent, degrees, positive where the surface is convex as the
     /// first triangle sees it; and how much of it the path turns, as it may cross at a slant.
-    float angle() const { return angle_; }
-    float turn() const { return angle_ * slant_; }
+    float angle() const { return sign_ * signed_angle(graph_, {at_.triangle, exit_}); }
+    float turn() const { return angle() * slant_; }
+    /// Whether the surface goes on there and angle() is less for certain.
+    bool goes_on_within(const SmallAngle& angle) const;
     /// Whether the surface ends there.
     bool is_at_border() const { return !goes_on_; }
 
@@ -58,15 +70,19 @@ public:
     void go_on();
 
 private:
+    /// Whether another side than the one it came in by, beyond which the surface goes on, is so.
+    template <class Is>
+    bool has_side(const Is& is) const;
     void cross();
     bool find_exit(unsigned wall);
 
     const TriangleGraph& graph_;
     TriangleSide at_;  // the triangle, and the side it came in by
-    Eigen::Vector3f place_, direction_, out_ = Eigen::Vector3f::Zero();
-    const float tangent_of_lean_, wall_angle_;
+    Eigen::Vector3f place_, direction_, along_ = Eigen::Vector3f::Zero();  // the exit's side
+    const float tangent_of_lean_;
+    const SmallAngle wall_angle_;
     float sign_ = 1;  // -1: the triangle has the other orientation than the first one
-    float begin_ = 0, centre_ = 0, end_ = 0, angle_ = 0, slant_ = 0;
+    float begin_ = 0, centre_ = 0, end_ = 0, slant_ = 0;
     unsigned exit_ = 0;
     bool goes_on_ = false;
 };
