@@ -163,8 +163,7 @@ private:
         for (const HorizonMemory::Chain& chain : m_.chains) {
             const auto own = 2 * std::uint32_t(strips_.size());
             const StripPoint* points = m_.points.data() + chain.first_point;
-            strips_.push_back(
-                {points, chain.point_count, {kNoEnd, kNoEnd}, 0, 0, 0, 0, false, true});
+            strips_.push_back({points, chain.point_count, 0, 0, 0, 0, true});
             measure(chain, strips_.back());
             for (const std::uint32_t side : {0u, 1u})
                 if (chain.closed)

@@ -134,8 +134,10 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
     for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
         join_strips(memory.found, kind, data_->border_edge_count, memory.joining);
         const ExtractionTask::Wanted& wanted = task.kinds[kind];
-        if (wanted.lines && wanted.rules.leave_out_coarse && !data_->horizon.empty())
+        if (wanted.lines && wanted.rules.leave_out_coarse && !data_->horizon.empty()) {
+            find_open_ends(memory.found, kind, memory.joining);
             append_horizon(data_->horizon, eye, kind, memory.joining, memory.horizon);
+        }
         trace_lines(wanted.rules, memory.joining.strips[kind], memory.parts, memory.traced);
     }
     finish_lines(*data_, memory.traced, memory.finishing, lines);

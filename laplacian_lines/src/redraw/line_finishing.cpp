@@ -57,6 +57,7 @@ void set_point(const LineColumns& c, std::size_t i, const StripPoint& p, float s
 /// Copies all strips of a line one behind the other; neighbours share a point.
 void collect_points(const TracedLines& traced, const TracedLines::Line& line,
                     const LineColumns& columns) {
+    const auto append = simd_functions().append_points;
     std::size_t place = 0;
     const std::uint32_t* ends = traced.ends.data() + line.first_end;
     for (std::uint32_t i = 0; i < line.end_count; ++i) {
@@ -66,7 +67,7 @@ void collect_points(const TracedLines& traced, const TracedLines::Line& line,
         const std::uint32_t last = strip.count - 1;
         if (ends[i] % 2 == 0) {
             if (i == 0) set_point(columns, place++, strip.points[0], 0);
-            simd_functions().append_points(strip.points + 1, last, columns, place);
+            append(strip.points + 1, last, columns, place);
             place += last;
         } else {  // backwards
             if (i == 0) set_point(columns, place++, strip.points[last], 0);

@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::size_t kChunk = 4 * kFormGroup;  // clusters that a thread takes at a time
 
-/// Makes place for the strips of a batch, with some to spare.
-void reserve_batch(ThreadStrips& s) {
-    if (s.strips.size() < s.strip_count + kStripsOfBatch)
-        s.strips.resize(s.strip_count + s.strip_count / 2 + kStripsOfBatch);
-    if (s.points.size() < s.point_count + kPointsOfBatch + kPointMargin)
-        s.points.resize(s.point_count + s.point_count / 2 + kPointsOfBatch + kPointMargin);
+/// Makes place for so many strips and points and those of a batch, with some to spare.
+void reserve(ThreadStrips& s, std::size_t strips, std::size_t points) {
+    if (s.strips.size() < strips + kStripsOfBatch)
+        s.strips.resize(strips + strips / 2 + kStripsOfBatch);
+    if (s.points.size() < points + kPointsOfBatch + kPointMargin)
+        s.points.resize(points + points / 2 + kPointsOfBatch + kPointMargin);
 }
 
 void find_batch(const ClusterStore& store, const ExtractionTask& task, unsigned pass,
@@ -24,7 +24,7 @@ void find_batch(const ClusterStore& store, const ExtractionTask& task, unsigned 
     StripOutput outputs[kMostKindsOfPass];
     for (unsigned kind = 0; kind < kinds.count; ++kind) {
         ThreadStrips& s = thread.strips[kinds.first + kind];
-        reserve_batch(s);
+        reserve(s, s.strip_count, s.point_count);
         outputs[kind] = {s.strips.data(), s.points.data(), s.strip_count, s.point_count};
     }
     simd_functions().passes[pass].extract_strips(store, task, clusters, count, *thread.memory,
@@ -63,13 +63,8 @@ void even_out(unsigned kind, FoundStrips& found) {
         strips += thread.strips[kind].strip_count;
         points += thread.strips[kind].point_count;
     }
-    for (FindingThread& thread : found.threads) {
-        ThreadStrips& s = thread.strips[kind];
-        if (s.strips.size() < strips + kStripsOfBatch)
-            s.strips.resize(strips + strips / 4 + kStripsOfBatch);
-        if (s.points.size() < points + kPointsOfBatch + kPointMargin)
-            s.points.resize(points + points / 4 + kPointsOfBatch + kPointMargin);
-    }
+    for (FindingThread& thread : found.threads)
+        reserve(thread.strips[kind], strips, points);
 }
 
 /// Any thread may find any part of the strips next time, or its first part; then none of them has

@@ -10,17 +10,10 @@ constexpr std::uint32_t kStripsAhead = 8;
 
 /// Appends a strip and joins it to those that are there.
 void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStrip>& strips,
-            std::vector<std::uint32_t>& end_at_edge) {
+            JoiningMemory& memory) {
     const std::uint32_t first_end = 2 * std::uint32_t(strips.size());
-    strips.push_back({points + strip.first_point,
-                      strip.point_count,
-                      {kNoEnd, kNoEnd},
-                      strip.length,
-                      strip.strength,
-                      strip.slope,
-                      strip.concave,
-                      false,
-                      false});
+    strips.push_back({points + strip.first_point, strip.point_count, strip.length, strip.strength,
+                      strip.slope, strip.concave});
     for (std::uint32_t side : {0u, 1u}) {
         const std::uint32_t edge = strip.edges[side], end = first_end + side;
         if (edge == Strip::kNoEdge) continue;
@@ -29,18 +22,18 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
             continue;
         }
         if (edge == Strip::kContinued) {
-            if (side == 0) strips.back().links[0] = first_end - 1;
-            if (side == 1) strips.back().links[1] = first_end + 2;
+            strips.back().links[side] = side == 0 ? first_end - 1 : first_end + 2;
             continue;
         }
-        std::uint32_t& waiting = end_at_edge[edge];
-        if (waiting == kNoEnd) {
-            waiting = end;
+        std::uint32_t& waiting = memory.end_at_edge[edge];
+        if (waiting < memory.first_end) {
+            waiting = memory.first_end + end;
             continue;
         }
-        strips.back().links[side] = waiting;
-        strips[waiting / 2].links[waiting % 2] = end;
-        waiting = kNoEnd;
+        const std::uint32_t other = waiting - memory.first_end;
+        strips.back().links[side] = other;
+        strips[other / 2].links[other % 2] = end;
+        waiting = 0;
     }
 }
 
@@ -63,27 +56,33 @@ void for_each_strip(const FoundStrips& found, unsigned kind,
 
 void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_edge_count,
                  JoiningMemory& memory) {
-    if (memory.in_use || memory.end_at_edge.size() < border_edge_count)
-        memory.end_at_edge.assign(border_edge_count, kNoEnd);
-    memory.in_use = true;
+    std::uint32_t ends = 0;
+    for (const ChunkOfStrips& chunk : found.chunks)
+        ends += 2 * (chunk.end[kind] - chunk.begin[kind]);
+    if (memory.end_at_edge.size() < border_edge_count || memory.next_end > kNoEnd - ends) {
+        memory.end_at_edge.assign(border_edge_count, 0);
+        memory.next_end = 1;
+    }
+    memory.first_end = memory.next_end;
+    memory.next_end += ends;
     memory.strips[kind].clear();
+    memory.strips[kind].reserve(ends / 2);
     for_each_strip(found, kind, memory.end_at_edge,
                    [&](const Strip& strip, const StripPoint* points) {
-                       append(strip, points, memory.strips[kind], memory.end_at_edge);
+                       append(strip, points, memory.strips[kind], memory);
                    });
+}
+
+void find_open_ends(const FoundStrips& found, unsigned kind, JoiningMemory& memory) {
     memory.open_ends.clear();
     std::uint32_t end = 0;
     for_each_strip(found, kind, memory.end_at_edge, [&](const Strip& strip, const StripPoint*) {
         const JoinedStrip& joined = memory.strips[kind][end / 2];
-        for (unsigned side : {0u, 1u}) {  // what still waits
-            const std::uint32_t edge = strip.edges[side];
-            if (joined.links[side] != kNoEnd || edge >= Strip::kContinued) continue;
-            memory.end_at_edge[edge] = kNoEnd;
-            memory.open_ends.push_back({edge, end + side});
-        }
+        for (unsigned side : {0u, 1u})
+            if (joined.links[side] == kNoEnd && strip.edges[side] < Strip::kContinued)
+                memory.open_ends.push_back({strip.edges[side], end + side});
         end += 2;
     });
-    memory.in_use = false;
 }
 
 }  // namespace laplacian_lines

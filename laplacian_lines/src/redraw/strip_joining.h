@@ -12,10 +12,10 @@ namespace laplacian_lines {
 struct JoinedStrip {
     const StripPoint* points;
     std::uint32_t count;
-    std::uint32_t links[2];  ///< the end that goes on, or kNoEnd
     float length, strength, slope, concave;
-    bool visited;
-    bool exact;  ///< its points stay where they are, see LineSums::has_exact
+    bool exact = false;                         ///< as LineSums::has_exact
+    bool visited = false;                       ///< by trace_lines()
+    std::uint32_t links[2] = {kNoEnd, kNoEnd};  ///< the end that goes on
 };
 
 /// Where nothing goes on at an edge that others share.
@@ -26,15 +26,18 @@ struct OpenEnd {
 
 struct JoiningMemory {
     std::vector<JoinedStrip> strips[kStripKindCount];
-    /// The end that waits at an edge; kNoEnd everywhere between uses.
+    /// The end that waits at an edge, plus first_end; what is less is of an earlier use.
     std::vector<std::uint32_t> end_at_edge;
-    bool in_use = false;             ///< an exception left end_at_edge behind
-    std::vector<OpenEnd> open_ends;  ///< of the kind that was joined last
+    std::uint32_t first_end = 1, next_end = 1;  ///< of the last use, and of the next one
+    std::vector<OpenEnd> open_ends;
 };
 
 /// Replaces memory.strips[kind] by the strips of that kind, joined where two of them end at an
-/// edge, and memory.open_ends by what is left over.
+/// edge.
 void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_edge_count,
                  JoiningMemory& memory);
+
+/// Replaces memory.open_ends by what join_strips() has left over of this kind.
+void find_open_ends(const FoundStrips& found, unsigned kind, JoiningMemory& memory);
 
 }  // namespace laplacian_lines

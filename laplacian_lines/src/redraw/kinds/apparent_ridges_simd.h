@@ -157,16 +157,19 @@ private:
 
     void write(unsigned number, unsigned entry, unsigned exit, ActiveTriangles& active) const {
         const ClusterTriangle& t = triangles_[number];
-        const auto corner = [&](unsigned k) { return t.corners[k % 3]; };
+        const auto corner = [&](unsigned k) {
+            return std::uint16_t(slot_ * kClusterVertices + t.corners[k % 3]);
+        };
+        const auto triangle_place = [&](unsigned n) {
+            return std::uint16_t(slot_ * kNumbersOfSlot + n);
+        };
         const unsigned place = active.count++;
-        active.slot[place] = std::uint8_t(slot_);
-        active.number[place] = std::uint8_t(number);
         active.triangles[place] = {{corner(exit), corner(exit + 1)},
-                                   {corner(entry), corner(entry + 1)},
                                    corner(exit + 2),
-                                   t.neighbours[exit],
-                                   t.neighbours[entry],
-                                   std::uint8_t(number)};
+                                   triangle_place(number),
+                                   {corner(entry), corner(entry + 1)},
+                                   triangle_place(t.neighbours[exit]),
+                                   triangle_place(t.neighbours[entry])};
     }
 
     /// The listed triangle of this cluster behind a side, or kNoNeighbour.
@@ -196,7 +199,7 @@ private:
 
 /// Where crossings are, which are accepted, their opacities, and q1 there as the gradient.
 static inline void find_apparent_crossings(const LineRules& rules, const ExtractionTask& task,
-                                           const VertexRecord* records, ApparentMemory& apparent,
+                                           const Batch& batch, ApparentMemory& apparent,
                                            CrossingMemory& m, std::size_t count) {
     const std::size_t places = whole_vectors(count);
     for (std::size_t i = 0; i < places; ++i) {
@@ -207,7 +210,7 @@ static inline void find_apparent_crossings(const LineRules& rules, const Extract
         m.share[i] = share;
         apparent.crossing_q[i] = (1 - share) * apparent.q[a] + share * apparent.q[b];
     }
-    find_points(records, task.eye, m, count);
+    find_points(batch, task.eye, m, count);
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Towards v = towards(task.eye, m, i);
         const Floats q = load(apparent.crossing_q + i), facing = load(m.lit + i);
@@ -227,23 +230,19 @@ static inline void find_apparent_crossings(const LineRules& rules, const Extract
 }
 
 /// Collects what test_segments() needs: D with the sign that goes with r at the first corner.
-static inline void collect_apparent_corners(const ClusterStore& store, const Batch& batch,
-                                            const ActiveTriangles& active,
+static inline void collect_apparent_corners(const Batch& batch, const ActiveTriangles& active,
                                             const ApparentMemory& apparent, SegmentMemory& s,
                                             unsigned count) {
     for (std::size_t i = 0; i < whole_vectors(count); ++i) {
-        const unsigned place = s.triangle[i], slot = active.slot[place];
-        const ActiveTriangle& t = active.triangles[place];
-        const VertexRecord* records = records_of(store) + batch.first_record[slot];
-        const float(*vectors)[4] = apparent.vectors + slot * kClusterVertices;
+        const ActiveTriangle& t = active.triangles[s.triangle[i]];
         const unsigned corners[3] = {t.exit[0], t.exit[1], t.third};
         Float4 direction = {}, p[3];
         float values[3], scale = 0;
         for (unsigned k = 0; k < 3; ++k) {
-            p[k] = load4(records[corners[k]].position);
+            p[k] = load4(records_around(batch, corners[k])[corners[k]]);
             scale += p[k][3];
-            const float* vector = vectors[corners[k]];
-            const float sign = dot3(vectors[corners[0]], vector) < 0 ? -1.f : 1.f;
+            const float* vector = apparent.vectors[corners[k]];
+            const float sign = dot3(apparent.vectors[corners[0]], vector) < 0 ? -1.f : 1.f;
             values[k] = sign * vector[3];
             direction += sign * load4(vector);
         }
@@ -285,11 +284,11 @@ static void extract_apparent_strips(const ClusterStore& store, const ExtractionT
     if (active.count == 0) return;
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
-    const unsigned crossings = list_crossings(batch, active, m, s);
-    fill_up(batch, m, crossings);
-    find_apparent_crossings(rules, task, records_of(store), memory.apparent, m, crossings);
+    const unsigned crossings = list_crossings(active, m, s);
+    fill_up(m, crossings);
+    find_apparent_crossings(rules, task, batch, memory.apparent, m, crossings);
     unsigned kept = keep_accepted(m, s, active.count);
-    collect_apparent_corners(store, batch, active, memory.apparent, s, kept);
+    collect_apparent_corners(batch, active, memory.apparent, s, kept);
     test_segments<SegmentSlope::AlongOnce>(rules, s, kept);
     kept = keep_steep(s, kept);
     measure_segments(rules, m, s, kept);

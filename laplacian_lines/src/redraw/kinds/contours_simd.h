@@ -48,7 +48,7 @@ struct Contours {
 
     static inline const float* source(const ExtractionTask& task) { return task.eye; }
 
-    static inline void test(const LineRules& rules, const ExtractionTask& task, const VertexRecord*,
+    static inline void test(const LineRules& rules, const ExtractionTask& task, const Batch&,
                             CrossingMemory& m, std::size_t count) {
         weigh_contours(rules, task.eye, m, count);
     }

@@ -75,9 +75,9 @@ struct LaplacianLines : FacingKind {
 
     static inline const float* source(const ExtractionTask& task) { return task.light; }
 
-    static inline void test(const LineRules& rules, const ExtractionTask& task,
-                            const VertexRecord* records, CrossingMemory& m, std::size_t count) {
-        if (!task.light_at_eye) find_facing(records, task.eye, m, count);
+    static inline void test(const LineRules& rules, const ExtractionTask& task, const Batch& batch,
+                            CrossingMemory& m, std::size_t count) {
+        if (!task.light_at_eye) find_facing(batch, task.eye, m, count);
         test_laplacian_crossings(rules, task, task.light_at_eye ? m.lit : m.facing, m, count);
     }
 };

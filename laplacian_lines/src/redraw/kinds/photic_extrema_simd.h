@@ -50,9 +50,9 @@ struct PhoticExtrema : FacingKind {
 
     static inline const float* source(const ExtractionTask& task) { return task.light; }
 
-    static inline void test(const LineRules& rules, const ExtractionTask& task,
-                            const VertexRecord* records, CrossingMemory& m, std::size_t count) {
-        LaplacianLines::test(rules, task, records, m, count);
+    static inline void test(const LineRules& rules, const ExtractionTask& task, const Batch& batch,
+                            CrossingMemory& m, std::size_t count) {
+        LaplacianLines::test(rules, task, batch, m, count);
         scale_photic_gradients(m, count);
     }
 };

@@ -73,7 +73,7 @@ struct RadialZeros : FacingKind {
 
     static inline const float* source(const ExtractionTask& task) { return task.eye; }
 
-    static inline void test(const LineRules& rules, const ExtractionTask& task, const VertexRecord*,
+    static inline void test(const LineRules& rules, const ExtractionTask& task, const Batch&,
                             CrossingMemory& m, std::size_t count) {
         test_radial_zeros(rules, task, sign, m, count);
     }

@@ -17,8 +17,8 @@ constexpr ActivePattern active_pattern(unsigned exit, bool third_is_negative) {
     const auto a = std::uint8_t(exit), b = std::uint8_t((exit + 1) % 3),
                c = std::uint8_t((exit + 2) % 3);
     const std::uint8_t entry = third_is_negative ? b : c;
-    return {{a, b, third_is_negative ? c : a, third_is_negative ? b : c, c, std::uint8_t(3 + a),
-             std::uint8_t(3 + entry), 7}};
+    return {{a, b, c, 7, third_is_negative ? c : a, third_is_negative ? b : c, std::uint8_t(3 + a),
+             std::uint8_t(3 + entry)}};
 }
 constexpr ActivePattern kActivePatterns[8] = {
     {},                        // none: no crossing
@@ -31,20 +31,24 @@ constexpr ActivePattern kActivePatterns[8] = {
     {},
 };
 
+typedef std::uint16_t Places __attribute__((vector_size(16)));  ///< ActiveTriangle
 static inline void write_active(const ClusterTriangle& triangle, unsigned negative_corners,
-                                ActiveTriangle& active) {
+                                unsigned slot, ActiveTriangle& active) {
+    constexpr std::uint16_t v = kClusterVertices, n = kNumbersOfSlot;
     const ActivePattern& pattern = kActivePatterns[negative_corners];
-#if defined(__SSSE3__)
+    Places numbers;
+#if defined(__SSE4_1__)
     const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&triangle));
     const __m128i places = _mm_load_si128(reinterpret_cast<const __m128i*>(pattern.places));
-    _mm_storel_epi64(reinterpret_cast<__m128i*>(&active), _mm_shuffle_epi8(bytes, places));
+    numbers = (Places)_mm_cvtepu8_epi16(_mm_shuffle_epi8(bytes, places));
 #else
-    unsigned char from[8], to[8];
-    __builtin_memcpy(from, &triangle, 8);
+    unsigned char bytes[8];
+    __builtin_memcpy(bytes, &triangle, 8);
     for (int i = 0; i < 8; ++i)
-        to[i] = from[pattern.places[i]];
-    __builtin_memcpy(&active, to, 8);
+        numbers[i] = bytes[pattern.places[i]];
 #endif
+    numbers += Places{v, v, v, n, v, v, n, n} * std::uint16_t(slot);
+    __builtin_memcpy(&active, &numbers, sizeof numbers);
 }
 
 /// Appends the triangles of a mask, which is for those from number `first` on, and asks for them.
@@ -142,16 +146,15 @@ static inline void find_mixed(const ExtractionTask& task, const ClusterInSlot& p
 }
 
 /// Reads the listed triangles and asks for the records of their crossings.
-static inline void read_active(const ClusterStore& store, const Batch& batch,
-                               ActiveTriangles& active) {
+static inline void read_active(const Batch& batch, ActiveTriangles& active) {
     for (unsigned i = 0; i < active.count; ++i) {
         const unsigned slot = active.slot[i];
         ActiveTriangle& triangle = active.triangles[i];
-        write_active(batch.triangles[slot][active.number[i]], active.negative[i], triangle);
-        const VertexRecord* records = records_of(store) + batch.first_record[slot];
-        __builtin_prefetch(&records[triangle.exit[0]]);
-        __builtin_prefetch(&records[triangle.exit[1]]);
-        __builtin_prefetch(&records[triangle.third]);
+        write_active(batch.triangles[slot][active.number[i]], active.negative[i], slot, triangle);
+        const RecordsOfSlot records = records_around(batch, triangle.third);
+        __builtin_prefetch(records[triangle.exit[0]]);
+        __builtin_prefetch(records[triangle.exit[1]]);
+        __builtin_prefetch(records[triangle.third]);
     }
 }
 
@@ -167,7 +170,7 @@ static inline void find_active(const ClusterStore& store, const ExtractionTask& 
         if (signs.any_mixed) find_mixed<Kinds>(task, place, signs, batch);
     }
     for (ActiveTriangles& active : batch.active)
-        read_active(store, batch, active);
+        read_active(batch, active);
 }
 
 }  // namespace SIMD_NAMESPACE

@@ -46,14 +46,16 @@ template <class Kinds>
 static inline void begin_batch(const ClusterStore& store, const KeptCluster* clusters,
                                std::size_t count, Batch& batch) {
     batch.count = unsigned(count);
+    batch.records = records_of(store);
     for (std::size_t i = 0; i < count; ++i) {
         const Cluster& cluster = store.clusters[clusters[i].number];
         const ClusterLayout layout = cluster_layout(cluster);
         batch.clusters[i] = &cluster;
         batch.triangles[i] =
             reinterpret_cast<const ClusterTriangle*>(memory_of(store, cluster) + layout.triangles);
-        batch.first_record[i] =
-            cluster.first_unit + std::uint32_t(layout.records / sizeof(VertexRecord));
+        batch.record_offsets[i] = cluster.first_unit +
+                                  std::uint32_t(layout.records / sizeof(VertexRecord)) -
+                                  std::uint32_t(i * kClusterVertices);
         touch<Kinds>(store, clusters[i]);
     }
 }

@@ -6,8 +6,7 @@
 
 #include <cfloat>
 
-#include "redraw/simd/simd_memory.h"
-#include "redraw/simd/simd_vectors.h"
+#include "redraw/simd/simd_columns.h"
 
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
@@ -27,69 +26,58 @@ static inline void find_shares(const float* values, CrossingMemory& m, std::size
     }
 }
 
-/// A point on an edge, and there S l and n·l in the last place, S and n interpolated.
-struct EdgePoint {
-    Float4 position, gradient;
+/// Positions of crossings, and there S l and n·l in the last place, S and n interpolated.
+struct EdgePoints {
+    Floats position[4], gradient[4];
 };
-static inline EdgePoint find_point(const VertexRecord& a, const VertexRecord& b, float share,
-                                   Float4 light, Float4 w) {
-#if defined(__AVX512F__)
-    const __m512 t = _mm512_set1_ps(share), s = _mm512_set1_ps(1 - share);
-    const __m512 rows = s * _mm512_load_ps(a.position) + t * _mm512_load_ps(b.position);
-    const Float4 position = _mm512_castps512_ps128(rows), l = light - w * position;
-    const __m512i places = _mm512_set_epi32(2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0);
-    const __m512 products = rows * _mm512_permutexvar_ps(places, _mm512_castps128_ps512(l));
-    return {position, _mm512_extractf32x4_ps(products, 1) + _mm512_extractf32x4_ps(products, 2) +
-                          _mm512_extractf32x4_ps(products, 3)};
-#else
-    const Float4 t = splat(share), s = splat(1 - share);
-    const auto row = [&](const float* of_a, const float* of_b) {
-        return s * load4(of_a) + t * load4(of_b);
+static inline EdgePoints find_edge_points(const Batch& batch, const float eye_of_light[4],
+                                          const CrossingMemory& m, std::size_t i) {
+    const float *below[kLanes], *above[kLanes];  // records, as rows of four
+    for (unsigned k = 0; k < kLanes; ++k) {
+        const RecordsOfSlot records = records_around(batch, m.ends[i + k][0]);
+        below[k] = records[m.ends[i + k][0]];
+        above[k] = records[m.ends[i + k][1]];
+    }
+    const Floats t = load(m.share + i), s = 1 - t;
+    const auto interpolate = [&](unsigned row, Floats columns[4]) {
+        Floats b[4];
+        load_columns([&](unsigned lane) { return below[lane] + 4 * row; }, columns);
+        load_columns([&](unsigned lane) { return above[lane] + 4 * row; }, b);
+        for (unsigned k = 0; k < 4; ++k)
+            columns[k] = s * columns[k] + t * b[k];
     };
-    const Float4 position = row(a.position, b.position), l = light - w * position;
-    return {position, row(a.shape_operator[0], b.shape_operator[0]) * splat<0>(l) +
-                          row(a.shape_operator[1], b.shape_operator[1]) * splat<1>(l) +
-                          row(a.shape_operator[2], b.shape_operator[2]) * splat<2>(l)};
-#endif
+    EdgePoints points;
+    interpolate(0, points.position);
+    for (unsigned row = 0; row < 3; ++row) {
+        const Floats l = eye_of_light[row] - eye_of_light[3] * points.position[row];
+        Floats columns[4];
+        interpolate(1 + row, columns);
+        for (unsigned k = 0; k < 4; ++k)
+            points.gradient[k] = row == 0 ? columns[k] * l : points.gradient[k] + columns[k] * l;
+    }
+    return points;
 }
 
 /// Positions, gradients and n·light of crossings [0, count), as rows and as columns.
-static inline void find_points(const VertexRecord* records, const float eye_of_light[4],
-                               CrossingMemory& m, std::size_t count) {
-    const Float4 light = {eye_of_light[0], eye_of_light[1], eye_of_light[2], 0};
-    const Float4 w = splat(eye_of_light[3]);
-    for (std::size_t i = 0; i < count; i += 4) {
-        Float4 points[4], gradients[4];
-        for (unsigned k = 0; k < 4; ++k) {
-            const EdgePoint found =
-                find_point(records[m.records[i + k][0]], records[m.records[i + k][1]],
-                           m.share[i + k], light, w);
-            points[k] = found.position;
-            store4(m.gradients[i + k], gradients[k] = found.gradient);
-        }
-        transpose(gradients);
-        const Float4 x = gradients[0], y = gradients[1], z = gradients[2];
-        const Float4 norms = square_root4(x * x + y * y + z * z);
-        store_row(norms, m.gradient + i);
-        store4(m.points[i], shuffle<0, 1, 2, 4>(points[0], norms));
-        store4(m.points[i + 1], shuffle<0, 1, 2, 5>(points[1], norms));
-        store4(m.points[i + 2], shuffle<0, 1, 2, 6>(points[2], norms));
-        store4(m.points[i + 3], shuffle<0, 1, 2, 7>(points[3], norms));
-        transpose(points);
-        store_columns(points, m.x + i, m.y + i, m.z + i);
-        store_columns(gradients, m.gx + i, m.gy + i, m.gz + i);
-        store_row(gradients[3], m.lit + i);
+static inline void find_points(const Batch& batch, const float eye_of_light[4], CrossingMemory& m,
+                               std::size_t count) {
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        EdgePoints points = find_edge_points(batch, eye_of_light, m, i);
+        auto& [p, g] = points;
+        p[3] = square_root(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+        store(m.x + i, p[0]), store(m.y + i, p[1]), store(m.z + i, p[2]);
+        store(m.gx + i, g[0]), store(m.gy + i, g[1]), store(m.gz + i, g[2]);
+        store(m.lit + i, g[3]), store(m.gradient + i, p[3]);
+        store_as_rows(p, [&](unsigned lane) { return m.points[i + lane]; });
+        store_as_rows(g, [&](unsigned lane) { return m.gradients[i + lane]; });
     }
 }
 
 /// n·eye of crossings [0, count), where the light is elsewhere.
-static inline void find_facing(const VertexRecord* records, const float eye[4], CrossingMemory& m,
+static inline void find_facing(const Batch& batch, const float eye[4], CrossingMemory& m,
                                std::size_t count) {
-    const Float4 e = {eye[0], eye[1], eye[2], 0}, w = splat(eye[3]);
-    for (std::size_t i = 0; i < count; ++i)
-        m.facing[i] =
-            find_point(records[m.records[i][0]], records[m.records[i][1]], m.share[i], e, w)
-                .gradient[3];
+    for (std::size_t i = 0; i < count; i += kLanes)
+        store(m.facing + i, find_edge_points(batch, eye, m, i).gradient[3]);
 }
 
 /// Notes which of crossings [i, i + kLanes) are accepted.
@@ -103,11 +91,9 @@ static inline void accept(Ints accepted, CrossingMemory& m, std::size_t i) {
 
 /// Columns of gradients that a kind has changed, as rows.
 static inline void store_gradients(CrossingMemory& m, std::size_t count) {
-    for (std::size_t i = 0; i < count; i += 4) {
-        Float4 rows[4] = {load4(m.gx + i), load4(m.gy + i), load4(m.gz + i), load4(m.lit + i)};
-        transpose(rows);
-        for (unsigned k = 0; k < 4; ++k)
-            store4(m.gradients[i + k], rows[k]);
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        Floats rows[4] = {load(m.gx + i), load(m.gy + i), load(m.gz + i), load(m.lit + i)};
+        store_as_rows(rows, [&](unsigned lane) { return m.gradients[i + lane]; });
     }
 }
 

@@ -30,37 +30,59 @@ enum class LineEnd {
     Reflected,  ///< the point before it, mirrored in the end: ends stay where they are
 };
 
-/// Passes of binomial smoothing (1-2-1) of a column of `count` values, which have a place before
-/// and places after them, as `spare` does. Returns the one of the two that holds the result. A
-/// closed line's first value and its copy stay equal. Values stay as they are where `exact`, a
-/// column like them, is not 0; none is if it is null.
-static inline float* smooth(float* values, float* spare, std::size_t count, bool closed,
-                            LineEnd end, int passes, const float* exact = nullptr) {
-    const std::size_t last = count - 1, places = whole_vectors(count);
-    for (; passes > 0; --passes) {
+/// Fills in `reach` places before a column's values and after them. Values that places are filled
+/// from may be such places themselves, where a line is short.
+static inline void extend(float* values, std::size_t count, bool closed, LineEnd end, int reach) {
+    float* const last = values + count - 1;
+    for (int k = 1; k <= reach; ++k) {
         if (closed) {
-            values[-1] = values[last - 1];
-            values[count] = values[1];
+            values[-k] = last[-k];
+            last[k] = values[k];
         } else if (end == LineEnd::Repeated) {
-            values[-1] = values[0];
-            values[count] = values[last];
+            values[-k] = values[k - 1];
+            last[k] = last[1 - k];
         } else {
-            values[-1] = 2 * values[0] - values[1];
-            values[count] = 2 * values[last] - values[last - 1];
+            values[-k] = 2 * values[0] - values[k];
+            last[k] = 2 * last[0] - last[-k];
         }
-        const float* from = values;
-        float* to = spare;
-        for (std::size_t i = 0; i < places; i += kLanes)
-            store(to + i,
-                  (load_anywhere(from + i - 1) + 2 * load(from + i) + load_anywhere(from + i + 1)) /
-                      4);
-        if (exact)
-            for (std::size_t i = 0; i < places; i += kLanes)
-                store(to + i, load(exact + i) != 0 ? load(from + i) : load(to + i));
-        spare = values;
-        values = to;
     }
-    return values;
+}
+
+/// Several passes of binomial smoothing (1-2-1) in one, of an extended column.
+template <int Passes>
+static inline void smooth_once(const float* from, std::size_t count, float* to) {
+    constexpr float weights[3][4] = {{2 / 4.f, 1 / 4.f},
+                                     {6 / 16.f, 4 / 16.f, 1 / 16.f},
+                                     {20 / 64.f, 15 / 64.f, 6 / 64.f, 1 / 64.f}};
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        Floats sum = weights[Passes - 1][0] * load(from + i);
+        for (int k = 1; k <= Passes; ++k)
+            sum += weights[Passes - 1][k] *
+                   (load_anywhere(from + i - k) + load_anywhere(from + i + k));
+        store(to + i, sum);
+    }
+}
+
+/// Passes of binomial smoothing of a column of `count` values, which has places before and after
+/// them, as `spare` does; the two may be swapped. A closed line's first value and its copy stay
+/// equal. Values stay as they are where `exact`, a column like them, is not 0; none is if it is
+/// null.
+static inline void smooth(float*& values, float*& spare, std::size_t count, bool closed,
+                          LineEnd end, int passes, const float* exact = nullptr) {
+    while (passes > 0) {
+        const int at_once = exact ? 1 : passes < 3 ? passes : 3;
+        extend(values, count, closed, end, at_once);
+        constexpr decltype(&smooth_once<1>) several[] = {smooth_once<1>, smooth_once<2>,
+                                                         smooth_once<3>};
+        several[at_once - 1](values, count, spare);
+        if (exact)
+            for (std::size_t i = 0; i < count; i += kLanes)
+                store(spare + i, load(exact + i) != 0 ? load(values + i) : load(spare + i));
+        float* const result = spare;
+        spare = values;
+        values = result;
+        passes -= at_once;
+    }
 }
 
 /// Weights that hold the slope of the segment that ends at a point become 0 where both of a point's
@@ -97,14 +119,6 @@ static inline void fade_end(const LineColumns& c, std::ptrdiff_t from, std::ptrd
     }
 }
 
-static inline void smooth_taper(std::size_t count, bool closed, float*& column, float*& spare) {
-    float* result = smooth(column, spare, count, closed, LineEnd::Repeated, kTaperingPasses);
-    if (result != column) {
-        spare = column;
-        column = result;
-    }
-}
-
 /// Weights and opacities of a line from slopes and from the fading of its crossings. `whole` is
 /// the opacity of the line as a whole.
 static inline void taper(const LineRules& rules, std::size_t count, bool closed, float whole,
@@ -120,8 +134,8 @@ static inline void taper(const LineRules& rules, std::size_t count, bool closed,
         store(c.opacity + i, load(c.opacity + i) * (whole * faded));
         store(c.weight + i, within01(over / rules.full_slope));
     }
-    smooth_taper(count, closed, c.weight, c.spare);
-    smooth_taper(count, closed, c.opacity, c.spare);
+    for (float** column : {&c.weight, &c.opacity})
+        smooth(*column, c.spare, count, closed, LineEnd::Repeated, kTaperingPasses);
     if (!closed && rules.end_length > 0) {
         // Where nothing is seen of the end itself, the line has faded before.
         if (first_opacity > 0) fade_end(c, 0, last, 1, rules.end_length);
@@ -203,20 +217,14 @@ static void finish_line(const LineRules& rules, const LineSums& line, LineColumn
         float* const opacities = c.opacity;
         c.opacity = c.weight;
         c.weight = opacities;
-        smooth_taper(count, closed, c.weight, c.spare);
+        smooth(c.weight, c.spare, count, closed, LineEnd::Repeated, kTaperingPasses);
         if (line.has_exact) {
             slopes_to_exact(count, closed, c.opacity);
             exact = c.opacity;
         }
     }
-    for (float** column : {&c.x, &c.y, &c.z}) {
-        float* result = smooth(*column, c.spare, count, closed, LineEnd::Reflected,
-                               rules.smoothing_passes, exact);
-        if (result != *column) {
-            c.spare = *column;
-            *column = result;
-        }
-    }
+    for (float** column : {&c.x, &c.y, &c.z})
+        smooth(*column, c.spare, count, closed, LineEnd::Reflected, rules.smoothing_passes, exact);
     if (!rules.use_slope)
         for (std::size_t i = 0; i < count; i += kLanes)
             store(c.opacity + i, Floats{} + 1);

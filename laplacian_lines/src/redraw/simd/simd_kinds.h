@@ -10,7 +10,7 @@
 //  - values(batch, number): the function's values in the whole batch,
 //  - unwanted(rules, cluster, group): a bit for each triangle of the group that holds no line,
 //  - source(task): the eye or light l whose S l is the gradient at a crossing,
-//  - test(rules, task, records, crossings, count): opacities of crossings, and which are accepted
+//  - test(rules, task, batch, crossings, count): opacities of crossings, and which are accepted
 //    if the rules use slopes,
 //  - kSlope: what a segment's slope is.
 // Included once by each of the files simd_*.cpp.

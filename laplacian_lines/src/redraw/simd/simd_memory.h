@@ -60,13 +60,16 @@ struct KeptCluster {
     bool may_hold[kMostKindsOfPass];  ///< a line of the kind, by its place in the pass
 };
 
-/// A triangle in which a function changes its sign. The crossing where the line leaves lies
-/// between vertices exit[0], where the function is negative, and exit[1]; likewise where it enters.
-struct ActiveTriangle {
-    std::uint8_t exit[2], entry[2];
-    std::uint8_t third;                ///< the vertex not in exit
-    std::uint8_t successor, previous;  ///< across exit and entry, as ClusterTriangle::neighbours
-    std::uint8_t number;
+/// A triangle in which a function changes its sign, by places in the batch: its slot times
+/// kClusterVertices or kNumbersOfSlot, and numbers of vertices, or of triangles and edges. The
+/// crossing where the line leaves lies between vertices exit[0], where the function is negative,
+/// and exit[1]; likewise where it enters.
+constexpr unsigned kNumbersOfSlot = 256;
+struct alignas(16) ActiveTriangle {
+    std::uint16_t exit[2], third;  ///< and the vertex not in exit
+    std::uint16_t own;
+    std::uint16_t entry[2];
+    std::uint16_t successor, previous;  ///< across exit and entry, as ClusterTriangle::neighbours
 };
 
 // Arrays below are longer than what they can hold, so that whole vectors may be read and written,
@@ -87,7 +90,8 @@ struct Batch {
     unsigned count;
     const Cluster* clusters[kBatch];
     const ClusterTriangle* triangles[kBatch];
-    std::uint32_t first_record[kBatch];        ///< in the store's memory, units of VertexRecord
+    const VertexRecord* records;               ///< the store's memory
+    std::uint32_t record_offsets[kBatch];      ///< by slot, from places of vertices, modulo 2^32
     alignas(64) float facing[kBatchVertices];  ///< n·eye, slot by slot
     /// The functions whose zeros are wanted, likewise, by the kinds' places in the pass; not of
     /// kinds for which that is n·eye.
@@ -95,11 +99,23 @@ struct Batch {
     ActiveTriangles active[kMostKindsOfPass];
 };
 
+/// The records of the cluster in which the vertex at a place is, by places.
+struct RecordsOfSlot {
+    const VertexRecord* records;
+    std::uint32_t offset;
+
+    const float* operator[](unsigned place) const {
+        return records[std::uint32_t(place + offset)].position;
+    }
+};
+static inline RecordsOfSlot records_around(const Batch& batch, unsigned place) {
+    return {batch.records, batch.record_offsets[place / kClusterVertices]};
+}
+
 /// Crossings of one function in a batch.
 struct CrossingMemory {
     static constexpr unsigned kPlaces = 2 * kBatchTriangles + 48;
-    std::uint16_t ends[kPlaces][2];                    ///< negative first: places in the function
-    std::uint32_t records[kPlaces][2];                 ///< of the ends, as Batch::first_record
+    std::uint16_t ends[kPlaces][2];                    ///< places of vertices, negative first
     alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends
     alignas(64) float share[kPlaces];                  ///< of the positive end, 0..1
     alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye, n·light
@@ -126,8 +142,11 @@ struct SegmentMemory {
     alignas(64) float slope[kPlaces];                         ///< < 0: refused
     alignas(64) float sums[kPlaces][4];                       ///< as in Strip
     std::uint16_t next[kPlaces];                              ///< segment, or kNone
-    /// What lies in a cluster's triangle: a place of the above or of ActiveTriangles, or kNone.
-    alignas(64) std::uint16_t in_triangle[kBatch][256];
+    std::uint16_t first[kPlaces];                             ///< segments that follow on none
+    /// What ends at a crossing: a segment, or kNone.
+    alignas(64) std::uint16_t ending[CrossingMemory::kPlaces];
+    /// The place in ActiveTriangles by place in the batch, or kNone.
+    alignas(64) std::uint16_t in_triangle[kBatch * kNumbersOfSlot];
 };
 
 /// What apparent ridges have at the vertices of a batch, slot by slot.

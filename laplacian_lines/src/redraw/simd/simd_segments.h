@@ -8,41 +8,25 @@
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
 
-/// Empties in_triangle of a batch's clusters. Not by memset(), whose string instructions take long
-/// to begin; the empty statement keeps the compiler from making one of it.
-static inline void empty_triangles(const Batch& batch, SegmentMemory& s) {
-    std::uint16_t* places = s.in_triangle[0];
-    const std::size_t count = batch.count * (sizeof(s.in_triangle[0]) / sizeof(places[0]));
-    const Ints none = Ints{} + -1;  // bytes of SegmentMemory::kNone
-    for (std::size_t i = 0; i < count; i += sizeof(none) / sizeof(places[0])) {
-        __builtin_memcpy(places + i, &none, sizeof none);
-        asm volatile("");
-    }
-}
-
 /// Lists the crossings of a batch's active triangles. A triangle owns the crossing where its line
 /// leaves, which gets the triangle's place; the one where the line enters is that of the triangle
 /// before, or one of its own if that one is elsewhere. Returns the number of crossings.
-static inline unsigned list_crossings(const Batch& batch, const ActiveTriangles& active,
-                                      CrossingMemory& m, SegmentMemory& s) {
-    const auto list = [&](unsigned crossing, unsigned slot, const std::uint8_t ends[2]) {
-        for (unsigned k = 0; k < 2; ++k) {
-            m.ends[crossing][k] = std::uint16_t(slot * kClusterVertices + ends[k]);
-            m.records[crossing][k] = batch.first_record[slot] + ends[k];
-        }
+static inline unsigned list_crossings(const ActiveTriangles& active, CrossingMemory& m,
+                                      SegmentMemory& s) {
+    const auto list = [&](unsigned crossing, const std::uint16_t ends[2]) {
+        __builtin_memcpy(m.ends[crossing], ends, sizeof m.ends[0]);
     };
-    empty_triangles(batch, s);
+    for (unsigned i = 0; i < active.count; ++i)  // all that is asked for
+        s.in_triangle[active.triangles[i].previous] = SegmentMemory::kNone;
     for (unsigned i = 0; i < active.count; ++i) {
-        const ActiveTriangle& triangle = active.triangles[i];
-        s.in_triangle[active.slot[i]][triangle.number] = std::uint16_t(i);
-        list(i, active.slot[i], triangle.exit);
+        s.in_triangle[active.triangles[i].own] = std::uint16_t(i);
+        list(i, active.triangles[i].exit);
     }
     unsigned crossings = active.count;
     for (unsigned i = 0; i < active.count; ++i) {  // without branches, which would be guessed wrong
-        const ActiveTriangle& triangle = active.triangles[i];
-        const unsigned previous = s.in_triangle[active.slot[i]][triangle.previous];
+        const unsigned previous = s.in_triangle[active.triangles[i].previous];
         const bool own = previous == SegmentMemory::kNone;
-        list(crossings, active.slot[i], triangle.entry);
+        list(crossings, active.triangles[i].entry);
         s.begin[i] = std::uint16_t(own ? crossings : previous);
         crossings += own;
     }
@@ -105,27 +89,24 @@ static inline void measure_segments(const LineRules& rules, const CrossingMemory
 }
 
 /// Collects what test_segments() needs as columns.
-static inline void collect_corners(const ClusterStore& store, const Batch& batch,
-                                   const ActiveTriangles& active, const float* function,
-                                   const CrossingMemory& m, SegmentMemory& s, unsigned count) {
+static inline void collect_corners(const Batch& batch, const ActiveTriangles& active,
+                                   const float* function, const CrossingMemory& m, SegmentMemory& s,
+                                   unsigned count) {
     for (unsigned i = 0; i < count; i += 4) {
         Float4 u[4], v[4], g[4];
         for (unsigned k = 0; k < 4; ++k) {
-            const unsigned place = s.triangle[i + k], slot = active.slot[place];
+            const unsigned place = s.triangle[i + k];
             const ActiveTriangle& t = active.triangles[place];
-            const VertexRecord* records = records_of(store) + batch.first_record[slot];
-            const float* values = function + slot * kClusterVertices;
-            const Float4 a = load4(records[t.exit[0]].position),
-                         b = load4(records[t.exit[1]].position),
-                         c = load4(records[t.third].position);
+            const RecordsOfSlot records = records_around(batch, t.third);
+            const Float4 a = load4(records[t.exit[0]]), b = load4(records[t.exit[1]]),
+                         c = load4(records[t.third]);
             u[k] = b - a;
             v[k] = c - a;
-            const Float4 gradients =
-                load4(m.gradients[s.begin[i + k]]) + load4(m.gradients[s.triangle[i + k]]);
+            const Float4 gradients = load4(m.gradients[s.begin[i + k]]) + load4(m.gradients[place]);
             const Float4 scales = a + b + c;
             g[k] = shuffle<0, 1, 2, 7>(gradients, scales);
-            s.fu[i + k] = values[t.exit[1]] - values[t.exit[0]];
-            s.fv[i + k] = values[t.third] - values[t.exit[0]];
+            s.fu[i + k] = m.above[place] - m.below[place];
+            s.fv[i + k] = function[t.third] - m.below[place];
         }
         transpose(u);
         transpose(v);

@@ -26,69 +26,78 @@ public:
           output_(output) {}
 
     void write_all(unsigned most_segments = kBatchTriangles) {
-        link();
+        const unsigned firsts = link();
         unsigned written = 0;
-        for (unsigned i = 0; i < count_; ++i)
-            if (is_first(i)) written += write(i, most_segments);
-        if (written < count_) write_loops();
+        for (unsigned i = 0; i < firsts; ++i)
+            written += write(segments_.first[i], most_segments);
+        if (written < count_) write_loops(firsts);
     }
 
 private:
-    void link() {
-        empty_triangles(batch_, segments_);
+    /// Finds which segments go on, and which follow on none; returns the number of these.
+    unsigned link() {
+        SegmentMemory& s = segments_;
+        for (unsigned i = 0; i < count_; ++i)  // all that is asked for
+            s.ending[s.begin[i]] = s.next[i] = SegmentMemory::kNone;
         for (unsigned i = 0; i < count_; ++i)
-            segments_.in_triangle[slot(i)][triangle(i).number] = std::uint16_t(i);
-        for (unsigned i = 0; i < count_; ++i)
-            segments_.next[i] = segments_.in_triangle[slot(i)][triangle(i).successor];
+            s.ending[s.triangle[i]] = std::uint16_t(i);
+        constexpr unsigned nowhere = SegmentMemory::kPlaces - 1;
+        unsigned firsts = 0;
+        for (unsigned i = 0; i < count_; ++i) {
+            const unsigned before = s.ending[s.begin[i]];
+            const bool is_first = before == SegmentMemory::kNone;
+            s.next[is_first ? nowhere : before] = std::uint16_t(i);
+            s.first[firsts] = std::uint16_t(i);
+            firsts += is_first;
+        }
+        return firsts;
     }
 
-    unsigned slot(unsigned segment) const { return active_.slot[segments_.triangle[segment]]; }
     const ActiveTriangle& triangle(unsigned segment) const {
         return active_.triangles[segments_.triangle[segment]];
     }
-    bool is_first(unsigned segment) const {
-        return segments_.in_triangle[slot(segment)][triangle(segment).previous] ==
-               SegmentMemory::kNone;
-    }
 
-    /// The place in border_edges of the edge behind the number of a segment's neighbour, if it
-    /// leads out of the cluster. For name_edges(), since what lies there has to be waited for.
-    std::uint32_t edge_to_elsewhere(unsigned segment, unsigned neighbour) const {
-        const Cluster& cluster = *batch_.clusters[slot(segment)];
-        const bool leads_out = neighbour >= cluster.triangle_count && neighbour != kNoNeighbour;
-        const std::uint32_t place = cluster.first_border_edge + neighbour - cluster.triangle_count;
+    /// The place in border_edges of the edge that a segment's neighbour is behind, if it leads out
+    /// of the cluster. For name_edges(), since what lies there has to be waited for.
+    std::uint32_t edge_to_elsewhere(unsigned neighbour) const {
+        const Cluster& cluster = *batch_.clusters[neighbour / kNumbersOfSlot];
+        const unsigned number = neighbour % kNumbersOfSlot;
+        const bool leads_out = number >= cluster.triangle_count && number != kNoNeighbour;
+        const std::uint32_t place = cluster.first_border_edge + number - cluster.triangle_count;
         __builtin_prefetch(&border_edges_[leads_out ? place : 0]);
         return leads_out ? place : Strip::kNoEdge;
     }
 
-    void add_point(unsigned crossing, float slope) {
-        StripPoint& point = output_.points[output_.point_count++];
-        store_row(load4(crossings_.points[crossing]), point.position);  // and the gradient
-        point.slope = slope;
-        point.opacity = crossings_.opacity[crossing];
+    void write_point(unsigned crossing, float slope, StripPoint* point) {
+        store_row(load4(crossings_.points[crossing]), point->position);  // and the gradient
+        point->slope = slope;
+        point->opacity = crossings_.opacity[crossing];
     }
 
     /// Writes the strips that start with a segment, each of up to `most` segments; returns the
     /// number of their segments.
     unsigned write(unsigned first, unsigned most) {
-        std::uint32_t edge = edge_to_elsewhere(first, triangle(first).previous);
+        std::uint32_t edge = edge_to_elsewhere(triangle(first).previous);
         unsigned written = 0;
         for (unsigned next = first; next != SegmentMemory::kNone; edge = Strip::kContinued) {
             Strip& strip = output_.strips[output_.strip_count++];
             strip.first_point = output_.point_count;
             strip.edges[0] = edge;
-            add_point(segments_.begin[next], 0);
+            StripPoint* const points = output_.points + strip.first_point;
+            StripPoint* point = points;
+            write_point(segments_.begin[next], 0, point++);
             Float4 sums = {0, 0, 0, 0};
             unsigned last = next, left = most;
             for (; next != SegmentMemory::kNone && left > 0; next = segments_.next[next], --left) {
-                add_point(segments_.triangle[next], segments_.slope[next]);
+                write_point(segments_.triangle[next], segments_.slope[next], point++);
                 sums += load4(segments_.sums[next]);
                 last = next;
             }
             strip.edges[1] = next == SegmentMemory::kNone
-                                 ? edge_to_elsewhere(last, triangle(last).successor)
+                                 ? edge_to_elsewhere(triangle(last).successor)
                                  : Strip::kContinued;
-            strip.point_count = output_.point_count - strip.first_point;
+            strip.point_count = std::uint32_t(point - points);
+            output_.point_count += strip.point_count;
             strip.length = sums[0];
             strip.strength = sums[1];
             strip.slope = sums[2];
@@ -99,13 +108,12 @@ private:
     }
 
     /// What no strip has yet are lines that close within a cluster.
-    void write_loops() {
+    void write_loops(unsigned firsts) {
         std::uint8_t written[kBatchTriangles];
         __builtin_memset(written, 0, count_);
-        for (unsigned i = 0; i < count_; ++i)
-            if (is_first(i))
-                for (unsigned j = i; j != SegmentMemory::kNone; j = segments_.next[j])
-                    written[j] = 1;
+        for (unsigned i = 0; i < firsts; ++i)
+            for (unsigned j = segments_.first[i]; j != SegmentMemory::kNone; j = segments_.next[j])
+                written[j] = 1;
         for (unsigned i = 0; i < count_; ++i) {
             if (written[i]) continue;
             unsigned last = i;
@@ -136,24 +144,19 @@ static inline void name_edges(const ClusterStore& store, std::uint32_t begin,
 }
 
 /// Makes the places after crossings [0, count) something valid.
-static inline void fill_up(const Batch& batch, CrossingMemory& m, std::size_t count) {
-    for (std::size_t i = count; i < count + kLanes; ++i) {
-        m.ends[i][0] = m.ends[i][1] = 0;
-        m.records[i][0] = m.records[i][1] = batch.first_record[0];
-    }
+static inline void fill_up(CrossingMemory& m, std::size_t count) {
+    __builtin_memset(m.ends[count], 0, kLanes * sizeof m.ends[0]);
 }
 
 /// Computes crossings [0, count) of a kind from their ends. As the functions that it calls, it
 /// writes to whole vectors of places.
 template <class Kinds, class Kind>
-static inline void find_crossings(const ClusterStore& store, const ExtractionTask& task,
-                                  const Batch& batch, unsigned kind, CrossingMemory& m,
-                                  std::size_t count) {
-    const VertexRecord* records = records_of(store);
-    fill_up(batch, m, count);
+static inline void find_crossings(const ExtractionTask& task, const Batch& batch, unsigned kind,
+                                  CrossingMemory& m, std::size_t count) {
+    fill_up(m, count);
     find_shares(Kind::values(batch, kind), m, count);
-    find_points(records, Kind::source(task), m, count);
-    Kind::test(task.kinds[Kinds::kFirst + kind].rules, task, records, m, count);
+    find_points(batch, Kind::source(task), m, count);
+    Kind::test(task.kinds[Kinds::kFirst + kind].rules, task, batch, m, count);
 }
 
 /// Appends the strips of a kind in a batch, their edges for name_edges().
@@ -166,12 +169,12 @@ static inline void append_strips(const ClusterStore& store, const ExtractionTask
     const LineRules& rules = task.kinds[Kinds::kFirst + kind].rules;
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
-    find_crossings<Kinds, Kind>(store, task, batch, kind, m, list_crossings(batch, active, m, s));
+    find_crossings<Kinds, Kind>(task, batch, kind, m, list_crossings(active, m, s));
     unsigned count = active.count;
     if (rules.use_slope) {
         count = keep_accepted(m, s, count);
         if (count == 0) return;
-        collect_corners(store, batch, active, Kind::values(batch, kind), m, s, count);
+        collect_corners(batch, active, Kind::values(batch, kind), m, s, count);
         test_segments<Kind::kSlope>(rules, s, count);
         if (!rules.whole) count = keep_steep(s, count);
     } else {
