@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Builds everything and runs the tests. See USAGE below."""
+"""Builds everything and runs the tests: ./test --help."""
 
+import argparse
 import os
-import re
 import sys
 
 from checks import checks, sanitized
@@ -12,66 +12,70 @@ from environment.packages import meshlab_version
 from hosts import hosts, reach
 from hosts.results import Results
 
-USAGE = f"""\
-./test [REGEX...]              tests the core, and the plugins in the MeshLab installed here
-./test --host HOST [REGEX...]  tests the plugins in {' '.join(hosts.SUITES)} or pymeshlab, or all of them and the core
-    --required                 a host that cannot be set up, and others' programs that tests miss, are failures instead of
-                               being skipped
-./test --checks                clang's warnings, static analysis, the core under sanitizers, its coverage, some fuzzing;
-                               with --host, after the tests there
-./test --fuzz SECONDS          fuzzing alone
-./test --sanitized [REGEX...]  GUI tests with plugins compiled with sanitizers: {' '.join(sanitized.GUI_TESTS)}
-./test --reach                 the portable plugins in MeshLabs that did not build them, the packages, and the wheel
-./test --threads [FILTER...]   tests of the core that use several threads, or those of GoogleTest's FILTER, under ThreadSanitizer
-
-Only tests whose names match a REGEX run; without one all but "wheel", which takes minutes. A MeshLab of another version
-than the one installed here runs in a root: the release of Debian that packages it, kept in {cache_folder()}/roots, made as
-root by debootstrap.
+ABOUT = f"""\
+Without options, ./test tests the core, and the plugins in the MeshLab installed here. Only tests whose names match a
+REGEX run; without one all but "wheel", which takes minutes. A MeshLab of another version than the one installed here runs
+in a root: the release of Debian that packages it, kept in {cache_folder()}/roots, made as root by debootstrap.
 """
 
 
+def parse(words):
+    parser = argparse.ArgumentParser("./test", description=ABOUT, allow_abbrev=False)
+    parser.add_argument("regex", nargs="*", metavar="REGEX")
+    parser.add_argument("--host", choices=[*hosts.NAMES, "all"], help="the MeshLab to test in; all: also the core")
+    parser.add_argument("--versions", action="store_true",
+                        help="in other MeshLabs than the one installed here, only what may differ between versions")
+    parser.add_argument("--required", action="store_true",
+                        help="a host that cannot be set up, or another program that a test misses, is a failure")
+    parser.add_argument("--checks", action="store_true",
+                        help="static analysis, the core under sanitizers, its coverage, some fuzzing; after the tests")
+    parser.add_argument("--nightly", action="store_true",
+                        help="everything: all tests in all hosts, long checks, large meshes, --sanitized, --threads, --reach")
+    parser.add_argument("--fuzz", type=int, metavar="SECONDS", help="fuzzing alone")
+    parser.add_argument("--sanitized", action="store_true", help="GUI tests with plugins compiled with sanitizers, "
+                        f"without a REGEX {' '.join(sanitized.GUI_TESTS)}")
+    parser.add_argument("--threads", action="store_true",
+                        help="the core's tests of threads under ThreadSanitizer; REGEX is a filter of GoogleTest")
+    parser.add_argument("--reach", action="store_true",
+                        help="the portable plugins in MeshLabs that did not build them, the packages, and the wheel")
+    return parser.parse_intermixed_args(words)
+
+
+def test_hosts(results, options):
+    names = hosts.NAMES if options.host == "all" else [options.host]
+    if options.host == "all":
+        results.stage(f"core and MeshLab {meshlab_version()}", hosts.test_here, options.regex)
+    for name in names:
+        if not (options.host == "all" and hosts.is_here(name)):
+            results.stage(name, hosts.test_host, name, options.regex, options.versions)
+
+
 def main():
-    host, required, with_checks, with_reach, words = None, False, False, False, sys.argv[1:]
-    while words and words[0].startswith("-"):
-        word = words.pop(0)
-        if word in ("-h", "--help"):
-            print(USAGE, end="")
-            return
-        if word == "--host":
-            host = words.pop(0) if words else ""
-            if host not in (*hosts.NAMES, "all"):
-                raise Failure(f"--host needs one of {' '.join(hosts.NAMES)} all")
-        elif word == "--checks":
-            with_checks = True
-        elif word == "--fuzz":
-            if len(words) != 1 or not re.fullmatch("[1-9][0-9]*", words[0]):
-                raise Failure("--fuzz needs a number of seconds, and nothing else")
-            return checks.fuzz_alone(words[0])
-        elif word == "--sanitized":
-            return sanitized.test_gui(words)
-        elif word == "--threads":
-            return sanitized.test_threads(words)
-        elif word == "--reach":
-            with_reach = True
-        elif word == "--required":
-            required = True
-            os.environ["LAPLACIAN_LINES_REQUIRED"] = "true"  # by tests that would be skipped
-        else:
-            raise Failure(f"unknown option {word}; see ./test --help")
-    if not (host or with_checks or with_reach):
-        return hosts.test_here(words)
-    if words and not host:
+    options = parse(sys.argv[1:])
+    if options.nightly:
+        options.host, options.required, options.checks, options.reach = "all", True, True, True
+    if options.required:
+        os.environ["LAPLACIAN_LINES_REQUIRED"] = "true"  # by tests that would be skipped
+    if options.fuzz:
+        return checks.fuzz_alone(options.fuzz)
+    if options.sanitized:
+        return sanitized.test_gui(options.regex)
+    if options.threads:
+        return sanitized.test_threads(options.regex)
+    if not (options.host or options.checks or options.reach):
+        return hosts.test_here(options.regex)
+    if options.regex and not options.host:
         raise Failure("--checks and --reach take no names of tests")
 
-    results = Results(required)
-    if host == "all":
-        results.stage(f"core and MeshLab {meshlab_version()}", hosts.test_here, words)
-    for name in hosts.NAMES if host == "all" else [host] if host else []:
-        if not (host == "all" and hosts.is_here(name)):
-            results.stage(name, hosts.test_host, name, words)
-    if with_checks:
-        checks.run_checks(results)
-    if with_reach:
+    results = Results(options.required)
+    if options.host:
+        test_hosts(results, options)
+    if options.checks:
+        checks.run_checks(results, options.nightly)
+    if options.nightly:
+        results.stage("GUI under sanitizers", sanitized.test_gui, [])
+        results.stage("threads", sanitized.test_threads, [])
+    if options.reach:
         reach.run_stages(results)
     return results.tell()
 

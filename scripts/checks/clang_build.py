@@ -9,7 +9,6 @@ from environment.build import CHECKOUT, build_folder, build_targets, ensure_tool
 from environment.messages import say
 
 PACKAGES = "clang libclang-rt-dev llvm cppcheck shellcheck".split()
-SANITIZERS = "address,undefined,float-cast-overflow"
 
 
 def checks_folder():
@@ -28,21 +27,16 @@ def environment(**values):
         os.environ.update(before)
 
 
-def build_with_clang(folder, sanitizers, *targets, options=()):
-    """Warnings are errors."""
+def build_with_clang(folder, preset, *targets):
+    """All targets when none is named. Warnings are errors."""
     # for ccache, which would take the name of this file for a part of what is compiled: its contents are
     ignored = CHECKOUT / "scripts/cmake/sanitizer_ignorelist.txt"
     with environment(LAPLACIAN_LINES_BUILD=str(folder), CCACHE_IGNOREOPTIONS="-fsanitize-ignorelist=*",
                      CCACHE_EXTRAFILES=str(ignored)):
         ensure_toolchain(*packages.TEST, *PACKAGES)
-        say(f"building with clang and the sanitizers {sanitizers}")
-        build_targets(*targets, options=[
-            *options, "-DCMAKE_CXX_COMPILER=clang++", "-DCMAKE_BUILD_TYPE=None",
-            "-DCMAKE_CXX_FLAGS=-O1 -gline-tables-only",
-            "-DLAPLACIAN_LINES_BUILD_TESTS=ON", "-DLAPLACIAN_LINES_WERROR=ON",
-            f"-DLAPLACIAN_LINES_SANITIZE={sanitizers}",
-            "-DLAPLACIAN_LINES_PRECOMPILE=OFF"])  # so that missing includes show
+        say(f"building {' '.join(targets) or 'all'} with clang: {preset}")
+        build_targets(*targets, preset=preset)
 
 
 def build_checks(*targets):
-    build_with_clang(checks_folder(), SANITIZERS, *targets, options=["-DLAPLACIAN_LINES_COUNTERS=ON"])
+    build_with_clang(checks_folder(), "sanitizers", *targets)

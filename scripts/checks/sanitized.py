@@ -32,9 +32,8 @@ def test_gui(regexes):
     reports.mkdir(parents=True)
     say("running the tests under sanitizers")
     library = output("clang", f"-print-file-name=libclang_rt.asan-{platform.machine()}.so")
-    code = run(["ctest", "--test-dir", folder, "--label-regex", "meshlab", "--tests-regex",
-                "|".join(regexes or GUI_TESTS),
-                "--output-on-failure"], env={
+    code = run(["ctest", "--preset", "meshlab", "--test-dir", folder, "--tests-regex",
+                "|".join(regexes or GUI_TESTS)], cwd=CHECKOUT, env={
         "DRIVE_SECONDS": SECONDS, "RANDOM_SEEDS": "3", **os.environ, "SANITIZER_LIBRARY": library,
         "LLVM_PROFILE_FILE": "/dev/null",
         "ASAN_OPTIONS": f"log_path={reports}/of:detect_leaks=1:malloc_context_size=2:stack_trace_format='    #%n %f %S %M'",
@@ -61,8 +60,7 @@ def test_gui(regexes):
 def test_threads(filters):
     """Of GoogleTest."""
     folder = build_folder() / "threads"
-    # the tests have an operator new of their own, and so has the sanitizer's library
-    build_with_clang(folder, "thread", "core_tests", options=["-DCMAKE_EXE_LINKER_FLAGS=-Wl,-z,muldefs"])
+    build_with_clang(folder, "threads", "core_tests")
     say("running tests of the core under ThreadSanitizer")
     log = folder / "tests.log"
     if not quietly(log, [folder / "tests/core/core_tests", "--gtest_brief=1",

@@ -26,19 +26,20 @@ def build_folder(checkout=CHECKOUT):
     return pathlib.Path(os.environ.get("LAPLACIAN_LINES_BUILD") or checkout / "build")
 
 
-def build_targets(*targets, options=(), extra_packages=None, checkout=CHECKOUT):
-    """Configures and compiles, all targets when none is named. With extra_packages, these and all that building takes
-    are installed before."""
+def build_targets(*targets, preset=None, options=(), extra_packages=None, checkout=CHECKOUT):
+    """Configures by a preset of CMakePresets.json and compiles, all targets when none is named. With extra_packages, these
+    and all that building takes are installed before."""
     build = build_folder(checkout)
     with turn(build):
-        described = description(checkout, *targets, *options, *(extra_packages or ()))
+        words = [*(["--preset", preset] if preset else []), *options]
+        described = description(checkout, *targets, *words, *(extra_packages or ()))
         if is_built(checkout, build, described):
             return
         if extra_packages is not None:
             ensure_toolchain(*extra_packages)
             say(f"building {' '.join(targets) or 'all'} for MeshLab {packages.meshlab_version()}")
         (build / ".begun").touch()
-        configure(checkout, build, options)
+        configure(checkout, build, words)
         compile_targets(checkout, build, targets)
         (build / ".begun").rename(build / ".sources")  # what is changed while it is compiled may not be in it
         (build / ".built").write_text(described)
@@ -59,7 +60,7 @@ def is_built(checkout, build, described):
         sources = [place for place in checkout.iterdir() if place.is_dir() and place.name != ".git"
                    and not place.samefile(build)]
         made = [place for name in ("plugins", "driver", "bin") if (place := build / name).is_dir()]
-        return not (newer(build / ".sources", *all_in(*sources), checkout / "CMakeLists.txt", "/var/lib/dpkg/status") or
+        return not (newer(build / ".sources", *all_in(*sources), *checkout.glob("CMake*"), "/var/lib/dpkg/status") or
                     newer(build / ".built", *all_in(*made), build / "CMakeCache.txt"))
     except OSError:
         return False
@@ -106,10 +107,10 @@ def forget_moved_build(checkout, build):
             below.remove(name)
 
 
-def configure(checkout, build, options):
+def configure(checkout, build, words):
     """Without MESHLAB_SOURCE_DIR, as it was configured before or the core alone."""
     forget_moved_build(checkout, build)
-    words = ["-DLAPLACIAN_LINES_PRECOMPILE=ON", *options]
+    words = list(words)
     if not os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER") and shutil.which("ccache"):
         words.insert(0, "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
     if headers := os.environ.get("MESHLAB_SOURCE_DIR"):
@@ -121,7 +122,7 @@ def configure(checkout, build, options):
 def compile_targets(checkout, build, targets):
     """Where there is ccache, nothing is compiled twice, in another checkout either. The sloppiness lets it keep
     precompiled headers; no source of ours uses times."""
-    ccache = {"CCACHE_DIR": str(compiled_folder()), "CCACHE_MAXSIZE": "1G", **os.environ,
+    ccache = {"CCACHE_DIR": str(compiled_folder()), "CCACHE_MAXSIZE": "4G", **os.environ,
               "CCACHE_BASEDIR": str(checkout),
               "CCACHE_NOHASHDIR": "1", "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
     command = ["cmake", "--build", build, "--parallel", str(processors()), *(["--target", *targets] if targets else [])]

@@ -14,7 +14,6 @@ from hosts.roots import ensure_root, in_root
 from product import pymeshlab
 
 NAMES = [*SUITES, "pymeshlab"]
-TESTS = ["-DLAPLACIAN_LINES_BUILD_TESTS=ON", "-DLAPLACIAN_LINES_WERROR=ON"]
 
 
 def is_here(host):
@@ -22,31 +21,30 @@ def is_here(host):
     return packages.meshlab_version().startswith(f"{host}.")
 
 
-def run_ctest(build, regexes, label=None):
-    """Several tests at once, those of MeshLab's windows waiting half of their time; those whose names match one of
-    the regexes, or without any all but those labelled reach, and that have the label."""
-    words = [*(["--label-regex", label] if label else []),
-             *(["--tests-regex", "|".join(regexes)] if regexes else ["--label-exclude", "^reach$"])]
-    with started(["ctest", "--test-dir", build, "--output-on-failure", "--parallel", str(2 * processors()),
-                  *words]) as ctest:
+def run_ctest(build, regexes, preset):
+    """Several tests at once, since those of MeshLab's windows wait half of their time: those of a preset of
+    CMakePresets.json whose names match one of the regexes."""
+    words = ["--tests-regex", "|".join(regexes)] if regexes else []
+    with started(["ctest", "--preset", preset, "--test-dir", build, "--parallel", str(2 * processors()), *words],
+                 cwd=CHECKOUT) as ctest:
         if ctest.wait() != 0:
             raise Failure("")
 
 
-def test_here(regexes, label=None):
-    """Builds and runs the tests with the MeshLab installed here; without a label also the core's."""
+def test_here(regexes, preset=None):
+    """Builds and runs the tests with the MeshLab installed here; without a preset also the core's."""
     began = time.monotonic()
-    build_targets(*(["meshlab_tests"] if label else []), options=TESTS,
+    build_targets(*(["meshlab_tests"] if preset else []), preset="tests",
                   extra_packages=[*packages.DISPLAY, *packages.TEST])
     say(f"built in {duration(time.monotonic() - began)}; running the tests")
-    run_ctest(build_folder(), regexes, label)
+    run_ctest(build_folder(), regexes, preset or ("all" if regexes else "tests"))
 
 
 def test_in_pymeshlab(regexes):
     began = time.monotonic()
     python, build = pymeshlab.ensure_pymeshlab(), os.environ.get("LAPLACIAN_LINES_BUILD")
     try:
-        pymeshlab.build_for_pymeshlab(python, "pymeshlab_tests", *TESTS)
+        pymeshlab.build_for_pymeshlab(python, "pymeshlab_tests")
         say(f"built in {duration(time.monotonic() - began)}; running the tests in PyMeshLab")
         run_ctest(pymeshlab.BUILD, regexes, "pymeshlab")
     finally:
@@ -56,7 +54,7 @@ def test_in_pymeshlab(regexes):
                 os.environ[name] = value
 
 
-def test_in_root(host, regexes):
+def test_in_root(host, regexes, versions):
     root, lock = ensure_root(SUITES[host])
     with lock:
         build = CHECKOUT / f"build/host-{host}"
@@ -69,15 +67,16 @@ def test_in_root(host, regexes):
         if models.is_dir():
             binds.append(f"ro:{models.resolve()}={models}")
         say(f"MeshLab {host} in {root}")
-        if in_root(root, "ro", binds, [CHECKOUT / "test", "--host", host, *regexes],
+        words = ["--versions"] if versions else []
+        if in_root(root, "ro", binds, [CHECKOUT / "test", "--host", host, *words, *regexes],
                    LAPLACIAN_LINES_BUILD=str(build)) != 0:
             raise Failure("")
 
 
-def test_host(host, regexes):
+def test_host(host, regexes, versions=False):
     if host == "pymeshlab":
         test_in_pymeshlab(regexes)
     elif is_here(host):
-        test_here(regexes, "meshlab")
+        test_here(regexes, "versions" if versions else "meshlab")
     else:
-        test_in_root(host, regexes)
+        test_in_root(host, regexes, versions)

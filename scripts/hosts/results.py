@@ -1,20 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the stages of a run ended: a line for each as it ends, and all of them at the end of the run."""
+"""How the stages of a run ended, and what each took: a line as it ends, and a table at the end of the run."""
 
+import os
 import time
 
 from environment.messages import Failure, Obstacle, duration, say
 
 
+def times():
+    """Seconds by the clock, and of processors by this process and all that it has waited for."""
+    spent = os.times()
+    return time.monotonic(), sum(spent[:4])
+
+
 class Results:
     def __init__(self, required):
         """Skipped is what an Obstacle has kept from running, a failure if `required`."""
-        self.required, self.lines, self.failed, self.began = required, [], False, time.monotonic()
+        self.required, self.rows, self.failed, self.began = required, [], False, times()
 
     def stage(self, name, function, *words):
         """Runs it. It returns a remark on its success, None or "" if there is none. Returns whether it has
         succeeded."""
-        began, succeeded = time.monotonic(), False
+        began, succeeded = times(), False
         try:
             remark = function(*words)
             result, succeeded = f"passed, {remark}" if remark else "passed", True
@@ -25,15 +32,18 @@ class Results:
             if str(failure):
                 say(failure)
             result, self.failed = "FAILED", True
-        self.lines.append(f"{name}: {result}, {duration(time.monotonic() - began)}")
-        say(self.lines[-1])
+        self.note(name, result, began)
+        say(f"{name}: {result}, {duration(self.rows[-1][0])}")
         return succeeded
+
+    def note(self, name, result, began):
+        self.rows.append((*(now - then for now, then in zip(times(), began)), name, result))
 
     def tell(self):
         """The exit code."""
-        if len(self.lines) > 1:
-            say("all stages:")
-            for line in self.lines:
-                say(f"    {line}")
-            say(f"    together {duration(time.monotonic() - self.began)}")
+        if len(self.rows) > 1:
+            self.note("together", "", self.began)
+            say("seconds by the clock, of processors:")
+            for clock, processor, name, result in self.rows:
+                say(f"{clock:7.0f}{processor:7.0f}  {name:28}{result}")
         return int(self.failed)

@@ -16,7 +16,7 @@ def build_benchmarks(target, *extra_packages):
     """The program."""
     packages.ensure_packages(*packages.CORE, *extra_packages)
     say(f"building {target}")
-    build_targets(target, options=["-DLAPLACIAN_LINES_BUILD_BENCHMARKS=ON"])
+    build_targets(target, preset="benchmarks")
     return build_folder() / "benchmarks" / target
 
 

@@ -45,8 +45,7 @@ def split(words):
 
 def build_truth():
     """The folder of the two programs."""
-    build_targets("drawing_truth", "drawing_silhouettes", options=["-DLAPLACIAN_LINES_BUILD_BENCHMARKS=ON"],
-                  extra_packages=())
+    build_targets("drawing_truth", "drawing_silhouettes", preset="benchmarks", extra_packages=())
     return build_folder() / "benchmarks/truth"
 
 

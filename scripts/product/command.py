@@ -56,7 +56,7 @@ MODES = ("--install", "--uninstall", "--package")
 
 
 def build_plugins(*extra_packages):
-    build_targets("meshlab_plugins", options=["-DLAPLACIAN_LINES_BUILD_DRIVER=ON"], extra_packages=extra_packages)
+    build_targets("meshlab_plugins", preset="window", extra_packages=extra_packages)
 
 
 def build_and_stage(*extra_packages):
@@ -158,7 +158,7 @@ class Command:
 
     def run_package(self, _):
         build_plugins(*packages.PACKAGING)
-        build_targets("laplacian_lines_drawing")
+        build_targets("laplacian_lines_drawing", preset="product")
         make_packages(build_folder(), build_folder() / "packages")
 
     def run_portable(self, _):

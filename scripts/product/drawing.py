@@ -24,7 +24,7 @@ def run_drawing(folder, words):
     """The words are as the program takes them, but that MESH may be missing or gzipped; the folder takes unpacked
     copies, each in one of its own, since their names may be the same."""
     program = build_folder() / "bin/laplacian-lines"
-    build_targets("laplacian_lines_drawing", extra_packages=PACKAGES)
+    build_targets("laplacian_lines_drawing", preset="product", extra_packages=PACKAGES)
     options, names = [], []
     while words:
         word = words.pop(0)

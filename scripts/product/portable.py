@@ -50,8 +50,8 @@ def build_portable(*targets, options=()):
         raise Failure(f"the library of MeshLab {pymeshlab.MESHLAB} could not be fetched")
     os.environ["LAPLACIAN_LINES_BUILD"] = str(BUILD)
     say(f"building plugins for all systems with MeshLab {pymeshlab.MESHLAB}")
-    build_targets("meshlab_plugins", *targets, options=[f"-DMESHLAB_COMMON_LIBRARY={libraries / LIBRARY}",
-                                                        "-DLAPLACIAN_LINES_PORTABLE=ON", *options])
+    build_targets("meshlab_plugins", *targets, preset="portable",
+                  options=[f"-DMESHLAB_COMMON_LIBRARY={libraries / LIBRARY}", *options])
 
 
 def package_portable():

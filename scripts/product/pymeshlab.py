@@ -37,7 +37,7 @@ def ensure_pymeshlab():
     return python
 
 
-def build_for_pymeshlab(python, target, *options):
+def build_for_pymeshlab(python, target):
     """In build/pymeshlab."""
     package = output(python, "-c", "import importlib.util as u; print(u.find_spec('pymeshlab').submodule_search_locations[0])")
     if not package:
@@ -45,9 +45,8 @@ def build_for_pymeshlab(python, target, *options):
     os.environ["LAPLACIAN_LINES_BUILD"] = str(BUILD)
     packages.ensure_packages(*packages.BUILD, *packages.TEST)
     say(f"building the filter for PyMeshLab {VERSION}")
-    build_targets(target, options=[f"-DMESHLAB_COMMON_LIBRARY={package}/lib/libmeshlab-common.so",
-                                   f"-DLAPLACIAN_LINES_PYTHON={python}",
-                                   *options])
+    build_targets(target, preset="pymeshlab", options=[
+        f"-DMESHLAB_COMMON_LIBRARY={package}/lib/libmeshlab-common.so", f"-DLAPLACIAN_LINES_PYTHON={python}"])
 
 
 def run_python(words):
