@@ -61,7 +61,7 @@ def added(what, work):
 
 def main():
     build = build_folder()
-    build_targets("meshlab_plugins", options=["-DLAPLACIAN_LINES_BUILD_DRIVER=ON"], extra_packages=packages.DISPLAY)
+    build_targets("meshlab_plugins", preset="window", extra_packages=packages.DISPLAY)
     stage_meshlab(build / "stage", built_plugins(build, "plugins", "driver"))
     with tempfile.TemporaryDirectory() as name, display(1700, 1000):
         work = pathlib.Path(name)

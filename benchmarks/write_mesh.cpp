@@ -10,6 +10,7 @@
 #include <string>
 
 #include "flaked_stone.h"
+#include "generators.h"
 #include "mesh_file.h"
 #include "midpoint_subdivision.h"
 #include "thrown_vessel.h"
@@ -18,18 +19,12 @@ namespace {
 
 using laplacian_lines::TriangleMesh;
 
-TriangleMesh scaled(TriangleMesh mesh, double factor) {
-    for (Eigen::Vector3d& p : mesh.positions)
-        p *= factor;
-    return mesh;
-}
-
 TriangleMesh make(const std::string& name) {
-    if (name == "vessel") return scaled(test_meshes::thrown_vessel(), 1e-3);
+    if (name == "vessel") return test_meshes::moved(test_meshes::thrown_vessel(), {0, 0, 0}, 1e-3);
     if (name != "stone") return test_meshes::read_mesh(name);
     test_meshes::StoneShape shape;
     shape.half_axes = {0.6, 1, 0.3};
-    return scaled(test_meshes::FlakedStone(shape).mesh(8), 0.05);
+    return test_meshes::moved(test_meshes::FlakedStone(shape).mesh(8), {0, 0, 0}, 0.05);
 }
 
 void write(const TriangleMesh& mesh, const std::string& file) {

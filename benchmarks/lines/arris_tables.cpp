@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of stones and parts against their arrises.
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>

@@ -3,7 +3,6 @@
 
 #include "field/belkin_laplacian.h"
 #include "field/normal_smoothing.h"
-#include "field/shape_operators.h"
 #include "field/vertex_normals.h"
 
 namespace benchmarks {
@@ -31,11 +30,9 @@ LaplacianAlone::LaplacianAlone(const TriangleMesh& mesh)
     smooth_over_one_rings(mesh_, ranges, normals_, 2, no_reports(), shape_operators_);
 }
 
-std::vector<Eigen::Vector3d> LaplacianAlone::compute(double size, Summation summation) const {
+std::vector<Eigen::Vector3d> LaplacianAlone::compute(double size) const {
     const std::vector<float> kernel_sizes(mesh_.size(), float(size * mesh_.mean_edge));
-    BelkinOptions options;
-    options.summation = summation;
-    return belkin_laplacian(mesh_, tree_, normals_, kernel_sizes, shape_operators_, options,
+    return belkin_laplacian(mesh_, tree_, normals_, kernel_sizes, shape_operators_, {},
                             no_reports());
 }
 

@@ -11,7 +11,6 @@
 #include "field/shape_operators.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "mesh/prepared_mesh.h"
-#include "sums/summation_cost.h"
 
 namespace benchmarks {
 
@@ -22,12 +21,8 @@ public:
     /// @throws laplacian_lines::Error: InvalidMesh, EmptyMesh.
     explicit LaplacianAlone(const laplacian_lines::TriangleMesh& mesh);
 
-    std::size_t vertex_count() const { return mesh_.size(); }
-
     /// Δn of all vertices to 1e-3, corrections included. `size`: √h in mean edges.
-    std::vector<Eigen::Vector3d> compute(
-        double size,
-        laplacian_lines::Summation summation = laplacian_lines::Summation::Fastest) const;
+    std::vector<Eigen::Vector3d> compute(double size) const;
 
 private:
     laplacian_lines::PreparedMesh mesh_;

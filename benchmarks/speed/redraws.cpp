@@ -62,26 +62,6 @@ std::vector<View> orbit(const TriangleMesh& mesh) {
     return views;
 }
 
-NamedStyle only(LineKind kind) {
-    LineStyle style;
-    style.shows = only_kinds({kind});
-    return {describe(kind).key, describe(kind).many, style};
-}
-
-std::vector<NamedStyle> kind_styles() {
-    std::vector<NamedStyle> styles;
-    for (const LineKind kind :
-         {LineKind::Contour, LineKind::Laplacian, LineKind::SuggestiveContour,
-          LineKind::SuggestiveHighlight, LineKind::ApparentRidge, LineKind::PhoticExtremum,
-          LineKind::Ridge, LineKind::Valley, LineKind::DemarcatingCurve})
-        styles.push_back(only(kind));
-    styles.push_back({"default", "the default style", LineStyle()});
-    LineStyle all;
-    all.shows = all_kinds();
-    styles.push_back({"all", "all kinds at once", all});
-    return styles;
-}
-
 Redraws::Redraws(const TriangleMesh& mesh, const Field& field)
     : mesh_(mesh),
       views_(orbit(mesh)),
@@ -93,7 +73,7 @@ Redraws::Redraws(const TriangleMesh& mesh, const Field& field)
     style_.shows[LineKind::Ridge] = style_.shows[LineKind::Border] =
         style_.shows[LineKind::Crease] = false;
     const auto build = [&] { extractor_ = std::make_unique<LineExtractor>(mesh, field); };
-    extractor_seconds_ = thread_limit() > 1 ? seconds(build) : processor_seconds(build);
+    extractor_seconds_ = seconds(build);
     memory_.assign(std::max(plain_bytes(), extractor_->memory()) / sizeof(memory_[0]), 1);
 }
 
@@ -127,10 +107,19 @@ std::vector<Contender> Redraws::fast() {
     return contenders;
 }
 
-std::vector<Contender> Redraws::kinds(int threads) {
+std::vector<Contender> Redraws::kinds() {
     std::vector<Contender> contenders;
-    for (const NamedStyle& style : kind_styles())
-        contenders.push_back(extraction(style.key, style.text, best_, threads, style.style));
+    LineStyle style;
+    for (const LineKind kind :
+         {LineKind::Contour, LineKind::Laplacian, LineKind::SuggestiveContour,
+          LineKind::SuggestiveHighlight, LineKind::ApparentRidge, LineKind::PhoticExtremum,
+          LineKind::Ridge, LineKind::Valley, LineKind::DemarcatingCurve}) {
+        style.shows = only_kinds({kind});
+        contenders.push_back(extraction(describe(kind).key, describe(kind).many, best_, 1, style));
+    }
+    contenders.push_back(extraction("default", "the default style", best_, 1, LineStyle()));
+    style.shows = all_kinds();
+    contenders.push_back(extraction("all", "all kinds at once", best_, 1, style));
     return contenders;
 }
 

@@ -18,18 +18,6 @@ constexpr int kEyes = 24;
 /// Perspective views from all around a mesh, 1.25 D from its middle, a little from above.
 std::vector<laplacian_lines::View> orbit(const laplacian_lines::TriangleMesh& mesh);
 
-struct NamedStyle {
-    std::string key, text;  ///< names for programs and for people
-    laplacian_lines::LineStyle style;
-};
-
-/// A kind alone, all else at its default.
-NamedStyle only(laplacian_lines::LineKind kind);
-
-/// Contours, then each other kind whose redraws take time worth telling, then the default style and
-/// that of all kinds.
-std::vector<NamedStyle> kind_styles();
-
 /// All ways to redraw one mesh, seen by the eyes of orbit(). Their cases are the eyes.
 class Redraws {
 public:
@@ -40,8 +28,9 @@ public:
     /// The extractor in the default style, but for ridges and borders, which do not depend on the
     /// view; by instruction set and threads. They use this object, as all that follow.
     std::vector<Contender> fast();
-    /// Each style of kind_styles(), likewise. Kinds that need C have nothing to draw without it.
-    std::vector<Contender> kinds(int threads = 1);
+    /// Contours, each other kind whose redraws take time worth telling, the default style and that
+    /// of all kinds, on one thread. Kinds that need C have nothing to draw without it.
+    std::vector<Contender> kinds();
     /// Plain ways to draw less, on one thread.
     std::vector<Contender> plain();
     /// Reading the memory of the plain mesh, and as much as the extractor holds.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "turns.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -25,17 +23,6 @@ double seconds(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double processor_seconds(const std::function<void()>& work) {
-    const auto now = [] {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-    };
-    const double start = now();
-    work();
-    return now() - start;
 }
 
 double Contender::best() const {
@@ -61,12 +48,8 @@ int take_turns(std::vector<Contender>& contenders, const Turns& turns) {
             for (std::size_t k = 0; k < n; ++k) {
                 const std::size_t turn = (k + std::size_t(round) / 2) % n;
                 Contender& c = contenders[round % 2 ? n - 1 - turn : turn];
-                double time = 0;
-                spent += seconds([&] {
-                    const auto run = [&] { c.run(i); };
-                    time = c.by_processor ? processor_seconds(run) : seconds(run);
-                });
-                c.times[i].push_back(time);
+                c.times[i].push_back(seconds([&] { c.run(i); }));
+                spent += c.times[i].back();
             }
     }
     return round;

@@ -9,14 +9,11 @@ namespace benchmarks {
 
 /// Wall-clock seconds of one call.
 double seconds(const std::function<void()>& work);
-/// Processor time of the calling thread, which other work on the machine does not count into.
-double processor_seconds(const std::function<void()>& work);
 
 /// Work that is timed beside other work, on each of several cases (views, for instance).
 struct Contender {
     std::string key, text;  ///< names for programs and for people
     std::function<void(std::size_t)> run;
-    bool by_processor = false;                    ///< processor_seconds() in place of seconds()
     std::vector<std::vector<double>> times = {};  ///< seconds, by case and round
 
     double best() const;    ///< seconds, mean over the cases of the best round

@@ -19,15 +19,7 @@ TriangleMesh mapped(TriangleMesh mesh,
     return mesh;
 }
 
-TriangleMesh scaled(const TriangleMesh& mesh, double factor) {
-    return mapped(mesh, [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(factor * p); });
-}
-
-TriangleMesh moved(const TriangleMesh& mesh, double distance) {
-    return mapped(mesh, [&](const Eigen::Vector3d& p) {
-        return Eigen::Vector3d(p + distance * Eigen::Vector3d(1, -0.7, 0.4));
-    });
-}
+const Eigen::Vector3d kNowhere = Eigen::Vector3d::Zero(), kFar = {1e5, -7e4, 4e4};
 
 /// Triangles with corners of their own, every other one the wrong way around.
 TriangleMesh soup_of(const TriangleMesh& mesh) {
@@ -69,11 +61,10 @@ TriangleMesh mirrored(const TriangleMesh& mesh) {
     double right = -std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : mesh.positions)
         right = std::max(right, p.x());
-    TriangleMesh both = mesh, image = mapped(mesh, [&](const Eigen::Vector3d&p) {
-                                  return Eigen::Vector3d(2 * right - p.x(), p.y(), p.z());
-                              });
-    flip_triangles(image, 1);
-    append(both, image);
+    TriangleMesh both = mesh;
+    append(both, inside_out(mapped(mesh, [&](const Eigen::Vector3d& p) {
+               return Eigen::Vector3d(2 * right - p.x(), p.y(), p.z());
+           })));
     return both;
 }
 
@@ -247,12 +238,12 @@ void add_own(std::vector<SilhouetteMesh>& meshes) {
     add("one_face_20_times", [] { return one_face_often(20); });
     add("low_poly_sphere", [] { return icosphere(1); });
     add("low_poly_torus", [] { return torus(8, 5).mesh; });
-    add("torus_1e-6", [=] { return scaled(ring(), 1e-6); });
-    add("torus_1e6", [=] { return scaled(ring(), 1e6); });
-    add("cube_1e-6", [] { return scaled(cube(4), 1e-6); });
-    add("cube_1e6", [] { return scaled(cube(4), 1e6); });
-    add("torus_far", [=] { return moved(ring(), 1e5); });
-    add("cube_far", [] { return moved(cube(4), 1e5); });
+    add("torus_1e-6", [=] { return moved(ring(), kNowhere, 1e-6); });
+    add("torus_1e6", [=] { return moved(ring(), kNowhere, 1e6); });
+    add("cube_1e-6", [] { return moved(cube(4), kNowhere, 1e-6); });
+    add("cube_1e6", [] { return moved(cube(4), kNowhere, 1e6); });
+    add("torus_far", [=] { return moved(ring(), kFar); });
+    add("cube_far", [] { return moved(cube(4), kFar); });
     add("bumpy_sphere_mirrored", [] { return mirrored(bumpy_sphere(4, 0.15).mesh); });
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "truth_scores.h"
 
-#include <limits>
-
 #include "plane_lines.h"
 
 namespace benchmarks {

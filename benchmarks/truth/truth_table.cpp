@@ -4,7 +4,6 @@
 #include <cstdarg>
 #include <cstdio>
 #include <functional>
-#include <set>
 
 namespace benchmarks {
 namespace {

@@ -11,7 +11,7 @@ set(documents /usr/share/doc/meshlab-laplacian-lines)
 set(made "${PROJECT_BINARY_DIR}/package_files")
 install(TARGETS laplacian_lines_drawing RUNTIME DESTINATION /usr/bin COMPONENT command EXCLUDE_FROM_ALL)
 install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/scripts/product/package_files.py\"
-  \"$<TARGET_FILE:laplacian_lines_drawing>\" \"${PROJECT_SOURCE_DIR}/CHANGELOG.md\" \"${made}\" COMMAND_ERROR_IS_FATAL ANY)"
+  \"$<TARGET_FILE:laplacian_lines_drawing>\" \"${PROJECT_SOURCE_DIR}/docs/changelog.md\" \"${made}\" COMMAND_ERROR_IS_FATAL ANY)"
   COMPONENT command EXCLUDE_FROM_ALL)
 install(FILES "${made}/laplacian-lines.1.gz" DESTINATION /usr/share/man/man1 COMPONENT command EXCLUDE_FROM_ALL)
 install(FILES "${made}/laplacian-lines" DESTINATION /usr/share/bash-completion/completions

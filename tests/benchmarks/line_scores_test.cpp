@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "flaked_stone.h"
@@ -72,13 +71,6 @@ TEST(LineScores, OfHalfOfTheTruthHaveARecallOfAHalf) {
     EXPECT_NEAR(score.recall.value(), 0.5, 0.002);
     EXPECT_DOUBLE_EQ(score.precision.value(), 1);
     EXPECT_NEAR(score.f1(), 2 / 3., 0.002);
-}
-
-TEST(LineScores, OfTwiceTheTruthHaveAPrecisionOfAHalf) {
-    const Truth truth(along_x(0, 10), 15, 8);
-    const Score score = ridge_score(drawn(along_x(0, 20), LineKind::Ridge), truth);
-    EXPECT_DOUBLE_EQ(score.recall.value(), 1);
-    EXPECT_NEAR(score.precision.value(), 0.5, 0.002);
 }
 
 TEST(LineScores, KnowTheDistance) {

@@ -67,6 +67,6 @@ with tempfile.TemporaryDirectory() as folder:
     assert "--rounds needs a number, at least 1" in run(program, "--rounds", "0", torus, code=2)
 
     busy = run(sys.argv[2], "--rounds", "1", torus)
-    columns = "".join(rf" \| {mesh}" for mesh in ("torus, quiet", "torus, memory streamed", "torus, other cores busy"))
-    expect_rows(busy, rf"\|{columns} \|", *(rf"\| {row}( \| [0-9.]+){{3}} \|" for row in (
+    columns = "".join(rf" \| torus, {load}" for load in ("quiet", "memory streamed", "other cores busy", "all cores busy"))
+    expect_rows(busy, rf"\|{columns} \|", *(rf"\| {row}( \| [0-9.]+){{4}} \|" for row in (
         "the field, all threads", "plain contours, not traced", "Laplacian lines and contours : plain contours")))

@@ -26,14 +26,6 @@ DrawnPaths outline_of_square(double half) {
         {{{-half, -half}, {half, -half}, {half, half}, {-half, half}, {-half, -half}}, true, true}};
 }
 
-TEST(ItemBuffer, HasTheBorderOfASquareWithinHalfAPixel) {
-    const ItemBuffer items(square_at(0, 5), from_above, {});
-    const PlaneLine border = items.border();
-    EXPECT_NEAR(double(border.size()), 4 * 10 * item_pixels_per_mm, 8);
-    for (const PlanePoint& p : border)
-        EXPECT_NEAR(p.cwiseAbs().maxCoeff(), 5, 0.5 / item_pixels_per_mm + 1e-9);
-}
-
 TEST(ItemBuffer, HasTheBorderOfABallWithinAPixel) {
     TriangleMesh ball = test_meshes::icosphere(5);
     for (Eigen::Vector3d& p : ball.positions)
@@ -68,21 +60,6 @@ TEST(ItemBuffer, ShowsWhatIsInFront) {
     const PlaneFrame from_below = {{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
     EXPECT_TRUE(ItemBuffer(mesh, from_below, {}).jumps(0.5).empty());
     EXPECT_TRUE(ItemBuffer(mesh, from_above, {}).jumps(2.5).empty());
-}
-
-TEST(ItemBuffer, HasNoJumpsOnASteepSlope) {
-    TriangleMesh slope = square_at(0, 5);
-    for (Eigen::Vector3d& p : slope.positions)
-        p.z() = 40 * p.x();
-    EXPECT_TRUE(ItemBuffer(slope, from_above, {}).jumps(0.5).empty());
-}
-
-TEST(SilhouetteScores, AreWholeWithTheOutline) {
-    const ItemBuffer items(square_at(0, 5), from_above, {});
-    const SilhouetteScores scores = score_silhouette(items, outline_of_square(5));
-    EXPECT_GT(scores.border, 700u);
-    EXPECT_EQ(scores.bare_border, 0u);
-    EXPECT_EQ(scores.share(), 1);
 }
 
 TEST(SilhouetteScores, KnowWhatIsBareAndWhatIsFar) {
