@@ -3,7 +3,7 @@
 
 namespace laplacian_lines {
 
-/// Of all that is built with this core, as "0.3.0". CHANGELOG.md says what has changed when.
+/// Of all that is built with this core, as "0.3.0". docs/changelog.md says what has changed when.
 const char* version();
 
 }  // namespace laplacian_lines
