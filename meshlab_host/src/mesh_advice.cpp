@@ -22,8 +22,8 @@ QString advice(MeshFault fault, const MeshReport& report) {
                    "Close Vertices.";
         case MeshFault::Disagreeing:
             return percent(report.opposed_share) +
-                   " of the edges have triangles that disagree about the outside: run Re-Orient "
-                   "All Faces Coherently.";
+                   " of the edges join triangles that face opposite ways: run Re-Orient All Faces "
+                   "Coherently.";
         case MeshFault::InsideOut:
             return "The surface is inside out, so grooves are drawn as ridges: run Invert Faces "
                    "Orientation.";

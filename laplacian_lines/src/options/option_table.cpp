@@ -93,8 +93,8 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "angle, or by N. Max's weights.")),
         choice<&O::normal_smoothing>(
             "normal_smoothing", "Normal Smoothing", {"None", "Gaussian", "Bilateral"},
-            "Of the vertex normals that all is computed from; the mesh's own are not changed. "
-            "Bilateral keeps sharp edges."),
+            "How the vertex normals that all else is computed from are smoothed; the mesh's own "
+            "normals are not changed. Bilateral keeps sharp edges."),
         real<&O::normal_sigma>(
             "normal_sigma", "Normal Smoothing Sigma", 0, 100,
             "In mean edge lengths. 0 means automatic: 0.8, and up to 2.5 on rough meshes, such as "
@@ -112,12 +112,12 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "For Least Squares: radius of the ball, in mean edge lengths.")),
         for_experts(boolean<&O::correct_borders>(
             "correct_borders", "Correct Borders",
-            "Make up for the missing half of the kernel at holes and borders, which get spurious "
-            "lines along them otherwise.")),
+            "Compensate for the missing half of the kernel at holes and borders, which would "
+            "otherwise have spurious lines along them.")),
         for_experts(boolean<&O::skip_opposite_sheet>(
             "skip_opposite_sheet", "Skip Opposite Sheet",
             "Vertices count less the more they face another way, so that the two sides of a thin "
-            "wall do not disturb each other.")),
+            "wall do not affect each other.")),
         boolean<&O::weld_duplicates>("weld_duplicates", "Weld Duplicated Vertices",
                                      "Vertices at exactly the same place count as one where they "
                                      "cut the surface open, as in "
@@ -175,9 +175,9 @@ std::vector<StyleRow> kind_rows() {
         kind_row<LineKind::Crease>(),
         for_experts(real<&S::crease_angle>(
             "crease_angle", "Crease Angle", 20, 180,
-            "Angle in degrees from which an edge of the mesh is a crease whatever is around. Up to "
-            "40, lower edges that are no facets of curved faces are drawn as well. Larger leaves "
-            "out softer edges; smaller shows facets of round forms of few triangles.")),
+            "Edges of the mesh that turn by at least this angle, in degrees, are always creases. "
+            "At 40 or less, softer edges are drawn too where they are no facets of curved faces. "
+            "Larger leaves out softer edges; smaller shows facets of coarse round forms.")),
         kind_row<LineKind::Border>(),
         for_experts(kind_row<LineKind::Valley>()),
         for_experts(kind_row<LineKind::DemarcatingCurve>()),

@@ -134,7 +134,7 @@ void checkWritable(const std::string& file) {
         return;
     }
     if (fs::is_directory(file)) refuseToWrite(file, "it is a folder");
-    if (::access(file.c_str(), W_OK) != 0) refuseToWrite(file, "it is not yours to write");
+    if (::access(file.c_str(), W_OK) != 0) refuseToWrite(file, "you have no permission to write it");
 }
 
 }  // namespace line_drawing
