@@ -5,8 +5,6 @@
 
 #include <meshlab_host/geometry_stamp.h>
 
-#include <cmath>
-
 #include "command_table.h"
 #include "gl_state_text.h"
 #include "gui.h"

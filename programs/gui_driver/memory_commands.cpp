@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands are described in README.md.
 #include <malloc.h>
-#include <sys/resource.h>
-#include <unistd.h>
 #include <QDir>
-#include <QFile>
 
 #include "command_table.h"
 #include "process.h"
@@ -44,22 +41,6 @@ void expectMemoryGrowth(const Command& command) {
         throw CommandError(QString("memory in use has grown by %1 MB").arg(grown, 0, 'f', 2));
 }
 
-void setAddressSpace(rlim_t bytes) {
-    rlimit limit{};
-    getrlimit(RLIMIT_AS, &limit);
-    limit.rlim_cur = bytes < limit.rlim_max ? bytes : limit.rlim_max;
-    if (setrlimit(RLIMIT_AS, &limit) != 0) throw CommandError("the memory cannot be limited");
-}
-
-// Not more than this beyond what the process has now.
-void limitMemory(const Command& command) {
-    malloc_trim(0);
-    QFile file("/proc/self/statm");
-    if (!file.open(QIODevice::ReadOnly)) throw CommandError("cannot read " + file.fileName());
-    const double pages = file.readAll().split(' ').value(0).toDouble();
-    setAddressSpace(rlim_t(pages * double(sysconf(_SC_PAGESIZE)) + command.number(0) * megabyte));
-}
-
 int threads() {
     return QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot).size();
 }
@@ -82,9 +63,6 @@ void addMemoryCommands(CommandTable& table) {
     table.addSimple("expect-memory-growth", expectMemoryGrowth);
     table.addSimple("note-threads", noteThreads);
     table.add("expect-no-more-threads", expectNoMoreThreads);
-    table.addSimple("limit-memory", limitMemory);
-    table.addSimple(
-        "unlimit-memory", [](const Command&) { setAddressSpace(RLIM_INFINITY); }, Place::ModalBox);
 }
 
 }  // namespace driver

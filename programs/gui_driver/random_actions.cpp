@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random_actions.h"
 
-#include "command_table.h"
-#include "gui.h"
 #include "process.h"
 
 namespace driver {

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QTimer>
 #include "gui.h"
-#include "process.h"
 #include "times.h"
 
 namespace driver {

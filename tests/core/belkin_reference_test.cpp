@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fast sums against the plain ones of reference_field.h.
+// Normals, smoothed normals and adaptive kernels against the plain ones of reference_field.h.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
-#include <tuple>
 
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
@@ -20,61 +18,6 @@ std::vector<double> constant(const TriangleMesh& mesh, double value) {
     return std::vector<double>(mesh.positions.size(), value);
 }
 
-using Case = std::tuple<const char*, double>;  // mesh, √h in mean edges
-
-class Equation2 : public testing::TestWithParam<Case> {
-protected:
-    const TriangleMesh& mesh() const {
-        return test_meshes::mesh_named(std::get<0>(GetParam())).mesh;
-    }
-    double kernel_size() const { return std::get<1>(GetParam()) * reference::mean_edge(mesh()); }
-
-    /// Error of the fast sums for each accuracy. The cut-off part is made up for in the mean, so a
-    /// kernel that holds the whole mesh gets 1/(1 − accuracy) too much; float sums end at 4e-6.
-    void expect_accuracies(bool skip_opposite_sheet) const {
-        const auto expected =
-            reference::laplacian(mesh(), reference::normals(mesh(), NormalWeighting::Area),
-                                 constant(mesh(), kernel_size()), skip_opposite_sheet);
-        for (double accuracy : {1e-2, 1e-3, 1e-5}) {
-            PrecomputeOptions options = plain_options(kernel_size());
-            options.skip_opposite_sheet = skip_opposite_sheet;
-            options.accuracy = accuracy;
-            const Field field = precompute(mesh(), options);
-            EXPECT_LT(relative_error(field.laplacian_normals, expected), 1.02 * accuracy + 4e-6)
-                << "accuracy " << accuracy;
-        }
-    }
-};
-
-TEST_P(Equation2, FastSumsKeepTheirAccuracy) {
-    expect_accuracies(false);
-}
-
-class OppositeSheet : public Equation2 {};
-
-TEST_P(OppositeSheet, IsLeftOutOfTheFastSums) {
-    expect_accuracies(true);
-}
-
-std::string case_name(const testing::TestParamInfo<Case>& info) {
-    return std::string(std::get<0>(info.param)) + "_" +
-           std::to_string(int(std::get<1>(info.param)));
-}
-
-INSTANTIATE_TEST_SUITE_P(Meshes, Equation2,
-                         testing::Combine(testing::Values("sphere_jittered", "torus",
-                                                          "torus_jittered", "bumpy_sphere",
-                                                          "hills"),
-                                          testing::Values(1.0, 2.0, 4.0, 9.0)),
-                         case_name);
-
-// Not the regular meshes, where pairs of normals are at right angles but for rounding.
-INSTANTIATE_TEST_SUITE_P(Meshes, OppositeSheet,
-                         testing::Combine(testing::Values("sphere_jittered", "torus_jittered",
-                                                          "bumpy_sphere", "hills"),
-                                          testing::Values(2.0, 4.0, 9.0)),
-                         case_name);
-
 TEST(NormalWeightings, MatchTheReference) {
     const TriangleMesh& mesh = test_meshes::mesh_named("bumpy_sphere").mesh;
     for (auto weighting : {NormalWeighting::Area, NormalWeighting::Angle, NormalWeighting::Max}) {
@@ -84,33 +27,6 @@ TEST(NormalWeightings, MatchTheReference) {
             relative_error(precompute(mesh, options).normals, reference::normals(mesh, weighting)),
             1e-7);
     }
-}
-
-TEST(NormalWeightings, MaxIsExactOnSpheres) {
-    const test_meshes::TestMesh& sphere = test_meshes::mesh_named("sphere_jittered");
-    PrecomputeOptions options = plain_options(0);
-    options.normal_weighting = NormalWeighting::Max;
-    const Field field = precompute(sphere.mesh, options);
-    for (std::size_t v = 0; v < sphere.truth.size(); ++v)
-        EXPECT_LT((field.normals[v] - sphere.truth[v].normal.cast<float>()).norm(), 1e-6);
-}
-
-/// One triangle each on two sides of this corner and two on the third: area weights lean towards
-/// the third side, angles do not.
-TEST(NormalWeightings, DifferAtTheCornersOfACube) {
-    const TriangleMesh cube = test_meshes::cube(1);
-    PrecomputeOptions options = plain_options(0);
-    options.normal_weighting = NormalWeighting::Angle;
-    const Field angle = precompute(cube, options);
-    options.normal_weighting = NormalWeighting::Area;
-    const Field area = precompute(cube, options);
-    int leaning = 0;
-    for (std::size_t v = 0; v < cube.positions.size(); ++v) {
-        const Eigen::Vector3f diagonal = cube.positions[v].normalized().cast<float>();
-        EXPECT_LT((angle.normals[v] - diagonal).norm(), 1e-6);
-        leaning += (area.normals[v] - diagonal).norm() > 0.1;
-    }
-    EXPECT_GT(leaning, 0);
 }
 
 class SmoothedNormals : public testing::TestWithParam<double> {};  // bilateral angle, 0: Gaussian

@@ -119,12 +119,9 @@ TEST(ThinWalls, SmoothingTakesNoNormalsFromTheOppositeSheet) {
 /// The two sides of a shell: spheres of radius 1 facing out and 0.97 facing in.
 TEST(ThinWalls, LeastSquaresTakeNoNormalsFromTheOppositeSheet) {
     const test_meshes::AnalyticMesh outer = test_meshes::sphere(4);
-    TriangleMesh shell = outer.mesh, inner = outer.mesh;
-    for (Eigen::Vector3d& p : inner.positions)
-        p *= 0.97;
-    for (Triangle& t : inner.triangles)
-        std::swap(t[1], t[2]);
-    test_meshes::append(shell, inner);
+    TriangleMesh shell = outer.mesh;
+    test_meshes::append(shell,
+                        test_meshes::moved(test_meshes::inside_out(outer.mesh), {0, 0, 0}, 0.97));
     PrecomputeOptions options;
     options.gradient_estimator = GradientEstimator::LeastSquares;
     EXPECT_LT(helpers::shape_error(precompute(shell, options), outer.truth), 0.02);

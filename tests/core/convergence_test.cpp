@@ -92,28 +92,6 @@ TEST(SphereLaplacian, ExactNormalsLeaveLessThanAThousandth) {
     }
 }
 
-TEST(SphereLaplacian, PointsInwardWithTwoOverRadiusSquared) {
-    const double radius = 3;
-    const AnalyticMesh sphere = test_meshes::sphere(4, radius);
-    const Field field = precompute(sphere.mesh);
-    for (std::size_t v = 0; v < sphere.truth.size(); ++v) {
-        const Eigen::Vector3f expected =
-            (-2 / (radius * radius) * sphere.truth[v].normal).cast<float>();
-        EXPECT_LT((field.laplacian_normals[v] - expected).norm(), 0.1 * expected.norm());
-    }
-}
-
-/// The component n_z as a function on the surface has its maximum at the top, its minimum below.
-TEST(SphereLaplacian, IsNegativeAtMaximaAndPositiveAtMinima) {
-    const test_meshes::TestMesh& mesh = test_meshes::mesh_named("ellipsoid");
-    const Field field = precompute(mesh.mesh);
-    for (std::size_t v = 0; v < mesh.truth.size(); ++v) {
-        const double nz = mesh.truth[v].normal.z();
-        if (std::abs(nz) < 0.99) continue;
-        EXPECT_LT(field.laplacian_normals[v].z() * nz, 0) << v;
-    }
-}
-
 /// Δn has a part along the surface where the mean curvature changes; its sign is easily lost.
 TEST(TorusLaplacian, TangentialPartIsTheGradientOfTheMeanCurvature) {
     const AnalyticMesh torus = test_meshes::torus(160, 80);

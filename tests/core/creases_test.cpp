@@ -190,16 +190,6 @@ TEST(Creases, AreNotOnRoundForms) {
             << columns;
 }
 
-TEST(Creases, AreTheRimsOfCylindersAndNotTheirSides) {
-    for (const std::uint32_t sides : {12u, 24u, 48u}) {
-        const TriangleMesh mesh = turned(sides, {{0.5, -1}, {0.5, 1}});
-        const LineSet lines = creases_of(mesh);
-        EXPECT_EQ(lines.lines.size(), 2u) << sides;
-        EXPECT_EQ(edges_of(mesh, lines).size(), 2 * sides);
-        EXPECT_EQ(edges_on_rings(mesh, lines), 2 * sides);
-    }
-}
-
 TEST(Creases, AreTheSidesOfPrismsOfFewSides) {
     for (const std::uint32_t sides : {3u, 6u, 8u})
         EXPECT_EQ(edges_of(turned(sides, {{0.5, -1}, {0.5, 1}}),

@@ -11,7 +11,6 @@
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/tangent_frame.h"
 #include "plain_derivatives.h"
-#include "with_threads.h"
 
 namespace {
 
@@ -189,17 +188,6 @@ TEST(CurvatureDerivatives, OfVerticesOfCutsAreThoseAcrossThem) {
     Field later = precompute(apart);
     add_curvature_derivatives(apart, later);
     EXPECT_TRUE(helpers::same_fields(later, field));
-}
-
-TEST(CurvatureDerivatives, DoNotDependOnTheNumberOfThreads) {
-    const TriangleMesh mesh = test_meshes::torus(160, 80, 0.2).mesh;
-    const auto on_threads = [&](int threads) {
-        const test_meshes::WithThreads scope(threads);
-        return compute(mesh);
-    };
-    const Field one = on_threads(1);
-    for (const int threads : {2, 3, 8})
-        EXPECT_TRUE(helpers::same_fields(one, on_threads(threads))) << threads;
 }
 
 TEST(CurvatureDerivatives, AreFiniteOnAnyMesh) {

@@ -125,16 +125,6 @@ TEST(DemarcatingCurves, AreThoseOfAPlainLoop) {
     }
 }
 
-TEST(DemarcatingCurves, AreTheSameFromEverywhere) {
-    const TriangleMesh mesh = relief(0.05);
-    const LineExtractor extractor(mesh, helpers::complete_field(mesh));
-    const LineStyle style = only_demarcating_curves();
-    const LineSet lines = helpers::extract(extractor, kView, style);
-    ASSERT_FALSE(lines.lines.empty());
-    for (const View& view : helpers::random_views(mesh, 5))
-        EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor, view, style)));
-}
-
 TEST(SteepestBend, IsTheLargestMaximum) {
     for (const float angle : {0.1f, 1.3f, 3.f, 5.5f}) {
         const float x = std::cos(angle), y = std::sin(angle);

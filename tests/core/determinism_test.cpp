@@ -40,10 +40,12 @@ TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
 TEST(Determinism, FieldsOfManyVerticesDoNotDependOnTheNumberOfThreads) {
     // Enough for several ranges of vertices, and for parts of the tree that are built apart.
     const TriangleMesh mesh = test_meshes::torus(240, 120, 0.2).mesh;
-    PrecomputeOptions plain, adaptive;
+    PrecomputeOptions plain, adaptive, by_grid;
     adaptive.kernel_mode = KernelMode::Adaptive;
     adaptive.normal_weighting = NormalWeighting::Max;
-    for (const PrecomputeOptions& options : {plain, adaptive}) {
+    adaptive.curvature_derivatives = true;
+    by_grid.kernel_size = 0.2;
+    for (const PrecomputeOptions& options : {plain, adaptive, by_grid}) {
         const Field one = with_threads(1, mesh, options);
         for (int threads : {2, 5})
             EXPECT_TRUE(helpers::same_fields(one, with_threads(threads, mesh, options)))

@@ -78,21 +78,6 @@ TEST(DirtyMesh, LinesAreAsWithoutTheDirt) {
         EXPECT_LT(helpers::distance_to_lines(p.position.cast<double>(), b), 1e-4);
 }
 
-TEST(DirtyMesh, VerticesLeftOutHoldZeros) {
-    const DirtyTorus torus;
-    const Field field = precompute(torus.dirty);
-    std::vector<bool> is_clean(torus.dirty.positions.size(), false);
-    for (std::uint32_t v : torus.clean_vertex)
-        is_clean[v] = true;
-    for (std::size_t v = 0; v < is_clean.size(); ++v) {
-        EXPECT_NEAR(field.normals[v].norm(), is_clean[v] ? 1 : 0, 1e-6);
-        if (is_clean[v]) continue;
-        EXPECT_TRUE(field.laplacian_normals[v].isZero());
-        EXPECT_TRUE(helpers::matrix(field.shape_operators[v]).isZero());
-        EXPECT_EQ(field.kernel_sizes[v], 0);
-    }
-}
-
 class FiniteFields : public testing::TestWithParam<const test_meshes::MeshEntry*> {};
 
 TEST_P(FiniteFields, WithAnyOptions) {

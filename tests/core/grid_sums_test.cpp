@@ -15,7 +15,6 @@
 #include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "reference_field.h"
-#include "with_threads.h"
 
 namespace {
 
@@ -28,12 +27,6 @@ TriangleMesh noisy(TriangleMesh mesh, double part_of_edge) {
     for (Eigen::Vector3d& p : mesh.positions)
         for (double& x : p)
             x += size * (double(random()) / double(std::mt19937::max()) - 0.5);
-    return mesh;
-}
-
-TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by) {
-    for (Eigen::Vector3d& p : mesh.positions)
-        p += by;
     return mesh;
 }
 
@@ -58,7 +51,7 @@ TriangleMesh graded_hills() {
 TriangleMesh mesh_for(const std::string& name) {
     if (name == "noisy_torus") return noisy(test_meshes::torus(80, 40).mesh, 0.3);
     if (name == "offset_torus")
-        return moved(test_meshes::torus(80, 40, 0.2).mesh, {4000, -3000, 1000});
+        return test_meshes::moved(test_meshes::torus(80, 40, 0.2).mesh, {4000, -3000, 1000});
     if (name == "bent_wall") return bent_wall();
     if (name == "graded_hills") return graded_hills();
     return test_meshes::mesh_named(name).mesh;
@@ -228,22 +221,6 @@ TEST(SummationChoice, AGridFarLargerThanTheMeshIsNotBuilt) {
     // 27 balls of which each is a few thousand kernels from the others.
     const Prepared m(test_meshes::mesh_named("scattered_spheres").mesh, 0.001, KernelMode::Uniform);
     EXPECT_EQ(m.costs(1e-3).grid, std::numeric_limits<double>::infinity());
-}
-
-TEST(GridSums, DoNotDependOnTheNumberOfThreads) {
-    for (KernelMode mode : {KernelMode::Uniform, KernelMode::Adaptive})
-        for (double accuracy : {1e-3, 1e-5}) {
-            const Prepared m(graded_hills(), 3, mode);
-            BelkinOptions options;
-            options.accuracy = accuracy;
-            options.summation = Summation::Grid;
-            const test_meshes::WithThreads one(1);
-            const Vectors expected = m.laplacian(options);
-            for (int threads : {1, 2, 3, 8}) {
-                const test_meshes::WithThreads some(threads);
-                EXPECT_TRUE(m.laplacian(options) == expected) << threads << " threads";
-            }
-        }
 }
 
 TEST(GridSums, ProgressNeverFallsAndCancelsAtOnce) {

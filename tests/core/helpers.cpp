@@ -90,6 +90,13 @@ Eigen::Matrix3d matrix(const ShapeOperator& s) {
     return m;
 }
 
+bool has_area(const TriangleMesh& mesh, const Triangle& t) {
+    const auto& p = mesh.positions;
+    for (std::uint32_t v : t)
+        if (!p[v].allFinite()) return false;
+    return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm() > 0;
+}
+
 PrecomputeOptions plain_options(double kernel_size) {
     PrecomputeOptions options;
     options.kernel_size = kernel_size;

@@ -42,6 +42,9 @@ double derivative_error(const laplacian_lines::Field& field,
 
 Eigen::Matrix3d matrix(const laplacian_lines::ShapeOperator& s);
 
+/// Finite corners that are not on one line.
+bool has_area(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Triangle& t);
+
 /// Eq. 2 alone: no smoothing of normals, no border correction, all sources.
 laplacian_lines::PrecomputeOptions plain_options(double kernel_size);
 

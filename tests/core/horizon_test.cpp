@@ -12,7 +12,6 @@
 #include "clusters/coarseness.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "reference_lines.h"
 
 namespace {
 

@@ -2,8 +2,6 @@
 // LineExtractor::laplacian_of(): lines at another kernel size, without another extractor.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"

@@ -2,7 +2,6 @@
 #include "kind_truth.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "generators.h"
 #include "helpers.h"

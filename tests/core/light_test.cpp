@@ -11,6 +11,7 @@ namespace {
 
 using namespace laplacian_lines;
 using helpers::extract;
+using helpers::total_length;
 
 const Eigen::Vector3d kDirection = Eigen::Vector3d(1, 2, 3).normalized();
 
@@ -50,13 +51,6 @@ TEST(Light, AlongTheViewDirectionChangesNothingInOrthographicViews) {
     EXPECT_FALSE(helpers::same_lines(at_the_eye, extract(extractor, view, style)));
 }
 
-double total_length(const LineSet& lines) {
-    double length = 0;
-    for (const Polyline& line : lines.lines)
-        length += line.length;
-    return length;
-}
-
 /// Run through the other way, and so a light from behind needs no elevation of its own.
 TEST(Light, OppositeDirectionsDrawTheSameLines) {
     const auto bumps = test_meshes::mesh_named("bumpy_sphere");
@@ -72,10 +66,10 @@ TEST(Light, OppositeDirectionsDrawTheSameLines) {
         const LineSet opposite = extract(extractor, view, style);
         EXPECT_EQ(opposite.lines.size(), lines.lines.size());
         EXPECT_EQ(opposite.points.size(), lines.points.size());
-        EXPECT_NEAR(total_length(opposite), total_length(lines), 1e-4 * total_length(lines));
+        EXPECT_NEAR(total_length(opposite), total_length(lines), 1e-4f * total_length(lines));
         view.light->z() += 0.3;  // the measure does tell other lights apart
-        const double other = total_length(extract(extractor, view, style));
-        EXPECT_GT(std::abs(other - total_length(lines)), 1e-2 * total_length(lines));
+        const float other = total_length(extract(extractor, view, style));
+        EXPECT_GT(std::abs(other - total_length(lines)), 1e-2f * total_length(lines));
     }
 }
 

@@ -28,11 +28,6 @@ float middle_opacity(const LineSet& set) {
     return set.points.at(set.points.size() / 2).opacity;
 }
 
-TEST(Fading, NothingFadesWithoutIt) {
-    for (const LinePoint& p : MadeUp().lines(all_opaque()).points)
-        EXPECT_EQ(p.opacity, 1);
-}
-
 /// Half-way between the threshold and (1 + fading) times it, a line is half opaque.
 TEST(Fading, RisesAboveTheThresholds) {
     const MadeUp made_up;

@@ -2,9 +2,6 @@
 // Smoothing of the lines' course.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "made_up_line.h"
 
 namespace {

@@ -21,6 +21,7 @@ namespace {
 using namespace laplacian_lines;
 using Eigen::Vector3d;
 using helpers::total_length;
+using test_meshes::moved;
 
 const double kPi = std::acos(-1.0);
 const View kAslant = View::orthographic({0.45, -0.68, -0.35});
@@ -41,12 +42,6 @@ struct Scene {
         return visibility.parts(view, {on_surface(view, style)}, {style.shows, smoothing, true});
     }
 };
-
-TriangleMesh moved(TriangleMesh mesh, const Vector3d& offset) {
-    for (Vector3d& p : mesh.positions)
-        p += offset;
-    return mesh;
-}
 
 /// Two unit spheres: one at the origin, seen from +z, one well behind it and a radius to the right.
 TriangleMesh two_balls() {

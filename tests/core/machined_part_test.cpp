@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "closed_mesh.h"
@@ -31,14 +30,6 @@ TEST(MachinedParts, AreClosedAndOnTheSurfaceAtAllResolutions) {
                 ASSERT_NEAR(part.wall(p).distance, 0, 1e-9);
         }
     }
-}
-
-TEST(MachinedParts, HaveTrianglesOfTheEdge) {
-    const TriangleMesh mesh = MachinedPart(0.02).mesh(0.012);
-    double sum = 0;
-    for (const Triangle& t : mesh.triangles)
-        sum += (mesh.positions[t[0]] - mesh.positions[t[1]]).norm();
-    EXPECT_NEAR(sum / double(mesh.triangles.size()) / MachinedPart::diagonal(), 0.012, 0.003);
 }
 
 /// As long as its sharp edges are: 10 corners of the profile across, the profile twice, two rims.

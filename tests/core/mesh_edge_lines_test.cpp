@@ -11,7 +11,6 @@
 #include "edges_of_lines.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "reference_lines.h"
 
 namespace {
 
@@ -46,7 +45,7 @@ LineSet lines_of(const TriangleMesh& mesh, const LineStyle& style,
 std::map<Edge, std::vector<Eigen::Vector4d>> planes_of_edges(const TriangleMesh& mesh) {
     std::map<Edge, std::vector<Eigen::Vector4d>> planes;
     for (const Triangle& t : mesh.triangles) {
-        if (!reference::has_area(mesh, t)) continue;
+        if (!helpers::has_area(mesh, t)) continue;
         const auto& p = mesh.positions;
         const Eigen::Vector3d n = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).normalized();
         for (std::size_t k = 0; k < 3; ++k)

@@ -4,7 +4,6 @@
 // and numbers of threads.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>

@@ -2,7 +2,6 @@
 #include "plain_derivatives.h"
 
 #include <Eigen/Dense>
-#include <cmath>
 
 #include "laplacian_lines/tangent_frame.h"
 #include "reference_field.h"

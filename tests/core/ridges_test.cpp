@@ -201,10 +201,7 @@ TEST(Ridges, AreOnlyWhereOneConvexCurvatureRules) {
     style.ridge_angle = 10;
     EXPECT_TRUE(ridges(test_meshes::mesh_named("sphere").mesh, style).lines.empty());
     EXPECT_TRUE(ridges(test_meshes::mesh_named("plane").mesh, style).lines.empty());
-    TriangleMesh inside_out = rounded_cube();
-    for (Triangle& t : inside_out.triangles)
-        std::swap(t[0], t[1]);
-    for (const LinePoint& p : ridges(inside_out, style).points)
+    for (const LinePoint& p : ridges(test_meshes::inside_out(rounded_cube()), style).points)
         EXPECT_EQ(edge_of(p.position), -1);
 }
 
@@ -227,14 +224,6 @@ TEST(Ridges, FadeBesideContours) {
         EXPECT_EQ(upright > 0, !contours);
         EXPECT_GT(others, 0u);
     }
-}
-
-TEST(Ridges, AreTheSameFromEverywhere) {
-    const LineExtractor extractor(rounded_cube(), precompute(rounded_cube()));
-    const LineSet lines = helpers::extract(extractor, kView, only_ridges());
-    ASSERT_FALSE(lines.lines.empty());
-    for (const View& view : helpers::random_views(rounded_cube(), 5))
-        EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor, view, only_ridges())));
 }
 
 }  // namespace

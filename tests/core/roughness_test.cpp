@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
 #include "closed_mesh.h"
 #include "field/facet_noise.h"
@@ -13,7 +12,6 @@
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_noise.h"
-#include "with_threads.h"
 
 namespace {
 
@@ -61,39 +59,6 @@ TEST(MarchingCubes, MakesClosedSpheresThatFaceOutwards) {
         for (const Vector3d& p : mesh.positions)
             ASSERT_NEAR(ball(p), 0, labels ? voxel / 2 : voxel * voxel);
     }
-}
-
-TEST(MarchingCubes, PutsVerticesOfLabelsHalfwayBetweenVoxels) {
-    const double half_voxel = 1.1 / (kVoxels - 1);
-    for (const Vector3d& p : terraces().positions) {
-        const Vector3d halves = (p + Vector3d::Constant(1.1)) / half_voxel;
-        int odd = 0;
-        for (const double x : halves) {
-            ASSERT_NEAR(x, std::round(x), 1e-9);
-            odd += std::abs(std::lround(x)) % 2;
-        }
-        ASSERT_EQ(odd, 1);
-    }
-}
-
-/// Any sign of opposite corners: polygons of neighbouring cells fit.
-TEST(MarchingCubes, ClosesSurfacesOfRandomLabels) {
-    unsigned state = 1;
-    const auto random = [&](const Vector3d& p) {
-        state = state * 1664525u + 1013904223u;
-        return p.cwiseAbs().maxCoeff() < 0.99 && state >> 31 ? -0.5 : 0.5;
-    };
-    const TriangleMesh mesh = test_meshes::marching_cubes(test_meshes::sampled(random, 12, 1));
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            ++balance[{t[k], t[(k + 1) % 3]}];
-            --balance[{t[(k + 1) % 3], t[k]}];
-        }
-    ASSERT_GT(balance.size(), 1000u);
-    for (const auto& [edge, count] : balance)
-        ASSERT_EQ(count, 0);
-    EXPECT_GT(helpers::volume(mesh), 0);
 }
 
 TEST(Roughness, OfSmoothAndCoarseMeshesChangesNothing) {
@@ -175,19 +140,6 @@ TEST(Roughness, DoesNotDependOnSizeAndPlace) {
         p = 250 * (turn * p) + Vector3d(10, 20, 30);
     // Vertices are sampled in an order that follows the axes.
     EXPECT_NEAR(precompute(moved).report.roughness, precompute(terraces()).report.roughness, 0.2);
-}
-
-TEST(Roughness, DoesNotDependOnTheNumberOfThreads) {
-    const auto on_threads = [](int threads) {
-        const test_meshes::WithThreads scope(threads);
-        return precompute(terraces());
-    };
-    const Field one = on_threads(1);
-    for (const int threads : {2, 3, 8}) {
-        const Field field = on_threads(threads);
-        EXPECT_EQ(field.report.roughness, one.report.roughness) << threads;
-        EXPECT_TRUE(helpers::same_fields(one, field)) << threads;
-    }
 }
 
 TEST(Roughness, IsOverriddenByASigmaAndByNoSmoothing) {

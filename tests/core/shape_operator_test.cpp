@@ -35,15 +35,6 @@ TEST_P(ShapeOperators, ConvergeToTheTruth) {
     EXPECT_LT(fine_bumpy, 0.6 * bumpy);
 }
 
-TEST_P(ShapeOperators, OfASphereIsOneOverItsRadius) {
-    const AnalyticMesh sphere = test_meshes::sphere(4, 5);
-    const Field field = compute(sphere.mesh);
-    for (std::size_t v = 0; v < sphere.truth.size(); ++v)
-        EXPECT_LT(
-            (helpers::matrix(field.shape_operators[v]) - sphere.truth[v].shape_operator).norm(),
-            0.03 / 5);
-}
-
 TEST_P(ShapeOperators, TakeTheNormalToZero) {
     for (const test_meshes::MeshEntry& entry : test_meshes::all_entries()) {
         const test_meshes::TestMesh& mesh = entry.get();

@@ -15,21 +15,10 @@
 namespace {
 
 using namespace laplacian_lines;
+using test_meshes::append;
+using test_meshes::cut_apart;
+using test_meshes::inside_out;
 using test_meshes::mesh_named;
-
-/// Each triangle with vertices of its own, as STL files have them.
-TriangleMesh soup_of(const TriangleMesh& mesh) {
-    TriangleMesh soup;
-    for (const Triangle& t : mesh.triangles) {
-        Triangle own;
-        for (unsigned k = 0; k < 3; ++k) {
-            own[k] = std::uint32_t(soup.positions.size());
-            soup.positions.push_back(mesh.positions[t[k]]);
-        }
-        soup.triangles.push_back(own);
-    }
-    return soup;
-}
 
 /// Cut along the plane x = `at`: the triangles on each side have vertices of their own.
 TriangleMesh with_seam(const TriangleMesh& mesh, double at) {
@@ -49,19 +38,9 @@ TriangleMesh with_seam(const TriangleMesh& mesh, double at) {
     return cut;
 }
 
-TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b) {
-    TriangleMesh both = a;
-    both.positions.insert(both.positions.end(), b.positions.begin(), b.positions.end());
-    const auto n = std::uint32_t(a.positions.size());
-    for (const Triangle& t : b.triangles)
-        both.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
-    return both;
-}
-
-TriangleMesh inside_out(TriangleMesh mesh) {
-    for (Triangle& t : mesh.triangles)
-        std::swap(t[1], t[2]);
-    return mesh;
+TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
+    append(a, b);
+    return a;
 }
 
 std::size_t sets_in(const TriangleMesh& mesh) {
@@ -119,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, CutMesh,
                          [](const auto& info) { return std::string(info.param); });
 
 TEST_P(CutMesh, SoupHasTheFieldOfTheWhole) {
-    expect_same_field(whole(), soup_of(whole()));
+    expect_same_field(whole(), cut_apart(whole()));
 }
 
 TEST_P(CutMesh, SeamLeavesTheFieldAsItIs) {
@@ -129,7 +108,7 @@ TEST_P(CutMesh, SeamLeavesTheFieldAsItIs) {
 }
 
 TEST_P(CutMesh, HasTheLinesOfTheWhole) {
-    expect_same_lines(whole(), soup_of(whole()));
+    expect_same_lines(whole(), cut_apart(whole()));
     expect_same_lines(whole(), with_seam(whole(), 0.1));
 }
 
@@ -154,13 +133,11 @@ TEST(Stitching, LeavesSheetsThatLieUponEachOther) {
 
 TEST(Stitching, LeavesSolidsThatTouch) {
     const TriangleMesh& cube = mesh_named("rounded_cube").mesh;
-    TriangleMesh beside = cube;
     double low = 1e9, high = -1e9;
     for (const Eigen::Vector3d& p : cube.positions)
         low = std::min(low, p.x()), high = std::max(high, p.x());
-    for (Eigen::Vector3d& p : beside.positions)
-        p.x() += high - low;
-    EXPECT_EQ(sets_in(together(cube, beside)), 2 * cube.positions.size());
+    EXPECT_EQ(sets_in(together(cube, test_meshes::moved(cube, {high - low, 0, 0}))),
+              2 * cube.positions.size());
 }
 
 TEST(Stitching, LeavesPlacesWhereMoreThanTwoMeet) {
@@ -180,7 +157,7 @@ TEST(Stitching, PassesOverVerticesThatAreNotNumbers) {
     const std::size_t count = mesh.positions.size();
     mesh.positions.resize(count + 1000000, Eigen::Vector3d::Constant(std::nan("")));
     EXPECT_EQ(sets_in(mesh), mesh.positions.size());
-    EXPECT_EQ(sets_in(soup_of(mesh_named("half_torus").mesh)), count);
+    EXPECT_EQ(sets_in(cut_apart(mesh_named("half_torus").mesh)), count);
 }
 
 TEST(Stitching, MinusZeroIsZero) {

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The extractor, with all filters off, against the plain extraction of reference_lines.h on every
-// mesh of the registry.
+// What holds of traced lines on every mesh of the registry.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <random>
 
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "reference_lines.h"
 
 namespace {
 
@@ -26,127 +22,6 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Meshes, Tracing, testing::ValuesIn(test_meshes::meshes_with(0)),
                          [](const auto& info) { return info.param->name; });
-
-/// Segments of a line set, looked up by their middle.
-class SegmentIndex {
-public:
-    SegmentIndex(const LineSet& lines, double cell) : cell_(cell) {
-        for (const Polyline& line : lines.lines)
-            for (std::uint32_t i = line.first; i + 1 < line.first + line.count; ++i) {
-                segments_.push_back({lines.points[i].position.cast<double>(),
-                                     lines.points[i + 1].position.cast<double>()});
-                cells_[key((segments_.back()[0] + segments_.back()[1]) / 2)].push_back(
-                    segments_.size() - 1);
-            }
-        used_.resize(segments_.size(), false);
-    }
-
-    /// Finds the segment whose ends are nearest to these, if it is within `tolerance` and was not
-    /// taken before.
-    bool take(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double tolerance) {
-        const Key centre = key((a + b) / 2);
-        std::size_t nearest = segments_.size();
-        for (int i = 0; i < 27; ++i) {
-            const auto found = cells_.find(
-                {centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1});
-            if (found == cells_.end()) continue;
-            for (std::size_t s : found->second) {
-                const auto& [p, q] = segments_[s];
-                const double distance = std::min(std::max((p - a).norm(), (q - b).norm()),
-                                                 std::max((p - b).norm(), (q - a).norm()));
-                if (used_[s] || distance > tolerance) continue;
-                tolerance = distance;
-                nearest = s;
-            }
-        }
-        if (nearest == segments_.size()) return false;
-        return used_[nearest] = true;
-    }
-
-    std::size_t left() const { return std::size_t(std::count(used_.begin(), used_.end(), false)); }
-
-private:
-    using Key = std::array<long, 3>;
-    Key key(const Eigen::Vector3d& p) const {
-        return {std::lround(p.x() / cell_), std::lround(p.y() / cell_), std::lround(p.z() / cell_)};
-    }
-
-    double cell_;
-    std::vector<std::array<Eigen::Vector3d, 2>> segments_;
-    std::map<Key, std::vector<std::size_t>> cells_;
-    std::vector<bool> used_;
-};
-
-/// Vertices whose value is so near to zero that its sign depends on rounding.
-std::vector<bool> uncertain(const std::vector<double>& values, double part) {
-    double largest = 0;
-    for (double value : values)
-        largest = std::max(largest, std::abs(value));
-    std::vector<bool> result;
-    for (double value : values)
-        result.push_back(std::abs(value) <= part * largest);
-    return result;
-}
-
-void expect_same_segments(const TriangleMesh& mesh, double diagonal, const LineSet& lines,
-                          const std::vector<double>& values) {
-    const std::vector<bool> unsure = uncertain(values, 2e-4);
-    const auto is_unsure = [&](const Triangle& t) {
-        return unsure[t[0]] || unsure[t[1]] || unsure[t[2]];
-    };
-    SegmentIndex segments(lines, 0.01 * diagonal);
-    std::size_t unsure_triangles = 0;
-    for (const Triangle& t : mesh.triangles)
-        unsure_triangles += is_unsure(t);
-    for (const reference::Piece& piece : reference::pieces(mesh, values)) {
-        if (is_unsure(mesh.triangles[piece.triangle])) continue;
-        EXPECT_TRUE(segments.take(piece.ends[0], piece.ends[1], 5e-4 * diagonal))
-            << "missing in triangle " << piece.triangle;
-    }
-    EXPECT_LE(segments.left(), unsure_triangles);
-}
-
-TEST_P(Tracing, FindsEachSegmentOnceFromRandomViews) {
-    const Field field = precompute(mesh());
-    const LineExtractor extractor(mesh(), field);
-    for (const View& view : helpers::random_views(mesh(), 50)) {
-        const reference::Values values = reference::evaluate(mesh(), field, view);
-        expect_same_segments(mesh(), field.scale.diagonal,
-                             helpers::extract(extractor, view, helpers::all_laplacian_lines()),
-                             values.laplacian);
-        expect_same_segments(mesh(), field.scale.diagonal,
-                             helpers::extract(extractor, view, helpers::all_contours()),
-                             values.illumination);
-        if (HasFailure()) FAIL() << "eye " << view.eye.transpose() << ", w " << view.w;
-    }
-}
-
-/// A field with ΔI from {−2..2} for the view along z: exact in any order of summation, and zero
-/// at every fifth vertex.
-Field small_integers(Field field, unsigned seed) {
-    std::mt19937 random(seed);
-    for (std::size_t v = 0; v < field.normals.size(); ++v) {
-        if (field.normals[v].isZero()) continue;
-        field.laplacian_normals[v] = {0, 0, float(random() % 5) - 2};
-        field.normals[v] = {0, 0, float(random() % 3) - 1};
-    }
-    return field;
-}
-
-TEST_P(Tracing, CountsZeroAsPositive) {
-    const Field original = precompute(mesh());
-    for (unsigned seed = 0; seed < 20; ++seed) {
-        const Field field = small_integers(original, seed);
-        const LineExtractor extractor(mesh(), field);
-        const View view = View::orthographic(Eigen::Vector3d::UnitZ());
-        const reference::Values values = reference::evaluate(mesh(), field, view);
-        EXPECT_EQ(
-            reference::chains(helpers::extract(extractor, view, helpers::all_laplacian_lines())),
-            reference::chains(reference::pieces(mesh(), values.laplacian)));
-        EXPECT_EQ(reference::chains(helpers::extract(extractor, view, helpers::all_contours())),
-                  reference::chains(reference::pieces(mesh(), values.illumination)));
-    }
-}
 
 /// Views from which functions vanish at whole rows of vertices.
 std::vector<View> axis_views(double distance) {
@@ -206,7 +81,7 @@ TEST_P(Tracing, LinesAreSoundFromAllViews) {
 LineSet irregular_edges(const TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> counts;
     for (const Triangle& t : mesh.triangles) {
-        if (!reference::has_area(mesh, t)) continue;
+        if (!helpers::has_area(mesh, t)) continue;
         for (int k = 0; k < 3; ++k)
             ++counts[std::minmax(t[k], t[(k + 1) % 3])];
     }

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace laplacian_lines;
+using test_meshes::inside_out;
 
 const View kView = View::orthographic(Eigen::Vector3d::UnitZ());
 
@@ -25,12 +26,6 @@ LineStyle only(LineKind kind) {
 
 LineSet lines_of(const TriangleMesh& mesh, LineKind kind) {
     return helpers::extract(LineExtractor(mesh, precompute(mesh)), kView, only(kind));
-}
-
-TriangleMesh inside_out(TriangleMesh mesh) {
-    for (Triangle& t : mesh.triangles)
-        std::swap(t[0], t[1]);
-    return mesh;
 }
 
 /// A plate with a wavy groove at y = 0.1 sin 3x.

@@ -3,7 +3,6 @@
 // that says what to do.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>

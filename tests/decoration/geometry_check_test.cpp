@@ -8,7 +8,6 @@
 #include <QWidget>
 #include <cstddef>
 #include <cstring>
-#include <new>
 
 #include "event_loop.h"
 

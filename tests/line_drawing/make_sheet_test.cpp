@@ -191,17 +191,6 @@ TEST(MeasuredDrawing, StrokesEndRound) {
     EXPECT_TRUE(painterPath(stroke->path).contains(QPointF(20 + 0.6 * half, 10 - 0.6 * half)));
 }
 
-TEST(MeasuredDrawing, IsTheSameOnAnyNumberOfThreads) {
-    const auto mesh = test_meshes::bumpy_sphere(4).mesh;
-    SheetOptions options = plainViews("six");
-    options.scale = 0;
-    const auto draw = [&](int threads) {
-        const test_meshes::WithThreads scope(threads);
-        return writeSvg(sheetOf(mesh, options));
-    };
-    EXPECT_EQ(draw(1), draw(3));
-}
-
 TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {
     const auto mesh = made_sheets::cubeOf100();
     const auto refused = [&](const auto& change) {

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "made_sheets.h"
 #include "thrown_vessel.h"
 

@@ -7,7 +7,6 @@
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
-#include "with_threads.h"
 
 using namespace line_drawing;
 using Eigen::Vector3d;
@@ -101,15 +100,6 @@ TEST(Perspective, EndsFarAside) {
 TEST(Perspective, RefusesAnEyeThatSeesNothing) {
     EXPECT_THROW(sheetOf(cubeOf100(), fromHeight(0)), laplacian_lines::Error);
     EXPECT_THROW(sheetOf(cubeOf100(), fromHeight(-200)), laplacian_lines::Error);
-}
-
-TEST(Perspective, IsTheSameOnAnyNumberOfThreads) {
-    const auto mesh = test_meshes::bumpy_sphere(4).mesh;
-    const auto draw = [&](int threads) {
-        const test_meshes::WithThreads scope(threads);
-        return writeSvg(sheetOf(mesh, fromHeight(3)));
-    };
-    EXPECT_EQ(draw(1), draw(3));
 }
 
 }  // namespace

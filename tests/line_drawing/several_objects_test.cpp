@@ -2,8 +2,6 @@
 // Several objects on one drawing.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
@@ -17,14 +15,9 @@ using made_sheets::cubeOf100;
 using made_sheets::layerOf;
 using made_sheets::painterPath;
 using made_sheets::plainViews;
+using test_meshes::moved;
 
 namespace {
-
-TriangleMesh moved(TriangleMesh mesh, const Vector3d& by, double factor = 1) {
-    for (Vector3d& p : mesh.positions)
-        p = factor * p + by;
-    return mesh;
-}
 
 /// Flat, 160 mm along x and 40 along y, 80 below the middle of the cube.
 TriangleMesh plate() {

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <QImage>
-#include <functional>
 
 #include "line_renderer/line_renderer.h"
 #include "line_renderer/surface_layer.h"

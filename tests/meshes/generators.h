@@ -62,6 +62,9 @@ TriangleMesh cut_apart(const TriangleMesh& mesh);
 
 void append(TriangleMesh& mesh, const TriangleMesh& other);
 void flip_triangles(TriangleMesh& mesh, int every);  ///< reverses each `every`-th triangle
+TriangleMesh inside_out(TriangleMesh mesh);
+TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by,
+                   double factor = 1);  ///< scaled first
 /// Adds what real files hold: NaN and infinite vertices with triangles, triangles without area,
 /// triangles that repeat a corner, vertices without triangles; in front, between and at the end.
 /// `clean_vertex[v]` is where vertex v of `mesh` ended up.

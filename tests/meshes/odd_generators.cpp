@@ -118,6 +118,17 @@ void flip_triangles(TriangleMesh& mesh, int every) {
         std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
 }
 
+TriangleMesh inside_out(TriangleMesh mesh) {
+    flip_triangles(mesh, 1);
+    return mesh;
+}
+
+TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by, double factor) {
+    for (Eigen::Vector3d& p : mesh.positions)
+        p = factor * p + by;
+    return mesh;
+}
+
 TriangleMesh with_dirt(const TriangleMesh& mesh, std::vector<std::uint32_t>& clean_vertex) {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     constexpr double kInfinity = std::numeric_limits<double>::infinity();

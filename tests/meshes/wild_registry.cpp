@@ -17,13 +17,6 @@ TriangleMesh small_torus() {
     return torus(24, 12, 0.2).mesh;
 }
 
-TriangleMesh moved(double scale, const Eigen::Vector3d& offset) {
-    TriangleMesh mesh = small_torus();
-    for (Eigen::Vector3d& p : mesh.positions)
-        p = scale * p + offset;
-    return mesh;
-}
-
 TriangleMesh squeezed(double x, double y) {
     TriangleMesh mesh = small_torus();
     for (Eigen::Vector3d& p : mesh.positions)
@@ -132,10 +125,10 @@ void add_shapes(std::vector<MeshEntry>& entries) {
     add("book", kNonManifold, [] { return book(3000); });
     add("one_face_often", kNonManifold, [] { return one_face_often(3000); });
     add("areas_below_floats", kComponents, [] { return tiny_sheets_far_apart(); });
-    add("far_away", 0, [] { return moved(1, {1e6, -1e6, 1e6}); });
-    add("huge", 0, [] { return moved(1e8, Eigen::Vector3d::Zero()); });
-    add("tiny", 0, [] { return moved(1e-8, Eigen::Vector3d::Zero()); });
-    add("tiny_and_far", 0, [] { return moved(1e-3, {1e6, 0, 0}); });
+    add("far_away", 0, [] { return moved(small_torus(), {1e6, -1e6, 1e6}, 1); });
+    add("huge", 0, [] { return moved(small_torus(), Eigen::Vector3d::Zero(), 1e8); });
+    add("tiny", 0, [] { return moved(small_torus(), Eigen::Vector3d::Zero(), 1e-8); });
+    add("tiny_and_far", 0, [] { return moved(small_torus(), {1e6, 0, 0}, 1e-3); });
     add("empty", kUnusable, [] { return TriangleMesh{}; });
     add("point_cloud", kUnusable, [] { return TriangleMesh{small_torus().positions, {}}; });
     add("on_a_line", kUnusable, [] { return without_area(300); });
@@ -144,8 +137,10 @@ void add_shapes(std::vector<MeshEntry>& entries) {
     add("index_out_of_range", kUnusable, [] {
         return TriangleMesh{small_torus().positions, {{0, 1, 2}, {3, 4, 1u << 31}}};
     });
-    add("beyond_all_sizes", kUnusable, [] { return moved(1e200, Eigen::Vector3d::Zero()); });
-    add("below_all_sizes", kUnusable, [] { return moved(1e-200, Eigen::Vector3d::Zero()); });
+    add("beyond_all_sizes", kUnusable,
+        [] { return moved(small_torus(), Eigen::Vector3d::Zero(), 1e200); });
+    add("below_all_sizes", kUnusable,
+        [] { return moved(small_torus(), Eigen::Vector3d::Zero(), 1e-200); });
 }
 
 /// A coordinate of the first, a middle or the last vertex that is not finite; all; none left.

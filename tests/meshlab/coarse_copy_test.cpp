@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "add_layer.h"
 #include "filters.h"
 #include "generators.h"

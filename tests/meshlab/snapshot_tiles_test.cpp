@@ -2,8 +2,6 @@
 // How large a picture is whose tiles are drawn one after the other.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "meshlab_host/snapshot_tiles.h"
 
 namespace {
