@@ -58,7 +58,7 @@ def check_statically():
             "-I", "laplacian_lines/include", "-I", "laplacian_lines/src", *CPP_FOLDERS], cwd=CHECKOUT, stdout=2) != 0:
         raise Failure("cppcheck found the above: fix it, or say why not in scripts/checks/cppcheck_suppressions.txt")
     files = [CHECKOUT / name for name in ("run", "test", "bench", ".ci/run")]
-    files += [file for name in ("scripts", "benchmarks", "tests") for file in (CHECKOUT / name).rglob("*")
+    files += [file for name in ("scripts", "programs", "tests") for file in (CHECKOUT / name).rglob("*")
               if file.is_file()]
     if run(["shellcheck", *filter(is_shell, files)], cwd=CHECKOUT, stdout=2) != 0:
         raise Failure("shellcheck found the above")

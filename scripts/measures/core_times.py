@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Times of the core: which meshes, and how the programs in benchmarks/ are built and run."""
+"""Times of the core: which meshes, and how the programs in programs/benchmarks are built and run."""
 
 import json
 import pathlib
@@ -17,7 +17,7 @@ def build_benchmarks(target, *extra_packages):
     packages.ensure_packages(*packages.CORE, *extra_packages)
     say(f"building {target}")
     build_targets(target, preset="benchmarks")
-    return build_folder() / "benchmarks" / target
+    return build_folder() / "programs/benchmarks" / target
 
 
 def table_models(*names, checkout=CHECKOUT):
@@ -54,7 +54,7 @@ def measure_in_meshlab(mesh):
             say(f"left out: times in MeshLab, for the package {package} is not installed")
             return "null"
     say("measuring in MeshLab")
-    figures = output(CHECKOUT / "benchmarks/in_meshlab.py", mesh)
+    figures = output(CHECKOUT / "programs/benchmarks/in_meshlab.py", mesh)
     if figures is None:
         say("left out: times in MeshLab")
         return "null"

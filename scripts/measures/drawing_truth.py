@@ -11,7 +11,7 @@ from product.models import dragon_file, is_there, model_beside
 
 TOOLS = ("cadquery==2.5.2",)
 SCANS = ("bunny", "igea", "armadillo")
-TRUTH = CHECKOUT / "benchmarks/truth"
+TRUTH = CHECKOUT / "programs/benchmarks/truth"
 
 
 def part_files(names):
@@ -46,7 +46,7 @@ def split(words):
 def build_truth():
     """The folder of the two programs."""
     build_targets("drawing_truth", "drawing_silhouettes", preset="benchmarks", extra_packages=())
-    return build_folder() / "benchmarks/truth"
+    return build_folder() / "programs/benchmarks/truth"
 
 
 def hold_against_parts(words):

@@ -9,8 +9,8 @@ import re
 import subprocess
 import sys
 
-KINDS = {"tests": "tests", "benchmarks": "benchmarks and tools", "scripts": "CMake and Python of scripts"}
-TOOLS = {"decoration_settings", "gui_driver", "mesh_noise", "obj_importer"}  # of programs/
+KINDS = {"tests": "tests", "scripts": "CMake and Python of scripts"}
+TOOLS = {"benchmarks", "decoration_settings", "gui_driver", "mesh_noise", "obj_importer"}  # of programs/
 MOST_PAIRS, FEW_LINES = 20, 30
 
 root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[2])

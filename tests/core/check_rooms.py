@@ -102,7 +102,7 @@ def check_library(library, rooms):
 
 found = tables()
 top = found.pop("Rooms")
-check_folders(root, {**top, "tests": [], "benchmarks": [], "docs": [], "scripts": []})
+check_folders(root, {**top, "tests": [], "programs/benchmarks": [], "docs": [], "scripts": []})
 count = check_top(top)
 for heading, rooms in found.items():
     count += check_library(heading.removeprefix("Rooms of "), rooms)

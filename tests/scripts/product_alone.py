@@ -4,7 +4,7 @@ and CMake know all that they look for, and nothing there names them."""
 from harness import *
 
 SOURCES = os.environ.get("MESHLAB_SOURCES", "")
-OTHERS = ("tests", "benchmarks", "scripts/checks", "scripts/hosts", "scripts/measures", "scripts/test.py",
+OTHERS = ("tests", "programs/benchmarks", "scripts/checks", "scripts/hosts", "scripts/measures", "scripts/test.py",
           "scripts/bench.py", "test", "bench")
 
 

@@ -21,7 +21,7 @@ using namespace benchmarks;
 
 QString stored(const char* part) {
     return QString::fromStdString(
-        (places::repository() / "benchmarks/truth/parts" / (std::string(part) + ".part")).string());
+        (places::repository() / "programs/benchmarks/truth/parts" / (std::string(part) + ".part")).string());
 }
 
 class Files : public testing::Test {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the plugins cost inside MeshLab, in a view of 1000 x 700 without a display, as JSON:
-  benchmarks/in_meshlab.py [MESH], the Stanford dragon if none is named
+  programs/benchmarks/in_meshlab.py [MESH], the Stanford dragon if none is named
   filter       Compute Laplacian Lines with its defaults, in all, as MeshLab's log has it
   switch_on    Laplacian Lines switched on after it: the lines made ready, and the plugin's part of the first redraw
   extract, upload, draw_calls   the plugin's part of a redraw, medians of all directions around the mesh: finding the lines, handing
@@ -19,7 +19,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # files beside the sources have them look changed
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "scripts"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from environment import packages
 from environment.build import build_folder, build_targets
 from environment.messages import Failure, run_main
