@@ -29,7 +29,7 @@ TEST(DrawingViews, ThatHaveMarksAreViews) {
     line_drawing::NamedViews window;
     window[window_view] = line_drawing::frameOfSide(line_drawing::Side::Front, {});
     for (const QString& view : viewsWithMarks())
-        EXPECT_EQ(line_drawing::parseViews(view, {}, window).size(), 1u) << view.toStdString();
+        EXPECT_EQ(line_drawing::parseViews(view.toStdString(), {}, window).size(), 1u) << view.toStdString();
 }
 
 TEST(DrawingUnits, AreThoseThatScansUsuallyHave) {

@@ -18,21 +18,21 @@ using meshlab_host::CurrentView;
 
 const CurrentView window{true, {0, 0, 9}, {1, 0, 0}, {0, 0, 1}};  // seen from x, z up
 
-QStringList viewNames(const char* views, const char* sections = "") {
+line_drawing::Words viewNames(const char* views, const char* sections = "") {
     DrawingParameters chosen;
     chosen.views = views;
     chosen.sections = sections;
-    QStringList names;
+    line_drawing::Words names;
     for (const line_drawing::ViewFrame& view : sheetOptions(chosen, window).views)
-        names << view.name;
+        names.push_back(view.name);
     return names;
 }
 
 TEST(DrawingParameters, ViewsKeepTheirOrder) {
-    EXPECT_EQ(viewNames("top, WINDOW;30,15 front").join('/'), "Top/View/30°, 15°/Front");
-    EXPECT_EQ(viewNames("six window").size(), 7);
+    EXPECT_EQ(line_drawing::joined(viewNames("top, WINDOW;30,15 front"), "/"), "Top/View/30°, 15°/Front");
+    EXPECT_EQ(viewNames("six window").size(), 7u);
     EXPECT_THROW(viewNames(""), Error);
-    EXPECT_TRUE(viewNames("", "x=0.5").isEmpty());
+    EXPECT_TRUE(viewNames("", "x=0.5").empty());
     EXPECT_THROW(viewNames("above"), Error);
     EXPECT_THROW(viewNames("30 window"), Error);
     EXPECT_THROW(viewNames("front", "w=0.5"), Error);
@@ -99,8 +99,8 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     RichParameterList list;
     listDrawingParameters(given, list);
     const DrawingParameters read = readDrawingParameters(list);
-    EXPECT_EQ((QStringList{read.file, read.views, read.scale, read.sections, read.title}),
-              (QStringList{given.file, given.views, given.scale, given.sections, given.title}));
+    EXPECT_EQ((line_drawing::Words{read.file, read.views, read.scale, read.sections, read.title}),
+              (line_drawing::Words{given.file, given.views, given.scale, given.sections, given.title}));
     EXPECT_EQ(read.paper, 0);
     EXPECT_EQ(read.unit, 2);
     EXPECT_EQ(read.look.up, given.look.up);
