@@ -2,15 +2,12 @@
 #include "command_line.h"
 
 #include <QFileInfo>
-#include <algorithm>
 
 #include "file_names.h"
 #include "like.h"
 #include "mesh_reading.h"
 #include "sheet_painting/qt_words.h"
 
-using line_drawing::SheetChoices;
-using line_drawing::SheetOption;
 using sheet_painting::inQt;
 using sheet_painting::refuse;
 
@@ -18,15 +15,6 @@ namespace {
 
 const char* const format = "--format";              // of a collection
 const char* const contact_view = "--contact-view";  // of the processes of a collection
-
-/// Null if the command has no such option.
-const SheetOption* optionOf(const QString& word) {
-    const std::vector<SheetOption>& table = line_drawing::sheetOptionTable();
-    const auto found = std::find_if(table.begin(), table.end(), [&](const SheetOption& option) {
-        return option.isOf(SheetOption::Place::Command) && inQt(option.command()) == word;
-    });
-    return found == table.end() ? nullptr : &*found;
-}
 
 /// A folder of drawings is one that is there, or whose name ends like one.
 void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
@@ -57,13 +45,10 @@ bool takeOption(const QString& word, QStringList& rest, CommandLine& result) {
         rest = result.like->options + rest;
     } else if (word == contact_view) {
         result.contact_view = takeValue(rest, word);
-    } else if (const SheetOption* option = optionOf(word)) {
-        const QString value = takeValue(rest, word);
-        option->read(value.toStdString(), result.choices);
-        if (word == format)
-            result.format = inQt(option->valueIn(result.choices));
-        else
-            result.words << word << value;
+    } else if (word == format) {
+        result.format = takeValue(rest, word);
+    } else if (line_drawing::commandOption(word.toStdString())) {
+        result.words << word << takeValue(rest, word);
     } else if (word.startsWith("--")) {
         refuse("unknown option " + word + "; see --help.");
     } else {
@@ -76,9 +61,6 @@ bool takeOption(const QString& word, QStringList& rest, CommandLine& result) {
 
 CommandLine parseCommandLine(const QStringList& arguments) {
     CommandLine result;
-    SheetChoices& choices = result.choices;
-    const std::string usual_views = choices.views;
-    choices.views.clear();
     QStringList rest = arguments, names;
     while (!rest.isEmpty()) {
         const QString word = rest.takeFirst();
@@ -88,17 +70,17 @@ CommandLine parseCommandLine(const QStringList& arguments) {
             names << word;
     }
     if (result.help || result.version) return result;
-    nameFiles(names, !result.format.isEmpty(), result);
-    result.format = inQt(optionOf(format)->valueIn(choices));
-    if (choices.views.empty() && line_drawing::trimmed(choices.sections).empty())
-        choices.views = usual_views;
-    result.options = line_drawing::sheetOptions(choices);
+    const bool has_format = !result.format.isEmpty();
+    result.choices = line_drawing::readChoices(
+        inUtf8(has_format ? result.words + QStringList{format, result.format} : result.words));
+    nameFiles(names, has_format, result);
+    result.format = inQt(line_drawing::commandOption(format)->valueIn(result.choices));
+    result.options = line_drawing::sheetOptions(result.choices);
     if (result.is_collection) return result;
     QStringList mesh_names;
     for (const QString& mesh : result.meshes)
         mesh_names << readable(QFileInfo(mesh).completeBaseName());
-    result.options.title =
-        inQt(result.options.title).replace("{name}", mesh_names.join(", ")).toStdString();
+    result.options.title = line_drawing::titleOf(result.options.title, inUtf8(mesh_names));
     return result;
 }
 

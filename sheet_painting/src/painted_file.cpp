@@ -5,6 +5,7 @@
 
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
+#include "sheet_painting/painting.h"
 #include "sheet_painting/qt_words.h"
 
 namespace sheet_painting {
@@ -12,31 +13,32 @@ namespace {
 
 using line_drawing::SheetFormat;
 
-bool isPainted(SheetFormat format) {
-    return format == SheetFormat::Pdf || format == SheetFormat::Png;
+bool hasFonts() {
+    return qobject_cast<QGuiApplication*>(QCoreApplication::instance());
 }
 
-void needFonts() {
-    if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance()))
-        refuse(
-            "PDF and PNG need fonts, which this program does not have. Write an SVG or DXF file.");
+void check(SheetFormat format) {
+    if (format == SheetFormat::Png && !hasFonts())
+        refuse("PNG needs fonts, which this program does not have. Write a PDF, SVG or DXF file.");
 }
 
 }  // namespace
 
 void checkSheetFile(const QString& file) {
     const std::string name = fileName(file);
-    if (isPainted(line_drawing::formatOf(name))) needFonts();
+    check(line_drawing::formatOf(name));
     line_drawing::checkWritable(name);
 }
 
 void writeSheet(const line_drawing::Sheet& sheet, const QString& file, double dpi) {
     const std::string name = fileName(file);
     const SheetFormat format = line_drawing::formatOf(name);
-    if (isPainted(format)) needFonts();
-    line_drawing::writeWhole(name, format == SheetFormat::Pdf   ? writePdf(sheet)
-                                   : format == SheetFormat::Png ? writePng(sheet, dpi)
-                                                                : writeSheet(sheet, format));
+    check(format);
+    line_drawing::writeWhole(
+        name,
+        format == SheetFormat::Png
+            ? writePng(sheet, dpi)
+            : writeSheet(sheet, format, hasFonts() ? outlinesOf : line_drawing::LetterOutlines()));
 }
 
 }  // namespace sheet_painting

@@ -12,6 +12,18 @@ using line_drawing::SheetPath;
 using line_drawing::SheetText;
 using line_drawing::TextAnchor;
 
+constexpr int pixels = 100;  // of letters, before they are scaled
+
+QFont lettering() {
+    QFont font("sans-serif");
+    font.setPixelSize(pixels);
+    return font;
+}
+
+Eigen::Vector2d placeOf(const QPainterPath::Element& element) {
+    return {element.x / pixels, element.y / pixels};
+}
+
 QPointF inQt(const Eigen::Vector2d& p) {
     return {p.x(), p.y()};
 }
@@ -30,10 +42,7 @@ void paint(const SheetPath& path, QPainter& painter) {
 }
 
 void paint(const SheetText& text, QPainter& painter) {
-    constexpr int pixels = 100;
-    QFont font("sans-serif");
-    font.setPixelSize(pixels);
-    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.1);  // without ligatures, which searches miss
+    const QFont font = lettering();
     const QString letters = QString::fromStdString(text.text);
     const double width = QFontMetricsF(font).horizontalAdvance(letters);
     const double shift = text.anchor == TextAnchor::Right    ? width
@@ -45,7 +54,7 @@ void paint(const SheetText& text, QPainter& painter) {
     painter.scale(size, size);
     painter.setFont(font);
     painter.setPen(Qt::black);
-    painter.drawText(QPointF(-shift, 0), letters);  // as letters, that PDF readers find
+    painter.drawText(QPointF(-shift, 0), letters);
     painter.restore();
 }
 
@@ -63,6 +72,25 @@ QPainterPath painterPath(const line_drawing::Path& path) {
             result.cubicTo(inQt(piece.first), inQt(piece.second), inQt(piece.end));
     const bool is_even_odd = path.fill_rule == line_drawing::FillRule::EvenOdd;
     result.setFillRule(is_even_odd ? Qt::OddEvenFill : Qt::WindingFill);
+    return result;
+}
+
+line_drawing::Path outlinesOf(const std::string& text) {
+    QPainterPath letters;
+    letters.addText(0, 0, lettering(), QString::fromStdString(text));
+    line_drawing::Path result;
+    result.fill_rule = line_drawing::FillRule::NonZero;
+    for (int i = 0; i < letters.elementCount(); ++i) {
+        const QPainterPath::Element element = letters.elementAt(i);
+        if (element.isMoveTo())
+            result.moveTo(placeOf(element));
+        else if (element.isLineTo())
+            result.lineTo(placeOf(element));
+        else
+            result.curveTo(placeOf(element), placeOf(letters.elementAt(i + 1)),
+                           placeOf(letters.elementAt(i + 2))),
+                i += 2;
+    }
     return result;
 }
 

@@ -68,7 +68,12 @@ expect_said(draw("metres.svg", *BARE, "metres.off"), "if it is in metres, say --
 # texts of PDF can be searched
 draw("searched.pdf", "--views", "front", "--title", "Find 17 äöü", "cube.off")
 run(["pdftotext", "searched.pdf", "searched.txt"])
-expect_said(text_of("searched.txt"), "Find 17 äöü", "100.0 × 100.0 × 100.0 mm")
+expect_said(text_of("searched.txt"), "Find 17 äöü", "100.0 × 100.0 × 100.0 mm", "√h")
+fonts = run(["pdffonts", "searched.pdf"])
+expect(re.findall(r"^(\S+) .* (no|yes) +no +no ", fonts, re.M) == [("Helvetica", "no"), ("Symbol", "no")], fonts)
+draw("letters.pdf", "--title", "Łódź", "cube.off")  # letters that these fonts do not have are drawn
+run(["pdftotext", "letters.pdf", "letters.txt"])
+expect("dź" not in text_of("letters.txt") and "100.0 × 100.0" in text_of("letters.txt"), text_of("letters.txt"))
 
 # a damaged file is refused, or drawn and called incomplete
 corners = ["vertex 0 0 0", "vertex 100 0 0", "vertex 0 100 0"]

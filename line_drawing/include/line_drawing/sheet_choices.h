@@ -73,6 +73,17 @@ struct SheetOption {
 /// dialog are made from it; docs/ and examples are checked against it.
 const std::vector<SheetOption>& sheetOptionTable();
 
+/// The option that the command calls so, "--paper"; null: none.
+const SheetOption* commandOption(const std::string& command);
+
+/// Reads what the command was given: options, each with its value behind it. Views are those of the
+/// sections where no others are named, and the usual ones where neither is.
+/// @throws laplacian_lines::Error(InvalidOption)
+SheetChoices readChoices(const Words& words);
+
+/// A title with the names of meshes, without ending, in place of {name}.
+std::string titleOf(std::string title, const Words& names);
+
 /// The command's help: a few lines an option.
 std::string sheetOptionsHelp();
 

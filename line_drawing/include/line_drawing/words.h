@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,9 @@ std::optional<double> numberIn(std::string_view text);
 /// As short as so many significant digits can be written: "0.5", "1e+06".
 std::string inDigits(double x, int digits = 6);
 std::string inDecimals(double x, int decimals);
+/// So many thousandths, as short as they can be written: "-.05".
+std::string thousandths(std::int64_t number);
+std::string inThousandths(double x);
 /// Of four digits: "00AB".
 std::string inHexadecimal(char32_t number);
 

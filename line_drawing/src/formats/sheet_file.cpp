@@ -16,10 +16,13 @@ SheetFormat formatOf(const std::string& file) {
            "\" does not end in .svg, .pdf, .dxf or .png, which say what kind of file to write.");
 }
 
-std::string writeSheet(const Sheet& sheet, SheetFormat format) {
+std::string writeSheet(const Sheet& sheet, SheetFormat format, const LetterOutlines& outlines) {
     if (format == SheetFormat::Svg) return writeSvg(sheet);
     if (format == SheetFormat::Dxf) return writeDxf(sheet);
-    refuse("PDF and PNG need fonts, which are not here. Write an SVG or DXF file.");
+    if (format == SheetFormat::Pdf) return writePdf(sheet, outlines);
+    refuse(
+        "PNG files are painted by the command and by MeshLab. Write a PDF file here, and turn it "
+        "into PNG by pdftoppm or the like.");
 }
 
 StrokeStyle strokesIn(const std::string& file, StrokeStyle wanted) {

@@ -8,25 +8,6 @@
 namespace line_drawing {
 namespace {
 
-/// A number given in thousandths, as short as it can be written.
-std::string decimal(std::int64_t thousandths) {
-    std::string digits = std::to_string(std::abs(thousandths));
-    digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
-    digits.insert(digits.size() - 3, ".");
-    while (digits.back() == '0')
-        digits.pop_back();
-    if (digits.back() == '.') digits.pop_back();
-    if (digits.size() > 1 && digits[0] == '0') digits.erase(0, 1);
-    return thousandths < 0 ? '-' + digits : digits;
-}
-
-std::int64_t thousandths(double mm) {
-    return std::llround(mm * 1000);
-}
-std::string number(double mm) {
-    return decimal(thousandths(mm));
-}
-
 /// Path data in thousandths of a millimetre, each place relative to the one before: short, and
 /// rounding does not add up.
 class PathData {
@@ -59,7 +40,7 @@ private:
         has_number_ = false;
     }
     void add(const Eigen::Vector2d& p, bool moves = true) {
-        const std::int64_t x = thousandths(p.x()), y = thousandths(p.y());
+        const std::int64_t x = std::llround(1000 * p.x()), y = std::llround(1000 * p.y());
         write(x - x_);
         write(y - y_);
         if (!moves) return;
@@ -67,7 +48,7 @@ private:
         ++points_;
     }
     void write(std::int64_t value) {
-        const std::string digits = decimal(value);
+        const std::string digits = thousandths(value);
         if (has_number_ && digits[0] != '-') data_ += ' ';
         data_ += digits;
         has_number_ = true;
@@ -104,7 +85,8 @@ std::string escaped(const std::string& text) {
 class SvgWriter {
 public:
     std::string write(const Sheet& sheet) {
-        const std::string width = number(sheet.size.x()), height = number(sheet.size.y());
+        const std::string width = inThousandths(sheet.size.x()),
+                          height = inThousandths(sheet.size.y());
         svg_ = R"(<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape")";
         attribute("width", width + "mm");
@@ -171,9 +153,10 @@ private:
         } else {
             attribute("fill", "none");
             attribute("stroke", "#000");
-            attribute("stroke-width", number(path.pen_width));
+            attribute("stroke-width", inThousandths(path.pen_width));
             if (path.dash > 0)
-                attribute("stroke-dasharray", number(path.dash) + ' ' + number(path.dash / 2));
+                attribute("stroke-dasharray",
+                          inThousandths(path.dash) + ' ' + inThousandths(path.dash / 2));
             else
                 attribute("stroke-linecap", "round");
             attribute("stroke-linejoin", "round");
@@ -190,9 +173,9 @@ private:
 
     void writeText(const SheetText& text) {
         begin("text");
-        attribute("x", number(text.position.x()));
-        attribute("y", number(text.position.y()));
-        attribute("font-size", number(text.height));
+        attribute("x", inThousandths(text.position.x()));
+        attribute("y", inThousandths(text.position.y()));
+        attribute("font-size", inThousandths(text.height));
         attribute("font-family", "sans-serif");
         if (text.anchor == TextAnchor::Right) attribute("text-anchor", "end");
         if (text.anchor == TextAnchor::Middle) attribute("text-anchor", "middle");

@@ -2,6 +2,7 @@
 #include "line_drawing/sheet_choices.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/words.h"
@@ -76,6 +77,32 @@ void SheetOption::read(const std::string& word, SheetChoices& choices) const {
     if (!value || !(*value >= row.minimum && *value <= row.maximum))
         refuseWord(*this, word, laplacian_lines::allowed_values(row));
     row.set(choices, *value);
+}
+
+const SheetOption* commandOption(const std::string& command) {
+    for (const SheetOption& option : sheetOptionTable())
+        if (option.isOf(SheetOption::Place::Command) && option.command() == command) return &option;
+    return nullptr;
+}
+
+SheetChoices readChoices(const Words& words) {
+    SheetChoices choices;
+    const std::string usual_views = std::exchange(choices.views, "");
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+        const SheetOption* option = commandOption(words[i]);
+        if (!option) refuse("unknown option " + words[i] + "; see --help.");
+        option->read(words[i + 1], choices);
+    }
+    if (choices.views.empty() && trimmed(choices.sections).empty()) choices.views = usual_views;
+    return choices;
+}
+
+std::string titleOf(std::string title, const Words& names) {
+    constexpr std::string_view place = "{name}";
+    const std::string name = joined(names, ", ");
+    for (std::size_t at = 0; (at = title.find(place, at)) != title.npos; at += name.size())
+        title.replace(at, place.size(), name);
+    return title;
 }
 
 std::string sheetOptionsHelp() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace line_drawing {
 namespace {
@@ -96,6 +97,20 @@ std::string inDigits(double x, int digits) {
 }
 std::string inDecimals(double x, int decimals) {
     return written(x, std::chars_format::fixed, decimals);
+}
+
+std::string thousandths(std::int64_t number) {
+    std::string digits = std::to_string(std::abs(number));
+    digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+    digits.insert(digits.size() - 3, ".");
+    while (digits.back() == '0')
+        digits.pop_back();
+    if (digits.back() == '.') digits.pop_back();
+    if (digits.size() > 1 && digits[0] == '0') digits.erase(0, 1);
+    return number < 0 ? '-' + digits : digits;
+}
+std::string inThousandths(double x) {
+    return thousandths(std::llround(1000 * x));
 }
 
 std::string inHexadecimal(char32_t number) {

@@ -10,6 +10,9 @@ namespace sheet_painting {
 
 QPainterPath painterPath(const line_drawing::Path& path);
 
+/// As line_drawing::LetterOutlines, of a font of this machine.
+line_drawing::Path outlinesOf(const std::string& text);
+
 /// A sheet in black, by a painter whose unit is a millimetre.
 void paint(const line_drawing::Sheet& sheet, QPainter& painter);
 

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/lzw.h"
+#include "formats/sheet_writers.h"
+#include "formats/standard_fonts.h"
+#include "laplacian_lines/version.h"
+#include "line_drawing/words.h"
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double points_per_mm = 72 / 25.4;
+
+std::string place(const Vector2d& p) {
+    return inThousandths(p.x()) + ' ' + inThousandths(p.y()) + ' ';
+}
+
+/// The lines of a path, without what is done with them.
+std::string pathData(const Path& path) {
+    std::string data;
+    for (std::size_t i = 0, begin = 0; i < path.pieces.size(); ++i) {
+        const Path::Piece& piece = path.pieces[i];
+        if (piece.step == Path::Step::Move) {
+            begin = i;
+            data += place(piece.end) + "m ";
+        } else if (piece.step == Path::Step::Line) {
+            data += place(piece.end) + "l ";
+        } else {
+            data += place(piece.first) + place(piece.second) + place(piece.end) + "c ";
+        }
+        const bool is_last =
+            i + 1 == path.pieces.size() || path.pieces[i + 1].step == Path::Step::Move;
+        if (is_last && i > begin && piece.end == path.pieces[begin].end) data += "h ";
+    }
+    return data;
+}
+
+/// The page, in millimetres, y down.
+class Content {
+public:
+    explicit Content(const LetterOutlines& outlines) : outlines_(outlines) {}
+
+    std::string of(const Sheet& sheet) {
+        data_ = inDigits(points_per_mm, 10) + " 0 0 -" + inDigits(points_per_mm, 10) + " 0 " +
+                inDigits(points_per_mm * sheet.size.y(), 10) + " cm 1 J 1 j\n";
+        for (const SheetGroup& group : sheet.groups)
+            for (const SheetLayer& layer : group.layers) {
+                for (const SheetPath& path : layer.paths)
+                    add(path);
+                for (const SheetText& text : layer.texts)
+                    add(text);
+            }
+        return data_;
+    }
+
+private:
+    void add(const SheetPath& path) {
+        if (path.path.isEmpty()) return;
+        if (path.pen_width == 0) {
+            const char* fill = path.path.fill_rule == FillRule::EvenOdd ? "f*\n" : "f\n";
+            data_ += inDigits(path.tone) + " g " + pathData(path.path) + fill;
+        } else if (path.dash > 0) {
+            data_ += "q 0 J [" + place({path.dash, path.dash / 2}) + "] 0 d ";
+            stroke(path);
+            data_ += "Q\n";
+        } else {
+            stroke(path);
+        }
+    }
+
+    void stroke(const SheetPath& path) {
+        data_ += inThousandths(path.pen_width) + " w " + pathData(path.path) + "S\n";
+    }
+
+    void add(const SheetText& text) {
+        const StandardText standard = inStandardFonts(text.text);
+        if (!standard.is_whole) {
+            if (!outlines_)
+                refuse("PDF's standard fonts do not have all letters of \"" + text.text +
+                       "\". Write an SVG or DXF file, or other letters.");
+            const Path path = outlines_(text.text);
+            const double width = path.isEmpty() ? 0 : path.bounds().max().x();
+            const Path placed = path.placed(text.height, beginOf(text, width));
+            return add({placed, 0});
+        }
+        const std::string height = inThousandths(text.height);
+        data_ += "0 g BT " + height + " 0 0 -" + height + ' ' +
+                 place(beginOf(text, standard.width)) + "Tm";
+        for (const FontRun& run : standard.runs)
+            data_ += std::string(run.font == StandardFont::Symbol ? " /S" : " /H") + " 1 Tf (" +
+                     escaped(run.codes) + ") Tj";
+        data_ += " ET\n";
+    }
+
+    /// `width`: for a height of 1.
+    static Vector2d beginOf(const SheetText& text, double width) {
+        const double share = text.anchor == TextAnchor::Left     ? 0
+                             : text.anchor == TextAnchor::Middle ? 0.5
+                                                                 : 1;
+        return text.position - Vector2d(share * width * text.height, 0);
+    }
+
+    static std::string escaped(const std::string& codes) {
+        std::string result;
+        for (const char c : codes) {
+            if (c == '(' || c == ')' || c == '\\') result += '\\';
+            result += c;
+        }
+        return result;
+    }
+
+    const LetterOutlines& outlines_;
+    std::string data_;
+};
+
+/// Of any characters: UTF-16 in hexadecimal, with a mark of its order.
+std::string textString(const std::string& text) {
+    std::string digits = "<FEFF";
+    for (const char32_t c : lettersOf(text))
+        digits += c < 0x10000
+                      ? inHexadecimal(c)
+                      : inHexadecimal(0xd7c0 + (c >> 10)) + inHexadecimal(0xdc00 + (c & 0x3ff));
+    return digits + '>';
+}
+
+/// Metadata, of which readers show what they know; not compressed, so that it can be searched.
+std::string xmp(const std::string& provenance) {
+    return R"(<?xpacket begin="" id="W5M0MpCehiHzreSzNTczkc9d"?>
+<x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">
+<rdf:Description rdf:about="" xmlns:ll="urn:laplacian-lines"><ll:provenance>)" +
+           provenance + R"(</ll:provenance></rdf:Description>
+</rdf:RDF></x:xmpmeta>
+<?xpacket end="w"?>)";
+}
+
+class PdfWriter {
+public:
+    std::string write(const Sheet& sheet, const LetterOutlines& outlines) {
+        const Vector2d size = points_per_mm * sheet.size;
+        object("<</Type /Catalog /Pages 2 0 R" +
+               std::string(sheet.provenance.empty() ? "" : " /Metadata 8 0 R") + ">>");
+        object("<</Type /Pages /Kids [3 0 R] /Count 1>>");
+        object("<</Type /Page /Parent 2 0 R /MediaBox [0 0 " + inDigits(size.x(), 10) + ' ' +
+               inDigits(size.y(), 10) +
+               "] /Contents 4 0 R /Resources <</Font <</H 5 0 R /S 6 0 R>>>>>>");
+        stream("/Filter /LZWDecode", compressed(Content(outlines).of(sheet)));
+        object("<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>");
+        object("<</Type /Font /Subtype /Type1 /BaseFont /Symbol>>");
+        object("<</Title " + textString(sheet.title) + " /Creator " +
+               textString(std::string("Laplacian Lines ") + laplacian_lines::version()) + ">>");
+        if (!sheet.provenance.empty())
+            stream("/Type /Metadata /Subtype /XML", xmp(sheet.provenance));
+        return end();
+    }
+
+private:
+    void object(const std::string& content) {
+        places_.push_back(pdf_.size());
+        pdf_ += std::to_string(places_.size()) + " 0 obj\n" + content + "\nendobj\n";
+    }
+    void stream(const std::string& entries, const std::string& data) {
+        object("<<" + entries + " /Length " + std::to_string(data.size()) + ">>\nstream\n" + data +
+               "\nendstream");
+    }
+    std::string end() {
+        const std::string count = std::to_string(places_.size() + 1);
+        const std::size_t table = pdf_.size();
+        pdf_ += "xref\n0 " + count + "\n0000000000 65535 f \n";
+        for (const std::size_t place : places_) {
+            const std::string digits = std::to_string(place);
+            pdf_ += std::string(10 - digits.size(), '0') + digits + " 00000 n \n";
+        }
+        return pdf_ + "trailer\n<</Size " + count + " /Root 1 0 R /Info 7 0 R>>\nstartxref\n" +
+               std::to_string(table) + "\n%%EOF\n";
+    }
+
+    std::string pdf_ = "%PDF-1.4\n%\xc2\xb5\xc2\xb6\n";  // other bytes than ASCII: a binary file
+    std::vector<std::size_t> places_;
+};
+
+}  // namespace
+
+std::string writePdf(const Sheet& sheet, const LetterOutlines& outlines) {
+    return PdfWriter().write(sheet, outlines);
+}
+
+}  // namespace line_drawing
