@@ -6,10 +6,13 @@
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include <limits>
 
 #include "arrays.h"
+#include "drawing.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_mixture.h"
@@ -191,6 +194,27 @@ nb::object read_mesh(const std::string& ending, const nb::bytes& bytes) {
     return arrays_of(read.mesh) + nb::make_tuple(read.defect);
 }
 
+/// `meshes`: of each the positions, the triangles, the name of its file and the file's hash.
+nb::dict draw_meshes(const nb::list& meshes, const std::vector<std::string>& words,
+                     const std::string& ending) {
+    DrawnMeshes drawn;
+    for (const nb::handle mesh : meshes) {
+        const auto [positions, triangles, name, hash] =
+            nb::cast<std::tuple<Positions, Triangles, std::string, std::string>>(mesh);
+        drawn.meshes.push_back(mesh_of(positions, triangles));
+        drawn.sources.push_back({name, hash});
+    }
+    const Drawing drawing =
+        unlocked([&](const Progress& progress) { return draw(drawn, words, ending, progress); });
+    nb::dict d;
+    d["content"] = nb::bytes(drawing.content.data(), drawing.content.size());
+    d["paper"] = nb::make_tuple(drawing.width, drawing.height);
+    d["scale"] = drawing.scale;
+    d["kernel"] = drawing.kernel;
+    d["remarks"] = nb::tuple(nb::cast(drawing.remarks));
+    return d;
+}
+
 }  // namespace
 
 NB_MODULE(_core, m) {
@@ -198,9 +222,11 @@ NB_MODULE(_core, m) {
     m.attr("version") = version();
     m.attr("field_options") = rows_of(precompute_option_table());
     m.attr("line_options") = rows_of(line_style_table());
+    m.attr("sheet_options") = sheet_options();
     m.attr("columns") = columns();
     m.attr("kinds") = kinds();
     m.def("keys_of_kinds", keys_of_kinds, "names"_a);
+    m.def("draw", draw_meshes, "meshes"_a, "words"_a, "ending"_a);
     m.def("read_mesh", read_mesh, "ending"_a, "content"_a);
     nb::class_<Surface>(m, "Surface")
         .def("__init__", make_surface, "positions"_a, "triangles"_a, "options"_a)

@@ -13,7 +13,7 @@ import _core
 def type_of(row):
     if row["kind"] == "choice":
         return f"Literal[{', '.join(repr(choice) for choice in row['choices'])}] | int"
-    return {"boolean": "bool", "integer": "int"}.get(row["kind"], "float")
+    return {"boolean": "bool", "integer": "int", "text": "str | Iterable[str]"}.get(row["kind"], "float")
 
 
 def typed_dict(name, rows):
@@ -23,7 +23,8 @@ def typed_dict(name, rows):
 
 
 with open(sys.argv[2], "w", encoding="utf-8") as file:
-    file.write("from typing import Literal, TypedDict\n\n")
+    file.write("from typing import Iterable, Literal, TypedDict\n\n")
     file.write(typed_dict("FieldOptions", _core.field_options) + "\n")
     file.write(typed_dict("LineOptions", _core.line_options) + "\n")
+    file.write(typed_dict("SheetOptions", _core.sheet_options) + "\n")
     file.write("class Options(FieldOptions, LineOptions, total=False): ...\n")

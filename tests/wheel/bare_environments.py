@@ -4,10 +4,11 @@
 compiler in their PATH: one for each Python here that the wheel is for, with NumPy alone, one for the Python of each
 root that ./test --host has made, which are other systems, and one with the other packages whose meshes are taken.
 
-bare_environments.py --work FOLDER --write-reference PROGRAM --lines PROGRAM [--others PACKAGE,...]
+bare_environments.py --work FOLDER --write-reference PROGRAM --lines PROGRAM --command PROGRAM [--others PACKAGE,...]
 """
 
 import argparse
+import json
 import os
 import pathlib
 import re
@@ -24,6 +25,9 @@ from environment.files import cache_folder
 CASES = pathlib.Path(__file__).resolve().parent / "cases"
 MOST_BYTES = 25_000_000
 OLDEST = (3, 10)  # requires-python
+SHEET = {"views": "six", "sections": "y=0.5 x=0.3", "title": "{name} <ü> & \"quoted\"", "hidden": "dashed", "unit": "cm"}
+DRAWINGS = {"front.svg": {}, "six.svg": SHEET, "six.pdf": SHEET, "six.dxf": SHEET,
+            "vessel.svg": {"views": "30,15", "weights": "iso", "area": "filled", "kinds": "usual,ridges", "paper": "fit"}}
 
 
 def run(*command, **keywords):
@@ -109,8 +113,8 @@ def pythons():
     return found
 
 
-def write_reference(work, write_reference, lines):
-    """The core's own field and lines of a torus, by programs in C++."""
+def write_reference(work, write_reference, lines, command):
+    """The core's own field and lines of a torus, by programs in C++, and drawings of it by the command."""
     folder = work / "reference"
     folder.mkdir(parents=True, exist_ok=True)
     run(write_reference, "torus", folder)
@@ -119,11 +123,15 @@ def write_reference(work, write_reference, lines):
         for words in map(str.split, rows):
             print(*(["v", *words] if len(words) == 3 else ["f", *(int(w) + 1 for w in words[1:])]), file=file)
     run(lines, folder / "torus.obj", folder / "lines.obj")
+    for name, options in DRAWINGS.items():
+        words = [word for key, value in options.items() for word in ("--section" if key == "sections" else f"--{key}", value)]
+        run(command, folder / name, *words, folder / "torus.ply")
+    (folder / "drawings.json").write_text(json.dumps(DRAWINGS))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name in ("--work", "--write-reference", "--lines"):
+    for name in ("--work", "--write-reference", "--lines", "--command"):
         parser.add_argument(name, type=pathlib.Path, required=True)
     parser.add_argument("--others", default="trimesh,pyvista,pymeshlab,mypy")
     given = parser.parse_args()
@@ -134,7 +142,7 @@ def main():
         print(f"skipped: an environment with packages of PyPI cannot be made ({error})")
         sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") else 77)
     wheel = check_wheel(build_wheel(given.work), builder)
-    write_reference(given.work, given.write_reference, given.lines)
+    write_reference(given.work, given.write_reference, given.lines, given.command)
     for version, python in pythons().items():
         run_cases([environment(given.work / f"bare-{version}", python, wheel)], given.work)
     for python in cache_folder().glob("roots/*/usr/bin/python3"):

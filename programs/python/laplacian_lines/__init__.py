@@ -2,7 +2,7 @@
 """Line drawings of 3D scans by Laplacian lines (Zhang, He, Seah 2009), from and to NumPy arrays.
 
     import laplacian_lines
-    laplacian_lines.write_svg("dragon.svg", "dragon.ply", direction=(0, 0, 1), unit="m")
+    laplacian_lines.write_drawing("dragon.svg", "dragon.ply", views="six", unit="m")
     seen = laplacian_lines.visible_lines("dragon.ply", direction=(0, 0, 1))
 
 A mesh is a pair of arrays, vertices (n, 3) and faces (m, 3), counter-clockwise seen from outside; a mesh of trimesh, PyVista
@@ -11,7 +11,8 @@ or PyMeshLab; or the name of a PLY, STL, OBJ or OFF file. Lengths are in the mes
     field(mesh)                        normals, their Laplacian, curvature and kernel at each vertex
     lines(mesh, direction=...)         all lines of a view, in space and on the page
     visible_lines(mesh, direction=...) the parts of them that are seen
-    write_svg(file, mesh, ...)         these as a drawing at true scale
+    write_drawing(file, mesh, ...)     a measured drawing: views at scale on paper, as SVG, PDF or DXF
+    make_drawing(mesh, ...)            the same, not written
     Surface(mesh)                      a mesh made ready once, for many views: surface.visible_lines(eye=...)
 
 Options are keyword arguments, which help() of each function lists with defaults and limits. What cannot be used raises Error,
@@ -41,11 +42,11 @@ if typing.TYPE_CHECKING or importlib.util.find_spec("._core", __name__):
     from ._core import version as __version__
     from .meshes import as_arrays, read_mesh
     from .polylines import KINDS, Page, Polyline, Polylines
+    from .sheets import Drawing, make_drawing, write_drawing
     from .surface import ATTRIBUTES, Surface, field, lines, visible_lines
-    from .svg import write_svg
 
-    __all__ += ["ATTRIBUTES", "Error", "KINDS", "Page", "Polyline", "Polylines", "Surface", "as_arrays", "field", "lines",
-                "read_mesh", "visible_lines", "write_svg", "__version__"]
+    __all__ += ["ATTRIBUTES", "Drawing", "Error", "KINDS", "Page", "Polyline", "Polylines", "Surface", "as_arrays", "field",
+                "lines", "make_drawing", "read_mesh", "visible_lines", "write_drawing", "__version__"]
 else:
     from .meshlab import ATTRIBUTES, field, lines
 

@@ -25,7 +25,11 @@ def read_mesh(file: str | os.PathLike[str]) -> Arrays:
     then. Raises OSError if the file cannot be read, Error if it is of another kind or is not whole.
     """
     place = pathlib.Path(file)
-    content = place.read_bytes()
+    return mesh_in(place, place.read_bytes())
+
+
+def mesh_in(place: pathlib.Path, content: bytes) -> Arrays:
+    """The mesh in a file with these bytes. Raises Error."""
     read = _core.read_mesh(place.suffix[1:].lower(), content)
     if read is None:
         raise _core.Error(f"{place}: the ending of the name says no kind of mesh. Save it as .ply, .stl, .obj or .off.")

@@ -8,13 +8,14 @@ import html
 import inspect
 import numbers
 import textwrap
-from typing import Any, Callable, TypeVar
+from typing import Any, Callable, Iterable, TypeVar
 
 from . import _core
 
-_TYPES = {"real": float, "integer": int, "length": float, "boolean": bool, "choice": str | int}
+_TYPES = {"real": float, "integer": int, "length": float, "boolean": bool, "choice": str | int, "text": str | Iterable[str]}
 FIELD = {row["key"]: row for row in _core.field_options}
 LINES = {row["key"]: row for row in _core.line_options}
+SHEET = {row["key"]: row for row in _core.sheet_options}
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
@@ -48,11 +49,29 @@ def values(given: dict[str, Any], *tables: dict[str, dict[str, Any]]) -> list[di
                 numbers_of_table[key] = _number(table[key], value)
                 break
         else:
-            known = [name for table in tables for name in table]
-            close = difflib.get_close_matches(key, known, 3, 0.5)
-            raise TypeError(f"There is no option {key!r}. {'Did you mean' if close else 'Options are'} "
-                            f"{', '.join(close or known)}{'?' if close else '.'}")
+            _refuse(key, [name for table in tables for name in table])
     return found
+
+
+def words(given: dict[str, Any], table: dict[str, dict[str, Any]]) -> list[str]:
+    """The given options as the command has them, "--paper", "a3". Raises as values()."""
+    found: list[str] = []
+    for key, value in given.items():
+        row = table.get(key) or _refuse(key, list(table))
+        if row["kind"] != "text":
+            found += [row["command"], row["words"][int(_number(row, value))]]
+            continue
+        parts = [value] if isinstance(value, str) else list(value)
+        if not all(isinstance(part, str) for part in parts):
+            raise TypeError(f"{key} is {value!r}, but must be a text or several.")
+        found += [row["command"], ",".join(parts)]
+    return found
+
+
+def _refuse(key, known):
+    close = difflib.get_close_matches(key, known, 3, 0.5)
+    raise TypeError(f"There is no option {key!r}. {'Did you mean' if close else 'Options are'} "
+                    f"{', '.join(close or known)}{'?' if close else '.'}")
 
 
 def _number(row, value):
@@ -78,7 +97,7 @@ def _default(row):
 def _values(row):
     if row["choices"]:
         return ", ".join(repr(choice) for choice in row["choices"])
-    if row["kind"] == "boolean":
+    if row["kind"] in ("boolean", "text"):
         return ""
     return f"{row['minimum']:g} {'or more' if row['maximum'] is None else 'to {:g}'.format(row['maximum'])}"
 

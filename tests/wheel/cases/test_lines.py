@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import concurrent.futures
-import pathlib
-import re
-import tempfile
 import threading
 import unittest
-import xml.etree.ElementTree
 
 import laplacian_lines as ll
 import numpy
-from shapes import REFERENCE, bumpy, sphere, torus
+from shapes import REFERENCE, bumpy, torus
 
 
 def same(a, b):
@@ -107,37 +103,6 @@ class Threads(unittest.TestCase):
             count += 1
         thread.join()
         self.assertGreater(count, 20)
-
-
-class Svg(unittest.TestCase):
-    def test_is_at_true_scale(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "sphere.svg"
-            ll.write_svg(file, sphere(radius=2, steps=5), unit="cm", scale=0.5, margin=5)
-            root = xml.etree.ElementTree.parse(file).getroot()
-            for side in ("width", "height"):  # 4 cm, half as large
-                self.assertAlmostEqual(float(root.get(side).removesuffix("mm")), 20 + 10, delta=0.1)
-            self.assertEqual(root.get("viewBox").split()[2:], [root.get("width")[:-2], root.get("height")[:-2]])
-            text = file.read_text()
-            numbers = numpy.array(re.findall(r"(-?[\d.]+),(-?[\d.]+)", text), dtype=float)
-            radii = numpy.hypot(*(numbers - 15).T)
-            numpy.testing.assert_allclose(radii, 10, atol=0.1)  # no line but the outline
-
-    def test_of_nothing_is_an_empty_page(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "nothing.svg"
-            ll.write_svg(file, sphere(steps=3), kinds="contours", contours=False)
-            self.assertEqual(len(xml.etree.ElementTree.parse(file).getroot()[0]), 0)
-
-    def test_hidden_lines_are_dashed(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "torus.svg"
-            ll.write_svg(file, torus(), direction=(0, 1, 0.2), hidden=True)
-            self.assertIn("stroke-dasharray", file.read_text())
-            before = file.read_bytes()
-            with self.assertRaises(ValueError):
-                ll.write_svg(file, torus(), unit="ell")
-            self.assertEqual(file.read_bytes(), before)
 
 
 if __name__ == "__main__":

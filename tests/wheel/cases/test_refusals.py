@@ -64,7 +64,7 @@ class Refusals(unittest.TestCase):
             self.expect(ll.Error, "Save it as .ply", ll.read_mesh, place / "mesh.txt")
             (place / "mesh.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n")
             self.expect(ll.Error, "is not whole: ", ll.read_mesh, place / "mesh.off")
-            self.expect(OSError, "", ll.write_svg, place / "none" / "a.svg", (sphere(steps=2)))
+            self.expect(OSError, "", ll.write_drawing, place / "none" / "a.svg", (sphere(steps=2)))
 
     def test_without_pymeshlab(self):
         try:
@@ -89,7 +89,7 @@ class Refusals(unittest.TestCase):
 class Help(unittest.TestCase):
     def test_tells_options_with_limits(self):
         text = pydoc.render_doc(ll, renderer=pydoc.plaintext)
-        for words in ("visible_lines(", "write_svg(", "trimesh", "(n, 3)", "kernel_size: float = 0.0", "0 or more", "√h"):
+        for words in ("visible_lines(", "write_drawing(", "trimesh", "(n, 3)", "kernel_size: float = 0.0", "0 or more", "√h"):
             self.assertIn(words, text)
         self.assertNotIn("&radic;", text)
         text = " ".join(pydoc.render_doc(ll.lines, renderer=pydoc.plaintext).split())
@@ -101,7 +101,7 @@ class Help(unittest.TestCase):
     def test_star_import(self):
         names = {}
         exec("from laplacian_lines import *", names)
-        self.assertLessEqual({"Surface", "write_svg", "field"}, set(names))
+        self.assertLessEqual({"Surface", "write_drawing", "field"}, set(names))
 
 
 class Types(unittest.TestCase):

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measured drawings: views at scale on paper, as ./run --drawing makes them, byte for byte."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pathlib
+import typing
+from typing import Any
+
+from . import _core, options
+from .meshes import as_arrays, mesh_in
+from .whole_file import write_whole
+
+if typing.TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._option_types import SheetOptions
+
+
+class Drawing(typing.NamedTuple):
+    """A measured drawing. Notebooks show one that is SVG."""
+
+    content: bytes  # of a file
+    format: str  # "svg", "pdf" or "dxf"
+    paper: tuple[float, float]  # width and height, mm
+    scale: float  # drawn over true length, 0.5 for 1:2
+    kernel: float  # √h of the inner lines, mm on paper; 0 if there are none
+    remarks: tuple[str, ...]  # what is to be said of it besides
+
+    def _repr_svg_(self) -> str | None:
+        return self.content.decode() if self.format == "svg" else None
+
+
+@options.takes(options.SHEET)
+def make_drawing(*meshes: Any, format: str = "svg", **sheet_options: Unpack[SheetOptions]) -> Drawing:
+    """Draws meshes together, which hide each other: their lines from several sides, at one scale, laid out on paper.
+
+    `meshes` are what as_arrays() takes, in one coordinate system; the names of files are in the drawing's note. The fields
+    are computed for the drawing's scale. `format` is "svg", in millimetres, with layers by views and kinds, "pdf" or "dxf".
+    The same meshes and options give the same bytes, which are those of the command. Raises Error if an option cannot be
+    used, the drawing does not fit its paper at its scale, or a mesh has no surface; TypeError; OSError.
+    """
+    words = options.words(dict(sheet_options), options.SHEET)
+    return Drawing(format=format, **_core.draw([_named(mesh) for mesh in meshes], words, format))
+
+
+@options.takes(options.SHEET, told="make_drawing()")
+def write_drawing(file: str | os.PathLike[str], *meshes: Any, **sheet_options: Unpack[SheetOptions]) -> Drawing:
+    """Writes a measured drawing of meshes, see make_drawing(), in the format that the ending of the file's name says.
+
+    A file that was there is replaced, once the drawing is there as a whole. Returns the Drawing.
+    """
+    drawing = make_drawing(*meshes, format=pathlib.Path(file).suffix[1:].lower(), **sheet_options)
+    write_whole(file, drawing.content)
+    return drawing
+
+
+def _named(mesh):
+    """The arrays of a mesh, and the name and hash of its file."""
+    if not isinstance(mesh, (str, os.PathLike)):
+        return (*as_arrays(mesh), "", "")
+    place = pathlib.Path(mesh)
+    content = place.read_bytes()
+    name = place.name.encode(errors="surrogateescape").decode(errors="replace")
+    return (*mesh_in(place, content), name, hashlib.sha256(content).hexdigest())
