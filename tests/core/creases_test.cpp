@@ -390,28 +390,30 @@ TEST(Creases, AreHardlyAnyOnNoisyScans) {
 
 /// The contour is there, so an edge between a face that is seen and one that is not is left out.
 TEST(Creases, AreLeftOutOnTheHorizon) {
-    for (const int cells : {1, 10}) {
-        const TriangleMesh mesh = test_meshes::cube(cells);
-        const View view = View::perspective({3, 2, 4});  // sees three faces
-        LineStyle style = creases_alone();
-        style.shows[LineKind::Contour] = true;
-        LineSet lines = creases_of(mesh, style, view);
-        LineSet creases;
-        creases.points = lines.points;
-        for (const Polyline& line : lines.lines)
-            if (line.kind == LineKind::Crease) creases.lines.push_back(line);
-        EXPECT_EQ(creases.lines.size(), 6u);
-        const auto edges = edges_of(mesh, creases);
-        EXPECT_EQ(edges.size(), 6u * unsigned(cells));
-        for (const Edge& edge : edges) {
-            const Eigen::Vector3d middle =
-                (mesh.positions[edge.first] + mesh.positions[edge.second]) / 2;
-            int towards = 0;
-            for (int k = 0; k < 3; ++k)
-                towards += std::abs(std::abs(middle[k]) - 1) < 1e-9 ? (middle[k] > 0 ? 1 : -1) : 0;
-            EXPECT_EQ(std::abs(towards), 2);  // between two that are seen, or two that are not
+    for (const int cells : {1, 10})
+        for (const Eigen::Vector3d& eye :
+             {Eigen::Vector3d(3, 2, 4), Eigen::Vector3d(3, 0.5, 0.5)}) {
+            const TriangleMesh mesh = test_meshes::cube(cells);
+            LineStyle style = creases_alone();
+            style.shows[LineKind::Contour] = true;
+            LineSet lines = creases_of(mesh, style, View::perspective(eye));
+            LineSet creases;
+            creases.points = lines.points;
+            for (const Polyline& line : lines.lines)
+                if (line.kind == LineKind::Crease) creases.lines.push_back(line);
+            const unsigned count = eye.y() > 1 ? 6 : 8;  // where three faces are seen, or one
+            EXPECT_EQ(creases.lines.size(), count);
+            const auto edges = edges_of(mesh, creases);
+            EXPECT_EQ(edges.size(), count * unsigned(cells));
+            for (const Edge& edge : edges) {
+                const Eigen::Vector3d middle =
+                    (mesh.positions[edge.first] + mesh.positions[edge.second]) / 2;
+                int seen = 0;
+                for (int k = 0; k < 3; ++k)
+                    seen += std::abs(std::abs(middle[k]) - 1) < 1e-9 && middle[k] * eye[k] > 1;
+                EXPECT_NE(seen, 1);  // between two that are seen, or two that are not
+            }
         }
-    }
 }
 
 /// Of a closed line, what is left are whole arcs.

@@ -64,6 +64,8 @@ TEST(InvalidOption, NamesEachPrecomputeOption) {
                      [&] { measure_scale(small_mesh(), options); }}) {
                 const std::string message = expect_error(ErrorCode::InvalidOption, call);
                 EXPECT_NE(message.find(row.label), std::string::npos) << message;
+                for (const char* choice : row.choices)
+                    EXPECT_NE(message.find(choice), std::string::npos) << message;
             }
         }
 }

@@ -207,7 +207,7 @@ TEST(Coarseness, LeavesOutSmallPatches) {
         return std::count(coarse.begin(), coarse.end(), 1);
     };
     EXPECT_EQ(coarse_count(), 0);
-    mesh.positions[100] *= 0.985;
+    mesh.positions[100] *= 0.97;
     EXPECT_EQ(coarse_count(), 0);
     mesh.positions[100] *= 0.8;
     EXPECT_GT(coarse_count(), 0);

@@ -339,8 +339,9 @@ LineSet ring(double radius, double begin, int points) {
     return lines;
 }
 
-LineSet seen_ring(const LineSet& ring, const View& view) {
-    return LineVisibility(test_meshes::sphere(3).mesh)
+LineSet seen_ring(const LineSet& ring, const View& view,
+                  const TriangleMesh& mesh = test_meshes::sphere(3).mesh) {
+    return LineVisibility(mesh)
         .parts(view, {ring}, {helpers::all_laplacian_lines().shows, 0, true})
         .seen;
 }
@@ -371,6 +372,22 @@ TEST(LineVisibility, RingsAroundTheEyeAreOpenAbreastOfIt) {
         }
     }
     EXPECT_NEAR(total_length(seen), total_length(all), 0.1f * total_length(all));
+}
+
+/// An eye within a sphere, before it a small ball at a distance of six of its radii.
+TEST(LineVisibility, WhatIsBeforeAnEyeAmongTheMeshHidesWhatIsBehind) {
+    constexpr double kRadius = 0.99, kEye = -0.2;
+    TriangleMesh mesh = test_meshes::sphere(3).mesh, ball = test_meshes::sphere(4).mesh;
+    for (Vector3d& p : ball.positions)
+        p = p / 10 + Vector3d(kEye + 0.6, 0, 0);
+    test_meshes::append(mesh, ball);
+    const LineSet all = ring(kRadius, 1, 80);
+    const View view = View::perspective({kEye, 0, 0});
+    const float hidden =
+        total_length(seen_ring(all, view)) - total_length(seen_ring(all, view, mesh));
+    const double from_eye = std::asin(0.1 / 0.6),
+                 angle = from_eye - std::asin(kEye * std::sin(from_eye) / kRadius);
+    EXPECT_NEAR(hidden / total_length(all), angle / kPi, 0.002);
 }
 
 /// From behind, a half of a torus shows its inside and its contours there.

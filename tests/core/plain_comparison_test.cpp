@@ -228,6 +228,7 @@ TEST_P(PlainComparison, GivesTheSameBitsWithAllInstructionSets) {
                 const LineSet best = helpers::extract(extractor, view, style);
                 const WithInstructionSet scope(set);
                 if (!scope.available()) break;
+                ASSERT_EQ(simd_functions().instruction_set, set);
                 ++others;
                 ASSERT_TRUE(helpers::same_lines(best, helpers::extract(extractor, view, style)))
                     << name << ", instruction set " << int(set);

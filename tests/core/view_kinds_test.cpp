@@ -139,6 +139,22 @@ TEST(ViewKinds, DrawNothingOnASphere) {
     EXPECT_GT(photic, 5u);
 }
 
+TEST(ViewKinds, AreLeftOutWhereTheyAreFlat) {
+    const auto surface = test_meshes::bumpy_sphere(4, 0.15);
+    const LineExtractor extractor(surface.mesh, helpers::complete_field(surface.mesh));
+    const View view = View::perspective({3, 2, 4});
+    for (const auto& [kind, slope] :
+         {std::pair(LineKind::SuggestiveContour, &LineStyle::suggestive_slope),
+          {LineKind::ApparentRidge, &LineStyle::apparent_slope},
+          {LineKind::PhoticExtremum, &LineStyle::photic_slope}}) {
+        LineStyle style = helpers::all_crossings_of_all_kinds();
+        style.shows = helpers::only(kind).shows;
+        EXPECT_FALSE(helpers::extract(extractor, view, style).lines.empty());
+        style.*slope = 1e4;
+        EXPECT_TRUE(helpers::extract(extractor, view, style).lines.empty()) << describe(kind).key;
+    }
+}
+
 TEST(ViewKinds, DrawNothingOnAPlane) {
     const TriangleMesh& plane = test_meshes::mesh_named("plane").mesh;
     const LineExtractor extractor(plane, helpers::complete_field(plane));

@@ -70,7 +70,7 @@ std::string ply_head(const std::string& format, const std::string& faces_are) {
            faces_are + "end_header\n";
 }
 const std::string kFaceLists =
-    "element face 4\nproperty list uchar float texcoord\nproperty list uchar int vertex_indices\n"
+    "element face 4\nproperty list char float texcoord\nproperty list uchar int vertex_indices\n"
     "property short flags\n";
 
 std::string ply_text() {

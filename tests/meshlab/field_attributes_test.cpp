@@ -99,6 +99,20 @@ TEST_F(FieldAttributes, ComeBack) {
     EXPECT_EQ(mesh.vert_attr.size(), 8u);
 }
 
+TEST_F(FieldAttributes, BelongToCoordinatesAndCorners) {
+    const GeometryStamp stamp = geometryStamp(mesh);
+    for (const bool is_compact : {false, true}) {
+        if (is_compact) vcg::tri::Allocator<CMeshO>::CompactEveryVector(mesh);
+        EXPECT_EQ(geometryStamp(mesh), stamp);
+        mesh.vert.back().P()[1] += 1;
+        EXPECT_NE(geometryStamp(mesh), stamp);
+        mesh.vert.back().P()[1] -= 1;
+        std::swap(mesh.face[0].V(0), mesh.face[0].V(1));
+        EXPECT_NE(geometryStamp(mesh), stamp);
+        std::swap(mesh.face[0].V(0), mesh.face[0].V(1));
+    }
+}
+
 TEST_F(FieldAttributes, OfDeletedVerticesAreZero) {
     valueOf<Point3m>(mesh, "ll_normal", 1) = Point3m(1, 1, 1);
     write(richer);

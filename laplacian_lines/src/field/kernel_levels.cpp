@@ -30,7 +30,7 @@ double KernelLevels::size(int level) const {
 std::vector<LevelShare> KernelLevels::at(double wanted) const {
     if (steps_ == 0 || !(wanted > least_)) return {{0, 1}};
     const double place = std::min(std::log(wanted / least_) / std::log(step_), double(steps_));
-    const int below = std::min(int(place), steps_ - 1), above = below + 1;
+    const int below = int(place), above = below + 1;
     const double passed = (place - below - 0.5) / kBand + 0.5;
     if (passed <= 0) return {{below, 1}};
     if (passed >= 1) return {{above, 1}};
