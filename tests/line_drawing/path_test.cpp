@@ -49,7 +49,8 @@ TEST(Paths, BoundsAndPointsAreThoseOfCurves) {
 TEST(Paths, OfCirclesAreRound) {
     Path path;
     path.addCircle({3, 4}, 2);
-    for (const Vector2d& p : path.flattened(1e-3).at(0))
+    const auto lines = path.flattened(1e-3);
+    for (const Vector2d& p : lines.at(0))
         EXPECT_NEAR((p - Vector2d(3, 4)).norm(), 2, 2e-3);
     EXPECT_EQ(path.pieces.front().end, path.pieces.back().end);
 }
