@@ -82,14 +82,15 @@ line_drawing::Path outlinesOf(const std::string& text) {
     result.fill_rule = line_drawing::FillRule::NonZero;
     for (int i = 0; i < letters.elementCount(); ++i) {
         const QPainterPath::Element element = letters.elementAt(i);
-        if (element.isMoveTo())
+        if (element.isMoveTo()) {
             result.moveTo(placeOf(element));
-        else if (element.isLineTo())
+        } else if (element.isLineTo()) {
             result.lineTo(placeOf(element));
-        else
+        } else {
             result.curveTo(placeOf(element), placeOf(letters.elementAt(i + 1)),
-                           placeOf(letters.elementAt(i + 2))),
-                i += 2;
+                           placeOf(letters.elementAt(i + 2)));
+            i += 2;
+        }
     }
     return result;
 }
