@@ -10,6 +10,7 @@
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
 #include "made_up_line.h"
+#include "rules/contour_clearance.h"
 #include "rules/thresholds.h"
 
 namespace {
@@ -22,6 +23,17 @@ LineStyle all_opaque() {
     LineStyle style = helpers::all_laplacian_lines();
     style.fading = style.end_length = style.contour_clearance = 0;
     return style;
+}
+
+/// A cylinder of radius 1 from the side: the contour is 1 − cos φ away in the picture.
+TEST(Fading, MeasuresTheDistanceToContoursInThePicture) {
+    const float angle = 0.1f, distance = 1 - std::cos(angle);
+    const auto opacity = [&](float clearance) {
+        return clearance_opacity(std::sin(angle), std::cos(angle), clearance);
+    };
+    EXPECT_NEAR(opacity(distance), 1, 0.01);
+    EXPECT_NEAR(opacity(1.5f * distance), 1 / 3., 0.01);
+    EXPECT_NEAR(opacity(2 * distance), 0, 0.01);
 }
 
 float middle_opacity(const LineSet& set) {

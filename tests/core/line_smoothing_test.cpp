@@ -2,7 +2,12 @@
 // Smoothing of the lines' course.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
+#include "fixed/line_smoothing.h"
 #include "made_up_line.h"
+#include "rules/line_rules.h"
 
 namespace {
 
@@ -55,6 +60,22 @@ TEST(LineSmoothing, KeepsTheLinesAndTheirEnds) {
         }
     }
     EXPECT_TRUE(has_closed);
+}
+
+/// What stands out at one point is spread like a Gaussian of this deviation, in points.
+TEST(LineSmoothing, HasTheDeviationAskedFor) {
+    constexpr int kMiddle = 50;
+    for (const double deviation : {1., 2., 3.}) {
+        std::vector<double> at(2 * kMiddle + 1, 0);
+        at[kMiddle] = 1;
+        smooth_binomially(
+            at.size(), false, smoothing_passes(deviation),
+            [&](std::size_t i) -> double& { return at[i]; }, [](std::size_t) { return false; });
+        double variance = 0;
+        for (int i = 0; i <= 2 * kMiddle; ++i)
+            variance += at[std::size_t(i)] * (i - kMiddle) * (i - kMiddle);
+        EXPECT_NEAR(std::sqrt(variance), deviation, 1e-6);
+    }
 }
 
 TEST(LineSmoothing, LeavesStraightLinesStraight) {

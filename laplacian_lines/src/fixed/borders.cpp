@@ -49,7 +49,7 @@ LineSet find_borders(const ExtractorData& data) {
     const auto point = [&](std::uint32_t vertex, const float* position) {
         const auto number = std::uint32_t(graph.crossings.size());
         const auto [place, is_new] = point_of_vertex.try_emplace(vertex, number);
-        if (is_new) graph.crossings.push_back({Eigen::Map<const Eigen::Vector3f>(position), 0, 1});
+        if (is_new) graph.crossings.push_back({Eigen::Map<const Eigen::Vector3f>(position), 0});
         return place->second;
     };
     const std::vector<BorderSide> sides = border_sides(data);
@@ -57,7 +57,7 @@ LineSet find_borders(const ExtractorData& data) {
         const BorderSide& side = sides[i];
         if (i + 1 < sides.size() && side.edge() == sides[i + 1].edge()) continue;
         const std::uint32_t begin = point(side.vertices[0], side.positions[0]);
-        graph.segments.push_back({begin, point(side.vertices[1], side.positions[1]), 0});
+        graph.segments.push_back({begin, point(side.vertices[1], side.positions[1])});
     }
     LineRules rules;
     rules.kind = LineKind::Border;

@@ -23,7 +23,7 @@ public:
             if (edge.shown_up_to < least_angle) continue;
             edges_.push_back(&edge);
             const std::uint32_t begin = crossing(edge, 0);
-            graph_.segments.push_back({begin, crossing(edge, 1), 0});
+            graph_.segments.push_back({begin, crossing(edge, 1)});
         }
     }
 
@@ -44,7 +44,7 @@ private:
         const auto number = std::uint32_t(graph_.crossings.size());
         const auto [place, is_new] = crossing_of_vertex_.try_emplace(edge.vertices[end], number);
         if (is_new) {
-            graph_.crossings.push_back({edge.positions[end], 0, 1});
+            graph_.crossings.push_back({edge.positions[end], 0});
             nets_.add();
         }
         float& angle = graph_.crossings[place->second].gradient;

@@ -11,14 +11,12 @@ namespace laplacian_lines {
 struct Crossing {
     Eigen::Vector3f position;  ///< local
     float gradient;            ///< as LinePoint::gradient
-    float opacity;
 };
 
 /// A piece of a line from one crossing to another. On consistently oriented triangles the end of
 /// one is the begin of the next.
 struct Segment {
     std::uint32_t begin, end;  ///< crossings
-    float slope;
 };
 
 /// Lines of which only the pieces are known, in no order; those that are found once for all views

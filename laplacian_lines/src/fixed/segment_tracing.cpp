@@ -30,42 +30,36 @@ private:
         Polyline line;
         line.first = std::uint32_t(lines_.points.size());
         line.kind = rules_.kind;
-        add_point(crossing_at(graph_, half), 0);
+        add_point(crossing_at(graph_, half));
         line.closed = follow_chain(
             half, [this](std::uint32_t end) { return memory_.linked_half[end]; },
             [&](std::uint32_t end) {
                 memory_.visited[end / 2] = 1;
-                add_segment(crossing_at(graph_, end), crossing_at(graph_, end ^ 1),
-                            graph_.segments[end / 2].slope, line);
+                add_segment(crossing_at(graph_, end), crossing_at(graph_, end ^ 1), line);
             });
         line.count = std::uint32_t(lines_.points.size()) - line.first;
         finish(line);
     }
 
-    void add_point(std::uint32_t crossing, float slope) {
+    void add_point(std::uint32_t crossing) {
         const Crossing& c = graph_.crossings[crossing];
-        lines_.points.push_back({c.position, slope, c.gradient, c.opacity});
+        lines_.points.push_back({c.position, 1, c.gradient, 1});
     }
 
-    void add_segment(std::uint32_t from, std::uint32_t to, float slope, Polyline& line) {
-        lines_.points.back().weight += slope;
-        add_point(to, slope);
+    void add_segment(std::uint32_t from, std::uint32_t to, Polyline& line) {
+        add_point(to);
         const Crossing &a = graph_.crossings[from], &b = graph_.crossings[to];
         const float length = (b.position - a.position).norm();
         line.length += length;
         line.strength += (a.gradient + b.gradient) / 2 * length;
-        line.slope += slope * length;
     }
 
     void finish(Polyline& line) {
-        line.slope = line.length > 0 ? line.slope / line.length : 0;
         if (!accepts(rules_, line)) {
             lines_.points.resize(line.first);
             return;
         }
         LinePoint* points = lines_.points.data() + line.first;
-        for (std::uint32_t i = 0; i < line.count; ++i)
-            points[i].weight = points[i].opacity = 1;
         smooth_positions(line, points, rules_.smoothing_passes);
         for (std::uint32_t i = 0; i < line.count; ++i)
             points[i].position =

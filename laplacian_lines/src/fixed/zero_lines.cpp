@@ -16,7 +16,7 @@ public:
         for (const ZeroPieces& of_cluster : pieces)
             for (const ZeroPiece& piece : of_cluster) {
                 const std::uint32_t begin = crossing(piece.ends[0]);
-                graph_.segments.push_back({begin, crossing(piece.ends[1]), 0});
+                graph_.segments.push_back({begin, crossing(piece.ends[1])});
             }
     }
     const CrossingGraph& graph() const { return graph_; }
@@ -31,7 +31,7 @@ private:
         const auto [place, is_new] = crossing_of_edge_.try_emplace(zero.edge, number);
         if (is_new) {
             // Its number travels through the tracing in place of a gradient.
-            graph_.crossings.push_back({zero.form.position, float(number), 1});
+            graph_.crossings.push_back({zero.form.position, float(number)});
             zeros_.push_back(&zero);
         }
         return place->second;
