@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "helpers.h"
 #include "laplacian_lines/error.h"
@@ -496,6 +497,29 @@ TEST(LineVisibility, SeenAndHiddenContoursAreAllThereAre) {
         EXPECT_GT(total_length(parts.hidden), 0.05f * whole);
         EXPECT_NEAR(total_length(parts.seen) + total_length(parts.hidden), whole, 0.02f * whole);
     }
+}
+
+/// Those of the last look are kept.
+TEST(LineVisibility, DrawsTheCreasesOfEachLook) {
+    const Scene scene{test_meshes::cube(3)};
+    LineStyle style;
+    style.shows = {};
+    style.shows[LineKind::Crease] = true;
+    const LineSet creases = scene.on_surface(kAslant, style);
+    ASSERT_GT(creases.lines.size(), 1u);
+    LineSet fewer = creases;
+    fewer.lines.resize(1);
+    std::vector<float> lengths;
+    for (const LineSet& lines : {creases, fewer, creases}) {
+        const SightOptions options{style.shows, 0, true};
+        const LineParts kept = scene.visibility.parts(kAslant, {lines}, options),
+                        anew = LineVisibility(scene.mesh).parts(kAslant, {lines}, options);
+        EXPECT_TRUE(helpers::same_lines(kept.seen, anew.seen));
+        EXPECT_TRUE(helpers::same_lines(kept.hidden, anew.hidden));
+        lengths.push_back(total_length(kept.seen));
+    }
+    EXPECT_GT(lengths[0], lengths[1]);
+    EXPECT_EQ(lengths[0], lengths[2]);
 }
 
 TEST(LineVisibility, DoesNotDependOnTheNumberOfThreads) {

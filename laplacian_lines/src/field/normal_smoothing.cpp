@@ -15,7 +15,7 @@ constexpr double kLeastSigma = 1e-7;  // in D; no vertex has a neighbour as near
 constexpr double kAccuracy = 1e-3;    // of a sum on the grid
 // The grid leaves no tails out, so its sums are a little different; they are for meshes on which
 // the direct sum takes much longer: many vertices within a few mean edges.
-constexpr double kGridAdvantage = 8;
+constexpr double kGridAdvantage = 4;
 
 GaussianSums smoothing_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                             const std::vector<Eigen::Vector3d>& normals,

@@ -33,21 +33,31 @@ void CreaseMarker::find_along(const Vector3d& begin, const Vector3d& end,
     }
 }
 
-CreaseMarks CreaseMarker::mark(const std::vector<LineSet>& lines) const {
-    std::vector<const LinePoint*> begins;  // of the creases' segments
-    for (const LineSet& set : lines)
-        for (const Polyline& line : set.lines)
-            for (std::uint32_t i = 0; line.kind == LineKind::Crease && i + 1 < line.count; ++i)
-                begins.push_back(&set.points[line.first + i]);
-    if (begins.empty()) return {};
+CreaseMarks CreaseMarker::mark(const std::vector<Segment>& creases) const {
+    if (creases.empty()) return {};
     CreaseMarks marks(mesh_.edge_count());
     const auto find = [&](std::uint32_t i, std::vector<std::uint32_t>& edges) {
-        find_along(mesh_.local(begins[i][0].position.cast<double>()),
-                   mesh_.local(begins[i][1].position.cast<double>()), edges);
+        find_along(mesh_.local(creases[i][0].cast<double>()),
+                   mesh_.local(creases[i][1].cast<double>()), edges);
     };
-    for (const std::uint32_t edge : collect<std::uint32_t>(begins.size(), find))
+    for (const std::uint32_t edge : collect<std::uint32_t>(creases.size(), find))
         marks[edge] = true;
     return marks;
+}
+
+std::shared_ptr<const CreaseMarks> CreaseMarker::mark(const std::vector<LineSet>& lines) const {
+    std::vector<Segment> creases;
+    for (const LineSet& set : lines)
+        for (const Polyline& line : set.lines)
+            for (std::uint32_t i = 1; line.kind == LineKind::Crease && i < line.count; ++i)
+                creases.push_back({set.points[line.first + i - 1].position,
+                                   set.points[line.first + i].position});
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (creases != creases_) {
+        marks_ = std::make_shared<const CreaseMarks>(mark(creases));
+        creases_ = std::move(creases);
+    }
+    return marks_;
 }
 
 }  // namespace laplacian_lines

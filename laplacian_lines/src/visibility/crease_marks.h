@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "laplacian_lines/line_set.h"
@@ -22,16 +24,22 @@ public:
     explicit CreaseMarker(const SightMesh& mesh) : mesh_(mesh) {}
 
     /// The edges between successive points of the creases among the lines. What is not an edge is
-    /// left out.
-    CreaseMarks mark(const std::vector<LineSet>& lines) const;
+    /// left out. Those of the last creases are kept: views of one mesh have the same.
+    std::shared_ptr<const CreaseMarks> mark(const std::vector<LineSet>& lines) const;
 
 private:
+    using Segment = std::array<Eigen::Vector3f, 2>;
+
+    CreaseMarks mark(const std::vector<Segment>& creases) const;
     void find_along(const Eigen::Vector3d& begin, const Eigen::Vector3d& end,
                     std::vector<std::uint32_t>& edges) const;
     const VertexPlaces& places() const;
 
     const SightMesh& mesh_;
     mutable OnDemand<std::unique_ptr<const VertexPlaces>> places_;
+    mutable std::mutex mutex_;
+    mutable std::vector<Segment> creases_;
+    mutable std::shared_ptr<const CreaseMarks> marks_ = std::make_shared<const CreaseMarks>();
 };
 
 }  // namespace laplacian_lines

@@ -50,7 +50,7 @@ std::vector<SightLine> look_at(const SightMesh& mesh, const CreaseMarker& crease
                                const SightOptions& options, const StageProgress& stage) {
     stage.report(0);
     const Picture picture(mesh, frame, stage.part(0, 0.3));
-    const SightSegments segments = find_sight_segments(picture, creases.mark(lines), lines);
+    const SightSegments segments = find_sight_segments(picture, *creases.mark(lines), lines);
     stage.report(0.4);
     const auto crossings = find_crossings(segments, stage.part(0.4, 0.6));
     const auto pieces = find_sight_pieces(segments, crossings, stage.part(0.6, 0.95));
