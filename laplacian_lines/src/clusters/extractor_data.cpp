@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <new>
 #ifdef __linux__
 #include <sys/mman.h>
@@ -46,14 +45,13 @@ void ExtractorData::Free::operator()(unsigned char* memory) const {
 
 void ExtractorData::allocate(std::size_t bytes) {
     const std::size_t alignment = bytes < kHugePage ? kCacheUnit : kHugePage;
-    const std::size_t size = (bytes + alignment - 1) / alignment * alignment;
-    memory_of_clusters.reset(static_cast<unsigned char*>(std::aligned_alloc(alignment, size)));
-    if (!memory_of_clusters) throw std::bad_alloc();
+    void* memory;
+    if (posix_memalign(&memory, alignment, bytes) != 0) throw std::bad_alloc();
+    memory_of_clusters.reset(static_cast<unsigned char*>(memory));
 #ifdef __linux__
-    madvise(memory_of_clusters.get(), size, MADV_HUGEPAGE);  // no harm if it fails
+    madvise(memory, bytes, MADV_HUGEPAGE);  // no harm if it fails
 #endif
-    std::memset(memory_of_clusters.get() + bytes, 0, size - bytes);
-    bytes_of_clusters = size;
+    bytes_of_clusters = bytes;
     bounds.assign(FacingBounds::kNumbers * padded_cluster_count(), 0);
 }
 
