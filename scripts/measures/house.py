@@ -43,8 +43,8 @@ def options():
     rows = re.findall(r"^\| (?!parameter|---|\|)(?:\*\*[^*]*\*\* )?([^|]+) \|", text, re.M)
     labels = {label for row in rows for label in row.split(", ")}
     keys = set(re.findall(r"^\| [^|]+ \| `([a-z]+)` \|", text.split("## Export")[-1], re.M)) | {"section"}
-    commands = [root / f"scripts/{name}.py"
-                for name in ("run", "test", "bench")] + sorted((root / "programs/drawing_program").glob("*.cpp"))
+    commands = [root / f"scripts/{name}.py" for name in ("product/command", "test", "bench")]
+    commands += sorted((root / "programs/drawing_program").glob("*.cpp"))
     words = {(c.parent.name, word) for c in commands for word in re.findall(r"(?<![\w-])--[a-z][a-z-]+", text_of(c))}
     drawn = set(re.findall(r"^\| `--([a-z]+)` \|", text_of("docs/drawing_sheets.md"), re.M))
     words |= {("drawing_program", "--" + word) for word in drawn}
