@@ -163,7 +163,7 @@ TEST(Roughness, GivesTheFieldOfTheSigmaThatItChooses) {
     EXPECT_TRUE(helpers::same_fields(field, precompute(terraces(), options)));
 }
 
-/// tests/benchmarks/terraces_test.cpp has where they are drawn.
+/// Terraces.AreDrawnLikeTheSmoothForm has where they are drawn.
 TEST(Roughness, HasTerracesDrawnWithAsManyLinesAsTheSmoothForm) {
     PrecomputeOptions little;
     little.normal_sigma = 0.8;
