@@ -96,6 +96,7 @@ TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
                                     line(LineClass::Contour, {{-9, 10}, {0, 10}})};
     joinLooseEnds(lines, {}, reach);
     EXPECT_EQ(lines[0].points.back().position, Eigen::Vector2d(0, 10));
+    EXPECT_EQ(lines[0].points.size(), 2u) << "without a way back";
     lines = {line(LineClass::Edge, {{-9, 0}, {0.04, 0.1}}),
              line(LineClass::Edge, {{0, 0}, {9, -0.1}})};
     joinLooseEnds(lines, {}, reach);
