@@ -11,6 +11,7 @@ from environment.messages import Failure, run_main
 from environment.packages import meshlab_version
 from hosts import hosts, reach
 from hosts.results import Results
+from measures import mutants
 
 ABOUT = f"""\
 Without options, ./test tests the core, and the plugins in the MeshLab installed here. Only tests whose names match a
@@ -38,6 +39,11 @@ def parse(words):
                         help="the core's tests of threads under ThreadSanitizer; REGEX is a filter of GoogleTest")
     parser.add_argument("--reach", action="store_true",
                         help="the portable plugins in MeshLabs that did not build them, the packages, and the wheel")
+    parser.add_argument("--mutants", action="store_true",
+                        help="which changes of the product no test notices, by night; REGEX is a room")
+    parser.add_argument("--count", type=int, default=300, help="of mutants")
+    parser.add_argument("--seed", type=int, default=1, help="of the places of mutants")
+    parser.add_argument("--most", type=int, default=1000, metavar="SECONDS", help="of the processor for a mutant")
     return parser.parse_intermixed_args(words)
 
 
@@ -62,6 +68,8 @@ def main():
         return sanitized.test_gui(options.regex)
     if options.threads:
         return sanitized.test_threads(options.regex)
+    if options.mutants:
+        return mutants.run(options.regex, options.count, options.seed, options.most)
     if not (options.host or options.checks or options.reach):
         return hosts.test_here(options.regex)
     if options.regex and not options.host:
