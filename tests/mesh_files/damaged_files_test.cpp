@@ -79,6 +79,10 @@ TEST(DamagedFiles, SayWhatAndWhere) {
               "it has 84 bytes, but 2 triangles take 184");
     EXPECT_EQ(defect(Format::Ply, "ply\nformat ascii 1.0\nelement vertex 1\nend_header\n"),
               "line 4: its vertices have no x");
+    EXPECT_EQ(defect(Format::Ply,
+                     "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty "
+                     "float y\nproperty float z\nend_header\n0 0 0\n0 y 0\n"),
+              "line 9: \"y\" is not a number, in vertex 2 of 2");
     EXPECT_EQ(defect(Format::Ply, "PLX\n"), "line 1: it does not begin with \"ply\"");
 }
 
