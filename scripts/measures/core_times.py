@@ -47,6 +47,22 @@ def measure(program, *words):
         return figures.read_text()
 
 
+def measure_busy(meshes):
+    """Prints tables of the main figures beside other work, and of commands for the last mesh."""
+    program, write_mesh = build_benchmarks("busy_table"), build_benchmarks("write_mesh")
+    with tempfile.TemporaryDirectory() as work:
+        large = f"{work}/large.ply"
+        if run([write_mesh, meshes[-1], "--subdivide", "2", large]) != 0:
+            raise Failure("the large mesh could not be made")
+        commands = {"./run --picture": f"--picture {work}/picture.png {meshes[-1]}",
+                    "six views on paper": f"--drawing {work}/six.pdf --views six --unit m {meshes[-1]}",
+                    "the same of 16 times the triangles": f"--drawing {work}/six.pdf --views six --unit m {large}"}
+        words = [word for label, words in commands.items()
+                 for word in ("--command", f"{label}={CHECKOUT}/run {words} >{work}/log 2>&1")]
+        figures = measure(program, *words, *meshes)
+    return f'{{"beside other work": {figures},\n"in_meshlab": {measure_in_meshlab(meshes[-1])}}}\n'
+
+
 def measure_in_meshlab(mesh):
     """Prints a table of what the plugins take there; the figures, "null" if they are left out."""
     for package in ("meshlab", "xvfb"):

@@ -5,8 +5,11 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <limits>
+#include <stdexcept>
 #include <thread>
 
 #include "laplacian_lines/precompute.h"
@@ -28,6 +31,9 @@ using namespace laplacian_lines;
 
 const Section kTimes{"ms", "ms"};
 const Section kRatios{"ratios", "Ratios"};
+const Section kMemory{"memory", "Memory"};
+
+constexpr int kRoundsOfCommands = 3;
 
 struct LoadName {
     Load load;
@@ -42,6 +48,7 @@ constexpr std::array<LoadName, 4> kLoads = {{{Load::Quiet, "quiet"},
 struct Work {
     std::string key, text;
     std::function<double()> seconds_of_one;
+    int most_rounds = std::numeric_limits<int>::max();
     std::array<std::vector<double>, kLoads.size()> times = {};
 
     double median(std::size_t load) const {
@@ -107,6 +114,28 @@ Work fair_share(const double& processor) {
             }};
 }
 
+Work derivatives(const TriangleMesh& mesh, Field of_mesh) {
+    return {"derivatives", "C and the curvatures it goes with, all threads",
+            [&mesh, field = std::move(of_mesh)]() mutable {
+                set_thread_limit(0);
+                return seconds([&] { add_curvature_derivatives(mesh, field); });
+            }};
+}
+
+/// `text`: LABEL=COMMAND
+Work command(const std::string& text) {
+    const std::size_t end = text.find('=');
+    const std::string label = text.substr(0, end), words = text.substr(end + 1);
+    return {label, label,
+            [words] {
+                return seconds([&] {
+                    if (std::system(words.c_str()) != 0)
+                        throw std::runtime_error("failed: " + words);
+                });
+            },
+            kRoundsOfCommands};
+}
+
 #ifdef HAS_FILTERS
 Work filter(MeshDocument& document) {
     return {"filter", "the filter with its dialog's defaults, in MeshLab's document", [&document] {
@@ -128,7 +157,7 @@ void take_turns(std::vector<Work>& works, const Neighbours& neighbours, int roun
             const std::size_t load = (i + std::size_t(round)) % kLoads.size();
             neighbours.set(kLoads[load].load);
             for (Work& work : works)
-                work.times[load].push_back(work.seconds_of_one());
+                if (round < work.most_rounds) work.times[load].push_back(work.seconds_of_one());
         }
     neighbours.set(Load::Quiet);
 }
@@ -152,22 +181,28 @@ std::vector<MeshFigures> figures_of(const std::string& mesh, const std::vector<W
     return columns;
 }
 
-std::vector<MeshFigures> measure(const std::string& file, const Neighbours& neighbours,
-                                 int rounds) {
+std::vector<MeshFigures> measure(const std::string& file, const std::vector<std::string>& commands,
+                                 const Neighbours& neighbours, int rounds) {
     std::fprintf(stderr, "measuring %s\n", test_meshes::mesh_name(file).c_str());
     const TriangleMesh mesh = test_meshes::read_mesh(file);
     const Field of_mesh = precompute(mesh);
     Redraws redraws(mesh, of_mesh);
     double processor = 0;
-    std::vector<Work> works = {field(mesh, processor), fair_share(processor)};
+    std::vector<Work> works = {field(mesh, processor), fair_share(processor),
+                               derivatives(mesh, of_mesh)};
     add_redraws(redraws, works);
 #ifdef HAS_FILTERS
     MeshDocument document;
     addLayer(document, "mesh", mesh);
     works.push_back(filter(document));
 #endif
+    std::transform(commands.begin(), commands.end(), std::back_inserter(works), command);
     take_turns(works, neighbours, rounds);
-    return figures_of(test_meshes::mesh_name(file), works);
+    std::vector<MeshFigures> columns = figures_of(test_meshes::mesh_name(file), works);
+    for (MeshFigures& column : columns)
+        column.add(kMemory, "extractor_bytes", "bytes a vertex that the extractor holds",
+                   double(redraws.extractor().memory()) / double(mesh.positions.size()));
+    return columns;
 }
 
 }  // namespace
@@ -175,13 +210,19 @@ std::vector<MeshFigures> measure(const std::string& file, const Neighbours& neig
 int main(int argc, char** argv) {
     int rounds = 9;
     std::string json;
-    const std::vector<Option> options = {number("--rounds N", "(9)", rounds, 1),
-                                         text("--json FILE", "all figures", json)};
+    std::vector<std::string> commands;
+    const std::vector<Option> options = {
+        number("--rounds N", "(9)", rounds, 1),
+        text("--json FILE", "all figures", json),
+        {"--command LABEL=COMMAND", "times a command of the shell with the last mesh, three rounds",
+         [&](const std::string& text) { commands.push_back(text); }}};
     return run_program(argc, argv, "MESH...", options, [&](const auto& files) {
         const Neighbours neighbours;
         std::vector<MeshFigures> columns;
         for (const std::string& file : files)
-            for (MeshFigures& column : measure(file, neighbours, rounds))
+            for (MeshFigures& column :
+                 measure(file, &file == &files.back() ? commands : std::vector<std::string>(),
+                         neighbours, rounds))
                 columns.push_back(std::move(column));
         print_report(columns, json);
         return true;
