@@ -13,7 +13,6 @@
 #include "plain_finishing.h"
 #include "plain_kinds.h"
 #include "plain_parts.h"
-#include "redraw/kinds/contours.h"
 #include "redraw/kinds/strip_kinds.h"
 #include "rules/convexity.h"
 #include "rules/line_rules.h"

@@ -4,9 +4,15 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "clusters/local_eye.h"
-
 namespace laplacian_lines {
+
+/// A homogeneous point in local coordinates, scaled so that n·(eye − w p) is about in [−1, 1].
+struct LocalEye {
+    Eigen::Vector3f eye;
+    float w;
+
+    Eigen::Vector3f towards(const Eigen::Vector3f& p) const { return eye - w * p; }
+};
 
 /// Planes N·(e − w p) = 0 in the homogeneous eye (e, w): N and N·p, one array for each number, so
 /// that a pass over all is vectorized.

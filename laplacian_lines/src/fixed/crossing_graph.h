@@ -22,7 +22,6 @@ struct Segment {
 /// Lines of which only the pieces are known, in no order; those that are found once for all views
 /// and those along edges of the mesh.
 struct CrossingGraph {
-    static constexpr std::uint32_t kNoCrossing = 0xffffffffu;
     std::vector<Crossing> crossings;
     std::vector<Segment> segments;
 };

@@ -6,7 +6,7 @@
 
 #include "clusters/coarse_horizon.h"
 #include "clusters/extractor_data.h"
-#include "clusters/local_eye.h"
+#include "clusters/planes.h"
 #include "fixed/fixed_lines.h"
 #include "laplacian_lines/error.h"
 #include "redraw/horizon.h"

@@ -3,9 +3,9 @@
 #include <map>
 #include <tuple>
 
+#include "fixed/line_smoothing.h"
 #include "rules/line_rules.h"
 #include "system/chains.h"
-#include "visibility/sight_smoothing.h"
 #include "visibility/sight_tracing.h"
 
 namespace laplacian_lines {
@@ -192,6 +192,18 @@ private:
 void trace_edges(const SightSegments& all, const std::vector<SightPiece>& pieces,
                  const SightOptions& options, std::vector<SightLine>& traced) {
     EdgeTracer(all, pieces, options).trace(traced);
+}
+
+void smooth_between_exact(int passes, SightLine& line) {
+    std::vector<SightPoint>& points = line.points;
+    const std::size_t last = points.size() - 1;
+    if (last < 2) return;
+    smooth_binomially(
+        points.size(), line.closed, passes,
+        [&](std::size_t i) -> Eigen::Vector3d& { return points[i].position; },
+        [&](std::size_t i) {
+            return points[i].is_exact || (!line.closed && (i == 0 || i == last));
+        });
 }
 
 }  // namespace laplacian_lines

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which occluding contours a style shows.
-#include "redraw/kinds/contours.h"
-
 #include "redraw/kinds/strip_kinds.h"
 
 namespace laplacian_lines {

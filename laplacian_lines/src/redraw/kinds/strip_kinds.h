@@ -24,6 +24,9 @@ LineRules rules_by_slope(LineKind kind, const LineStyle& style);
 /// `full` above that, whatever the detail.
 void set_slopes(float least, float full, LineRules& rules);
 
+/// The rules of occluding contours.
+LineRules contour_rules(const LineStyle& style);
+
 extern const StripKind laplacian_line_strips;  ///< laplacian_lines.cpp
 extern const StripKind contour_strips;         ///< contours.cpp
 extern const StripKind suggestive_contour_strips, suggestive_highlight_strips;
