@@ -58,6 +58,15 @@ TEST(ExtractorBuilding, DoesNotDependOnTheNumberOfThreads) {
     expect_same_data(test_meshes::bumpy_sphere(6, 0.15).mesh, "bumpy sphere");
 }
 
+/// And nothing of the large page in which they end.
+TEST(ExtractorBuilding, HoldsWhatClustersNeed) {
+    const TriangleMesh mesh = test_meshes::bumpy_sphere(6, 0.15).mesh;
+    const ExtractorData data = build(mesh, precompute(mesh), 2);
+    const Cluster& last = data.clusters.back();
+    EXPECT_EQ(data.bytes_of_clusters,
+              last.first_unit * std::size_t(kCacheUnit) + cluster_layout(last).end);
+}
+
 /// The same lines of all kinds as if the field had had them from the beginning.
 TEST(ExtractorBuilding, DerivativesCanBeAddedLater) {
     for (const char* name : {"hills", "dirty_torus", "torus"}) {
