@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sheet/view_drawing.h"
 #include "strokes/chaining.h"
 
 using namespace line_drawing;
@@ -48,12 +49,16 @@ TEST(Thinning, LeavesTheStrongerOfTwoLinesSideBySide) {
         thinOut({straight({0, 0}, {20, 0}, 0.5), straight({0, 0.3}, {20, 0.3})}, pens);
     ASSERT_EQ(thinned.size(), 1u);
     EXPECT_EQ(thinned[0].points[0].position.y(), 0.3);
-    EXPECT_EQ(thinOut({straight({0, 0}, {20, 0}), straight({0, 0.6}, {20, 0.6})}, pens).size(), 2u);
+    for (const auto& [distance, count] : {std::pair(2.9 * pen, 1u), std::pair(3.1 * pen, 2u)})
+        EXPECT_EQ(
+            thinOut({straight({0, 0}, {20, 0}), straight({0, distance}, {20, distance})}, pens)
+                .size(),
+            count);
 }
 
 TEST(Thinning, LeavesLinesThatCrossOrMeet) {
     const std::vector<DrawnLine> lines = {straight({0, 0}, {20, 0}), straight({10, -8}, {10, 8}),
-                                          straight({5, 0.05}, {5, 9})};
+                                          straight({5, 0.04}, {5, 9})};
     EXPECT_NEAR(lengthOfAll(thinOut(lines, pens)), lengthOfAll(lines), 1e-9);
 }
 
@@ -124,6 +129,41 @@ TEST(Chaining, JoinsLinesOverGaps) {
     EXPECT_EQ(strokes({first, straight({11, 0}, {11, 9})}), 2u);        // turns
     const DrawnLine across = straight({10.7, -3}, {10.7, 3}, 1, LineClass::Contour);
     EXPECT_EQ(strokes({first, straight({11.5, 0}, {20, 0}), across}), 3u);
+}
+
+/// From (x, 0) on, in degrees to the left.
+DrawnLine towards(double x, double angle, LineClass line_class = LineClass::Inner) {
+    const double a = angle * 3.14159265 / 180;
+    return straight({x, 0}, Vector2d(x, 0) + 9 * Vector2d(std::cos(a), std::sin(a)), 1, line_class);
+}
+
+TEST(Chaining, JoinsLinesOverGapsThatAnArcCloses) {
+    EXPECT_EQ(strokes({towards(0, 180 - 25), towards(1.5, 25)}), 1u);
+    EXPECT_EQ(strokes({towards(0, 180 - 35), towards(1.5, 35)}), 2u);
+}
+
+TEST(Chaining, GoesAroundCorners) {
+    EXPECT_EQ(strokes({towards(0, 180), towards(0, 100)}), 1u);
+    EXPECT_EQ(strokes({towards(0, 180), towards(0, 120)}), 2u);  // a hairpin
+    EXPECT_EQ(strokes({towards(0, 180), towards(0.3, 100)}), 2u);
+    const DrawnLine contour = towards(0, 180, LineClass::Contour);
+    EXPECT_EQ(strokes({contour, towards(0, 100, LineClass::Contour)}), 2u);
+    const auto chained = chain({towards(0, 180), towards(0, 100), towards(0, 30)}, pens, false);
+    ASSERT_EQ(chained.size(), 2u);  // what goes straight on comes first
+    EXPECT_NEAR(lengthOf(chained[0].points), 18, 0.1);
+}
+
+TEST(ViewDrawing, JoinsWhatOnlyALineThatIsLeftOutHasParted) {
+    const auto inner_paths = [](const DrawnLine& between) {
+        DrawnView view{parseViews("front", UpAxis::Y)[0], {Vector2d(0, -5), Vector2d(20, 5)}};
+        view.lines = {straight({0, 0}, {9, 0}), between, straight({10.5, 0}, {20, 0})};
+        std::size_t paths = 0;
+        for (const SheetLayer& layer : drawView(view, 1, {1, {0, 0}}, {}, {}).layers)
+            if (layer.key == "inner") paths += layer.paths.size();
+        return paths;
+    };
+    EXPECT_EQ(inner_paths(straight({9.75, -3}, {9.75, 3})), 3u);
+    EXPECT_EQ(inner_paths(straight({9.75, -0.5}, {9.75, 0.5})), 1u);
 }
 
 TEST(Chaining, KeepsAllPointsInOrder) {

@@ -107,10 +107,13 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     lines = withoutSlightLines(std::move(lines), options);
     easeLines(lines, eased_share * pen);
     lines = withoutDoubles(std::move(lines), double_reach * pen);
-    const bool is_tapered = options.strokes == StrokeStyle::Tapered;
-    lines = chain(std::move(lines), options.pens, is_tapered);
-    cutHooks(lines, inner_pen);
+    const auto makeWhole = [&] {
+        cutHooks(lines, inner_pen);
+        lines = chain(std::move(lines), options.pens, options.strokes == StrokeStyle::Tapered);
+    };
+    makeWhole();
     lines = thinOut(std::move(lines), options.pens);
+    makeWhole();  // nothing passes between some ends any more
     const std::vector<MetEnd> met = joinEnds(lines, inner_pen);
     easeInnerLines(lines, eased_share_of_inner * inner_pen);
     followMet(met, inner_pen, lines);

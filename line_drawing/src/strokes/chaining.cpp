@@ -21,8 +21,9 @@ constexpr double same_place = 0.5;
 constexpr double tangent_reach = 3;        // over which the direction of an end is taken
 constexpr double swelling = 4;             // over which widths pass into each other
 constexpr double longest_gap_share = 0.5;  // of the shorter line
-constexpr double gap_cosine = 0.866;       // of 30°
+constexpr double gap_cosine = 0.866;       // of 30°, to the way over the gap: an arc turns by 60°
 constexpr double meeting_cosine = 0.766;   // of 40°
+constexpr double corner_cosine = -0.342;   // of 110°, from where on a line is cut at a hairpin
 
 struct End {
     std::size_t line;
@@ -122,8 +123,10 @@ private:
         if (!mixes_kinds_ && (isContour(a) || isContour(b)) &&
             (isContour(a) != isContour(b) || gap > same_place * pen_))
             return {};
-        if (turn < (meets ? meeting_cosine : gap_cosine)) return {};
-        if (!meets) {
+        if (meets) {
+            const bool is_corner = gap <= same_place * pen_ && !(isContour(a) && isContour(b));
+            if (turn < (is_corner ? corner_cosine : meeting_cosine)) return {};
+        } else {
             const double shorter = std::min(lengths_[a.line], lengths_[b.line]);
             if (isContour(a) || isContour(b) || gap > longest_gap * pen_ ||
                 gap > longest_gap_share * shorter || a.outwards.dot(way) < gap_cosine * gap ||

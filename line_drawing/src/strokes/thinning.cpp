@@ -13,14 +13,14 @@ namespace {
 using Eigen::Vector2d;
 
 // in pens of inner lines
-constexpr double between_lines = 2;  // from middle to middle
+constexpr double between_lines = 3;  // from middle to middle: two pens of white, as in ISO 128
 constexpr double least_white = 0.5;  // beside outlines
 constexpr double shortest_stroke = 6;
-constexpr double least_extent = 4;      // √h: what is folded within it is a knot
-constexpr double least_ink = 6;         // mean weight times length
-constexpr double shortest_loop = 24;    // 6 √h
-constexpr double longest_crossing = 5;  // that a line takes to pass another
-constexpr double longest_touch = 2;     // at an end that meets another line
+constexpr double least_extent = 4;    // √h: what is folded within it is a knot
+constexpr double least_ink = 6;       // mean weight times length
+constexpr double shortest_loop = 24;  // 6 √h
+constexpr double longest_crossing = 7.5, longest_near_pass = 5;  // at another line, or near one
+constexpr double longest_touch = 3, longest_near_end = 2;        // likewise, of an end
 constexpr double same_place = 0.2, same_end = 0.5;
 /// What is left of a fold among others is an island between them, unless it is this long or this
 /// share of it.
@@ -150,12 +150,16 @@ private:
             const auto from = std::ptrdiff_t(begin), to = std::ptrdiff_t(end),
                        rest = std::ptrdiff_t(points.size()) - to;
             const bool is_first = begin == 0, is_last = rest == 0;
-            if (is_first != is_last && length < longest_touch * pen_) {
+            const bool meets =
+                std::any_of(points.begin() + from, points.begin() + to,
+                            [&](const DrawnPoint& point) { return touches(point.position); });
+            if (is_first != is_last && length < (meets ? longest_touch : longest_near_end) * pen_) {
                 if (is_last)
                     freeUpToTouch(points.begin() + from, points.end(), is_free.begin() + from);
                 else
                     freeUpToTouch(points.rbegin() + rest, points.rend(), is_free.rbegin() + rest);
-            } else if (!is_first && !is_last && length < longest_crossing * pen_) {
+            } else if (!is_first && !is_last &&
+                       length < (meets ? longest_crossing : longest_near_pass) * pen_) {
                 std::fill(is_free.begin() + from, is_free.begin() + to, true);
             }
             begin = std::max(end, begin + 1);

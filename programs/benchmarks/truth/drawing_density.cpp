@@ -5,7 +5,6 @@
 // it.
 #include <QImage>
 #include <QPainter>
-#include <QPolygonF>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +13,7 @@
 #include <string>
 #include <tuple>
 
+#include "flat_drawing.h"
 #include "inner_strokes.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/make_sheet.h"
@@ -65,10 +65,10 @@ double penOf(const line_drawing::Sheet& sheet) {
         line_drawing::Weights::Illustrator)[std::size_t(line_drawing::LineClass::Inner)];
 }
 
-double lengthOf(const QPolygonF& line) {
+double lengthOf(const PlaneLine& line) {
     double length = 0;
-    for (int i = 1; i < line.size(); ++i)
-        length += std::hypot(line[i].x() - line[i - 1].x(), line[i].y() - line[i - 1].y());
+    for (std::size_t i = 1; i < line.size(); ++i)
+        length += (line[i] - line[i - 1]).norm();
     return length;
 }
 
@@ -77,31 +77,38 @@ double lengthOf(const QPolygonF& line) {
 /// inner lines.
 std::vector<double> strokeLengths(const line_drawing::Sheet& tapered,
                                   const line_drawing::Sheet& plain) {
-    std::vector<QPointF> middles;
+    std::vector<std::vector<QPointF>> inner;  // places within each inner line
     for (const auto& layer : plain.groups[0].layers)
-        for (const auto& path : layer.paths)
-            if (is_inner(layer)) middles.push_back(painterPath(path.path).pointAtPercent(0.5));
+        for (const auto& path : layer.paths) {
+            if (!is_inner(layer)) continue;
+            const QPainterPath line = painterPath(path.path);
+            inner.emplace_back();
+            for (const double share : {0.2, 0.35, 0.5, 0.65, 0.8})
+                inner.back().push_back(line.pointAtPercent(share));
+        }
     std::vector<double> lengths;
     for (const auto& layer : tapered.groups[0].layers)
         for (const auto& path : layer.paths) {
-            const auto outline = painterPath(path.path);
+            const QPainterPath outline = painterPath(path.path);
             const auto covers = [&](const QPointF& p) { return outline.contains(p); };
+            const auto goes_on = [&](const std::vector<QPointF>& places) {
+                return std::count_if(places.begin(), places.end(), covers) > 1;
+            };
             if (!is_inner(layer) &&
-                (layer.key != "contour" || std::none_of(middles.begin(), middles.end(), covers)))
+                (layer.key != "contour" || std::none_of(inner.begin(), inner.end(), goes_on)))
                 continue;
             lengths.push_back(0);  // half of the edges
-            for (const QPolygonF& line : outline.toSubpathPolygons())
+            for (const PlaneLine& line : path.path.flattened(flatness))
                 lengths.back() += lengthOf(line) / 2;
         }
     std::sort(lengths.begin(), lengths.end());
     return lengths;
 }
 
-std::vector<Piece> piecesOf(const QPolygonF& line, double longest) {
+std::vector<Piece> piecesOf(const PlaneLine& line, double longest) {
     std::vector<Piece> pieces(1);
-    for (int i = 0; i < line.size(); ++i) {
-        const Vector2d p(line[i].x(), line[i].y());
-        if (i > 0) {
+    for (const Vector2d& p : line) {
+        if (!pieces.back().points.empty()) {
             const Vector2d before = pieces.back().points.back();
             if (pieces.back().length > longest) pieces.push_back({{before}, 0});
             pieces.back().length += (p - before).norm();
@@ -120,7 +127,7 @@ double closeShare(const line_drawing::Sheet& sheet) {
     std::size_t number = 0;
     for (const auto& layer : sheet.groups[0].layers)
         for (const auto& path : layer.paths)
-            for (const QPolygonF& line : painterPath(path.path).toSubpathPolygons()) {
+            for (const PlaneLine& line : path.path.flattened(flatness)) {
                 if (layer.key == "area") continue;
                 number += 2;  // pieces beside this one belong to one course
                 for (const Piece& piece : piecesOf(line, own_course * pen)) {

@@ -13,33 +13,7 @@ namespace {
 using laplacian_lines::LineKind;
 using laplacian_lines::TriangleMesh;
 
-constexpr double flatness = 0.002;    // mm
 constexpr double closing_gap = 0.01;  // mm, between the ends of what counts as closed
-
-/// Appends a cubic curve from the line's end.
-void append_curve(PlaneLine& line, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
-    const PlanePoint a = line.back();
-    const double bend = std::max((a - 2 * b + c).norm(), (b - 2 * c + d).norm());
-    const int count = 1 + int(std::sqrt(0.75 * bend / flatness));
-    for (int k = 1; k <= count; ++k) {
-        const double t = double(k) / count, s = 1 - t;
-        line.push_back(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d);
-    }
-}
-
-PlaneLines lines_of(const line_drawing::Path& path) {
-    using Step = line_drawing::Path::Step;
-    PlaneLines lines;
-    for (const line_drawing::Path::Piece& piece : path.pieces) {
-        if (piece.step == Step::Move) lines.emplace_back();
-        if (lines.empty()) throw std::runtime_error("a path does not begin with a place");
-        if (piece.step == Step::Curve)
-            append_curve(lines.back(), piece.first, piece.second, piece.end);
-        else
-            lines.back().push_back(piece.end);
-    }
-    return lines;
-}
 
 line_drawing::SheetOptions options_of(const PlaneFrame& frame, double mm_per_unit) {
     line_drawing::SheetOptions options;
@@ -151,7 +125,7 @@ DrawnPaths flattened(const line_drawing::SheetGroup& view) {
     for (const line_drawing::SheetLayer& layer : view.layers)
         for (const line_drawing::SheetPath& path : layer.paths) {
             if (!(path.pen_width > 0)) continue;  // an area
-            for (PlaneLine& line : lines_of(path.path))
+            for (PlaneLine& line : path.path.flattened(flatness))
                 if (line.size() > 1) {
                     const bool is_closed = (line.front() - line.back()).norm() < closing_gap;
                     paths.push_back({std::move(line), layer.key == "outline", is_closed});

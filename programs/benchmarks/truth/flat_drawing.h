@@ -7,6 +7,8 @@
 
 namespace benchmarks {
 
+constexpr double flatness = 0.002;  // mm, of curves as they are measured
+
 /// A line of a measured drawing.
 struct DrawnPath {
     PlaneLine points;

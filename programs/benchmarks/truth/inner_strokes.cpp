@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner_strokes.h"
 
+#include "flat_drawing.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
 
@@ -8,8 +9,6 @@ namespace benchmarks {
 
 using namespace line_drawing;
 using laplacian_lines::TriangleMesh;
-
-constexpr double flatness = 0.5;  // mm
 
 SheetOptions front_options(const TriangleMesh& mesh, double width) {
     SheetOptions options;
@@ -33,21 +32,22 @@ QPainterPath covered_area(const Sheet& sheet) {
     return area;
 }
 
-std::vector<std::vector<Eigen::Vector2d>> inner_strokes(const TriangleMesh& mesh, double width) {
+DrawnStrokes drawn_strokes(const TriangleMesh& mesh, double width) {
     SheetOptions options = front_options(mesh, width);
     options.strokes = StrokeStyle::Plain;
     const Sheet sheet = makeSheets({{mesh, nullptr}}, {options}).front();
     const QPointF middle = covered_area(sheet).boundingRect().center();
     const Eigen::Vector3d centre = boundsOf(mesh).center();
-    std::vector<std::vector<Eigen::Vector2d>> strokes;
+    DrawnStrokes strokes;
     for (const SheetLayer& layer : sheet.groups[0].layers)
         for (const SheetPath& path : layer.paths) {
-            if (!is_inner(layer)) continue;
-            for (const auto& line : path.path.flattened(flatness)) {
-                strokes.emplace_back();
-                for (const Eigen::Vector2d& p : line)
-                    strokes.back().emplace_back(centre.x() + (p.x() - middle.x()) / options.scale,
-                                                centre.y() - (p.y() - middle.y()) / options.scale);
+            if (!(path.pen_width > 0)) continue;  // an area
+            for (PlaneLine& line : path.path.flattened(flatness)) {
+                for (PlanePoint& p : line)
+                    p = {centre.x() + (p.x() - middle.x()) / options.scale,
+                         centre.y() - (p.y() - middle.y()) / options.scale};
+                if (is_inner(layer)) strokes.inner.push_back(line);
+                strokes.all.push_back(std::move(line));
             }
         }
     return strokes;

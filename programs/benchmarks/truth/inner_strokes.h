@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/sheet.h"
 #include "line_drawing/sheet_options.h"
+#include "plane_lines.h"
 #include "sheet_painting/painting.h"
 
 namespace benchmarks {
@@ -19,8 +18,10 @@ bool is_inner(const line_drawing::SheetLayer& layer);
 /// What the mesh covers on the sheet.
 QPainterPath covered_area(const line_drawing::Sheet& sheet);
 
-/// Inner lines of a drawing by front_options() with even strokes, in the mesh's x and y.
-std::vector<std::vector<Eigen::Vector2d>> inner_strokes(const laplacian_lines::TriangleMesh& mesh,
-                                                        double width);
+/// Lines of a drawing by front_options() with even strokes, in the mesh's x and y.
+struct DrawnStrokes {
+    PlaneLines all, inner;
+};
+DrawnStrokes drawn_strokes(const laplacian_lines::TriangleMesh& mesh, double width);
 
 }  // namespace benchmarks

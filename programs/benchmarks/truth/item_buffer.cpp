@@ -99,6 +99,13 @@ PlanePoint ItemBuffer::place(double x, double y) const {
     return (corner_ + Eigen::Vector2d(x, y)) / item_pixels_per_mm;
 }
 
+std::optional<double> ItemBuffer::depth_at(const PlanePoint& place) const {
+    const PlanePoint pixel = item_pixels_per_mm * place - corner_;
+    const int x = int(std::lround(pixel.x())), y = int(std::lround(pixel.y()));
+    if (x < 0 || y < 0 || x >= width_ || y >= height_ || !is_covered(x, y)) return {};
+    return double(depths_[index(x, y)]) / item_pixels_per_mm;
+}
+
 void ItemBuffer::cover(std::uint32_t item, int x, int y, double depth) {
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
     const std::size_t i = index(x, y);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "flat_drawing.h"
@@ -33,6 +34,8 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
     PlanePoint place(double x, double y) const;  ///< of a pixel's middle
+    /// Towards the viewer, in mm; nothing over the background.
+    std::optional<double> depth_at(const PlanePoint& place) const;
 
 private:
     static constexpr std::uint32_t nothing = 0xffffffff;

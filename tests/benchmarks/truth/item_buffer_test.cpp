@@ -44,6 +44,16 @@ TEST(ItemBuffer, HasNoHolesBetweenTriangles) {
         EXPECT_GT(p.cwiseAbs().maxCoeff(), 4.9);
 }
 
+TEST(ItemBuffer, HasTheDepthOfWhatIsInFront) {
+    TriangleMesh squares = square_at(3, 5);
+    test_meshes::append(squares, square_at(-2, 9));
+    const ItemBuffer items(squares, from_above, {2, {0, 0, 1}});
+    EXPECT_NEAR(items.depth_at({-7, 4}).value(), 4, 1e-5);
+    EXPECT_NEAR(items.depth_at({-14, 4}).value(), -6, 1e-5);
+    EXPECT_FALSE(items.depth_at({-19, 4}));
+    EXPECT_FALSE(items.depth_at({500, 4}));
+}
+
 TEST(ItemBuffer, CoversAFaceThatIsSeenFromItsEdge) {
     const PlaneFrame from_the_side = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
     const ItemBuffer items(square_at(0, 5), from_the_side, {});
