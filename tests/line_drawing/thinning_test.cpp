@@ -142,6 +142,22 @@ TEST(Chaining, JoinsLinesOverGapsThatAnArcCloses) {
     EXPECT_EQ(strokes({towards(0, 180 - 35), towards(1.5, 35)}), 2u);
 }
 
+TEST(Chaining, LeadsEndsThatMeetToEachOtherWithoutAStep) {
+    const double aside = 1.8 * pen;
+    for (const LineClass c : {LineClass::Inner, LineClass::Contour}) {
+        const auto chained = chain(
+            {straight({0, 0}, {10, 0}, 1, c), straight({9.9, aside}, {20, aside})}, pens, true);
+        ASSERT_EQ(chained.size(), 1u);
+        const auto& points = chained[0].points;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const Vector2d step = points[i].position - points[i - 1].position;
+            EXPECT_LE(std::abs(step.y()), 0.25 * std::abs(step.x()));
+            EXPECT_TRUE(c == LineClass::Inner || std::abs(points[i].position.x()) > 10 ||
+                        points[i].position.y() == 0);
+        }
+    }
+}
+
 TEST(Chaining, GoesAroundCorners) {
     EXPECT_EQ(strokes({towards(0, 180), towards(0, 100)}), 1u);
     EXPECT_EQ(strokes({towards(0, 180), towards(0, 120)}), 2u);  // a hairpin

@@ -108,10 +108,11 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     easeLines(lines, eased_share * pen);
     lines = withoutDoubles(std::move(lines), double_reach * pen);
     const auto makeWhole = [&] {
-        cutHooks(lines, inner_pen);
         lines = chain(std::move(lines), options.pens, options.strokes == StrokeStyle::Tapered);
     };
+    cutHooks(lines, inner_pen);
     makeWhole();
+    cutHooks(lines, inner_pen);  // of what was too short by itself
     lines = thinOut(std::move(lines), options.pens);
     makeWhole();  // nothing passes between some ends any more
     const std::vector<MetEnd> met = joinEnds(lines, inner_pen);

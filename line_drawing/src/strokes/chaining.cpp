@@ -18,6 +18,7 @@ using Eigen::Vector2d;
 constexpr double longest_gap = 8;
 constexpr double meeting = 2;  // ends so near each other meet
 constexpr double same_place = 0.5;
+constexpr double bridging = 6;             // gaps, over which ends that meet are led to each other
 constexpr double tangent_reach = 3;        // over which the direction of an end is taken
 constexpr double swelling = 4;             // over which widths pass into each other
 constexpr double longest_gap_share = 0.5;  // of the shorter line
@@ -174,7 +175,9 @@ private:
             widest = std::min(widest, lines_[i].line_class);
         DrawnLine result{widest, closed, {}};
         std::vector<double> seams;
+        bool was_contour = false;
         for (const auto& [i, backwards] : way) {
+            const bool is_contour = lines_[i].line_class == LineClass::Contour;
             std::vector<DrawnPoint> points = std::move(lines_[i].points);
             if (backwards) std::reverse(points.begin(), points.end());
             const double share = fullWidth(lines_[i].line_class) / fullWidth(widest);
@@ -182,8 +185,10 @@ private:
                 point.weight *= share;
             if (!result.points.empty()) {
                 cutOverlap(result.points, points);
+                meet(result.points, was_contour, points, is_contour);
                 seams.push_back(lengthOf(result.points));
             }
+            was_contour = is_contour;
             result.points.insert(result.points.end(), points.begin(), points.end());
         }
         if (closed) result.points.push_back(result.points.front());
@@ -204,6 +209,18 @@ private:
                (points[first].position - end).dot(along) <= 0)
             ++first;
         points.erase(points.begin(), points.begin() + std::ptrdiff_t(first));
+    }
+
+    /// Leads ends that meet to one place between them without a step; contours stay.
+    void meet(std::vector<DrawnPoint>& before, bool is_fixed, std::vector<DrawnPoint>& after,
+              bool is_after_fixed) const {
+        const Vector2d gap = after.front().position - before.back().position;
+        if (gap.norm() > meeting * pen_ || (is_fixed && is_after_fixed)) return;
+        const double share = is_fixed ? 0 : is_after_fixed ? 1 : 0.5;
+        shiftEnd(before, true, share * gap, bridging * gap.norm());
+        shiftEnd(after, false, (share - 1) * gap, bridging * gap.norm());
+        before.back().position = after.front().position;
+        if (after.size() > 2) after.erase(after.begin());
     }
 
     /// Faint lines taper from the width of clear ones.

@@ -46,18 +46,6 @@ std::size_t beginOfHook(const std::vector<DrawnPoint>& points, double pen) {
     return begin;
 }
 
-/// Moves the end by `shift`, and what is nearer to it than `reach` by less and less.
-void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Vector2d& shift, double reach) {
-    double length = 0;
-    for (std::size_t k = 0; k < points.size() && length < reach; ++k) {
-        const std::size_t i = is_last ? points.size() - 1 - k : k;
-        const Vector2d before = points[i].position;
-        points[i].position += (1 - length / reach) * shift;
-        if (k + 1 < points.size())
-            length += (points[is_last ? i - 1 : i + 1].position - before).norm();
-    }
-}
-
 }  // namespace
 
 void cutHooks(std::vector<DrawnLine>& lines, double pen) {

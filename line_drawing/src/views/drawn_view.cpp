@@ -61,6 +61,18 @@ Eigen::Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, 
     return (at(0) - at(k)).stableNormalized();
 }
 
+void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Eigen::Vector2d& shift,
+              double reach) {
+    double length = 0;
+    for (std::size_t k = 0; k < points.size() && length < reach; ++k) {
+        const std::size_t i = is_last ? points.size() - 1 - k : k;
+        const Eigen::Vector2d before = points[i].position;
+        points[i].position += (1 - length / reach) * shift;
+        if (k + 1 < points.size())
+            length += (points[is_last ? i - 1 : i + 1].position - before).norm();
+    }
+}
+
 bool isSmooth(const DrawnLine& line) {
     return std::any_of(line.points.begin(), line.points.end(),
                        [](const DrawnPoint& point) { return !point.is_exact; });

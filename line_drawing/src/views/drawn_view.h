@@ -36,6 +36,11 @@ double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin = 0);
 /// away from it.
 Eigen::Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, double reach);
 
+/// Moves an end of a line by `shift`, and what is nearer to it along the line than `reach` by less
+/// and less.
+void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Eigen::Vector2d& shift,
+              double reach);
+
 /// Whether any of it only stands for a smooth line, and may be smoothed.
 bool isSmooth(const DrawnLine& line);
 
