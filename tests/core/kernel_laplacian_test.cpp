@@ -46,6 +46,7 @@ LineSet extract(const LineExtractor& extractor, const View& view, const LineStyl
 std::vector<LineStyle> styles() {
     LineStyle usual = helpers::all_kinds(), whole = usual;
     whole.whole_lines = true;
+    whole.least_concavity = -1;
     return {usual, whole};
 }
 

@@ -87,8 +87,8 @@ TYPED_TEST(OptionTable, ValuesMakeTheRoundTripAlone) {
 /// A member without a row could be set by no dialog: count the bytes of the members.
 TEST(OptionTables, DescribeEveryMember) {
     EXPECT_EQ(precompute_option_table().size(), 14u);
-    EXPECT_EQ(line_style_table().size(), 24 + line_kind_count);
-    EXPECT_EQ(sizeof(LineStyle), 24 * sizeof(double));
+    EXPECT_EQ(line_style_table().size(), 25 + line_kind_count);
+    EXPECT_EQ(sizeof(LineStyle), 25 * sizeof(double));
 }
 
 }  // namespace

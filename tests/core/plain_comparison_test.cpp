@@ -135,8 +135,7 @@ std::vector<NamedStyle> styles() {
             {"other kinds in detail", detailed_others}};
 }
 
-/// Where hairpins cut a line is a matter of rounding now and then, and of where a closed one
-/// starts.
+/// Where a closed one starts is a matter of the order of triangles.
 TEST_P(PlainComparison, GivesTheSameWholeLinesButForFew) {
     const std::string name = GetParam()->name;
     if (name == "cube") GTEST_SKIP() << "where nothing is curved, rounding decides what is concave";
@@ -144,21 +143,23 @@ TEST_P(PlainComparison, GivesTheSameWholeLinesButForFew) {
     const LineExtractor extractor(mesh(), field_);
     LineStyle whole = styles().front().style;
     whole.whole_lines = true;
-    LineStyle all_strokes = whole;
+    LineStyle all_strokes = whole, uncut = whole, others = styles().at(5).style;
     all_strokes.single_strokes = false;
-    for (const LineStyle& style : {whole, all_strokes}) {
-        std::size_t lines = 0, others = 0;
+    uncut.least_concavity = -1;
+    others.whole_lines = true;
+    for (const LineStyle& style : {whole, all_strokes, uncut, others}) {
+        std::size_t lines = 0, unlike = 0;
         for (const View& view : many_views(mesh(), field_)) {
             const LineSet found = helpers::extract(extractor, view, style);
             auto plain = reference::extract_plainly(mesh(), field_, view, style);
             lines += found.lines.size();
             for (const Polyline& line : found.lines)
-                others +=
+                unlike +=
                     !take(plain, line, found.points.data() + line.first, field_.scale.diagonal);
             for (const PlainLine& line : plain)
-                others += !line.uncertain;
+                unlike += !line.uncertain;
         }
-        EXPECT_LE(others, 6 + lines / 100) << "of " << lines;
+        EXPECT_LE(unlike, 9 + lines / 100) << "of " << lines;
     }
 }
 

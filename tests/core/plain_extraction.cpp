@@ -69,7 +69,7 @@ float linear_form(const Eigen::Vector3d& v, const Eigen::Vector3d& p, const Eye&
 struct Crossing {
     Eigen::Vector3f position, gradient;
     float gradient_norm, opacity;
-    float concave;  // ‖∇I‖ times the cosine between −∇I and the tangential part of l
+    float concave = 0;  // ‖∇I‖ times the cosine between −∇I and the tangential part of l
     bool accepted;
 };
 
@@ -248,11 +248,12 @@ private:
         }
         const float lit = dot(normal, l);
         const float tangential = std::sqrt(std::max(dot(l, l) - lit * lit, 0.f));
-        if (rules.whole) {
+        if (rules.whole && rules.concave_only) {
             const float concave = -dot(l, c.gradient) / tangential;
             c.concave = std::isnan(concave)
                             ? -c.gradient_norm
                             : std::clamp(concave, -c.gradient_norm, c.gradient_norm);
+            c.accepted = c.accepted && c.concave >= rules.least_concavity * c.gradient_norm;
         } else if (rules.concave_only) {
             const float concavity = -dot(l, c.gradient) / (tangential * c.gradient_norm);
             const float begin = -rules.fading / 4, range = rules.fading / 2 - begin;
@@ -311,7 +312,8 @@ private:
             const float fu = value(above) - value(below), fv = value(third) - value(below);
             const Eigen::Vector3f steepest = fu * v.cross(n) + fv * n.cross(u);
             const auto convex = [&](std::uint32_t v) {
-                return rules.whole ? convex_around_[v] : is_convex(vertices_[v].shape_operator);
+                return rules.cut_by_convex() ? is_convex(vertices_[v].shape_operator)
+                                             : convex_around_[v];
             };
             if (rules.leave_out_convex && convex(below) && convex(above) && convex(third)) return;
             if (rules.leave_out_plain && is_plain(a, b, c)) return;
@@ -331,7 +333,8 @@ private:
                 }
             } else {
                 const float change = -product / (2 * dot(n, n));
-                slope = is_suggestive(rules.kind) ? change * std::sqrt(change) : change;
+                const float size = std::abs(change);
+                slope = is_suggestive(rules.kind) ? change * std::sqrt(size) : change;
                 if (!accept_change(rules, change, slope *= scale)) return;
             }
         }
@@ -342,9 +345,11 @@ private:
 
     /// Steeper ones are no wider.
     static bool accept_change(const LineRules& rules, float change, float& slope) {
-        if (!(change > 0) || !(slope >= rules.segment_slope)) return false;
-        slope = std::min(slope, rules.segment_slope + rules.full_slope);
-        return true;
+        if (rules.whole && std::isnan(change)) slope = 0;
+        const bool accepted = rules.whole || (change > 0 && slope >= rules.segment_slope);
+        const float most = rules.segment_slope + rules.full_slope;
+        slope = std::clamp(slope, -most, most);
+        return accepted;
     }
 
     Crossing apparent_crossing(const LineRules& rules, const Vertex& a, const Vertex& b) const {
@@ -508,14 +513,18 @@ std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& fi
     PlainExtraction extraction(mesh, field, view);
     std::vector<PlainLine> lines;
     LineRules laplacian = laplacian_line_strips.rules(style, !view.light);
-    laplacian.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
+    const auto kernel_of = [&](LineRules rules) {
+        rules.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
+        return rules;
+    };
+    laplacian = kernel_of(laplacian);
     if (style.shows[LineKind::Laplacian]) extraction.extract(laplacian, &Vertex::laplacian, lines);
     LineRules contours = contour_rules(style);
     if (extraction.is_sheet()) contours.concave_thinning = LineRules::kNoThinning;
     if (style.shows[LineKind::Contour]) extraction.extract(contours, &Vertex::illumination, lines);
     const auto extract = [&](const StripKind& kind, float Vertex::*function) {
         if (style.shows[kind.kind])
-            extraction.extract(kind.rules(style, !view.light), function, lines);
+            extraction.extract(kernel_of(kind.rules(style, !view.light)), function, lines);
     };
     if (!field.has_derivatives()) return lines;
     extract(suggestive_contour_strips, &Vertex::radial);

@@ -98,7 +98,7 @@ void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points)
     const bool ends_unseen[2] = {points[0].opacity == 0, points[line.count - 1].opacity == 0};
     // A line that only just passes the tests on whole lines is hardly seen, so that it does not
     // jump into the picture when the view turns a little further.
-    const float by_slope = rules.whole ? 1 : above(line.slope, rules.line_slope, rules.fading);
+    const float by_slope = above(line.slope, rules.line_slope, rules.fading);
     const float whole = std::min({by_slope, above(line.length, rules.least_length, rules.fading),
                                   above(line.strength, rules.least_strength, rules.fading)});
     for (std::uint32_t i = 0; i < line.count; ++i) {

@@ -21,7 +21,7 @@ struct PlainChain {
 };
 
 /// Appends the parts that are drawn, finished. What means along lines say is tested by itself; here
-/// is what a redraw makes of it: pieces of eight segments at most, that end where clusters do.
+/// is what a redraw makes of it: pieces of four segments at most, that end where clusters do.
 void add_parts(const laplacian_lines::LineRules& rules, const PlainChain& chain,
                const Eigen::Vector3d& centre, double diagonal, std::vector<PlainLine>& lines);
 

@@ -11,6 +11,10 @@ def lines_of(file, said="", **settings):
     """How many segments there are."""
     accept(file, EXAMPLE, **settings)
     expect_text("log", said)
+    return segments_told()
+
+
+def segments_told():
     return int(re.findall(r"Lines of torus.ply: .* (\d+) segments; ",
                           text_of("log") + "Lines of torus.ply: 0 0 segments; ")[0])
 
@@ -36,6 +40,14 @@ lines_of("mixture.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ a
          settings=5)
 expect(lines_of("detailed.ply", detail=90) > visible, "more detail gives no more lines")
 lines_of("lit.ply", light=1)
+# the kernel that was computed is what is drawn
+filter_script("laplacian_lines.mlx", {"kernel_size": 0.3}, "compute.mlx")
+filter_script(EXAMPLE, {})
+both = text_of("compute.mlx").replace("</FilterScript>", text_of("script.mlx").split("<FilterScript>")[1])
+pathlib.Path("script.mlx").write_text(both)
+expect(serve("-i", "torus.ply", "-s", "script.mlx", "-o", "computed.ply") == 0, "computing and drawing failed")
+expect_no_text("log", "computed with the default options")
+expect(segments_told() not in (0, visible), "the lines are those of the default kernel")
 for number, direction in {2: "0 0 1", 4: r"0 0 -1 \(Back\)", 5: r"-1 0 0 \(Left\)", 6: r"1 0 0 \(Right\)",
                           7: r"0 1 0 \(Top\)",
                           8: r"0 -1 0 \(Bottom\)"}.items():

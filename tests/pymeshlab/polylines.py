@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lines as polylines: as a function of Python and by the example script, with their attributes and errors."""
 
+import pymeshlab
+
 from harness import EXAMPLES, expect_error, meshes
 
 SCALARS = ("ll_line", "ll_kind", "ll_strength", "ll_slope", "ll_weight", "ll_gradient", "ll_opacity")
@@ -60,6 +62,15 @@ assert kinds(settings="Suggestive Contours") == {1, 7}
 assert kinds(settings="Apparent Ridges") == {1, 9}
 assert kinds(settings="Only Laplacian Lines", laplacian_lines=False) == {0, 1}
 assert kinds(laplacian_lines=False) == {1}
+
+# the kernel that was computed is what is drawn, and stays
+computed = meshes()
+computed.compute_laplacian_lines_per_vertex(kernel_size=pymeshlab.PercentageValue(6))
+kernel = computed.current_mesh().vertex_custom_scalar_attribute_array("ll_kernel_size")
+computed.generate_polyline_from_laplacian_lines(**from_the_side)
+assert len(lines_of(computed)[0]) != len(seen[0]), "the lines are those of the default kernel"
+computed.set_current_mesh(0)
+assert (computed.current_mesh().vertex_custom_scalar_attribute_array("ll_kernel_size") == kernel).all()
 
 refused = meshes()
 make = refused.generate_polyline_from_laplacian_lines

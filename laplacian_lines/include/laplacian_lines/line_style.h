@@ -29,13 +29,16 @@ struct LineStyle {
     double segment_slope = 0.004;  ///< least slope of a segment
     double line_slope = 0.012;     ///< least mean slope of a line
     /// Laplacian lines are traced whole, and means along them say which parts are drawn: all
-    /// thresholds on crossings and segments, Single Strokes and phantoms. Otherwise each crossing
+    /// thresholds on segments, Single Strokes and phantoms. Otherwise each crossing
     /// and segment is tested by itself, as in the paper, which leaves dashes where detail finer
     /// than the kernel changes S. See src/rules/line_parts.h.
     bool whole_lines = false;
-    double full_slope = 0.25;      ///< slope above segment_slope at which a line has its full width
-    double shortest_line = 0.01;   ///< least length of a line, in D
-    double least_facing = -0.15;   ///< least n·l/|l| at a crossing
+    /// Least cosine between −∇I and the tangential part of l at a crossing of a whole line, with
+    /// single_strokes. −1 lets texture that is finer than the kernel cut nothing, but costs time.
+    double least_concavity = -0.5;
+    double full_slope = 0.25;     ///< slope above segment_slope at which a line has its full width
+    double shortest_line = 0.01;  ///< least length of a line, in D
+    double least_facing = -0.15;  ///< least n·l/|l| at a crossing
     /// Standard deviation, in points of a line, of the smoothing of its course: lines follow the
     /// triangles' edges, which shows on coarse and noisy meshes.
     double line_smoothing = 1.2;

@@ -235,7 +235,12 @@ std::vector<StyleRow> threshold_rows() {
         boolean<&S::whole_lines>(
             "whole_lines", "Whole Lines",
             "Test means along lines instead of each of their pieces, so that fine texture does not "
-            "cut a line into dashes. Redraws take about half as long again."),
+            "cut a line into dashes. Redraws take about a fifth longer."),
+        for_programs("Measured drawings let nothing convex cut a line.",
+                     real<&S::least_concavity>(
+                         "least_concavity", "Least Concavity", -1, 1,
+                         "Least cosine between light and falling shading at a crossing of a whole "
+                         "line. Less lets fine texture cut fewer lines, but takes longer.")),
         for_programs(kAllKinds,
                      real<&S::segment_slope>(
                          "segment_slope", "Least Slope of a Segment", 0, 1e6,

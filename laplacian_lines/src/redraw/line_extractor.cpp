@@ -110,7 +110,12 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     for (unsigned number = 0; number < kStripKindCount; ++number) {
         const StripKind* const kind = strip_kinds()[number];
         LineRules rules = kind->rules(style, task.light_at_eye);
-        rules.kernel_size = laplacian.kernel_size;
+        const float own_size = data.laplacians.kernel_size;
+        rules.kernel_size = own_size;
+        if (kind->kind == LineKind::Laplacian) {
+            rules.kernel_size = laplacian.kernel_size;
+            if (laplacian.kernel_size > own_size) rules.least_concavity = -1;  // S is finer
+        }
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);

@@ -8,9 +8,14 @@ namespace {
 
 constexpr std::uint32_t kStripsAhead = 8;
 
-/// Appends a strip and joins it to those that are there.
+/// Appends a strip and joins it to those that are there. `loop`: the end where the last closed line
+/// began.
 void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStrip>& strips,
-            JoiningMemory& memory) {
+            JoiningMemory& memory, std::uint32_t& loop) {
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+        strips[a / 2].links[a % 2] = b;
+        strips[b / 2].links[b % 2] = a;
+    };
     const std::uint32_t first_end = 2 * std::uint32_t(strips.size());
     strips.push_back({points + strip.first_point, strip.point_count, strip.length, strip.strength,
                       strip.slope, strip.concave});
@@ -18,7 +23,8 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
         const std::uint32_t edge = strip.edges[side], end = first_end + side;
         if (edge == Strip::kNoEdge) continue;
         if (edge == Strip::kClosed) {
-            strips.back().links[side] = end ^ 1;
+            if (side == 0) loop = end;
+            if (side == 1) join(loop, end);
             continue;
         }
         if (edge == Strip::kContinued) {
@@ -30,9 +36,7 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
             waiting = memory.first_end + end;
             continue;
         }
-        const std::uint32_t other = waiting - memory.first_end;
-        strips.back().links[side] = other;
-        strips[other / 2].links[other % 2] = end;
+        join(waiting - memory.first_end, end);
         waiting = 0;
     }
 }
@@ -67,9 +71,10 @@ void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_e
     memory.next_end += ends;
     memory.strips[kind].clear();
     memory.strips[kind].reserve(ends / 2);
+    std::uint32_t loop = kNoEnd;
     for_each_strip(found, kind, memory.end_at_edge,
                    [&](const Strip& strip, const StripPoint* points) {
-                       append(strip, points, memory.strips[kind], memory);
+                       append(strip, points, memory.strips[kind], memory, loop);
                    });
 }
 

@@ -108,8 +108,7 @@ private:
         if (traced_.ends.size() == line.first_end) return;
         for (std::size_t i = part.begin; i <= part.begin + part.count; ++i) {
             const std::size_t knot = i > pieces ? i - pieces : i;
-            traced_.knots.push_back({memory_.finder.slope(knot), memory_.finder.opacity(knot),
-                                     memory_.finder.start(knot)});
+            traced_.knots.push_back({memory_.finder.slope(knot), memory_.finder.opacity(knot)});
         }
     }
 

@@ -21,7 +21,7 @@ struct TracedLines {
     };
     /// What LinePartFinder found where two strips meet, and at the ends.
     struct Knot {
-        float slope, opacity, start;
+        float slope, opacity;
     };
     std::vector<Line> lines;
     std::vector<std::uint32_t> ends;  ///< where strips are entered, see JoinedStrip

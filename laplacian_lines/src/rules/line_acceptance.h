@@ -6,11 +6,10 @@
 
 namespace laplacian_lines {
 
-/// Whether the rules on whole lines keep this one; means along it have told of its slope where
-/// LineRules::whole.
+/// Whether the rules on whole lines keep this one.
 inline bool accepts(const LineRules& rules, const Polyline& line) {
     return line.length >= rules.least_length && line.strength >= rules.least_strength &&
-           (!rules.use_slope || rules.whole || line.slope >= rules.line_slope);
+           (!rules.use_slope || line.slope >= rules.line_slope);
 }
 
 }  // namespace laplacian_lines

@@ -9,14 +9,8 @@
 namespace laplacian_lines {
 namespace {
 
-// in √h
-constexpr double kAveraging = 2.6;  // to both sides; as wide as a Gaussian of 1.5
-constexpr double kContinuation = 6;
-
+constexpr double kAveraging = 1.5;     // √h, to both sides
 constexpr double kLeastKernel = 1e-6;  // D; of fields that are made up
-
-constexpr float kClearConcavity = 0.25f;    // cosine
-constexpr float kContinuedGradient = 0.5f;  // of the threshold
 
 double finite_or_zero(float v) {
     return std::isfinite(v) ? double(v) : 0;
@@ -26,12 +20,9 @@ double finite_or_zero(float v) {
 
 void LinePartFinder::find(const LineRules& rules, const std::vector<LinePiece>& pieces,
                           bool closed) {
-    const double size = std::max(double(rules.kernel_size), kLeastKernel);
     closed_ = closed;
     addUp(pieces);
-    average(kAveraging * size);
-    judge(rules);
-    spread(kContinuation * size);
+    judge(rules, kAveraging * std::max(double(rules.kernel_size), kLeastKernel));
     collectParts();
 }
 
@@ -51,8 +42,9 @@ void LinePartFinder::addUp(const std::vector<LinePiece>& pieces) {
     }
 }
 
-void LinePartFinder::average(double reach) {
-    means_.resize(pieces_ + 1);
+void LinePartFinder::judge(const LineRules& rules, double reach) {
+    slopes_.assign(pieces_ + 1, 0.f);
+    seen_.assign(pieces_ + 1, 0.f);
     const double whole = sums_[offset_ + pieces_].length - sums_[offset_].length;
     if (closed_) reach = std::min(reach, whole / 2);
     // the sums at a length along the line; `k` runs ahead of it
@@ -66,60 +58,22 @@ void LinePartFinder::average(double reach) {
                 a.gradient + t * (b.gradient - a.gradient),
                 a.concave + t * (b.concave - a.concave)};
     };
+    const float over = 1 + rules.fading;
     std::size_t low = 0, high = 0;
     for (std::size_t i = 0; i <= pieces_; ++i) {
         const double here = sums_[offset_ + i].length;
         const Sums from = at(std::max(here - reach, 0.), low),
                    to = at(std::min(here + reach, sums_.back().length), high);
         const double length = to.length - from.length, gradient = to.gradient - from.gradient;
-        if (!(length > 0) || !(gradient > 0)) {
-            means_[i] = {0, 0, 0};
-            continue;
-        }
-        means_[i] = {float((to.slope - from.slope) / length), float(gradient / length),
-                     float((to.concave - from.concave) / gradient)};
+        if (!(length > 0) || !(gradient > 0)) continue;
+        slopes_[i] = float((to.slope - from.slope) / length);
+        seen_[i] = std::min(
+            rise(slopes_[i], rules.segment_slope, rules.segment_slope * over),
+            rise(float(gradient / length), rules.least_gradient / over, rules.least_gradient));
+        if (rules.concave_only)
+            seen_[i] = std::min(seen_[i], rise(float((to.concave - from.concave) / gradient),
+                                               -rules.fading / 4, rules.fading / 2));
     }
-}
-
-void LinePartFinder::judge(const LineRules& rules) {
-    continues_.resize(means_.size());
-    starts_.resize(means_.size());
-    const float over = 1 + rules.fading, convex = -rules.fading / 4;
-    for (std::size_t i = 0; i < means_.size(); ++i) {
-        const Means& m = means_[i];
-        float continues = std::min(rise(m.slope, rules.segment_slope, rules.segment_slope * over),
-                                   rise(m.gradient, kContinuedGradient * rules.least_gradient,
-                                        kContinuedGradient * rules.least_gradient * over));
-        float starts =
-            std::min(rise(m.slope, rules.line_slope, rules.line_slope * over),
-                     rise(m.gradient, rules.least_gradient, rules.least_gradient * over));
-        if (rules.concave_only) {
-            continues = std::min(continues, rise(m.concavity, convex, -2 * convex));
-            starts = std::min(starts, rise(m.concavity, kClearConcavity + convex, kClearConcavity));
-        }
-        continues_[i] = continues;
-        starts_[i] = std::min(starts, continues);
-    }
-}
-
-/// Along the line from where it starts, less and less, and never more than goes on.
-void LinePartFinder::spread(double reach) {
-    seen_.assign(means_.size(), 0);
-    const auto pass = [&](std::size_t i, std::size_t before, float& carried) {
-        const double step = std::abs(sums_[offset_ + i].length - sums_[offset_ + before].length);
-        const float faded = carried - float(step / reach);
-        carried = std::max(starts_[i], std::min(faded, continues_[i]));
-        seen_[i] = std::max(seen_[i], std::min(continues_[i], 2 * carried));
-    };
-    const int rounds = closed_ ? 2 : 1;
-    float carried = 0;
-    for (int round = 0; round < rounds; ++round)
-        for (std::size_t i = 0; i <= pieces_; ++i)
-            pass(i, i > 0 ? i - 1 : 0, carried);
-    carried = 0;
-    for (int round = 0; round < rounds; ++round)
-        for (std::size_t i = pieces_ + 1; i-- > 0;)
-            pass(i, i < pieces_ ? i + 1 : i, carried);
 }
 
 void LinePartFinder::collectParts() {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace laplacian_lines {
-
 int smoothing_passes(double deviation) {
     return int(std::lround(2 * deviation * deviation));  // a pass has a variance of 1/2
 }

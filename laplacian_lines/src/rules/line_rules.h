@@ -19,9 +19,10 @@ struct LineRules {
     bool reject_phantoms = false;
     bool concave_only = false;
     /// Nothing in triangles with is_convex() at all corners, where concave_only would accept
-    /// crossings at most near n ∥ l, the middle of the lit side. Of whole lines, which texture
-    /// should not cut, at the corners' neighbours as well.
+    /// crossings at most near n ∥ l, the middle of the lit side. Of whole lines that nothing convex
+    /// should cut, at the corners' neighbours as well.
     bool leave_out_convex = false;
+    bool cut_by_convex() const { return !whole || least_concavity > -1; }
     /// Nothing in triangles without a form of their own, see PlainPlaces.
     bool leave_out_plain = false;
     /// Nothing in triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
@@ -39,12 +40,13 @@ struct LineRules {
     static constexpr float kNoThinning = std::numeric_limits<float>::max();
     static constexpr float kFlat = 0.1f;  ///< ‖∇I‖·D; where it is less, signs are those of noise
     float fading = 0;                     ///< full opacity at (1 + fading) times a threshold
-    /// Crossings and segments are all kept, and means along lines are tested, see line_parts.h.
+    /// Means along lines are tested instead of crossings and segments, see line_parts.h.
     bool whole = false;
-    float kernel_size = 0;        ///< √h, D: means are over lengths of this order
-    int smoothing_passes = 0;     ///< of the positions, each with the weights 1-2-1
-    float end_length = 0;         ///< over which open ends fade, D
-    float contour_clearance = 0;  ///< lines nearer to a contour fade out, D in the picture
+    float kernel_size = 0;              ///< √h, D: means are over lengths of this order
+    float least_concavity = kAnything;  ///< cosine; crossings that whole lines have anyway
+    int smoothing_passes = 0;           ///< of the positions, each with the weights 1-2-1
+    float end_length = 0;               ///< over which open ends fade, D
+    float contour_clearance = 0;        ///< lines nearer to a contour fade out, D in the picture
 };
 
 /// How many passes of smoothing with 1-2-1 have this standard deviation.

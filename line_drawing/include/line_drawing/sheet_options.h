@@ -58,6 +58,7 @@ constexpr std::array<double, line_class_count> pensOf(Weights weights) {
 /// Lines on paper are traced whole.
 inline laplacian_lines::LineStyle styleOnPaper(laplacian_lines::LineStyle style = {}) {
     style.whole_lines = true;
+    style.least_concavity = -1;
     return style;
 }
 

@@ -290,10 +290,10 @@ static void extract_apparent_strips(const ClusterStore& store, const ExtractionT
     unsigned kept = keep_accepted(m, s, active.count);
     collect_apparent_corners(batch, active, memory.apparent, s, kept);
     test_segments<SegmentSlope::AlongOnce>(rules, s, kept);
-    kept = keep_steep(s, kept);
+    kept = keep_steep(rules, s, kept);
     measure_segments(rules, m, s, kept);
     const std::uint32_t begin = outputs->strip_count;
-    StripWriter(store, batch, active, m, s, kept, *outputs).write_all();
+    StripWriter(store, batch, active, m, s, kept, *outputs).write_all(rules);
     name_edges(store, begin, *outputs);
 }
 

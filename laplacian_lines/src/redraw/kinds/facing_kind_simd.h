@@ -23,7 +23,8 @@ struct FacingKind {
 
     static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
                                          unsigned group) {
-        const std::uint64_t* convex = rules.whole ? cluster.convex_around : cluster.convex;
+        const std::uint64_t* convex =
+            rules.cut_by_convex() ? cluster.convex : cluster.convex_around;
         return (rules.leave_out_convex ? convex[group] : 0) |
                (rules.leave_out_plain ? cluster.plain[group] : 0);
     }

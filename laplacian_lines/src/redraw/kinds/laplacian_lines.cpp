@@ -18,7 +18,7 @@ LineRules rules_of(const LineStyle& s, bool light_at_eye) {
     rules.least_facing = float(s.least_facing);
     rules.reject_phantoms = s.reject_phantoms;
     rules.concave_only = s.single_strokes;
-    rules.whole = s.whole_lines;
+    rules.least_concavity = float(s.least_concavity);
     rules.leave_out_convex = s.single_strokes && s.fading <= kMostFadingOfConvex;
     rules.segment_slope = thresholds.segment_slope;
     rules.line_slope = thresholds.line_slope;

@@ -24,7 +24,8 @@ static inline Concavity concavity_towards(Towards light, const CrossingMemory& m
 }
 
 /// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
-/// fading near contours, and concavity. `facing` is n·eye. Of whole lines, facing alone decides.
+/// fading near contours, and concavity. `facing` is n·eye. Of whole lines facing decides, and what
+/// is clearly convex goes.
 static inline void test_laplacian_crossings(const LineRules& rules, const ExtractionTask& task,
                                             const float* facings, CrossingMemory& m,
                                             std::size_t count) {
@@ -40,13 +41,15 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
             const Floats distance = facing * absolute(facing) / (2 * gradient);
             opacity = clamp01(2 * distance / rules.contour_clearance - 1);
         }
-        if (rules.concave_only || rules.whole) {
+        if (rules.concave_only) {
             const Concavity concave =
                 concavity_towards(task.light_at_eye ? eye : towards(task.light, m, i), m, i);
             if (rules.whole) {
                 const Floats part = concave.product / concave.tangential;
                 const Floats most = part < gradient ? part : gradient;
-                store(m.concave + i, part > -gradient ? most : -gradient);  // that for NaN
+                const Floats clamped = part > -gradient ? most : -gradient;  // that for NaN
+                store(m.concave + i, clamped);
+                accepted &= clamped >= rules.least_concavity * gradient;
             } else {
                 const Floats concavity = concave.product / (concave.tangential * gradient);
                 if (range > 0) opacity *= clamp01((concavity - least) / range);

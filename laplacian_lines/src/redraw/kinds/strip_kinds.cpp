@@ -10,6 +10,7 @@ LineRules rules_by_slope(LineKind kind, const LineStyle& s) {
     rules.kind = kind;
     rules.leave_out_plain = s.shows[LineKind::Crease];
     rules.use_slope = true;
+    rules.whole = s.whole_lines;
     rules.least_length = Thresholds(s).shortest_line;
     rules.fading = float(s.fading);
     rules.smoothing_passes = smoothing_passes(s.line_smoothing);

@@ -208,7 +208,7 @@ static void finish_line(const LineRules& rules, const LineSums& line, LineColumn
     if (rules.use_slope) {
         // A line that only just passes the tests on whole lines is hardly seen, so that it does
         // not jump into the picture when the view turns a little further.
-        const float by_slope = rules.whole ? 1 : above(line.slope, rules.line_slope, rules.fading);
+        const float by_slope = above(line.slope, rules.line_slope, rules.fading);
         const float by_length = above(line.length, rules.least_length, rules.fading);
         const float by_strength = above(line.strength, rules.least_strength, rules.fading);
         const float least = by_slope < by_length ? by_slope : by_length;

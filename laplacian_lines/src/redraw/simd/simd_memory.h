@@ -27,9 +27,9 @@ struct Strip {
     static constexpr std::uint32_t kNoEdge = 0xffffffffu, kClosed = 0xfffffffeu,
                                    kContinued = 0xfffffffdu;
     std::uint32_t first_point, point_count;
-    /// Edges where first and last point lie and other clusters' strips may go on, or kNoEdge; both
-    /// kClosed where the strip is a closed line by itself. kContinued: the strip before, or the
-    /// one after, goes on there.
+    /// Edges where first and last point lie and other clusters' strips may go on, or kNoEdge.
+    /// kContinued: the strip before, or the one after, goes on there. kClosed: at the beginning of
+    /// a strip and at the end of it or of a later one, which are one point.
     std::uint32_t edges[2];
     float length, strength, slope;  ///< sums over segments; slope times length
     float concave;                  ///< of whole lines, see LinePiece

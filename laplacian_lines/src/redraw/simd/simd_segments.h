@@ -80,8 +80,9 @@ static inline void measure_segments(const LineRules& rules, const CrossingMemory
         rows[0] = length;
         rows[1] = gradients / 2 * length;
         rows[2] = slope * length;
-        rows[3] = rules.whole ? Float4{mean(i), mean(i + 1), mean(i + 2), mean(i + 3)} * length
-                              : Float4{0, 0, 0, 0};
+        rows[3] = rules.whole && rules.concave_only
+                      ? Float4{mean(i), mean(i + 1), mean(i + 2), mean(i + 3)} * length
+                      : Float4{0, 0, 0, 0};
         transpose(rows);
         for (unsigned k = 0; k < 4; ++k)
             store4(s.sums[i + k], rows[k]);
@@ -118,10 +119,10 @@ static inline void collect_corners(const Batch& batch, const ActiveTriangles& ac
     }
 }
 
-/// What the slope of a segment is: with ∇f of the linear interpolant and the vectors d that a
-/// kind's test leaves in CrossingMemory::gradients,
+/// What the slope of a segment is, of whole lines less than 0 where ∇f·d > 0: with ∇f of the linear
+/// interpolant and the vectors d that a kind's test leaves in CrossingMemory::gradients,
 enum class SegmentSlope {
-    Scaled,  ///< ‖∇f‖ times slope_scale, of whole lines less than 0 where ∇f·d > 0: phantoms
+    Scaled,     ///< ‖∇f‖ times slope_scale
     Along,      ///< −∇f·d, a change in a squared length, times h_e, to the power 1.5
     AlongOnce,  ///< −∇f·d, a change in a length to the power 3, times h_e^1.5
 };
@@ -143,13 +144,16 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
         const Floats z = fu * (vx * ny - vy * nx) + fv * (nx * uy - ny * ux);
         const Floats product = x * load(s.gx + i) + y * load(s.gy + i) + z * load(s.gz + i);
         if (Slope != SegmentSlope::Scaled) {
-            const Floats change = at_least(-product / (2 * squared), 0);  // d summed over both ends
-            const Floats powered =
-                Slope == SegmentSlope::Along ? change * square_root(change) : change;
+            const Floats change = -product / (2 * squared);  // d summed over both ends
+            const Floats size = absolute(change);
+            const Floats powered = Slope == SegmentSlope::Along ? size * square_root(size) : size;
             const Floats slope = powered * (load(s.scale + i) / 3);
+            const Floats most = at_most(slope, rules.segment_slope + rules.full_slope);
             const Ints kept = (slope >= rules.segment_slope) & (change > 0);
-            store(s.slope + i,
-                  kept ? at_most(slope, rules.segment_slope + rules.full_slope) : Floats{} - 1);
+            if (rules.whole)  // nothing of a sliver's NaN
+                store(s.slope + i, change > 0 ? most : (change <= 0 ? -most : Floats{}));
+            else
+                store(s.slope + i, kept ? most : Floats{} - 1);
             continue;
         }
         const Floats steepness = square_root(x * x + y * y + z * z) / squared;
@@ -164,8 +168,9 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
     }
 }
 
-/// Leaves out refused segments; returns how many are left.
-static inline unsigned keep_steep(SegmentMemory& s, unsigned count) {
+/// Leaves out refused segments, of which whole lines have none; returns how many are left.
+static inline unsigned keep_steep(const LineRules& rules, SegmentMemory& s, unsigned count) {
+    if (rules.whole) return count;
     unsigned kept = 0;
     for (unsigned i = 0; i < count; ++i) {
         s.triangle[kept] = s.triangle[i];

@@ -10,7 +10,7 @@ namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
 
 /// Means along whole lines are known where strips end, so no strip is much longer than √h.
-constexpr unsigned kSegmentsOfPiece = 8;
+constexpr unsigned kSegmentsOfPiece = 4;
 
 class StripWriter {
 public:
@@ -25,12 +25,13 @@ public:
           count_(count),
           output_(output) {}
 
-    void write_all(unsigned most_segments = kBatchTriangles) {
+    void write_all(const LineRules& rules) {
+        const unsigned most_segments = rules.whole ? kSegmentsOfPiece : kBatchTriangles;
         const unsigned firsts = link();
         unsigned written = 0;
         for (unsigned i = 0; i < firsts; ++i)
             written += write(segments_.first[i], most_segments);
-        if (written < count_) write_loops(firsts);
+        if (written < count_) write_loops(firsts, most_segments);
     }
 
 private:
@@ -108,7 +109,7 @@ private:
     }
 
     /// What no strip has yet are lines that close within a cluster.
-    void write_loops(unsigned firsts) {
+    void write_loops(unsigned firsts, unsigned most) {
         std::uint8_t written[kBatchTriangles];
         __builtin_memset(written, 0, count_);
         for (unsigned i = 0; i < firsts; ++i)
@@ -120,9 +121,9 @@ private:
             for (written[i] = 1; segments_.next[last] != i; written[last] = 1)
                 last = segments_.next[last];
             segments_.next[last] = SegmentMemory::kNone;  // cut open
-            Strip& strip = output_.strips[output_.strip_count];
-            write(i, kBatchTriangles);
-            strip.edges[0] = strip.edges[1] = Strip::kClosed;
+            Strip& first = output_.strips[output_.strip_count];
+            write(i, most);
+            first.edges[0] = output_.strips[output_.strip_count - 1].edges[1] = Strip::kClosed;
         }
     }
 
@@ -176,14 +177,13 @@ static inline void append_strips(const ClusterStore& store, const ExtractionTask
         if (count == 0) return;
         collect_corners(batch, active, Kind::values(batch, kind), m, s, count);
         test_segments<Kind::kSlope>(rules, s, count);
-        if (!rules.whole) count = keep_steep(s, count);
+        count = keep_steep(rules, s, count);
     } else {
         count = keep_all(s, count);
         __builtin_memset(s.slope, 0, whole_vectors(count) * sizeof(float));
     }
     measure_segments(rules, m, s, count);
-    StripWriter(store, batch, active, m, s, count, output)
-        .write_all(rules.whole ? kSegmentsOfPiece : kBatchTriangles);
+    StripWriter(store, batch, active, m, s, count, output).write_all(rules);
 }
 
 }  // namespace SIMD_NAMESPACE
