@@ -13,6 +13,7 @@
 #include "../core/places.h"
 #include "flat_drawing.h"
 #include "generators.h"
+#include "line_drawing/path.h"
 #include "plane_canvas.h"
 
 namespace {
@@ -100,9 +101,10 @@ TEST(FlatDrawing, IsInTheCoordinatesOfItsView) {
 
 TEST(FlatDrawing, HasCurvesAsLines) {
     line_drawing::SheetGroup view{"view", "View", {{"outline", "Outline", {}, {}}}};
-    QPainterPath quarter(QPointF(10, 0));
+    line_drawing::Path quarter;
     const double k = 0.5522847498;
-    quarter.cubicTo(10, 10 * k, 10 * k, 10, 0, 10);
+    quarter.moveTo({10, 0});
+    quarter.curveTo({10, 10 * k}, {10 * k, 10}, {0, 10});
     view.layers[0].paths = {{quarter, 0.5, 0}, {quarter, 0, 0}};  // a stroke and an area
     const DrawnPaths paths = flattened(view);
     ASSERT_EQ(paths.size(), 1u);
