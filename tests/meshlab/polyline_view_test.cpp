@@ -37,7 +37,7 @@ TEST(PolylineView, SidesHaveAnUprightPicture) {
         EXPECT_TRUE(nearnessWarning(eye, box).isEmpty());
         const bool is_upright = eye.towards_viewer.y() == 0;
         EXPECT_EQ(eye.up.y(), is_upright ? 1 : 0);
-        EXPECT_TRUE(eye.words.contains(sideView(chosen.view).name));
+        EXPECT_TRUE(eye.words.contains(QString::fromStdString(sideView(chosen.view).name)));
     }
 }
 
