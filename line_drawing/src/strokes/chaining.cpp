@@ -24,7 +24,7 @@ constexpr double swelling = 4;             // over which widths pass into each o
 constexpr double longest_gap_share = 0.5;  // of the shorter line
 constexpr double gap_cosine = 0.866;       // of 30°, to the way over the gap: an arc turns by 60°
 constexpr double meeting_cosine = 0.766;   // of 40°
-constexpr double corner_cosine = -0.342;   // of 110°, from where on a line is cut at a hairpin
+constexpr double corner_cosine = -0.342;   // of 110°; beyond it is another side of the fold
 
 struct End {
     std::size_t line;
