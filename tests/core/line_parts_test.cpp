@@ -26,6 +26,7 @@ LineRules whole_rules() {
     rules.segment_slope = 0.004f;
     rules.line_slope = 0.012f;
     rules.fading = 1;
+    rules.least_concavity = -0.5f;  // tested before
     return rules;
 }
 

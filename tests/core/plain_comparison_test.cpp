@@ -135,7 +135,8 @@ std::vector<NamedStyle> styles() {
             {"other kinds in detail", detailed_others}};
 }
 
-/// Where a closed one starts is a matter of the order of triangles.
+/// Where a closed one starts is a matter of the order of triangles, and hairpins are not looked for
+/// there.
 TEST_P(PlainComparison, GivesTheSameWholeLinesButForFew) {
     const std::string name = GetParam()->name;
     if (name == "cube") GTEST_SKIP() << "where nothing is curved, rounding decides what is concave";

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "plain_finishing.h"
+#include "redraw/hairpins.h"
 #include "rules/line_acceptance.h"
 
 namespace reference {
@@ -62,15 +63,16 @@ public:
           lines_(lines) {}
 
     void write_all() {
+        std::vector<LinePiece> sums;
         for (const std::size_t segments : pieces_of(chain_)) {
             first_.push_back(first_.empty() ? 0 : first_.back() + segments_.back());
             segments_.push_back(segments);
             LinePiece sum{0, 0, 0, 0};
             for (std::size_t i = first_.back(); i < first_.back() + segments; ++i)
                 add(chain_.segments[i].sums, sum);
-            sums_.push_back(sum);
+            sums.push_back(sum);
         }
-        finder_.find(rules_, sums_, chain_.closed);
+        finder_.find(rules_, sums, chain_.closed);
         for (const LinePart& part : finder_.parts())
             write(part);
     }
@@ -83,15 +85,17 @@ private:
         sum.concave += piece.concave;
     }
 
-    /// The points of a part with mean slopes as weights.
+    /// The points of a part with mean slopes as weights; `starts_` beside them.
     PlainLine points_of(const LinePart& part) {
         PlainLine line{{}, {}, false};
+        starts_.clear();
         const auto add_point = [&](std::size_t place, std::size_t piece, float t) {
             const auto between = [&](float a, float b) { return a + t * (b - a); };
             LinePoint point = chain_.points[place];
             point.weight = between(finder_.slope(piece), finder_.slope(piece + 1));
             point.opacity *= between(finder_.opacity(piece), finder_.opacity(piece + 1));
             line.points.push_back(point);
+            starts_.push_back(between(finder_.opacity(piece), finder_.opacity(piece + 1)));
         };
         for (std::size_t i = 0; i < part.count; ++i) {
             const std::size_t piece = (part.begin + i) % segments_.size();
@@ -102,24 +106,66 @@ private:
         return line;
     }
 
-    void measure(const LinePart& part, Polyline& p) {
+    void measure(std::size_t first_segment, std::uint32_t begin, std::uint32_t end, Polyline& p) {
         LinePiece sum{0, 0, 0, 0};
-        for (std::size_t i = part.begin; i < part.begin + part.count; ++i)
-            add(sums_[i % sums_.size()], sum);
+        for (std::size_t i = begin; i + 1 < end; ++i)
+            add(chain_.segments[(first_segment + i) % chain_.segments.size()].sums, sum);
         p.kind = rules_.kind;
+        p.first = begin;
+        p.count = end - begin;
         p.length = sum.length;
         p.strength = sum.gradient;
         p.slope = sum.length > 0 ? sum.slope / sum.length : 0;
-        p.closed = part.closed;
     }
 
     void write(const LinePart& part) {
         PlainLine line = points_of(part);
-        line.polyline.count = std::uint32_t(line.points.size());
-        measure(part, line.polyline);
+        const auto count = std::uint32_t(line.points.size());
+        const std::size_t first_segment = first_[part.begin % segments_.size()];
+        measure(first_segment, 0, count, line.polyline);
+        line.polyline.closed = part.closed;
         if (!accepts(rules_, line.polyline)) return;
+        std::vector<Polyline> cut = {line.polyline};
+        if (fade_at_hairpins(line)) {
+            cut.clear();
+            for (const Hairpins::Range& range : hairpins_.ranges()) {
+                Polyline p = line.polyline;
+                if (range.end - range.begin < count) {
+                    measure(first_segment, range.begin, range.end, p);
+                    p.slope = line.polyline.slope;
+                    p.closed = false;
+                }
+                if (accepts(rules_, p)) cut.push_back(p);
+            }
+        }
         finish_plainly(rules_, line.polyline, centre_, diagonal_, line.points.data());
-        lines_.push_back(line);
+        for (const Polyline& p : cut) {
+            PlainLine of_range = line;
+            of_range.polyline = p;
+            of_range.points.assign(line.points.begin() + p.first,
+                                   line.points.begin() + p.first + p.count);
+            lines_.push_back(of_range);
+        }
+    }
+
+    bool fade_at_hairpins(PlainLine& line) {
+        std::vector<float> x, y, z, opacity;
+        for (const LinePoint& p : line.points) {
+            x.push_back(p.position.x());
+            y.push_back(p.position.y());
+            z.push_back(p.position.z());
+            opacity.push_back(p.opacity);
+        }
+        LineColumns columns{};
+        columns.x = x.data();
+        columns.y = y.data();
+        columns.z = z.data();
+        if (rules_.cut_by_convex()) return false;
+        if (!hairpins_.find(columns, line.polyline.count, rules_.kernel_size)) return false;
+        hairpins_.fade(starts_.data(), opacity.data());
+        for (std::size_t i = 0; i < opacity.size(); ++i)
+            line.points[i].opacity = opacity[i];
+        return true;
     }
 
     const LineRules& rules_;
@@ -128,8 +174,9 @@ private:
     const double diagonal_;
     std::vector<PlainLine>& lines_;
     std::vector<std::size_t> first_, segments_;  // of pieces
-    std::vector<LinePiece> sums_;
     LinePartFinder finder_;
+    Hairpins hairpins_;
+    std::vector<float> starts_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "redraw/simd/simd_functions.h"
+#include "rules/line_acceptance.h"
 #include "system/thread_pool.h"
 
 namespace laplacian_lines {
@@ -107,23 +108,85 @@ void interpolate(const TracedLines& traced, const TracedLines::Line& line, Value
     }
 }
 
+/// Polylines of the points between hairpins.
+void cut(const LineRules& rules, const LineColumns& c, const Polyline& whole,
+         const std::vector<Hairpins::Range>& ranges, std::vector<Polyline>& parts) {
+    for (const Hairpins::Range& range : ranges) {
+        Polyline p = whole;
+        p.first = whole.first + range.begin;
+        p.count = range.end - range.begin;
+        p.closed = false;
+        p.length = p.strength = 0;
+        for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
+            const Eigen::Vector3f step(c.x[i] - c.x[i - 1], c.y[i] - c.y[i - 1],
+                                       c.z[i] - c.z[i - 1]);
+            p.length += step.norm();
+            p.strength += (c.gradient[i - 1] + c.gradient[i]) / 2 * step.norm();
+        }
+        if (accepts(rules, p)) parts.push_back(p);
+    }
+}
+
 /// Weights become the mean slopes of a part of a whole line, and opacities what is seen of it.
-void finish_part(const TracedLines& traced, const TracedLines::Line& line, const LineColumns& c) {
+void finish_part(const TracedLines& traced, const TracedLines::Line& line, const LineColumns& c,
+                 FinishingThread& thread) {
     using Knot = TracedLines::Knot;
     interpolate(traced, line, &Knot::slope, [&](std::size_t i, float v) { c.weight[i] = v; });
     interpolate(traced, line, &Knot::opacity, [&](std::size_t i, float v) { c.opacity[i] *= v; });
+    const Polyline& p = line.polyline;
+    if (line.rules->cut_by_convex()) return;
+    if (!thread.hairpins.find(c, p.count, line.rules->kernel_size)) return;
+    interpolate(traced, line, &Knot::opacity, [&](std::size_t i, float v) { c.spare[i] = v; });
+    thread.hairpins.fade(c.spare, c.opacity);
+    const std::vector<Hairpins::Range>& ranges = thread.hairpins.ranges();
+    if (ranges.size() == 1 && ranges[0].end - ranges[0].begin == p.count) return;
+    cut(*line.rules, c, p, ranges, thread.cut_parts);
+    thread.cut_lines.push_back(p.first);
 }
 
 /// A traced line, to its place.
 void finish_line(const ExtractorData& data, const TracedLines& traced,
-                 const TracedLines::Line& line, std::size_t size, std::vector<float>& memory,
+                 const TracedLines::Line& line, std::size_t size, FinishingThread& thread,
                  LinePoint* points) {
     const Polyline& p = line.polyline;
-    LineColumns columns = make_columns(memory, size);
+    LineColumns columns = make_columns(thread.columns, size);
     collect_points(traced, line, columns);
     if (p.closed) close_line(p.count, columns);
-    if (line.rules->whole) finish_part(traced, line, columns);
+    if (line.rules->whole) finish_part(traced, line, columns, thread);
     finish(data, *line.rules, p, line.has_exact, columns, points);
+}
+
+/// Leaves out points that are of no line. Lines are in the order of their points.
+void pack(LineSet& lines) {
+    std::uint32_t next = 0;
+    for (Polyline& line : lines.lines) {
+        const auto first = lines.points.begin() + line.first;
+        if (line.first != next) std::move(first, first + line.count, lines.points.begin() + next);
+        line.first = next;
+        next += line.count;
+    }
+    lines.points.resize(next);
+}
+
+/// Puts what hairpins have cut in the places of the lines that were cut.
+void replace_cut_lines(const std::vector<FinishingThread>& threads, LineSet& set) {
+    std::vector<Polyline>& lines = set.lines;
+    std::vector<std::uint32_t> cut_lines;
+    std::vector<Polyline> parts;
+    for (const FinishingThread& thread : threads) {
+        cut_lines.insert(cut_lines.end(), thread.cut_lines.begin(), thread.cut_lines.end());
+        parts.insert(parts.end(), thread.cut_parts.begin(), thread.cut_parts.end());
+    }
+    if (cut_lines.empty()) return;
+    std::sort(cut_lines.begin(), cut_lines.end());
+    const auto is_cut = [&](const Polyline& p) {
+        return std::binary_search(cut_lines.begin(), cut_lines.end(), p.first);
+    };
+    lines.erase(std::remove_if(lines.begin(), lines.end(), is_cut), lines.end());
+    lines.insert(lines.end(), parts.begin(), parts.end());
+    std::sort(lines.begin(), lines.end(),
+              [](const Polyline& a, const Polyline& b) { return a.first < b.first; });
+    pack(set);
 }
 
 }  // namespace
@@ -140,8 +203,11 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
     const std::size_t blocks = (count + kLinesAtOnce - 1) / kLinesAtOnce;
     const unsigned workers = traced.point_count < kLeastParallelPoints ? 1 : workers_for(blocks);
     if (memory.size() < workers) memory.resize(workers);
-    for (std::vector<float>& columns : memory)
-        reserve_columns(columns, size);
+    for (FinishingThread& thread : memory) {
+        reserve_columns(thread.columns, size);
+        thread.cut_lines.clear();
+        thread.cut_parts.clear();
+    }
     share(blocks, workers, [&](unsigned worker, Blocks& shared) {
         for (std::size_t block; shared.take(block);)
             for (std::size_t i = block * kLinesAtOnce;
@@ -152,6 +218,7 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
                 lines.lines[i] = line.polyline;
             }
     });
+    replace_cut_lines(memory, lines);
 }
 
 }  // namespace laplacian_lines

@@ -9,8 +9,8 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr double kAveraging = 1.5;     // √h, to both sides
-constexpr double kLeastKernel = 1e-6;  // D; of fields that are made up
+constexpr double kAveraging = 1.5, kAveragingUncut = 2;  // √h, to both sides
+constexpr double kLeastKernel = 1e-6;                    // D; of fields that are made up
 
 double finite_or_zero(float v) {
     return std::isfinite(v) ? double(v) : 0;
@@ -22,7 +22,8 @@ void LinePartFinder::find(const LineRules& rules, const std::vector<LinePiece>& 
                           bool closed) {
     closed_ = closed;
     addUp(pieces);
-    judge(rules, kAveraging * std::max(double(rules.kernel_size), kLeastKernel));
+    const double reach = rules.cut_by_convex() ? kAveraging : kAveragingUncut;
+    judge(rules, reach * std::max(double(rules.kernel_size), kLeastKernel));
     collectParts();
 }
 

@@ -23,10 +23,11 @@ struct LinePart {
 };
 
 /// Which parts of a whole line are drawn, and how much of them is seen: as far as the means of
-/// slope, gradient and concavity over 1.5 √h to both sides are above their thresholds. So texture
-/// that is finer than the kernel, which changes their signs from segment to segment, does not cut a
-/// line that is clear on the whole; and what is further away does not count, so that a line which
-/// is joined to another one when the view turns stays as it was but for some √h.
+/// slope, gradient and concavity over 1.5 √h to both sides, 2 where nothing convex cuts, are above
+/// their thresholds. So texture that is finer than the kernel, which changes their signs from
+/// segment to segment, does not cut a line that is clear on the whole; and what is further away
+/// does not count, so that a line which is joined to another one when the view turns stays as it
+/// was but for some √h.
 ///
 /// Pieces are up to some √h long. Knots are where they meet, one more than there are pieces; what
 /// is found is found there, and goes evenly from one knot to the next.

@@ -22,7 +22,7 @@ struct LineRules {
     /// crossings at most near n ∥ l, the middle of the lit side. Of whole lines that nothing convex
     /// should cut, at the corners' neighbours as well.
     bool leave_out_convex = false;
-    bool cut_by_convex() const { return !whole || least_concavity > -1; }
+    bool cut_by_convex() const { return !whole || !concave_only || least_concavity > -1; }
     /// Nothing in triangles without a form of their own, see PlainPlaces.
     bool leave_out_plain = false;
     /// Nothing in triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
