@@ -36,7 +36,7 @@ static inline void write_active(const ClusterTriangle& triangle, unsigned negati
                                 unsigned slot, ActiveTriangle& active) {
     constexpr std::uint16_t v = kClusterVertices, n = kNumbersOfSlot;
     const ActivePattern& pattern = kActivePatterns[negative_corners];
-    Places numbers;
+    Places numbers = {};
 #if defined(__SSE4_1__)
     const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&triangle));
     const __m128i places = _mm_load_si128(reinterpret_cast<const __m128i*>(pattern.places));
