@@ -15,8 +15,8 @@ struct Path {
     enum class Step : unsigned char { Move, Line, Curve };
 
     struct Piece {
-        Step step;
-        Point end;
+        Step step = Step::Move;
+        Point end = Point::Zero();
         Point first = end, second = end;  ///< handles of a curve
     };
 
