@@ -9,7 +9,7 @@ import shutil
 
 from checks.clang_build import build_checks, build_with_clang, checks_folder
 from environment import packages
-from environment.build import CHECKOUT, build_folder
+from environment.build import CHECKOUT, build_folder, ctest
 from environment.messages import Failure, output, quietly, run, say
 
 GUI_TESTS = ("gui_filter", "gui_edits", "gui_views", "gui_memory", "gui_random_actions")  # without any named
@@ -32,8 +32,7 @@ def test_gui(regexes):
     reports.mkdir(parents=True)
     say("running the tests under sanitizers")
     library = output("clang", f"-print-file-name=libclang_rt.asan-{platform.machine()}.so")
-    code = run(["ctest", "--preset", "meshlab", "--test-dir", folder, "--tests-regex",
-                "|".join(regexes or GUI_TESTS)], cwd=CHECKOUT, env={
+    code = run(ctest(folder, "meshlab", "--tests-regex", "|".join(regexes or GUI_TESTS)), env={
         "DRIVE_SECONDS": SECONDS, "RANDOM_SEEDS": "3", **os.environ, "SANITIZER_LIBRARY": library,
         "LLVM_PROFILE_FILE": "/dev/null",
         "ASAN_OPTIONS": f"log_path={reports}/of:detect_leaks=1:malloc_context_size=2:stack_trace_format='    #%n %f %S %M'",

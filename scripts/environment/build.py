@@ -21,6 +21,16 @@ def ensure_toolchain(*extra_packages):
     ensure_headers()
 
 
+# Not presets of CMake: ctest takes the folder of logs from a preset, whatever folder it is told.
+SETS_OF_TESTS = {"all": [], "tests": ["--label-exclude", "^reach$"], "meshlab": ["--label-regex", "meshlab"],
+                 "versions": ["--label-regex", "versions"], "pymeshlab": ["--label-regex", "pymeshlab"]}
+
+
+def ctest(build, tests, *words):
+    """The command that runs a set of tests in a build folder."""
+    return ["ctest", "--test-dir", build, "--output-on-failure", *SETS_OF_TESTS[tests], *words]
+
+
 def build_folder(checkout=CHECKOUT):
     """A root's build is apart from this machine's."""
     return pathlib.Path(os.environ.get("LAPLACIAN_LINES_BUILD") or checkout / "build")

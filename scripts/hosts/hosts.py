@@ -6,7 +6,7 @@ import os
 import time
 
 from environment import packages
-from environment.build import CHECKOUT, build_folder, build_targets, processors
+from environment.build import CHECKOUT, build_folder, build_targets, ctest, processors
 from environment.files import cache_folder, compiled_folder
 from environment.messages import Failure, duration, say, started
 from environment.releases import SUITES
@@ -21,23 +21,22 @@ def is_here(host):
     return packages.meshlab_version().startswith(f"{host}.")
 
 
-def run_ctest(build, regexes, preset):
-    """Several tests at once, since those of MeshLab's windows wait half of their time: those of a preset of
-    CMakePresets.json whose names match one of the regexes."""
+def run_ctest(build, regexes, tests):
+    """Several tests at once, since those of MeshLab's windows wait half of their time: those of a set whose names match
+    one of the regexes."""
     words = ["--tests-regex", "|".join(regexes)] if regexes else []
-    with started(["ctest", "--preset", preset, "--test-dir", build, "--parallel", str(2 * processors()), *words],
-                 cwd=CHECKOUT) as ctest:
-        if ctest.wait() != 0:
+    with started(ctest(build, tests, "--parallel", str(2 * processors()), *words)) as running:
+        if running.wait() != 0:
             raise Failure("")
 
 
-def test_here(regexes, preset=None):
-    """Builds and runs the tests with the MeshLab installed here; without a preset also the core's."""
+def test_here(regexes, tests=None):
+    """Builds and runs the tests with the MeshLab installed here; without a set also the core's."""
     began = time.monotonic()
-    build_targets(*(["meshlab_tests"] if preset else []), preset="tests",
+    build_targets(*(["meshlab_tests"] if tests else []), preset="tests",
                   extra_packages=[*packages.DISPLAY, *packages.TEST])
     say(f"built in {duration(time.monotonic() - began)}; running the tests")
-    run_ctest(build_folder(), regexes, preset or ("all" if regexes else "tests"))
+    run_ctest(build_folder(), regexes, tests or ("all" if regexes else "tests"))
 
 
 def test_in_pymeshlab(regexes):

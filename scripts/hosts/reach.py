@@ -8,7 +8,7 @@ import shutil
 import sys
 
 from environment import packages
-from environment.build import CHECKOUT, processors
+from environment.build import CHECKOUT, ctest, processors
 from environment.files import cache_folder
 from environment.messages import Failure, run
 from environment.releases import SUITES
@@ -69,8 +69,7 @@ def run_in_root(command, settings=()):
 
 def test_in_root(tests, name, settings=()):
     """Runs tests of the build in the root, which has nothing else of this machine, and draws the dragon there."""
-    run_in_root(["env", "-C", CHECKOUT, "ctest", "--preset", "meshlab", "--test-dir", BUILD, "--parallel",
-                 str(processors()), "--tests-regex", tests], settings)
+    run_in_root(ctest(BUILD, "meshlab", "--parallel", str(processors()), "--tests-regex", tests), settings)
     run_in_root(["python3", "-B", "-c", PICTURE, BUILD / "stage", BUILD / f"dragon_{name}.png", default_mesh()], settings)
 
 
