@@ -65,7 +65,7 @@ assert kinds(laplacian_lines=False) == {1}
 
 # the kernel that was computed is what is drawn, and stays
 computed = meshes()
-computed.compute_laplacian_lines_per_vertex(kernel_size=pymeshlab.PercentageValue(6))
+computed.compute_laplacian_lines_per_vertex(kernel_size=pymeshlab.PercentageValue(3))
 kernel = computed.current_mesh().vertex_custom_scalar_attribute_array("ll_kernel_size")
 computed.generate_polyline_from_laplacian_lines(**from_the_side)
 assert len(lines_of(computed)[0]) != len(seen[0]), "the lines are those of the default kernel"
