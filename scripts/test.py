@@ -40,7 +40,7 @@ def parse(words):
     parser.add_argument("--reach", action="store_true",
                         help="the portable plugins in MeshLabs that did not build them, the packages, and the wheel")
     parser.add_argument("--mutants", action="store_true",
-                        help="which changes of the product no test notices, by night; REGEX is a room")
+                        help="which changes of the product no test notices, for a long time; REGEX is a room")
     parser.add_argument("--count", type=int, default=300, help="of mutants")
     parser.add_argument("--seed", type=int, default=1, help="of the places of mutants")
     parser.add_argument("--most", type=int, default=1000, metavar="SECONDS", help="of the processor for a mutant")

@@ -10,7 +10,6 @@ namespace {
 
 using line_drawing::SheetPath;
 using line_drawing::SheetText;
-using line_drawing::TextAnchor;
 
 constexpr int pixels = 100;  // of letters, before they are scaled
 
@@ -45,16 +44,13 @@ void paint(const SheetText& text, QPainter& painter) {
     const QFont font = lettering();
     const QString letters = QString::fromStdString(text.text);
     const double width = QFontMetricsF(font).horizontalAdvance(letters);
-    const double shift = text.anchor == TextAnchor::Right    ? width
-                         : text.anchor == TextAnchor::Middle ? width / 2
-                                                             : 0;
     const double size = text.height / pixels;
     painter.save();
-    painter.translate(inQt(text.position));
+    painter.translate(inQt(text.begin(size * width)));
     painter.scale(size, size);
     painter.setFont(font);
     painter.setPen(Qt::black);
-    painter.drawText(QPointF(-shift, 0), letters);
+    painter.drawText(QPointF(0, 0), letters);
     painter.restore();
 }
 

@@ -19,13 +19,18 @@ struct SheetPath {
     double tone = 0;  ///< of areas: 0 black, 1 white
 };
 
-enum class TextAnchor { Left, Middle, Right };
+enum class TextAnchor { Left, Middle, Right };  // in the order of their share of the width
 
 struct SheetText {
     Eigen::Vector2d position;  ///< on the base line, at `anchor` of the text
     double height = 0;
     TextAnchor anchor = TextAnchor::Left;
     std::string text;
+
+    /// Where it begins if it is so wide.
+    Eigen::Vector2d begin(double width) const {
+        return position - Eigen::Vector2d(width * int(anchor) / 2, 0);
+    }
 };
 
 /// What belongs to one class of lines: a layer of DXF and of SVG.

@@ -81,24 +81,16 @@ private:
                        "\". Write an SVG or DXF file, or other letters.");
             const Path path = outlines_(text.text);
             const double width = path.isEmpty() ? 0 : path.bounds().max().x();
-            const Path placed = path.placed(text.height, beginOf(text, width));
+            const Path placed = path.placed(text.height, text.begin(width * text.height));
             return add({placed, 0});
         }
         const std::string height = inThousandths(text.height);
         data_ += "0 g BT " + height + " 0 0 -" + height + ' ' +
-                 place(beginOf(text, standard.width)) + "Tm";
+                 place(text.begin(standard.width * text.height)) + "Tm";
         for (const FontRun& run : standard.runs)
             data_ += std::string(run.font == StandardFont::Symbol ? " /S" : " /H") + " 1 Tf (" +
                      escaped(run.codes) + ") Tj";
         data_ += " ET\n";
-    }
-
-    /// `width`: for a height of 1.
-    static Vector2d beginOf(const SheetText& text, double width) {
-        const double share = text.anchor == TextAnchor::Left     ? 0
-                             : text.anchor == TextAnchor::Middle ? 0.5
-                                                                 : 1;
-        return text.position - Vector2d(share * width * text.height, 0);
     }
 
     static std::string escaped(const std::string& codes) {
