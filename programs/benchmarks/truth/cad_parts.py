@@ -143,16 +143,19 @@ def knob():
     return knob.faces("<Z").workplane(origin=(0, 0, 0)).hole(8, 12)
 
 
-@part
-def gear():
-    teeth, outer, root = 24, 40, 33
-    pitch = 2 * math.pi / teeth
+def toothed(teeth, outer, root, tip):
+    """An outline, with half of a tip's width in teeth."""
     outline = []
     for tooth in range(teeth):
-        for share, radius in [(-0.3, root), (-0.13, outer), (0.13, outer), (0.3, root)]:
-            angle = (tooth + share) * pitch
+        for share, radius in [(-0.3, root), (-tip, outer), (tip, outer), (0.3, root)]:
+            angle = (tooth + share) * (2 * math.pi / teeth)
             outline.append((radius * math.cos(angle), radius * math.sin(angle)))
-    gear = cq.Workplane().polyline(outline).close().extrude(12)
+    return cq.Workplane().polyline(outline).close()
+
+
+@part
+def gear():
+    gear = toothed(24, 40, 33, 0.13).extrude(12)
     gear = gear.faces(">Z").workplane(origin=(0, 0, 12)).hole(16)
     gear = gear.cut(cq.Workplane(origin=(8, 0, 0)).rect(4, 5).extrude(12))
     return gear.faces(">Z").workplane(origin=(0, 0, 12)).pushPoints(around(5, 21)).hole(10)
@@ -160,14 +163,7 @@ def gear():
 
 @part
 def helical_gear():
-    teeth, outer, root = 17, 36, 29
-    pitch = 2 * math.pi / teeth
-    outline = []
-    for tooth in range(teeth):
-        for share, radius in [(-0.3, root), (-0.12, outer), (0.12, outer), (0.3, root)]:
-            angle = (tooth + share) * pitch
-            outline.append((radius * math.cos(angle), radius * math.sin(angle)))
-    gear = cq.Workplane().polyline(outline).close().twistExtrude(18, 20)
+    gear = toothed(17, 36, 29, 0.12).twistExtrude(18, 20)
     return gear.cut(cq.Workplane(origin=(0, 0, -1)).circle(9).extrude(30))
 
 

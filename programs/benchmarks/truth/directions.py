@@ -7,7 +7,6 @@ import math
 import numpy
 
 FACES, EDGES, CORNERS, ASIDE_BY_A_HAIR, ASIDE_BY_A_DEGREE, GENERIC = range(6)
-CLASSES = ["faces", "edges", "corners", "1e-6 aside", "1 degree aside", "generic"]
 GENERIC_ANGLES = [(23, 31), (-52, 17), (117, 43), (-149, -26)]  # azimuth, elevation
 
 
