@@ -102,7 +102,8 @@ LineSet extract(const Source& source, const laplacian_lines::Field& field, const
     if (chosen.visible_only)
         lines = visibility
                     ->parts(view, {extract_on_surface(extractor, view, chosen.style, scratch)},
-                            {chosen.style.shows, chosen.style.line_smoothing},
+                            {chosen.style.shows, chosen.style.line_smoothing, false, false,
+                             chosen.style.shortest_contour},
                             meshlab_host::progressTo(progress, lines_share))
                     .seen;
     else

@@ -70,6 +70,7 @@ std::vector<SightLine> Surface::visible_lines(const View& view, const LineStyle&
     });
     options.shows = style.shows;
     options.line_smoothing = style.line_smoothing;
+    options.shortest_contour = style.shortest_contour;
     return visibility_->look(view, {lines}, options, progress);
 }
 

@@ -499,6 +499,26 @@ TEST(LineVisibility, SeenAndHiddenContoursAreAllThereAre) {
     }
 }
 
+/// Of a unit ball seen from +z, with a small one before its middle or its outline.
+float length_with_small_ball(double radius, double x, double shortest_contour) {
+    const TriangleMesh ball = test_meshes::sphere(4).mesh;
+    TriangleMesh mesh = ball, small = ball;
+    for (Vector3d& p : small.positions)
+        p = radius * p + Vector3d(x, 0, 2);
+    test_meshes::append(mesh, small);
+    const SightOptions options{helpers::all_contours().shows, 0, false, false, shortest_contour};
+    const auto view = View::orthographic({0, 0, 1});
+    return total_length(LineVisibility(mesh).parts(view, {}, options).seen);
+}
+
+TEST(LineVisibility, SpecksAreLeftOutWhereNothingMeetsThem) {
+    constexpr double small = 0.002, large = 0.05;
+    const float whole = length_with_small_ball(small, 0, 0);
+    EXPECT_LT(length_with_small_ball(small, 0, 0.005), whole);
+    EXPECT_EQ(length_with_small_ball(large, 0, 0.005), length_with_small_ball(large, 0, 0));
+    EXPECT_EQ(length_with_small_ball(small, 1, 0.005), length_with_small_ball(small, 1, 0));
+}
+
 /// Those of the last look are kept.
 TEST(LineVisibility, DrawsTheCreasesOfEachLook) {
     const Scene scene{test_meshes::cube(3)};

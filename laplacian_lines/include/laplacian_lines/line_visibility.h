@@ -55,6 +55,9 @@ struct SightOptions {
     /// Lines go on as they do in the picture, at a contour from what is before it to what is
     /// behind: then outlines are closed. Otherwise as they do in space, each of one kind.
     bool in_picture = false;
+    /// As LineStyle::shortest_contour, D: how far contours and borders that meet no others have to
+    /// reach.
+    double shortest_contour = 0;
 };
 
 constexpr std::uint32_t kNoSightNode = 0xffffffffu;

@@ -6,6 +6,7 @@
 #include "fixed/line_smoothing.h"
 #include "rules/line_rules.h"
 #include "system/chains.h"
+#include "system/disjoint_sets.h"
 #include "visibility/sight_tracing.h"
 
 namespace laplacian_lines {
@@ -24,6 +25,7 @@ public:
         : all_(all), options_(options), first_crossing_(first_crossing_node(all)) {
         for (const SightPiece& piece : pieces)
             if (is_wanted(piece)) pieces_.push_back(piece);
+        if (options.shortest_contour > 0) leave_out_specks();
         link_.assign(2 * pieces_.size(), kNoEnd);
         visited_.assign(pieces_.size(), false);
     }
@@ -48,6 +50,32 @@ private:
         const SightSegment& segment = all_.segments[piece.segment];
         return segment.edge != SightSegment::kNone && options_.shows[segment.kind] &&
                (options_.has_hidden || !piece.is_hidden);
+    }
+
+    /// Dots where the roughness of a scan is on its horizon: contours and borders that meet nothing
+    /// else which is seen, and reach nowhere.
+    void leave_out_specks() {
+        std::uint32_t nodes = 0;
+        for (const SightPiece& piece : pieces_)
+            nodes = std::max({nodes, piece.nodes[0] + 1, piece.nodes[1] + 1});
+        DisjointSets sets(nodes);
+        for (const SightPiece& piece : pieces_)
+            if (!piece.is_hidden) sets.unite(piece.nodes[0], piece.nodes[1]);
+        const std::vector<std::uint32_t> set = sets.take_roots();
+        std::vector<std::uint32_t> first(nodes, kNoEnd);  // half of a set
+        std::vector<double> reach(nodes);                 // from it
+        for (std::uint32_t half = 0; half < 2 * pieces_.size(); ++half) {
+            const std::uint32_t at = set[pieces_[half / 2].nodes[half % 2]];
+            if (pieces_[half / 2].is_hidden) continue;
+            if (first[at] == kNoEnd) first[at] = half;
+            reach[at] = std::max(reach[at], (position(half) - position(first[at])).norm());
+        }
+        const double shortest = options_.shortest_contour * all_.picture.mesh().size;
+        const auto is_speck = [&](const SightPiece& piece) {
+            return !piece.is_hidden && describe(all_.segments[piece.segment].kind).is_outline &&
+                   reach[set[piece.nodes[0]]] < shortest;
+        };
+        pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_speck), pieces_.end());
     }
 
     /// Pieces of one class go on into each other; near edges of walls only among themselves.
