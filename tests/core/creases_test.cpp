@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "edges_of_lines.h"
 #include "generators.h"
 #include "helpers.h"
 #include "implicit_head.h"
 #include "laplacian_lines/precompute.h"
+#include "machined_part.h"
 #include "mesh_noise.h"
 
 namespace {
@@ -389,6 +391,30 @@ TEST(Creases, AreHardlyAnyOnNoisyScans) {
 }
 
 /// The contour is there, so an edge between a face that is seen and one that is not is left out.
+/// Of a part whose fillets are as wide as its triangles, where edges sharper than the least angle
+/// come singly, to and fro, and in loops.
+TEST(Creases, AreLeftToRidgesOnFilletsOfFewTriangles) {
+    const TriangleMesh mesh = test_meshes::MachinedPart(0.005).mesh(0.006);
+    const auto drawn = [&](std::initializer_list<LineKind> kinds) {
+        LineStyle style = creases_alone();
+        style.shows = {};
+        for (const LineKind kind : kinds)
+            style.shows[kind] = true;
+        std::map<LineKind, double> lengths;
+        const LineSet lines = creases_of(mesh, style);
+        for (const Polyline& line : lines.lines)
+            for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
+                lengths[line.kind] +=
+                    double(lines.points[i].opacity) *
+                    double((lines.points[i].position - lines.points[i - 1].position).norm());
+        return lengths;
+    };
+    auto alone = drawn({LineKind::Ridge}), both = drawn({LineKind::Ridge, LineKind::Crease});
+    EXPECT_GT(alone[LineKind::Ridge], 10);
+    EXPECT_GT(both[LineKind::Ridge], 0.7 * alone[LineKind::Ridge]);
+    EXPECT_LT(both[LineKind::Crease], 0.5 * alone[LineKind::Ridge]);
+}
+
 TEST(Creases, AreLeftOutOnTheHorizon) {
     for (const int cells : {1, 10})
         for (const Eigen::Vector3d& eye :

@@ -12,6 +12,8 @@
 namespace laplacian_lines {
 namespace {
 
+constexpr float kGoesOn = 0.5f;  // least cosine between two edges of a line
+
 /// Joins edges to lines, which end where other than two of them meet.
 class CreaseTracer {
 public:
@@ -81,22 +83,37 @@ private:
         traced_.lines.lines.push_back(line);
     }
 
-    bool is_loose(const std::array<std::uint32_t, 2>& ends) const {
-        return memory_.degree[ends[0]] == 1 || memory_.degree[ends[1]] == 1;
+    std::uint32_t loose_ends(const std::array<std::uint32_t, 2>& ends) const {
+        return std::uint32_t(memory_.degree[ends[0]] == 1) + (memory_.degree[ends[1]] == 1);
+    }
+
+    std::uint32_t sharp_turns(const Polyline& line) const {
+        const LinePoint* points = traced_.lines.points.data() + line.first;
+        const std::uint32_t edges = line.count - 1;
+        const auto along = [&](std::uint32_t i) -> Eigen::Vector3f {
+            return (points[i % edges + 1].position - points[i % edges].position).stableNormalized();
+        };
+        std::uint32_t turns = 0;
+        for (std::uint32_t i = line.closed ? 0 : 1; i < edges; ++i)
+            turns += along(i + edges - 1).dot(along(i)) < kGoesOn;
+        return turns;
     }
 
     void find_nets() {
         std::vector<TracedCreases::Net> nets(nets_.size());
-        const auto of_line = [&](std::size_t i) -> TracedCreases::Net {
-            return {traced_.lines.lines[i].count - 1, traced_.lines.lines[i].length};
-        };
+        std::vector<TracedCreases::Net> of_line;
         for (std::size_t i = 0; i < ends_.size(); ++i) {
+            const Polyline& line = traced_.lines.lines[i];
+            of_line.push_back(
+                {line.count - 1, line.length, sharp_turns(line) + loose_ends(ends_[i])});
             TracedCreases::Net& net = nets[nets_.root(ends_[i][0])];
-            net.edges += of_line(i).edges;
-            net.length += of_line(i).length;
+            net.edges += of_line[i].edges;
+            net.length += of_line[i].length;
+            net.faults += of_line[i].faults;
         }
         for (std::size_t i = 0; i < ends_.size(); ++i)
-            traced_.nets.push_back(is_loose(ends_[i]) ? of_line(i) : nets[nets_.root(ends_[i][0])]);
+            traced_.nets.push_back(loose_ends(ends_[i]) > 0 ? of_line[i]
+                                                            : nets[nets_.root(ends_[i][0])]);
     }
 
     const ExtractorData& data_;

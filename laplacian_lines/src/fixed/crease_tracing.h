@@ -17,6 +17,9 @@ struct TracedCreases {
     struct Net {
         std::uint32_t edges = 0;
         float length = 0;  ///< D
+        /// Loose ends, and turns of more than 60 degrees where no third edge meets: where
+        /// an edge of the form turns, so do its walls, and there is an edge between these.
+        std::uint32_t faults = 0;
     };
     std::vector<Net> nets;
 };

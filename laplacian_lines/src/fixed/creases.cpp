@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::uint32_t kFewEdges = 12;  // connected ones, that a bad place of a scan may have
 constexpr float kShortNet = 3;           // shortest lines
+// Of rounded edges whose triangles are as large as their radius, some are as sharp as creases, here
+// and there and to and fro: ridges tell them better.
+constexpr float kRaggedEdge = 0.015f;        // D; longer ones are those of a form
+constexpr std::uint32_t kEdgesOfAFault = 6;  // fewer to a fault are ragged
 
 /// Which edges lie between a triangle that faces the eye and one that does not. Where contours are
 /// drawn there is one.
@@ -78,20 +82,41 @@ public:
         const auto traced = trace(data, float(style.crease_angle));
         const float shortest = Thresholds(style).shortest_line;
         const HorizonEdges horizon(eye, style);
-        for (std::size_t i = 0; i < traced->lines.lines.size(); ++i) {
-            const TracedCreases::Net& net = traced->nets[i];
-            if (net.edges >= kFewEdges || net.length >= kShortNet * shortest)
+        for (std::size_t i = 0; i < traced->lines.lines.size(); ++i)
+            if (is_drawn(traced->nets[i], shortest))
                 append_line(*traced, traced->lines.lines[i], horizon, lines);
-        }
     }
 
     std::shared_ptr<const LineSet> whole(const ExtractorData& data,
                                          const LineStyle& style) const override {
         const auto traced = trace(data, float(style.crease_angle));
-        return {traced, &traced->lines};
+        const float shortest = Thresholds(style).shortest_line;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (whole_of_ != traced || whole_shortest_ != shortest) {
+            whole_ = std::make_shared<const LineSet>(drawn(*traced, shortest));
+            whole_of_ = traced;
+            whole_shortest_ = shortest;
+        }
+        return whole_;
     }
 
 private:
+    static bool is_drawn(const TracedCreases::Net& net, float shortest) {
+        const bool is_ragged =
+            net.edges < kEdgesOfAFault * net.faults && net.length < kRaggedEdge * float(net.edges);
+        return !is_ragged && (net.edges >= kFewEdges || net.length >= kShortNet * shortest);
+    }
+
+    static LineSet drawn(const TracedCreases& traced, float shortest) {
+        LineSet lines;
+        for (std::size_t i = 0; i < traced.lines.lines.size(); ++i) {
+            const Polyline& line = traced.lines.lines[i];
+            if (is_drawn(traced.nets[i], shortest))
+                append_part(traced, line, 0, line.count - 1, lines);
+        }
+        return lines;
+    }
+
     /// Those of the last angle that was asked for are kept. Thread-safe.
     std::shared_ptr<const TracedCreases> trace(const ExtractorData& data, float least_angle) const {
         const std::lock_guard<std::mutex> lock(mutex_);
@@ -112,7 +137,9 @@ private:
 
     mutable OnDemand<std::vector<CreaseEdge>> edges_, more_edges_;
     mutable std::mutex mutex_;
-    mutable std::shared_ptr<const TracedCreases> traced_;
+    mutable std::shared_ptr<const TracedCreases> traced_, whole_of_;
+    mutable float whole_shortest_ = 0;
+    mutable std::shared_ptr<const LineSet> whole_;
 };
 
 }  // namespace
