@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters.h"
 
+#include <QFile>
 #include <QFileInfo>
 #include <QPointer>
 
@@ -9,15 +10,14 @@
 #include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/provenance.h"
+#include "line_drawing/sheet_file.h"
+#include "line_drawing/whole_file.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/progress.h"
 #include "placed_layers.h"
-#include "sheet_painting/painted_file.h"
-#include "sheet_painting/qt_words.h"
 
 using line_drawing::Sheet;
 using line_drawing::SheetOptions;
-using sheet_painting::inQt;
 
 namespace {
 
@@ -98,20 +98,23 @@ std::vector<meshlab_host::ParameterDescription> DrawingFilter::describeParameter
 void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const DrawingParameters chosen = readDrawingParameters(run.parameters);
     const QString name = inQt(chosen.file);
-    sheet_painting::checkSheetFile(name);
+    const std::string place = QFile::encodeName(name).toStdString();  // as the system has it
+    const line_drawing::SheetFormat format = line_drawing::formatOf(place);
+    line_drawing::checkWritable(place);
     const QString mesh = run.document.mm()->fullName();  // before layers may go
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::currentView();
     SheetOptions options = sheetOptions(chosen, window);
     const PlacedLayers layers = placeLayers(
         {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, field_share);
     options.source = namesOf(layers).toStdString();
+    line_drawing::checkTexts(options, format);
     Sheet sheet =
         line_drawing::makeSheets(objectsOf(layers), {options},
                                  meshlab_host::progressTo(run.progress, field_share, sheet_share))
             .front();
     meshlab_host::beginStep(run.progress, 1, "Writing the drawing");
     sheet.provenance = provenanceOf(layers);
-    sheet_painting::writeSheet(sheet, name);
+    line_drawing::writeWhole(place, writeSheet(sheet, format));
     const QString file = QFileInfo(name).absoluteFilePath();
     const Eigen::Vector3d size = options.mm_per_unit * sizeOf(layers);
     run.say(report(layers, file, sheet, size, options));

@@ -6,9 +6,6 @@
 #include "line_drawing/make_sheet.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/documents.h"
-#include "sheet_painting/qt_words.h"
-
-using sheet_painting::inQt;
 
 namespace {
 

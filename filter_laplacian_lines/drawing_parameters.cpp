@@ -9,7 +9,6 @@
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/parameter_text.h"
-#include "sheet_painting/qt_words.h"
 
 using laplacian_lines::refuse;
 using line_drawing::SheetOption;
@@ -18,7 +17,6 @@ using line_drawing::ViewFrame;
 using meshlab_host::CurrentView;
 using meshlab_host::ParameterDescription;
 using meshlab_host::TextDescription;
-using sheet_painting::inQt;
 
 namespace {
 

@@ -23,6 +23,10 @@ constexpr int likelyUnit(double diagonal) {
     return diagonal < 10 ? metre : millimetre;
 }
 
+inline QString inQt(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
 /// Labels of fields that the dialog adds something to.
 namespace drawing_labels {
 inline const QString file = "File", views = "Views";

@@ -8,11 +8,9 @@
 #include "collection_items.h"
 #include "file_names.h"
 #include "line_drawing/contact_sheet.h"
+#include "line_drawing/sheet_file.h"
+#include "line_drawing/whole_file.h"
 #include "processes.h"
-#include "sheet_painting/painted_file.h"
-#include "sheet_painting/qt_words.h"
-
-using sheet_painting::refuse;
 
 namespace {
 
@@ -56,7 +54,9 @@ void writeContactSheet(const std::vector<CollectionItem>& items, const Collectio
     line_drawing::Sheet sheet = line_drawing::makeContactSheet(
         entries, title.find("{name}") == title.npos ? title : std::string());
     sheet.provenance = line_drawing::provenanceText(meshes, inUtf8(commands.words));
-    sheet_painting::writeSheet(sheet, file, commands.choices.dpi);
+    line_drawing::writeWhole(
+        fileName(file),
+        writeSheet(sheet, line_drawing::formatOf(fileName(file)), commands.choices.dpi));
     say(stdout, QString("%1: %2 objects").arg(file, QString::number(entries.size())));
 }
 

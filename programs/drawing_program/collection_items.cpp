@@ -13,9 +13,6 @@
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/whole_file.h"
 #include "mesh_reading.h"
-#include "sheet_painting/qt_words.h"
-
-using sheet_painting::refuse;
 
 namespace {
 
@@ -82,7 +79,7 @@ void CollectionFolder::remember(const CollectionItem& item) const {
     const QJsonObject record{{"mesh", QFileInfo(item.mesh).fileName()},
                              {"key", QString::fromLatin1(item.key)}};
     try {
-        line_drawing::writeWhole(sheet_painting::fileName(recordOf(item)),
+        line_drawing::writeWhole(fileName(recordOf(item)),
                                  QJsonDocument(record).toJson().toStdString());
     } catch (const laplacian_lines::Error& error) {  // the drawing is there
         say(stderr, QString::fromUtf8(error.what()) + " It will be drawn again next time.");

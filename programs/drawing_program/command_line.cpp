@@ -6,10 +6,6 @@
 #include "file_names.h"
 #include "like.h"
 #include "mesh_reading.h"
-#include "sheet_painting/qt_words.h"
-
-using sheet_painting::inQt;
-using sheet_painting::refuse;
 
 namespace {
 
@@ -20,7 +16,7 @@ const char* const contact_view = "--contact-view";  // of the processes of a col
 void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
     if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
     result.drawing = names[0];
-    result.choices.file = sheet_painting::fileName(names[0]);
+    result.choices.file = fileName(names[0]);
     result.meshes = names.mid(1);
     result.is_collection = names[0].endsWith('/') || QFileInfo(names[0]).isDir();
     if (result.is_collection) return;

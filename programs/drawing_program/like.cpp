@@ -9,10 +9,8 @@
 
 #include "file_names.h"
 #include "laplacian_lines/version.h"
-#include "sheet_painting/qt_words.h"
 
 using line_drawing::SourceMesh;
-using sheet_painting::refuse;
 
 namespace {
 
@@ -72,5 +70,5 @@ void sayWhatDiffers(const Provenance& like, const std::vector<SourceMesh>& meshe
         if (std::none_of(like.meshes.begin(), like.meshes.end(),
                          [&](const SourceMesh& m) { return m.sha256 == mesh.sha256; }))
             say(stderr, QString("%1 is not a mesh that was drawn like that: its bytes are others")
-                            .arg(sheet_painting::inQt(mesh.name)));
+                            .arg(inQt(mesh.name)));
 }

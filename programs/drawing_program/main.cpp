@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QGuiApplication>
+#include <QCoreApplication>
 #include <QLocale>
 #include <csignal>
 #include <exception>
@@ -31,11 +31,6 @@ int runCatchingAll(const QStringList& arguments) {
     return 1;
 }
 
-/// Qt misses folders that only programs with windows need.
-void passOn(QtMsgType, const QMessageLogContext&, const QString& message) {
-    if (!message.startsWith("QStandardPaths:")) say(stderr, message);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -43,12 +38,10 @@ int main(int argc, char** argv) {
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
-    qputenv("QT_QPA_PLATFORM", "offscreen");  // for fonts; nothing is shown
-    int no_arguments = 1;                     // Qt would take some of ours for its own
-    qInstallMessageHandler(passOn);
+    int no_arguments = 1;                        // Qt would take some of ours for its own
     for (const int signal : {SIGXFSZ, SIGPIPE})  // where a quota or a pipe ends, writing says so
         std::signal(signal, SIG_IGN);
-    const QGuiApplication application(no_arguments, argv);
+    const QCoreApplication application(no_arguments, argv);
     QLocale::setDefault(QLocale::C);
     return runCatchingAll(arguments);
 }

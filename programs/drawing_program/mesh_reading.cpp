@@ -7,8 +7,8 @@
 #include <QFileInfo>
 #include <future>
 
+#include "file_names.h"
 #include "mesh_files/mesh_file.h"
-#include "sheet_painting/qt_words.h"
 
 namespace {
 
@@ -35,7 +35,7 @@ QStringList meshesOf(const QStringList& named) {
         for (const QString& file : folder.entryList(QDir::Files, QDir::Name))
             if (formatOf(file)) meshes << folder.filePath(file);
         if (meshes.size() == before)
-            sheet_painting::refuse(QString("there is no mesh in the folder \"%1\".").arg(name));
+            refuse(QString("there is no mesh in the folder \"%1\".").arg(name));
     }
     meshes.removeDuplicates();
     return meshes;

@@ -9,10 +9,9 @@
 #include "line_drawing/bounds.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 #include "mesh_reading.h"
-#include "sheet_painting/painted_file.h"
-#include "sheet_painting/qt_words.h"
 
 namespace {
 
@@ -79,13 +78,16 @@ std::vector<SourceMesh> originsOf(const QStringList& files, const std::vector<Re
 }  // namespace
 
 void drawOne(const CommandLine& commands) {
-    sheet_painting::checkSheetFile(commands.drawing);
+    const std::string file = fileName(commands.drawing);
+    const line_drawing::SheetFormat format = line_drawing::formatOf(file);
+    line_drawing::checkWritable(file);
     const std::vector<ReadMesh> meshes = readMeshes(commands);
     const std::vector<SourceMesh> origins = originsOf(commands.meshes, meshes);
     if (commands.like) sayWhatDiffers(*commands.like, origins);
     saySize(meshes, commands.options.mm_per_unit);
     std::vector<line_drawing::SheetOptions> options = {commands.options};
     options[0].source = sourcesOf(commands.meshes, meshes).toStdString();
+    line_drawing::checkTexts(options[0], format);
     const bool has_view = !commands.contact_view.isEmpty();
     if (has_view) options.push_back(line_drawing::contactOptions(meshes.front().mesh, options[0]));
     line_drawing::Objects objects;
@@ -93,11 +95,11 @@ void drawOne(const CommandLine& commands) {
         objects.push_back({meshes[i].mesh, nullptr, commands.meshes[int(i)].toStdString()});
     std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
     sheets[0].provenance = line_drawing::provenanceText(origins, inUtf8(commands.words));
-    sheet_painting::writeSheet(sheets[0], commands.drawing, commands.choices.dpi);
+    line_drawing::writeWhole(file, writeSheet(sheets[0], format, commands.choices.dpi));
     for (const std::string& remark : sheets[0].remarks)
-        say(stderr, sheet_painting::inQt(remark));
+        say(stderr, inQt(remark));
     if (has_view)
-        line_drawing::writeWhole(sheet_painting::fileName(commands.contact_view),
+        line_drawing::writeWhole(fileName(commands.contact_view),
                                  line_drawing::packSheet(sheets[1]));
     say(stdout, "the drawing is " + commands.drawing);
 }

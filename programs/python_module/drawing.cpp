@@ -16,7 +16,7 @@ namespace {
 
 bool is_of_files(const SheetOption& option) {
     const std::string_view key = option.row.key;
-    return key == "damaged" || key == "dpi" || key == "format";
+    return key == "damaged" || key == "format";
 }
 
 nb::list list_of(const Words& words) {
@@ -49,7 +49,12 @@ nb::list sheet_options() {
         nb::dict d;
         d["key"] = option.row.key;
         d["help"] = option.row.help;
-        d["kind"] = option.text ? "text" : is_switch ? "boolean" : "choice";
+        d["kind"] = option.text                  ? "text"
+                    : is_switch                  ? "boolean"
+                    : option.row.choices.empty() ? "real"
+                                                 : "choice";
+        d["minimum"] = option.row.minimum;
+        d["maximum"] = option.row.maximum;
         d["choices"] = list_of(is_switch ? Words() : words);
         d["words"] = list_of(words);
         d["command"] = option.command();
@@ -66,12 +71,13 @@ Drawing draw(const DrawnMeshes& drawn, const Words& words, const std::string& en
     choices.file = '.' + ending;
     SheetOptions options = sheetOptions(choices);
     name_sources(drawn.sources, options);
+    checkTexts(options, format);
     Objects objects;
     for (std::size_t i = 0; i < drawn.meshes.size(); ++i)
         objects.push_back({drawn.meshes[i], nullptr, drawn.sources[i].name});
     Sheet sheet = makeSheets(objects, {options}, progress).front();
     sheet.provenance = provenanceText(drawn.sources, words);
-    return {writeSheet(sheet, format),
+    return {writeSheet(sheet, format, choices.dpi),
             sheet.size.x(),
             sheet.size.y(),
             sheet.scale,

@@ -25,7 +25,7 @@ FUZZ_GROUPS = ("precompute", "extract"), ("ply", "stl", "obj", "off")
 FUZZ_SECONDS, NIGHTLY_FUZZ_SECONDS = 10, 300  # of each group; inputs that were found once are tests
 CHECKED = ["core_tests", "out_of_memory", "mesh_files_tests", "write_seeds",
            *(f"fuzz_{part}" for group in FUZZ_GROUPS for part in group)]
-CPP_FOLDERS = """laplacian_lines line_drawing sheet_painting line_renderer filter_laplacian_lines decorate_laplacian_lines meshlab_host
+CPP_FOLDERS = """laplacian_lines line_drawing line_renderer filter_laplacian_lines decorate_laplacian_lines meshlab_host
     programs/drawing_program programs/headless_host""".split()
 
 

@@ -19,7 +19,7 @@ from environment.build import CHECKOUT, build_folder, compile_targets, configure
 from environment.messages import Failure, output, say
 
 ROOMS = {"laplacian_lines": ["core_tests"], "mesh_files": ["mesh_files_tests"], "line_drawing": ["line_drawing_tests"],
-         "sheet_painting": ["line_drawing_tests"], "line_renderer": ["line_renderer_tests"],
+         "line_renderer": ["line_renderer_tests"],
          "meshlab_host": ["host_tests", "decoration_tests"], "filter_laplacian_lines": ["host_tests"],
          "decorate_laplacian_lines": ["decoration_tests", "host_tests"],
          "programs/drawing_program": ["laplacian_lines_drawing"]}  # and targets whose tests see it

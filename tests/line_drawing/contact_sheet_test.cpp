@@ -8,7 +8,6 @@
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
-#include "sheet_painting/painted_file.h"
 
 using namespace line_drawing;
 
@@ -92,8 +91,7 @@ TEST(SheetFiles, PngHasItsDotsPerInch) {
     SheetPath area;
     area.path.addRectangle({25.4, 25.4}, 50.8, 12.7);
     sheet.groups.push_back({"a", "A", {{"outline", "Outlines", {area}, {}}}});
-    const QImage image =
-        QImage::fromData(QByteArray::fromStdString(sheet_painting::writePng(sheet, 100)));
+    const QImage image = QImage::fromData(QByteArray::fromStdString(writePng(sheet, 100)));
     EXPECT_EQ(image.size(), QSize(500, 200));
     EXPECT_NEAR(image.dotsPerMeterX() * 0.0254, 100, 0.05);
     int black = 0;
@@ -103,7 +101,7 @@ TEST(SheetFiles, PngHasItsDotsPerInch) {
     EXPECT_EQ(black, 200 * 50);
     EXPECT_LT(qGray(image.pixel(101, 101)), 128);
     EXPECT_GT(qGray(image.pixel(99, 101)), 128);
-    EXPECT_THROW(sheet_painting::writePng(sheet, 1e5), laplacian_lines::Error);
+    EXPECT_THROW(writePng(sheet, 1e5), laplacian_lines::Error);
 }
 
 }  // namespace

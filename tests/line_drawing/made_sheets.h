@@ -10,11 +10,11 @@
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/words.h"
-#include "sheet_painting/painting.h"
+#include "painter_path.h"
 
 namespace made_sheets {
 
-using sheet_painting::painterPath;
+using ::painterPath;
 
 inline QRectF inQt(const Eigen::AlignedBox2d& box) {
     return {box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y()};

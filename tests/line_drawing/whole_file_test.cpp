@@ -15,16 +15,16 @@
 #include <string>
 
 #include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
-#include "sheet_painting/painted_file.h"
-#include "sheet_painting/qt_words.h"
 
 using namespace line_drawing;
-using sheet_painting::checkSheetFile;
-using sheet_painting::fileName;
-using sheet_painting::writeSheet;
 
 namespace {
+
+std::string fileName(const QString& name) {
+    return QFile::encodeName(name).toStdString();
+}
 
 /// Files end after so many bytes, as where the disk is full.
 class FullDisk {
@@ -69,6 +69,11 @@ const Sheet& sheet() {
     return made;
 }
 
+void write(const QString& file) {
+    const std::string name = fileName(file);
+    writeWhole(name, writeSheet(sheet(), formatOf(name), 20));
+}
+
 class WholeFile : public testing::TestWithParam<const char*> {
 protected:
     void SetUp() override { writeWhole(fileName(file()), "old"); }
@@ -80,7 +85,7 @@ protected:
         std::string complaint;
         {
             const FullDisk disk(bytes);
-            complaint = complaintOf([&] { writeSheet(sheet(), file(), 20); });
+            complaint = complaintOf([&] { write(file()); });
         }
         EXPECT_NE(complaint.find("sheet."), std::string::npos) << bytes << ": " << complaint;
         EXPECT_NE(complaint.find("File too large"), std::string::npos) << bytes << complaint;
@@ -92,14 +97,14 @@ protected:
 
 TEST_P(WholeFile, OldOneStaysWhereverTheDiskEnds) {
     const QString other = folder_.filePath(QString("other.") + GetParam());
-    writeSheet(sheet(), other, 20);
+    write(other);
     const auto size = std::size_t(contentOf(other).size());
     QFile::remove(other);
     for (std::size_t bytes = 0; bytes < size; bytes += std::max<std::size_t>(1, size / 200))
         expectNothingLost(bytes);
     expectNothingLost(size - 1);
     const FullDisk disk(size);
-    writeSheet(sheet(), file(), 20);
+    write(file());
     EXPECT_EQ(std::size_t(contentOf(file()).size()), size);
 }
 
@@ -121,7 +126,7 @@ TEST(WholeFiles, EndAtAnyByte) {
 TEST(WholeFiles, NamesAreNotCut) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QString("cut") + QChar(0) + "off.svg");
-    for (const auto& complaint : {complaintOf([&] { checkSheetFile(file); }),
+    for (const auto& complaint : {complaintOf([&] { checkWritable(fileName(file)); }),
                                   complaintOf([&] { writeWhole(fileName(file), "new"); })})
         EXPECT_NE(complaint.find("cut\\0off.svg\" cannot be written: the name"), std::string::npos)
             << complaint;
@@ -142,7 +147,7 @@ TEST(WholeFiles, DevicesAreWrittenIntoAndStay) {
     const QTemporaryDir folder;
     const QString link = folder.filePath("null.svg"), full = folder.filePath("full.svg");
     ASSERT_TRUE(QFile::link("/dev/null", link) && QFile::link("/dev/full", full));
-    checkSheetFile(link);
+    checkWritable(fileName(link));
     writeWhole(fileName(link), "new");
     EXPECT_TRUE(QFileInfo(link).isSymLink());
     const std::string complaint = complaintOf([&] { writeWhole(fileName(full), "new"); });
@@ -173,7 +178,8 @@ TEST(WholeFiles, FoldersAreRefusedBefore) {
     const QTemporaryDir folder;
     ASSERT_TRUE(QDir(folder.path()).mkdir("sheet.svg"));
     const QString file = folder.filePath("sheet.svg");
-    EXPECT_NE(complaintOf([&] { checkSheetFile(file); }).find("folder"), std::string::npos);
+    EXPECT_NE(complaintOf([&] { checkWritable(fileName(file)); }).find("folder"),
+              std::string::npos);
     EXPECT_NE(complaintOf([&] { checkWritable(fileName(folder.filePath("none/sheet.svg"))); }), "");
 }
 

@@ -27,6 +27,7 @@ MOST_BYTES = 25_000_000
 OLDEST = (3, 10)  # requires-python
 SHEET = {"views": "six", "sections": "y=0.5 x=0.3", "title": "{name} <ü> & \"quoted\"", "hidden": "dashed", "unit": "cm"}
 DRAWINGS = {"front.svg": {}, "six.svg": SHEET, "six.pdf": SHEET, "six.dxf": SHEET,
+            "six.png": SHEET | {"dpi": 150, "title": "Łódź"},
             "vessel.svg": {"views": "30,15", "weights": "iso", "area": "filled", "kinds": "usual,ridges", "paper": "fit"}}
 
 
@@ -124,7 +125,7 @@ def write_reference(work, write_reference, lines, command):
             print(*(["v", *words] if len(words) == 3 else ["f", *(int(w) + 1 for w in words[1:])]), file=file)
     run(lines, folder / "torus.obj", folder / "lines.obj")
     for name, options in DRAWINGS.items():
-        words = [word for key, value in options.items() for word in ("--section" if key == "sections" else f"--{key}", value)]
+        words = [word for key, value in options.items() for word in ("--section" if key == "sections" else f"--{key}", str(value))]
         run(command, folder / name, *words, folder / "torus.ply")
     (folder / "drawings.json").write_text(json.dumps(DRAWINGS))
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/lettering.h"
 #include "formats/lzw.h"
 #include "formats/sheet_writers.h"
 #include "formats/standard_fonts.h"
@@ -39,8 +40,6 @@ std::string pathData(const Path& path) {
 /// The page, in millimetres, y down.
 class Content {
 public:
-    explicit Content(const LetterOutlines& outlines) : outlines_(outlines) {}
-
     std::string of(const Sheet& sheet) {
         data_ = inDigits(points_per_mm, 10) + " 0 0 -" + inDigits(points_per_mm, 10) + " 0 " +
                 inDigits(points_per_mm * sheet.size.y(), 10) + " cm 1 J 1 j\n";
@@ -76,13 +75,9 @@ private:
     void add(const SheetText& text) {
         const StandardText standard = inStandardFonts(text.text);
         if (!standard.is_whole) {
-            if (!outlines_)
-                refuse("PDF's standard fonts do not have all letters of \"" + text.text +
-                       "\". Write an SVG or DXF file, or other letters.");
-            const Path path = outlines_(text.text);
-            const double width = path.isEmpty() ? 0 : path.bounds().max().x();
-            const Path placed = path.placed(text.height, text.begin(width * text.height));
-            return add({placed, 0});
+            const Lettering letters = letteringOf(text.text);
+            return add(SheetPath{
+                letters.path.placed(text.height, text.begin(letters.width * text.height))});
         }
         const std::string height = inThousandths(text.height);
         data_ += "0 g BT " + height + " 0 0 -" + height + ' ' +
@@ -102,7 +97,6 @@ private:
         return result;
     }
 
-    const LetterOutlines& outlines_;
     std::string data_;
 };
 
@@ -128,7 +122,7 @@ std::string xmp(const std::string& provenance) {
 
 class PdfWriter {
 public:
-    std::string write(const Sheet& sheet, const LetterOutlines& outlines) {
+    std::string write(const Sheet& sheet) {
         const Vector2d size = points_per_mm * sheet.size;
         object("<</Type /Catalog /Pages 2 0 R" +
                std::string(sheet.provenance.empty() ? "" : " /Metadata 8 0 R") + ">>");
@@ -136,7 +130,7 @@ public:
         object("<</Type /Page /Parent 2 0 R /MediaBox [0 0 " + inDigits(size.x(), 10) + ' ' +
                inDigits(size.y(), 10) +
                "] /Contents 4 0 R /Resources <</Font <</H 5 0 R /S 6 0 R>>>>>>");
-        stream("/Filter /LZWDecode", compressed(Content(outlines).of(sheet)));
+        stream("/Filter /LZWDecode", compressed(Content().of(sheet)));
         object("<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>");
         object("<</Type /Font /Subtype /Type1 /BaseFont /Symbol>>");
         object("<</Title " + textString(sheet.title) + " /Creator " +
@@ -173,8 +167,8 @@ private:
 
 }  // namespace
 
-std::string writePdf(const Sheet& sheet, const LetterOutlines& outlines) {
-    return PdfWriter().write(sheet, outlines);
+std::string writePdf(const Sheet& sheet) {
+    return PdfWriter().write(sheet);
 }
 
 }  // namespace line_drawing

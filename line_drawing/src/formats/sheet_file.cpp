@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/sheet_file.h"
 
+#include "formats/lettering.h"
 #include "formats/sheet_writers.h"
 #include "line_drawing/words.h"
 
@@ -16,13 +17,16 @@ SheetFormat formatOf(const std::string& file) {
            "\" does not end in .svg, .pdf, .dxf or .png, which say what kind of file to write.");
 }
 
-std::string writeSheet(const Sheet& sheet, SheetFormat format, const LetterOutlines& outlines) {
+std::string writeSheet(const Sheet& sheet, SheetFormat format, double dpi) {
     if (format == SheetFormat::Svg) return writeSvg(sheet);
     if (format == SheetFormat::Dxf) return writeDxf(sheet);
-    if (format == SheetFormat::Pdf) return writePdf(sheet, outlines);
-    refuse(
-        "PNG files are painted by the command and by MeshLab. Write a PDF file here, and turn it "
-        "into PNG by pdftoppm or the like.");
+    return format == SheetFormat::Pdf ? writePdf(sheet) : writePng(sheet, dpi);
+}
+
+void checkTexts(const SheetOptions& options, SheetFormat format) {
+    if (format == SheetFormat::Pdf || format == SheetFormat::Png)
+        for (const std::string& text : {options.title, options.source})
+            letteringOf(oneLine(text));
 }
 
 StrokeStyle strokesIn(const std::string& file, StrokeStyle wanted) {

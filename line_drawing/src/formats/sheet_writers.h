@@ -9,9 +9,13 @@ namespace line_drawing {
 
 /// SVG 1.1 whose user unit is a millimetre; groups and layers are Inkscape's layers.
 std::string writeSvg(const Sheet& sheet);
-/// PDF of one page in the standard fonts, which are not in the file.
-/// @throws laplacian_lines::Error(InvalidOption) if these lack a letter and there are no outlines.
-std::string writePdf(const Sheet& sheet, const LetterOutlines& outlines = {});
+/// PDF of one page in the standard fonts, which are not in the file; texts with other letters are
+/// outlines.
+/// @throws laplacian_lines::Error(InvalidOption) as letteringOf().
+std::string writePdf(const Sheet& sheet);
+/// PNG, black on white, of 256 grays.
+/// @throws laplacian_lines::Error(InvalidOption) if it would be too large, or as letteringOf().
+std::string writePng(const Sheet& sheet, double dpi);
 /// DXF R12 in millimetres, y up; polylines, in a layer for each class of lines. Filled areas are
 /// drawn by their outlines.
 std::string writeDxf(const Sheet& sheet);

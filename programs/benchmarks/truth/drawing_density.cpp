@@ -26,7 +26,6 @@ namespace {
 
 using namespace benchmarks;
 using Eigen::Vector2d;
-using sheet_painting::painterPath;
 
 constexpr double pixels_of_mm = 10;
 constexpr double sample_step = 0.1;    // mm

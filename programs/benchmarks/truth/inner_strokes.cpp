@@ -28,7 +28,7 @@ QPainterPath covered_area(const Sheet& sheet) {
     for (const SheetLayer& layer : sheet.groups[0].layers)
         if (layer.key == "area")
             for (const SheetPath& path : layer.paths)
-                area.addPath(sheet_painting::painterPath(path.path));
+                area.addPath(painterPath(path.path));
     return area;
 }
 

@@ -4,8 +4,8 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/sheet.h"
 #include "line_drawing/sheet_options.h"
+#include "painter_path.h"
 #include "plane_lines.h"
-#include "sheet_painting/painting.h"
 
 namespace benchmarks {
 

@@ -11,7 +11,7 @@ or PyMeshLab; or the name of a PLY, STL, OBJ or OFF file. Lengths are in the mes
     field(mesh)                        normals, their Laplacian, curvature and kernel at each vertex
     lines(mesh, direction=...)         all lines of a view, in space and on the page
     visible_lines(mesh, direction=...) the parts of them that are seen
-    write_drawing(file, mesh, ...)     a measured drawing: views at scale on paper, as SVG, PDF or DXF
+    write_drawing(file, mesh, ...)     a measured drawing: views at scale on paper, as SVG, PDF, DXF or PNG
     make_drawing(mesh, ...)            the same, not written
     Surface(mesh)                      a mesh made ready once, for many views: surface.visible_lines(eye=...)
 

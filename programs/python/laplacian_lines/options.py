@@ -58,6 +58,9 @@ def words(given: dict[str, Any], table: dict[str, dict[str, Any]]) -> list[str]:
     found: list[str] = []
     for key, value in given.items():
         row = table.get(key) or _refuse(key, list(table))
+        if row["kind"] == "real":
+            found += [row["command"], repr(_number(row, value)).removesuffix(".0")]
+            continue
         if row["kind"] != "text":
             found += [row["command"], row["words"][int(_number(row, value))]]
             continue

@@ -52,7 +52,8 @@ class Drawings(unittest.TestCase):
                 ({"paper": "a9"}, TypeError, "must be 'a5', 'a4'"), ({"views": "inside"}, ll.Error, "is not a view"),
                 ({"view": "six"}, TypeError, "Did you mean views"), ({"views": [3]}, TypeError, "a text or several"),
                 ({"furniture": "none"}, TypeError, "of type bool"), ({"scale": "9:1", "unit": "m"}, ll.Error, "paper"),
-                ({"format": "png"}, ll.Error, "Write a PDF"), ({"format": "doc"}, ll.Error, r"\.svg")):
+                ({"format": "png", "dpi": 5}, ll.Error, "between 20 and 2400"), ({"dpi": "x"}, TypeError, "of type float"),
+                ({"format": "png", "title": "日"}, ll.Error, "SVG or DXF"), ({"format": "doc"}, ll.Error, r"\.svg")):
             with self.subTest(given):
                 self.assertRaisesRegex(error, words, ll.make_drawing, torus(), **given)
         self.assertRaisesRegex(ll.Error, "object", ll.make_drawing)
