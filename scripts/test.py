@@ -9,7 +9,7 @@ from checks import checks, sanitized
 from environment.files import cache_folder
 from environment.messages import Failure, run_main
 from environment.packages import meshlab_version
-from hosts import hosts, reach
+from hosts import aarch64, hosts, reach
 from hosts.results import Results
 from measures import mutants
 
@@ -38,7 +38,9 @@ def parse(words):
     parser.add_argument("--threads", action="store_true",
                         help="the core's tests of threads under ThreadSanitizer; REGEX is a filter of GoogleTest")
     parser.add_argument("--reach", action="store_true",
-                        help="the portable plugins in MeshLabs that did not build them, the packages, and the wheel")
+                        help="the portable plugins in MeshLabs that did not build them, the packages, the wheel, and --aarch64")
+    parser.add_argument("--aarch64", action="store_true",
+                        help="of --reach, only that another processor computes the same, and the oldest compiler")
     parser.add_argument("--mutants", action="store_true",
                         help="which changes of the product no test notices, for a long time; REGEX is a room")
     parser.add_argument("--count", type=int, default=300, help="of mutants")
@@ -70,10 +72,10 @@ def main():
         return sanitized.test_threads(options.regex)
     if options.mutants:
         return mutants.run(options.regex, options.count, options.seed, options.most)
-    if not (options.host or options.checks or options.reach):
+    if not (options.host or options.checks or options.reach or options.aarch64):
         return hosts.test_here(options.regex)
     if options.regex and not options.host:
-        raise Failure("--checks and --reach take no names of tests")
+        raise Failure("--checks, --reach and --aarch64 take no names of tests")
 
     results = Results(options.required)
     if options.host:
@@ -85,6 +87,8 @@ def main():
         results.stage("threads", sanitized.test_threads, [])
     if options.reach:
         reach.run_stages(results)
+    elif options.aarch64:
+        aarch64.run_stages(results)
     return results.tell()
 
 

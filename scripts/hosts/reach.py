@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """./test --reach: the portable plugins in MeshLabs that did not build them, and the packages of all releases of
-Debian, and the wheel for Python."""
+Debian, the wheel for Python, and another processor."""
 
 import os
 import pathlib
@@ -12,7 +12,7 @@ from environment.build import CHECKOUT, ctest, processors
 from environment.files import cache_folder
 from environment.messages import Failure, run
 from environment.releases import SUITES
-from hosts import hosts
+from hosts import aarch64, hosts
 from hosts.roots import ensure_root, in_root
 from product import portable, pymeshlab
 from product.models import default_mesh
@@ -105,3 +105,4 @@ def run_stages(results):
         results.stage(f"package in MeshLab {host}", hosts.test_host, host, [r"meshlab\.(stage|package)$"])
     results.stage("lintian", check_packages)
     results.stage("wheel", hosts.test_here, ["wheel"])
+    aarch64.run_stages(results)

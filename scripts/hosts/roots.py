@@ -39,10 +39,10 @@ def in_root(root, access, binds, command, **environment):
     return run([*NAMESPACES, "--ipc", *network, ENTER, root, access, *binds, "--", *command], env=environment)
 
 
-def recipe(suite, mirror):
+def recipe(suite, mirror, install):
     """What a root is made from: when this changes, it is made anew."""
     words = [suite, mirror, *packages.BUILD, *packages.DISPLAY, *packages.TEST, *packages.MESHLAB_RECOMMENDS]
-    words += map(inspect.getsource, (make_root, make_bare_root, install_into_root))
+    words += map(inspect.getsource, (make_root, make_bare_root, run_with_network, install))
     return hashlib.sha256("\n".join(words).encode()).hexdigest()
 
 
@@ -55,16 +55,21 @@ def make_bare_root(suite, mirror, root, kept):
     return code == 0
 
 
-def install_into_root(root, kept):
-    """What ./test would install there, MeshLab's headers included."""
+def run_with_network(root, kept, command):
+    """Whether a command in a root that is being made succeeds. It can call apt-get and the scripts, and fetch headers."""
     binds = [f"ro:{os.path.realpath(file)}={file}"
              for file in ("/etc/resolv.conf", "/etc/hosts", "/etc/ssl/certs", "/etc/apt/auth.conf.d")
              if os.path.exists(file)]
     headers = cache_folder() / "headers"
     headers.mkdir(parents=True, exist_ok=True)
-    install = "from environment import build, packages; build.ensure_toolchain(*packages.DISPLAY, *packages.TEST)"
     return in_root(root, "rw", [*binds, f"ro:{CHECKOUT}", f"rw:{headers}", f"rw:{kept}=/var/cache/apt/archives"],
-                   ["env", f"PYTHONPATH={CHECKOUT}/scripts", "python3", "-B", "-c", install]) == 0
+                   ["env", f"PYTHONPATH={CHECKOUT}/scripts", *command]) == 0
+
+
+def install_toolchain(root, kept):
+    """What ./test would install there, MeshLab's headers included."""
+    program = "from environment import build, packages; build.ensure_toolchain(*packages.DISPLAY, *packages.TEST)"
+    return run_with_network(root, kept, ["python3", "-B", "-c", program])
 
 
 def can_make_roots():
@@ -83,14 +88,15 @@ def recipe_of(root):
     return (root / "recipe").read_text().strip() if (root / "recipe").exists() else ""
 
 
-def ensure_root(suite):
-    """The root, and a lock against its being replaced, which is to be kept open."""
-    root = cache_folder() / "roots" / suite
+def ensure_root(suite, kind="", install=install_toolchain):
+    """The root, and a lock against its being replaced, which is to be kept open. A root of a kind of its own has what
+    install(ROOT, FOLDER OF PACKAGES) puts there, which returns whether it succeeds."""
+    root = cache_folder() / "roots" / (suite + kind)
     can_make_roots()
     mirror = debian_mirror()
     if not mirror:
         raise Obstacle("roots are made from this machine's Debian mirror, and its apt configuration names none")
-    wanted = recipe(suite, mirror)
+    wanted = recipe(suite, mirror, install)
     root.parent.mkdir(parents=True, exist_ok=True)
     lock = open(f"{root}.lock", "wb")
     fcntl.flock(lock, fcntl.LOCK_SH)
@@ -101,20 +107,20 @@ def ensure_root(suite):
             say(f"{root} has to be made anew: waiting until no other tests use it")
             fcntl.flock(lock, fcntl.LOCK_EX)
         if recipe_of(root) != wanted:
-            make_root(suite, mirror, root, wanted)
+            make_root(suite, mirror, root, wanted, install)
         fcntl.flock(lock, fcntl.LOCK_SH)
     return root, lock
 
 
-def make_root(suite, mirror, root, wanted):
+def make_root(suite, mirror, root, wanted, install):
     say(f"making a root of Debian {suite} in {root}: 1.3 GB, a few minutes")
-    for left in root.parent.glob(f"{suite}.????????"):  # of a run that was killed
+    for left in root.parent.glob(f"{root.name}.????????"):  # of a run that was killed
         shutil.rmtree(left, ignore_errors=True)
-    kept = cache_folder() / "packages" / suite  # so that a root made anew downloads only what is new
+    kept = cache_folder() / "packages" / root.name  # so that a root made anew downloads only what is new
     (kept / "partial").mkdir(parents=True, exist_ok=True)
 
     def build(scratch):
-        if not (make_bare_root(suite, mirror, scratch, kept) and install_into_root(scratch, kept)):
+        if not (make_bare_root(suite, mirror, scratch, kept) and install(scratch, kept)):
             return False
         (scratch / "recipe").write_text(f"{wanted}\n")
         return True

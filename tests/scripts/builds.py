@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Building: a signal to a script alone ends it and all that the build has begun; two scripts take turns; a checkout
 that was copied or moved is built anew; CMake and make are asked again after any change that they would look at, and
-only then; in any country."""
+only then; in any country; older libraries and compilers are refused."""
 import signal
 import time
 from unittest import mock
@@ -192,6 +192,24 @@ class UnchangedBuild(ScriptTest):
         for _ in range(2):  # a build that had failed does not count
             self.said_by(self.refused, "the build failed", build_targets, "program", options=["-DANYTHING=ON"],
                          checkout=self.work)
+
+
+class Requirements(ScriptTest):
+    def expect_refused(self, sentence, *words):
+        """By CMake, which is asked without MeshLab."""
+        done = subprocess.run(["cmake", "-S", CHECKOUT, "-B", "build", "-DCMAKE_DISABLE_FIND_PACKAGE_MeshLab=ON", *words],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn(sentence, done.stderr)
+
+    def test_older_eigen(self):
+        pathlib.Path("Eigen3Config.cmake").write_text("set(Eigen3_VERSION 3.3.9)\n")
+        self.expect_refused("Eigen 3.4 or later is needed, not 3.3.9", f"-DEigen3_DIR={self.work}")
+
+    def test_older_compiler(self):
+        self.expect_refused("GCC 11 or later is needed, not 10.2.1", "-DCMAKE_CXX_COMPILER_FORCED=1",
+                            "-DCMAKE_CXX_COMPILER_ID_RUN=1", "-DCMAKE_CXX_COMPILER_ID=GNU", "-DCMAKE_CXX_COMPILER_VERSION=10.2.1",
+                            "-DCMAKE_CXX_STANDARD_COMPUTED_DEFAULT=17")
 
 
 class Locales(ScriptTest):

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "system/chains.h"
+#include "system/length.h"
 
 namespace laplacian_lines {
 namespace {
@@ -185,7 +186,7 @@ private:
             return Eigen::Map<const Eigen::Vector3f>(points[i].position);
         };
         for (std::uint32_t i = 1; i < chain.point_count; ++i) {
-            const float length = (position(i) - position(i - 1)).norm();
+            const float length = length_of(position(i) - position(i - 1));
             strip.length += length;
             strip.strength += (points[i - 1].gradient + points[i].gradient) / 2 * length;
         }

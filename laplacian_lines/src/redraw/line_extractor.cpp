@@ -12,6 +12,7 @@
 #include "redraw/horizon.h"
 #include "redraw/kinds/strip_kinds.h"
 #include "redraw/line_finishing.h"
+#include "system/length.h"
 
 namespace laplacian_lines {
 
@@ -91,7 +92,7 @@ LocalEye eye_to_local(const View& view, const ExtractorData& data) {
 /// Local points are within 1/2 of the centre, so |l| is within w/2 of |e|; a bound of the scaled
 /// facing that needs no |l| and never refuses too much.
 float least_scaled_facing(float least_facing, const LocalEye& eye) {
-    const float length = eye.eye.norm() + (least_facing < 0 ? eye.w : -eye.w) / 2;
+    const float length = length_of(eye.eye) + (least_facing < 0 ? eye.w : -eye.w) / 2;
     return least_facing * std::max(length, 0.f);
 }
 

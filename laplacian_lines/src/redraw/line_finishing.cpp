@@ -6,6 +6,7 @@
 
 #include "redraw/simd/simd_functions.h"
 #include "rules/line_acceptance.h"
+#include "system/length.h"
 #include "system/thread_pool.h"
 
 namespace laplacian_lines {
@@ -118,10 +119,10 @@ void cut(const LineRules& rules, const LineColumns& c, const Polyline& whole,
         p.closed = false;
         p.length = p.strength = 0;
         for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
-            const Eigen::Vector3f step(c.x[i] - c.x[i - 1], c.y[i] - c.y[i - 1],
-                                       c.z[i] - c.z[i - 1]);
-            p.length += step.norm();
-            p.strength += (c.gradient[i - 1] + c.gradient[i]) / 2 * step.norm();
+            const float length =
+                length_of({c.x[i] - c.x[i - 1], c.y[i] - c.y[i - 1], c.z[i] - c.z[i - 1]});
+            p.length += length;
+            p.strength += (c.gradient[i - 1] + c.gradient[i]) / 2 * length;
         }
         if (accepts(rules, p)) parts.push_back(p);
     }

@@ -77,7 +77,7 @@ std::string escaped(const std::string& text) {
         else if (c == '"')
             result += "&quot;";
         else
-            result += c >= 0 && c < ' ' ? ' ' : c;
+            result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
     }
     return result;
 }

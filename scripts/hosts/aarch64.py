@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""./test --reach: the core, the command laplacian-lines and the parts of the plugins for another processor, compiled by
+Debian's cross compiler in a root of its own and run by qemu. Fields, lines and drawings have to be those of this
+processor's baseline, bit by bit."""
+
+import filecmp
+import os
+import shutil
+
+from environment import packages
+from environment.build import CHECKOUT, build_folder, build_targets, ctest, processors
+from environment.files import cache_folder, compiled_folder
+from environment.messages import Failure, run
+from environment.releases import SUITES
+from hosts.roots import ensure_root, in_root, run_with_network
+
+BUILD = CHECKOUT / "build/aarch64"
+SUITE = SUITES["2020"]
+NATIVE = "g++-aarch64-linux-gnu g++-11 qemu-user make cmake ccache xz-utils libeigen3-dev".split()
+FOREIGN = """libgtest-dev qtbase5-dev libqt5opengl5-dev libglew-dev libgl-dev libglu1-mesa-dev meshlab""".split()
+TARGETS = "print_bits write_reference laplacian_lines_drawing mesh_files_tests line_drawing_tests core_tests".split()
+# qemu takes some thirty times as long: one test or a few of each subject.
+TESTS = (r"^(Extraction|Meshes/PlainComparison.*/(torus|three_sheets|dirty_torus)|.*Converge|ThreadPool\.[^E]|Fading|Horizon"
+         r"|WholeFiles|Polygons|DamagedFiles|SheetFiles|PdfFiles|CurveFitting|MeasuredDrawing|Sections|Overlaps)")
+# Whose positions are the same everywhere: those moved by random numbers depend on the order in which a compiler asks
+# for them.
+MESHES = "torus bumpy_sphere cube moebius_strip three_sheets rounded_cube triangle_soup doubled_triangles".split()
+DRAWINGS = {"usual.svg": [], "all.svg": ["--kinds", "all_kinds", "--scale", "10:1"],
+            "six.pdf": ["--views", "six", "--section", "y=0.5"], "six.dxf": ["--views", "six", "--hidden", "dashed"]}
+
+
+def install(root, kept):
+    words = " ".join([*NATIVE, *(f"{name}:arm64" for name in FOREIGN)])
+    install_all = ("dpkg --add-architecture arm64 && apt-get -qq update && DEBIAN_FRONTEND=noninteractive apt-get -qq -y"
+                   f" --no-install-recommends install {words}")
+    return (run_with_network(root, kept, ["sh", "-c", install_all]) and
+            run_with_network(root, kept, ["python3", "-B", "-c", "from environment.headers import ensure_headers as e; e()"]))
+
+
+def run_in_root(command, failure):
+    root, lock = ensure_root(SUITE, "-arm64", install)
+    with lock:
+        for folder in (BUILD, compiled_folder()):
+            folder.mkdir(parents=True, exist_ok=True)
+        binds = [f"ro:{CHECKOUT}", f"rw:{BUILD}", f"ro:{cache_folder()}/headers", f"rw:{compiled_folder()}"]
+        words = ["env", f"PYTHONPATH={CHECKOUT}/scripts", *command]
+        if in_root(root, "ro", binds, words, LAPLACIAN_LINES_BUILD=str(BUILD)) != 0:
+            raise Failure(failure)
+
+
+def build():
+    """There, and what it is compared with here."""
+    program = f"from environment.build import build_targets; build_targets(*{TARGETS}, preset='aarch64')"
+    run_in_root(["python3", "-B", "-c", program], "the build for aarch64 failed")
+    build_targets("print_bits", "write_reference", "laplacian_lines_drawing", preset="tests",
+                  extra_packages=[*packages.DISPLAY, *packages.TEST])
+
+
+def test():
+    run_in_root(ctest(BUILD, "all", "--parallel", str(processors()), "--tests-regex", TESTS), "tests fail on aarch64")
+
+
+def commands(folder, emulator):
+    """What writes hashes and drawings into the folder, by the programs of a build."""
+    build = BUILD if emulator else build_folder()
+    programs = [f"{emulator} {build}/tests/core/print_bits {' '.join(MESHES)} >bits.txt"]
+    programs += [f"{emulator} {build}/bin/laplacian-lines {name} {' '.join(options)} ../torus.ply"
+                 for name, options in DRAWINGS.items()]
+    return ["sh", "-e", "-c", "; ".join([f"cd {folder}", *programs])]
+
+
+def compare():
+    """Versions for greater processors have other last bits."""
+    work = BUILD / "bits"
+    shutil.rmtree(work, ignore_errors=True)
+    for name in ("here", "there"):
+        (work / name).mkdir(parents=True)
+    if run([build_folder() / "tests/meshes/write_reference", "torus", work]) != 0:
+        raise Failure("there is no mesh")
+    if run(commands(work / "here", ""), env={**os.environ, "LAPLACIAN_LINES_VECTOR_BYTES": "16"}) != 0:
+        raise Failure("here, there are no bits")
+    run_in_root(commands(work / "there", "qemu-aarch64"), "on aarch64, there are no bits")
+    names = ["bits.txt", *DRAWINGS]
+    _, different, missing = filecmp.cmpfiles(work / "here", work / "there", names, shallow=False)
+    if different or missing:
+        raise Failure(f"{', '.join(different + missing)} in {work}/here and there differ")
+    return f"{len(MESHES)} meshes and {len(DRAWINGS)} drawings have the same bits"
+
+
+def build_by_oldest():
+    """The core and drawings by the oldest compiler that CMake lets through."""
+    folder = BUILD / "oldest"
+    words = "-DCMAKE_CXX_COMPILER=g++-11 -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_DISABLE_FIND_PACKAGE_MeshLab=ON"
+    run_in_root(["sh", "-e", "-c", f"cmake -S {CHECKOUT} -B {folder} {words}; cmake --build {folder} -j {processors()}"],
+                "GCC 11 does not compile the core")
+
+
+def run_stages(results):
+    if results.stage("aarch64: build", build):
+        results.stage("aarch64: tests", test)
+        results.stage("aarch64: the same bits", compare)
+    results.stage("the core by GCC 11", build_by_oldest)

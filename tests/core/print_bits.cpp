@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Prints a hash of the bits of each test mesh, of its field and of the lines that each redraw finds
+// anew, to be compared between processors. Lines that are on the mesh whatever the eye hold angles
+// by the C library. print_bits [MESH...]: without names, all that are not refused.
+#include <cinttypes>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "helpers.h"
+#include "laplacian_lines/field_columns.h"
+#include "laplacian_lines/line_mixture.h"
+
+namespace {
+
+using namespace laplacian_lines;
+
+/// FNV-1a.
+class Hash {
+public:
+    void add(const void* data, std::size_t bytes) {
+        for (std::size_t i = 0; i < bytes; ++i)
+            value_ = (value_ ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001b3;
+    }
+    template <class Number>
+    void add(const Number& number) {
+        add(&number, sizeof number);
+    }
+    std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+std::uint64_t hash_of(const TriangleMesh& mesh) {
+    Hash hash;
+    for (const Eigen::Vector3d& p : mesh.positions)
+        hash.add(p.data(), 3 * sizeof(double));
+    for (const Triangle& triangle : mesh.triangles)
+        hash.add(triangle);
+    return hash.value();
+}
+
+std::uint64_t hash_of(const Field& field) {
+    Hash hash;
+    for (const FieldColumn& column : field_columns)
+        hash.add(column.read(field),
+                 column.size(field) * std::size_t(column.floats) * sizeof(float));
+    return hash.value();
+}
+
+void add_lines(const LineSet& lines, Hash& hash) {
+    for (const LinePoint& p : lines.points)
+        for (float number :
+             {p.position.x(), p.position.y(), p.position.z(), p.weight, p.gradient, p.opacity})
+            hash.add(number);
+    for (const Polyline& line : lines.lines) {
+        hash.add(line.count);
+        hash.add(line.kind);
+        hash.add(line.closed);
+        for (float number : {line.strength, line.length, line.slope})
+            hash.add(number);
+    }
+}
+
+LineKindSet redrawn_kinds() {
+    return only_kinds({LineKind::Laplacian, LineKind::Contour, LineKind::SuggestiveContour,
+                       LineKind::SuggestiveHighlight, LineKind::ApparentRidge,
+                       LineKind::PhoticExtremum});
+}
+
+std::uint64_t hash_of_lines(const TriangleMesh& mesh, const Field& field) {
+    const LineExtractor extractor(mesh, field);
+    Hash hash;
+    for (const Eigen::Vector3d& eye : {Eigen::Vector3d(1, 2, 1.5), Eigen::Vector3d(-2, 0.25, 0.5),
+                                       Eigen::Vector3d(0.125, -1, 3)})
+        for (const View& view :
+             {View::perspective(field.scale.diagonal * eye), View::orthographic(eye)})
+            for (LineStyle style : {LineStyle(), helpers::all_crossings_of_all_kinds()}) {
+                style.shows = redrawn_kinds();
+                add_lines(helpers::extract(extractor, view, style), hash);
+            }
+    return hash.value();
+}
+
+void print_bits(const test_meshes::TestMesh& mesh) {
+    const Field field = helpers::complete_field(mesh.mesh);
+    std::printf("%s: mesh %016" PRIx64 ", field %016" PRIx64 ", lines %016" PRIx64 "\n",
+                mesh.name.c_str(), hash_of(mesh.mesh), hash_of(field),
+                hash_of_lines(mesh.mesh, field));
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i)
+        print_bits(test_meshes::mesh_named(argv[i]));
+    if (argc > 1) return 0;
+    for (const auto* entries : {&test_meshes::all_entries(), &test_meshes::wild_entries()})
+        for (const test_meshes::MeshEntry& entry : *entries)
+            if (!entry.has(test_meshes::kUnusable)) print_bits(entry.get());
+}
