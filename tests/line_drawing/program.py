@@ -51,6 +51,8 @@ for sentence, words in (
         ('--kinds is "ridge". It has to be some of usual, laplacian_lines, ', "plate.svg --kinds ridge cube.off"),
         ("unknown option", "plate.svg --colour red cube.off"),
         ("needs a value", "plate.svg cube.off --up"),
+        ("Write an SVG or DXF file", "plate.pdf --title 日本 cube.off"),
+        ("Write an SVG or DXF file", "plate.png --title 日本 cube.off"),
         ("no faces", "plate.svg points.off"),
         ("empty.ply: the mesh cannot be read", "plate.svg empty.ply"),
         ("nonsense.stl: the mesh cannot be read: it ends within its header.", "plate.svg nonsense.stl"),
