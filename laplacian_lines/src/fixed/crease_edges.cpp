@@ -9,6 +9,7 @@
 #include "fixed/crease_support.h"
 #include "fixed/crease_surroundings.h"
 #include "fixed/other_diagonal.h"
+#include "fixed/triangular_faces.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -110,8 +111,12 @@ private:
             sum.area += some.area;
             sum.flat_area += some.flat_area;
         }
-        return sum.flat_area >= kMadeShare * sum.area &&
-               !(is_rough && sum.flat_edges > kTerracesShare * sum.edges);
+        if (sum.flat_area < kMadeShare * sum.area ||
+            (is_rough && sum.flat_edges > kTerracesShare * sum.edges))
+            return false;
+        // subdivided, a scan is as it was
+        sum.flat_area *= 1 - share_of_triangular_faces(graph_, flat);
+        return sum.flat_area >= kMadeShare * sum.area;
     }
 
     std::vector<Candidate> find_candidates() const {
