@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 
 #include "fixed/segment_tracing.h"
@@ -11,6 +12,8 @@
 
 namespace laplacian_lines {
 namespace {
+
+constexpr float kStraight = 0.9999985f;  // cosine of 0.1°: parts of an edge that was subdivided
 
 /// Joins edges to lines, which end where other than two of them meet.
 class CreaseTracer {
@@ -64,7 +67,8 @@ private:
         Polyline line;
         line.kind = LineKind::Crease;
         line.first = std::uint32_t(traced_.lines.points.size());
-        std::uint32_t last = start;
+        std::uint32_t last = start, pieces = 0;
+        Eigen::Vector3f direction = Eigen::Vector3f::Zero();
         line.closed = follow_chain(
             start, [&](std::uint32_t half) { return memory_.linked_half[half]; },
             [&](std::uint32_t half) {
@@ -72,6 +76,9 @@ private:
                 const CreaseEdge& edge = *edges_[half / 2];
                 add_point(crossing_at(graph_, half), &edge);
                 line.length += edge.length();
+                const Eigen::Vector3f span = (edge.positions[1] - edge.positions[0]).normalized();
+                pieces += std::abs(span.dot(direction)) < kStraight;
+                direction = span;
                 nets_.unite(crossing_at(graph_, half), crossing_at(graph_, half ^ 1));
                 last = half ^ 1;
             });
@@ -79,6 +86,7 @@ private:
         line.count = std::uint32_t(traced_.lines.points.size()) - line.first;
         ends_.push_back({crossing_at(graph_, start), crossing_at(graph_, last)});
         traced_.lines.lines.push_back(line);
+        pieces_.push_back(pieces);
     }
 
     bool is_loose(const std::array<std::uint32_t, 2>& ends) const {
@@ -88,11 +96,11 @@ private:
     void find_nets() {
         std::vector<TracedCreases::Net> nets(nets_.size());
         const auto of_line = [&](std::size_t i) -> TracedCreases::Net {
-            return {traced_.lines.lines[i].count - 1, traced_.lines.lines[i].length};
+            return {pieces_[i], traced_.lines.lines[i].length};
         };
         for (std::size_t i = 0; i < ends_.size(); ++i) {
             TracedCreases::Net& net = nets[nets_.root(ends_[i][0])];
-            net.edges += of_line(i).edges;
+            net.pieces += of_line(i).pieces;
             net.length += of_line(i).length;
         }
         for (std::size_t i = 0; i < ends_.size(); ++i)
@@ -106,6 +114,7 @@ private:
     TracingMemory memory_;
     std::unordered_map<std::uint32_t, std::uint32_t> crossing_of_vertex_;
     std::vector<std::array<std::uint32_t, 2>> ends_;  // by line
+    std::vector<std::uint32_t> pieces_;               // straight ones, by line
     DisjointSets nets_;                               // of crossings
 };
 

@@ -12,8 +12,8 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::uint32_t kFewEdges = 12;  // connected ones, that a bad place of a scan may have
-constexpr float kShortNet = 3;           // shortest lines
+constexpr std::uint32_t kFewPieces = 12;  // connected ones, that a bad place of a scan may have
+constexpr float kShortNet = 3;            // shortest lines
 
 /// Which edges lie between a triangle that faces the eye and one that does not. Where contours are
 /// drawn there is one.
@@ -80,7 +80,7 @@ public:
         const HorizonEdges horizon(eye, style);
         for (std::size_t i = 0; i < traced->lines.lines.size(); ++i) {
             const TracedCreases::Net& net = traced->nets[i];
-            if (net.edges >= kFewEdges || net.length >= kShortNet * shortest)
+            if (net.pieces >= kFewPieces || net.length >= kShortNet * shortest)
                 append_line(*traced, traced->lines.lines[i], horizon, lines);
         }
     }
