@@ -85,7 +85,7 @@ private:
     }
 
     /// Faces of large triangles count for what they are: lofts have few that are flat.
-    bool was_made(bool is_rough) const {
+    bool was_made(bool is_rough) {
         static const float flat = cosine_of(kFlat);
         struct Counts {
             double edges = 0, flat_edges = 0, area = 0, flat_area = 0;
@@ -114,9 +114,10 @@ private:
         if (sum.flat_area < kMadeShare * sum.area ||
             (is_rough && sum.flat_edges > kTerracesShare * sum.edges))
             return false;
-        // subdivided, a scan is as it was
-        sum.flat_area *= 1 - share_of_triangular_faces(graph_, flat);
-        return sum.flat_area >= kMadeShare * sum.area;
+        const TriangularFaces faces = find_triangular_faces(graph_, flat);
+        if ((1 - faces.share) * sum.flat_area >= kMadeShare * sum.area) return true;
+        graph_.subdivision = std::uint32_t(std::lround(faces.parts));
+        return false;
     }
 
     std::vector<Candidate> find_candidates() const {
@@ -190,7 +191,7 @@ private:
     }
 
     const float least_angle_;
-    const TriangleGraph graph_;
+    TriangleGraph graph_;
     const std::vector<PlacedCluster> placed_;
     const bool is_rough_, is_made_;
 };

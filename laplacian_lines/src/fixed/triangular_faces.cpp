@@ -12,9 +12,9 @@ constexpr std::uint32_t kMostPlaces = 4000;
 constexpr std::size_t kMostParts = 256;   // a triangle subdivided four times
 constexpr float kSameDirection = 0.999f;  // cosine
 
-/// Whether a flat face with so many triangles at most has sides in but three directions, going
-/// around it, as only a triangle has.
-bool is_part_of_triangle(const TriangleGraph& graph, std::uint32_t triangle, float flat) {
+/// How many triangles are in the flat face of one, if that face has sides in but three directions,
+/// going around it, as only a triangle has; else 0.
+std::size_t parts_of_triangle(const TriangleGraph& graph, std::uint32_t triangle, float flat) {
     std::vector<std::uint32_t> parts = {triangle};
     std::vector<float> signs = {1};  // which turn normals to one side
     std::vector<Vector3f> directions;
@@ -24,7 +24,7 @@ bool is_part_of_triangle(const TriangleGraph& graph, std::uint32_t triangle, flo
             const std::uint32_t next = node.neighbours[k];
             if (next != TriangleGraph::kNone && graph.cosine_across(parts[i], k) >= flat) {
                 if (std::find(parts.begin(), parts.end(), next) != parts.end()) continue;
-                if (parts.size() == kMostParts) return false;
+                if (parts.size() == kMostParts) return 0;
                 parts.push_back(next);
                 signs.push_back(signs[i] * node.sign_across(k));
                 continue;
@@ -36,25 +36,29 @@ bool is_part_of_triangle(const TriangleGraph& graph, std::uint32_t triangle, flo
                 return d.dot(direction) > kSameDirection;
             };
             if (std::any_of(directions.begin(), directions.end(), is_same)) continue;
-            if (directions.size() == 3) return false;
+            if (directions.size() == 3) return 0;
             directions.push_back(direction);
         }
     }
-    return directions.size() == 3;
+    return directions.size() == 3 ? parts.size() : 0;
 }
 
 }  // namespace
 
-double share_of_triangular_faces(const TriangleGraph& graph, float flat) {
+TriangularFaces find_triangular_faces(const TriangleGraph& graph, float flat) {
     const std::uint32_t count = graph.first.back(), step = count / kMostPlaces + 1;
-    double all = 0, triangular = 0;
+    double all = 0, triangular = 0, parts = 0;  // areas, and their sum by parts
     for (std::uint32_t triangle = 0; triangle < count; triangle += step) {
         if (!graph.goes_on_flat(triangle, flat)) continue;
         const double area = double(graph.triangles[triangle].area);
         all += area;
-        if (is_part_of_triangle(graph, triangle, flat)) triangular += area;
+        if (const std::size_t of_face = parts_of_triangle(graph, triangle, flat)) {
+            triangular += area;
+            parts += area * double(of_face);
+        }
     }
-    return all > 0 ? triangular / all : 0;
+    return triangular > 0 ? TriangularFaces{triangular / all, parts / triangular}
+                          : TriangularFaces();
 }
 
 }  // namespace laplacian_lines

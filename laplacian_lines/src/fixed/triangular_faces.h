@@ -5,9 +5,14 @@
 
 namespace laplacian_lines {
 
-/// How much of the area of flat faces of several triangles, which meet at this cosine or more, is
-/// in faces that are triangles themselves: as good as all where the triangles of a mesh were
-/// subdivided. By some places all over the mesh, 0 to 1; 0 if there are no such faces.
-double share_of_triangular_faces(const TriangleGraph& graph, float flat);
+/// Flat faces that are triangles themselves, of several triangles of the mesh: as good as all flat
+/// faces where the triangles of a scan were subdivided.
+struct TriangularFaces {
+    double share = 0;  ///< of the area of flat faces of several triangles, 0 to 1
+    double parts = 1;  ///< triangles of the mesh in one of them, on the mean
+};
+
+/// Flat is what meets at this cosine or more. By some places all over the mesh.
+TriangularFaces find_triangular_faces(const TriangleGraph& graph, float flat);
 
 }  // namespace laplacian_lines
