@@ -9,6 +9,7 @@
 #include "fixed/crease_support.h"
 #include "fixed/crease_surroundings.h"
 #include "fixed/other_diagonal.h"
+#include "fixed/triangular_faces.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -84,7 +85,7 @@ private:
     }
 
     /// Faces of large triangles count for what they are: lofts have few that are flat.
-    bool was_made(bool is_rough) const {
+    bool was_made(bool is_rough) {
         static const float flat = cosine_of(kFlat);
         struct Counts {
             double edges = 0, flat_edges = 0, area = 0, flat_area = 0;
@@ -110,8 +111,13 @@ private:
             sum.area += some.area;
             sum.flat_area += some.flat_area;
         }
-        return sum.flat_area >= kMadeShare * sum.area &&
-               !(is_rough && sum.flat_edges > kTerracesShare * sum.edges);
+        if (sum.flat_area < kMadeShare * sum.area ||
+            (is_rough && sum.flat_edges > kTerracesShare * sum.edges))
+            return false;
+        const TriangularFaces faces = find_triangular_faces(graph_, flat);
+        if ((1 - faces.share) * sum.flat_area >= kMadeShare * sum.area) return true;
+        graph_.subdivision = std::uint32_t(std::lround(faces.parts));
+        return false;
     }
 
     std::vector<Candidate> find_candidates() const {
@@ -185,7 +191,7 @@ private:
     }
 
     const float least_angle_;
-    const TriangleGraph graph_;
+    TriangleGraph graph_;
     const std::vector<PlacedCluster> placed_;
     const bool is_rough_, is_made_;
 };

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "fixed/crease_jump.h"
 #include "fixed/edge_side.h"
 
 namespace laplacian_lines {
@@ -27,7 +28,7 @@ constexpr float kLeastSum = 0.2f;       // of the area; normals that cancel have
 constexpr float kTimesRoughness = 6;  // the least angle of an edge
 constexpr float kCertainly = 1.5f;    // times too rough: what is still to come does not help
 constexpr float kCalm = 2;            // degrees; so smooth is what was made, not measured
-constexpr int kFewEdges = 8;          // too few to tell bending to and fro from bending one way
+constexpr float kFewEdges = 8;        // too few to tell bending to and fro from bending one way
 constexpr float kLong = 0.02f;        // D; edges this long are no noise
 constexpr int kFewTriangles = 4;      // of a side, as large faces have them
 
@@ -51,16 +52,20 @@ public:
     /// From a side of an edge as far as edges have at least the cosine `passable`, which may end
     /// where the surface is too rough for an edge of this angle.
     SideSum(const TriangleGraph& graph, const EdgeSide& side, float passable, float angle)
-        : graph_(graph), passable_(passable), is_long_(side.length() > kLong) {
-        const float height = side.height();
+        : graph_(graph),
+          passable_(passable),
+          cuts_(std::sqrt(float(graph.subdivision))),
+          is_long_(cuts_ * side.length() > kLong) {
+        const float height = cuts_ * side.height();
         const float across = std::max(kLeastReach, kHeights * height);
-        const float along = std::max(kLeastReach, kHeights * std::min(height, side.length()));
+        const float along =
+            std::max(kLeastReach, kHeights * std::min(height, cuts_ * side.length()));
         side.visit(
             [&](std::uint32_t t, unsigned k) { return graph.cosine_across(t, k) >= passable; },
             [&](std::uint32_t t) { return side.is_near(graph.triangles[t].centre, across, along); },
             [&](std::uint32_t t, float sign) {
                 add(t, sign);
-                return edges_ < kFewEdges || !is_too_rough(angle / kCertainly);
+                return has_few_edges() || !is_too_rough(angle / kCertainly);
             });
     }
 
@@ -80,7 +85,10 @@ public:
     }
 
 private:
+    bool has_few_edges() const { return float(edges_) < kFewEdges * cuts_; }
+
     void add(std::uint32_t triangle, float sign) {
+        static const float flat = cosine_of(kFlat);
         const TriangleGraph::Node& node = graph_.triangles[triangle];
         normals_ += sign * node.area * node.normal;
         area_ += node.area;
@@ -88,7 +96,7 @@ private:
         for (unsigned k = 0; k < 3; ++k) {
             if (node.neighbours[k] == TriangleGraph::kNone) continue;
             const float cosine = graph_.cosine_across(triangle, k);
-            if (cosine < passable_) continue;
+            if (cosine < passable_ || (graph_.subdivision > 1 && cosine >= flat)) continue;
             const float square = std::max(2 - 2 * cosine, 0.f);  // of the angle, nearly
             const float size = std::sqrt(square);
             bends_ += sign * bend_at(graph_, triangle, k) > 0 ? size : -size;
@@ -102,13 +110,14 @@ private:
     float roughness() const {
         if (!(sizes_ > 0)) return 0;
         const float size = std::sqrt(squares_ / float(edges_)) * kDegrees;
-        return edges_ < kFewEdges && !is_long_ ? size : size * (1 - std::abs(bends_) / sizes_);
+        return has_few_edges() && !is_long_ ? size : size * (1 - std::abs(bends_) / sizes_);
     }
 
     bool has_mean() const { return normals_.norm() > kLeastSum * area_; }
 
     const TriangleGraph& graph_;
     const float passable_;
+    const float cuts_;  // into which an edge was cut when the mesh was subdivided
     const bool is_long_;
     Vector3f normals_ = Vector3f::Zero();  // times areas, as the edge's own triangle has them
     float area_ = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 
 #include "fixed/segment_tracing.h"
@@ -12,7 +13,8 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr float kGoesOn = 0.5f;  // least cosine between two edges of a line
+constexpr float kGoesOn = 0.5f;          // least cosine between two edges of a line
+constexpr float kStraight = 0.9999985f;  // cosine of 0.1°: parts of an edge that was subdivided
 
 /// Joins edges to lines, which end where other than two of them meet.
 class CreaseTracer {
@@ -66,7 +68,8 @@ private:
         Polyline line;
         line.kind = LineKind::Crease;
         line.first = std::uint32_t(traced_.lines.points.size());
-        std::uint32_t last = start;
+        std::uint32_t last = start, pieces = 0;
+        Eigen::Vector3f direction = Eigen::Vector3f::Zero();
         line.closed = follow_chain(
             start, [&](std::uint32_t half) { return memory_.linked_half[half]; },
             [&](std::uint32_t half) {
@@ -74,6 +77,9 @@ private:
                 const CreaseEdge& edge = *edges_[half / 2];
                 add_point(crossing_at(graph_, half), &edge);
                 line.length += edge.length();
+                const Eigen::Vector3f span = (edge.positions[1] - edge.positions[0]).normalized();
+                pieces += std::abs(span.dot(direction)) < kStraight;
+                direction = span;
                 nets_.unite(crossing_at(graph_, half), crossing_at(graph_, half ^ 1));
                 last = half ^ 1;
             });
@@ -81,6 +87,7 @@ private:
         line.count = std::uint32_t(traced_.lines.points.size()) - line.first;
         ends_.push_back({crossing_at(graph_, start), crossing_at(graph_, last)});
         traced_.lines.lines.push_back(line);
+        pieces_.push_back(pieces);
     }
 
     std::uint32_t loose_ends(const std::array<std::uint32_t, 2>& ends) const {
@@ -104,10 +111,9 @@ private:
         std::vector<TracedCreases::Net> of_line;
         for (std::size_t i = 0; i < ends_.size(); ++i) {
             const Polyline& line = traced_.lines.lines[i];
-            of_line.push_back(
-                {line.count - 1, line.length, sharp_turns(line) + loose_ends(ends_[i])});
+            of_line.push_back({pieces_[i], line.length, sharp_turns(line) + loose_ends(ends_[i])});
             TracedCreases::Net& net = nets[nets_.root(ends_[i][0])];
-            net.edges += of_line[i].edges;
+            net.pieces += of_line[i].pieces;
             net.length += of_line[i].length;
             net.faults += of_line[i].faults;
         }
@@ -123,6 +129,7 @@ private:
     TracingMemory memory_;
     std::unordered_map<std::uint32_t, std::uint32_t> crossing_of_vertex_;
     std::vector<std::array<std::uint32_t, 2>> ends_;  // by line
+    std::vector<std::uint32_t> pieces_;               // straight ones, by line
     DisjointSets nets_;                               // of crossings
 };
 

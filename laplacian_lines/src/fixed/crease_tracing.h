@@ -15,7 +15,7 @@ struct TracedCreases {
     /// What belongs together: all lines that are connected with a line, or a line with a loose end
     /// alone, by line.
     struct Net {
-        std::uint32_t edges = 0;
+        std::uint32_t pieces = 0;  ///< straight ones, of one edge or several
         float length = 0;  ///< D
         /// Loose ends, and turns of more than 60 degrees where no third edge meets: where
         /// an edge of the form turns, so do its walls, and there is an edge between these.

@@ -12,12 +12,12 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::uint32_t kFewEdges = 12;  // connected ones, that a bad place of a scan may have
-constexpr float kShortNet = 3;           // shortest lines
+constexpr std::uint32_t kFewPieces = 12;  // connected ones, that a bad place of a scan may have
+constexpr float kShortNet = 3;            // shortest lines
 // Of rounded edges whose triangles are as large as their radius, some are as sharp as creases, here
 // and there and to and fro: ridges tell them better.
-constexpr float kRaggedEdge = 0.015f;        // D; longer ones are those of a form
-constexpr std::uint32_t kEdgesOfAFault = 6;  // fewer to a fault are ragged
+constexpr float kRaggedPiece = 0.015f;        // D; longer ones are those of a form
+constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer to a fault are ragged
 
 /// Which edges lie between a triangle that faces the eye and one that does not. Where contours are
 /// drawn there is one.
@@ -102,9 +102,9 @@ public:
 
 private:
     static bool is_drawn(const TracedCreases::Net& net, float shortest) {
-        const bool is_ragged =
-            net.edges < kEdgesOfAFault * net.faults && net.length < kRaggedEdge * float(net.edges);
-        return !is_ragged && (net.edges >= kFewEdges || net.length >= kShortNet * shortest);
+        const bool is_ragged = net.pieces < kPiecesOfAFault * net.faults &&
+                               net.length < kRaggedPiece * float(net.pieces);
+        return !is_ragged && (net.pieces >= kFewPieces || net.length >= kShortNet * shortest);
     }
 
     static LineSet drawn(const TracedCreases& traced, float shortest) {

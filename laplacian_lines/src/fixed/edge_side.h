@@ -2,16 +2,40 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
+#include <vector>
 
 #include "fixed/crease_surroundings.h"
 
 namespace laplacian_lines {
 
+/// Numbers of triangles, a few.
+class TriangleSet {
+public:
+    explicit TriangleSet(std::size_t most) {
+        std::size_t size = 4;
+        while (size < 2 * most)
+            size *= 2;
+        slots_.assign(size, TriangleGraph::kNone);
+    }
+    bool contains(std::uint32_t triangle) const { return slots_[slot_of(triangle)] == triangle; }
+    void add(std::uint32_t triangle) { slots_[slot_of(triangle)] = triangle; }
+
+private:
+    /// Where it is, or could be.
+    std::size_t slot_of(std::uint32_t triangle) const {
+        std::size_t slot = triangle * 0x9e3779b1u & (slots_.size() - 1);
+        while (slots_[slot] != TriangleGraph::kNone && slots_[slot] != triangle)
+            slot = (slot + 1) & (slots_.size() - 1);
+        return slot;
+    }
+
+    std::vector<std::uint32_t> slots_;
+};
+
 /// The surface on one side of a bent edge: triangles from the one at the edge on, in rings.
 class EdgeSide {
 public:
-    static constexpr std::size_t kMostTriangles = 24;
+    static constexpr std::size_t kMostTriangles = 24;  // as they were measured
 
     /// The edge's own triangle's side, or the one beyond. Signs turn normals to agree with that of
     /// the edge's own triangle.
@@ -57,20 +81,22 @@ public:
     /// Returns whether it always was.
     template <class Passes, class Holds, class Visit>
     bool visit(const Passes& passes, const Holds& holds, const Visit& visit) const {
-        std::uint32_t visited[kMostTriangles] = {start_};
-        float signs[kMostTriangles] = {sign_};
-        std::size_t count = 1;
-        for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t most = kMostTriangles * graph_.subdivision;
+        std::vector<std::uint32_t> visited = {start_};
+        std::vector<float> signs = {sign_};
+        TriangleSet known(most);
+        known.add(start_);
+        for (std::size_t i = 0; i < visited.size(); ++i) {
             if (!visit(visited[i], signs[i])) return false;
             const TriangleGraph::Node& node = graph_.triangles[visited[i]];
-            for (unsigned k = 0; k < 3 && count < kMostTriangles; ++k) {
+            for (unsigned k = 0; k < 3 && visited.size() < most; ++k) {
                 const std::uint32_t next = node.neighbours[k];
                 if (next == TriangleGraph::kNone || next == opposite_ || !holds(next) ||
-                    std::find(visited, visited + count, next) != visited + count ||
-                    !passes(visited[i], k))
+                    known.contains(next) || !passes(visited[i], k))
                     continue;
-                signs[count] = signs[i] * node.sign_across(k);
-                visited[count++] = next;
+                signs.push_back(signs[i] * node.sign_across(k));
+                visited.push_back(next);
+                known.add(next);
             }
         }
         return true;

@@ -36,6 +36,7 @@ public:
             graph.first.push_back(count);
             count += cluster.triangle_count;
         }
+        graph.first.push_back(count);
         graph.triangles.reset(new Node[count]);  // written by all threads
         advise_huge_pages(graph.triangles.get(), count * sizeof(Node));
     }

@@ -29,7 +29,9 @@ struct TriangleGraph {
     };
     const VertexRecord* records = nullptr;  ///< those of the extractor's data
     std::unique_ptr<Node[]> triangles;      ///< cluster by cluster
-    std::vector<std::uint32_t> first;       ///< of each cluster
+    std::vector<std::uint32_t> first;       ///< of each cluster, and the number of all
+    /// How many triangles stand for one that was measured, of a scan that was subdivided.
+    std::uint32_t subdivision = 1;
 
     Eigen::Vector3f position(std::uint32_t triangle, unsigned corner) const {
         return Eigen::Map<const Eigen::Vector3f>(

@@ -12,6 +12,7 @@
 #include "system/buckets.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
+#include "system/simd_versions.h"
 
 namespace laplacian_lines {
 
@@ -66,6 +67,53 @@ inline Eigen::AlignedBox3f local_box() {
     return {Eigen::Vector3f::Constant(-1), Eigen::Vector3f::Constant(1)};
 }
 
+/// Four boxes side by side, which are held against another one together. At first empty.
+template <int Dim>
+class FourBoxes {
+    using Lanes = typename SimdVector<float, 16>::Type;
+
+public:
+    using Box = Eigen::AlignedBox<float, Dim>;
+    static constexpr unsigned kCount = 4;
+
+    FourBoxes() {
+        for (unsigned k = 0; k < kCount; ++k)
+            set(k, Box());
+    }
+    void set(unsigned k, const Box& box) {
+        for (int axis = 0; axis < Dim; ++axis) {
+            low_[axis][k] = box.min()[axis];
+            high_[axis][k] = box.max()[axis];
+        }
+    }
+    Box box(unsigned k) const {
+        Box box;
+        for (int axis = 0; axis < Dim; ++axis) {
+            box.min()[axis] = low_[axis][k];
+            box.max()[axis] = high_[axis][k];
+        }
+        return box;
+    }
+    /// Around all.
+    Box bounds() const {
+        Box all = box(0);
+        for (unsigned k = 1; k < kCount; ++k)
+            all.extend(box(k));
+        return all;
+    }
+    /// Bit k: that one meets `other`.
+    unsigned meeting(const Box& other) const {
+        typename SimdVector<std::int32_t, 16>::Type bits = {1, 2, 4, 8};
+        for (int axis = 0; axis < Dim; ++axis)
+            bits &= (low_[axis] <= Lanes{} + other.max()[axis]) &
+                    (high_[axis] >= Lanes{} + other.min()[axis]);
+        return unsigned(bits[0] | bits[1] | bits[2] | bits[3]);
+    }
+
+private:
+    Lanes low_[Dim], high_[Dim];
+};
+
 /// A tree of the boxes of elements in such an order: each four that follow each other have one
 /// together, each four of these, and so on. Thread-safe.
 template <int Dim>
@@ -77,28 +125,26 @@ public:
     /// Holds box_of(i) for all i in `order`, which has to outlive the tree.
     template <class BoxOf>
     BoxTree(const std::vector<std::uint32_t>& order, BoxOf box_of) : order_(&order) {
-        const auto add_level = [&](std::size_t size, auto box_of_node) {
-            auto level = large_array<Box>(size);
-            for_each_element(size, [&](std::size_t node) { level[node] = box_of_node(node); });
+        const auto add_level = [&](std::size_t count, auto box_at) {
+            auto level = large_array<Fours>((count + kFan - 1) / kFan);
+            for_each_element(level.size(), [&](std::size_t node) {
+                for (unsigned k = 0; k < std::min(kFan, count - node * kFan); ++k)
+                    level[node].set(k, box_at(node * kFan + k));
+            });
             levels_.push_back(std::move(level));
         };
+        if (order.empty()) return;
         add_level(order.size(), [&](std::size_t i) { return box_of(order[i]); });
         while (levels_.back().size() > 1) {
-            const std::vector<Box>& below = levels_.back();
-            add_level((below.size() + kFan - 1) / kFan, [&](std::size_t node) {
-                Box box;
-                for (std::size_t k = node * kFan; k < std::min(below.size(), (node + 1) * kFan);
-                     ++k)
-                    box.extend(below[k]);
-                return box;
-            });
+            const std::vector<Fours>& below = levels_.back();
+            add_level(below.size(), [&](std::size_t node) { return below[node].bounds(); });
         }
     }
 
     /// Calls visit(number) for the elements whose boxes meet one, until it returns false.
     template <class Visit>
     void visit(const Box& box, Visit visit) const {
-        if (!is_empty() && levels_.back()[0].intersects(box))
+        if (!levels_.empty())
             visit_nodes(top(), 0, box, 0, [&](std::size_t i) { return visit((*order_)[i]); });
     }
 
@@ -109,10 +155,11 @@ public:
     /// In which all pairs of elements are that meet, each once.
     std::vector<Pair> pairs() const {
         std::vector<Pair> all;
-        if (is_empty()) return all;
+        if (levels_.empty()) return all;
         const std::size_t level = std::min(top(), kPairLevel);
-        for (std::uint32_t node = 0; node < levels_[level].size(); ++node)
-            visit_nodes(top(), 0, levels_[level][node], level, [&](std::size_t other) {
+        const std::vector<Fours>& nodes = levels_[level - 1];
+        for (std::uint32_t node = 0; node < nodes.size(); ++node)
+            visit_nodes(top(), 0, nodes[node].bounds(), level, [&](std::size_t other) {
                 if (other >= node) all.push_back({{node, std::uint32_t(other)}});
                 return true;
             });
@@ -121,47 +168,54 @@ public:
     /// Calls visit(i, k) for the places in the order of elements whose boxes meet, i < k.
     template <class Visit>
     void visit_pairs(const Pair& pair, Visit visit) const {
-        visit_pairs(std::min(top(), kPairLevel), pair.nodes[0], pair.nodes[1], visit);
+        const std::size_t level = std::min(top(), kPairLevel);
+        const auto [a, b] = pair.nodes;
+        visit_pairs(level, a, b, levels_[level - 1][b].bounds(), visit);
     }
 
 private:
-    static constexpr std::size_t kFan = 4;
+    using Fours = FourBoxes<Dim>;
+    static constexpr std::size_t kFan = Fours::kCount;
     static constexpr std::size_t kPairLevel = 5;  // 1,024 elements
 
-    bool is_empty() const { return levels_.empty() || levels_[0].empty(); }
-    std::size_t top() const { return levels_.size() - 1; }
-    std::size_t end_of(std::size_t node, std::size_t level) const {
-        return std::min(levels_[level - 1].size(), (node + 1) * kFan);
-    }
+    // Nodes of level 0 are elements, those of level n + 1 each have the boxes of levels_[n].
+    std::size_t top() const { return levels_.size(); }
 
-    /// Calls visit(node) for nodes of a level that meet a box, below one that does, until it
-    /// returns false; returns whether it never has.
+    /// Calls visit(node) for nodes of a level that meet a box, below another one, until it returns
+    /// false; returns whether it never has.
     template <class Visit>
     bool visit_nodes(std::size_t at, std::size_t node, const Box& box, std::size_t level,
                      const Visit& visit) const {
         if (at == level) return visit(node);
-        for (std::size_t child = node * kFan; child < end_of(node, at); ++child)
-            if (levels_[at - 1][child].intersects(box) &&
-                !visit_nodes(at - 1, child, box, level, visit))
+        const unsigned near = levels_[at - 1][node].meeting(box);
+        for (unsigned k = 0; near >> k; ++k)
+            if ((near >> k & 1) && !visit_nodes(at - 1, node * kFan + k, box, level, visit))
                 return false;
         return true;
     }
 
+    /// Of two nodes that meet, or one twice.
     template <class Visit>
-    void visit_pairs(std::size_t level, std::size_t a, std::size_t b, const Visit& visit) const {
-        if (a != b && !levels_[level][a].intersects(levels_[level][b])) return;
-        if (level == 0) {
-            if (a != b) visit(a, b);
-            return;
+    void visit_pairs(std::size_t level, std::size_t a, std::size_t b, const Box& box_of_b,
+                     const Visit& visit) const {
+        const Fours &of_a = levels_[level - 1][a], &of_b = levels_[level - 1][b];
+        const unsigned near_b = of_a.meeting(box_of_b);
+        for (unsigned i = 0; near_b >> i; ++i) {
+            if (!(near_b >> i & 1)) continue;
+            const unsigned near = of_b.meeting(of_a.box(i));
+            for (unsigned k = a == b ? i : 0; near >> k; ++k) {
+                if (!(near >> k & 1)) continue;
+                const std::size_t first = a * kFan + i, second = b * kFan + k;
+                if (level > 1)
+                    visit_pairs(level - 1, first, second, of_b.box(k), visit);
+                else if (first != second)
+                    visit(first, second);
+            }
         }
-        for (std::size_t i = a * kFan; i < end_of(a, level); ++i)
-            if (a == b || levels_[level - 1][i].intersects(levels_[level][b]))
-                for (std::size_t k = a == b ? i : b * kFan; k < end_of(b, level); ++k)
-                    visit_pairs(level - 1, i, k, visit);
     }
 
     const std::vector<std::uint32_t>* order_ = nullptr;
-    std::vector<std::vector<Box>> levels_;  // of elements, of four of these, ...
+    std::vector<std::vector<Fours>> levels_;
 };
 
 }  // namespace laplacian_lines

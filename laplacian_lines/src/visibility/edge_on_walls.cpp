@@ -15,6 +15,9 @@ EdgeOnWalls::EdgeOnWalls(const Picture& picture) : picture_(picture), mesh_(pict
     find_walls();
     if (is_wall_.empty()) return;
     const std::vector<std::uint32_t> edges = edges_of_walls();
+    walls_ = collect<std::uint32_t>(is_wall_.size(), [&](std::uint32_t t, auto& found) {
+        if (is_wall(t)) found.push_back(t);
+    });
     join_faces(edges);
     note_folds(edges);
 }
@@ -41,15 +44,19 @@ std::vector<std::uint32_t> EdgeOnWalls::edges_of_walls() const {
 }
 
 void EdgeOnWalls::join_faces(const std::vector<std::uint32_t>& edges) {
-    DisjointSets faces(mesh_.triangles.size());
+    DisjointSets faces(walls_.size());
     for (const std::uint32_t e : edges) {
         if (mesh_.side_count(e) != 2) continue;
         const std::uint32_t a = mesh_.sides_of(e)[0].triangle, b = mesh_.sides_of(e)[1].triangle;
         if (is_wall(a) && is_wall(b) &&
             mesh_.normal(a).cross(mesh_.normal(b)).norm() < EyeFrame::turn())
-            faces.unite(a, b);
+            faces.unite(number_of(a), number_of(b));
     }
     face_of_ = faces.take_roots();
+}
+
+std::uint32_t EdgeOnWalls::number_of(std::uint32_t wall) const {
+    return std::uint32_t(std::lower_bound(walls_.begin(), walls_.end(), wall) - walls_.begin());
 }
 
 void EdgeOnWalls::note_folds(const std::vector<std::uint32_t>& edges) {
@@ -57,7 +64,7 @@ void EdgeOnWalls::note_folds(const std::vector<std::uint32_t>& edges) {
         const SightMesh::Side* sides = mesh_.sides_of(e);
         if (!picture_.is_fold(e)) continue;
         for (std::size_t i = 0; i < mesh_.side_count(e); ++i)
-            if (is_wall(sides[i].triangle)) folds_[face_of_[sides[i].triangle]].push_back(e);
+            if (is_wall(sides[i].triangle)) folds_[face_of(sides[i].triangle)].push_back(e);
     }
 }
 
@@ -67,7 +74,7 @@ bool EdgeOnWalls::drop_at(std::uint32_t edge) const {
         return false;
     const std::uint32_t wall = sides[is_wall(sides[0].triangle) ? 0 : 1].triangle;
     if (!recedes(edge, wall)) return false;
-    const auto folds = folds_.find(face_of_[wall]);
+    const auto folds = folds_.find(face_of(wall));
     return folds == folds_.end() || !cover(folds->second, edge);
 }
 

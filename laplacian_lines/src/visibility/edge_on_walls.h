@@ -23,6 +23,8 @@ public:
 
 private:
     bool is_wall(std::uint32_t triangle) const { return !is_wall_.empty() && is_wall_[triangle]; }
+    std::uint32_t number_of(std::uint32_t wall) const;
+    std::uint32_t face_of(std::uint32_t wall) const { return face_of_[number_of(wall)]; }
     void find_walls();
     std::vector<std::uint32_t> edges_of_walls() const;
     void join_faces(const std::vector<std::uint32_t>& edges);
@@ -32,8 +34,9 @@ private:
 
     const Picture& picture_;
     const SightMesh& mesh_;
-    std::vector<std::uint8_t> is_wall_;  // by triangle; empty: none is
-    std::vector<std::uint32_t> face_of_;
+    std::vector<std::uint8_t> is_wall_;   // by triangle; empty: none is
+    std::vector<std::uint32_t> walls_;    // triangles, ascending
+    std::vector<std::uint32_t> face_of_;  // by number of the wall
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> folds_;  // edges, by face
 };
 

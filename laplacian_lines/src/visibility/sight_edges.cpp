@@ -38,49 +38,62 @@ void keep_triangles(SightMesh& mesh, Keep keep) {
 template <class SideOf>
 void gather_edges(std::size_t count, SideOf side_of, std::size_t vertices, SightMesh& mesh) {
     struct Key {
-        std::uint64_t edge;
-        std::uint32_t side, number;
+        std::uint32_t vertex, side, number;  // the edge's second vertex
         bool operator<(const Key& other) const {
-            return edge != other.edge ? edge < other.edge : side < other.side;
+            return vertex != other.vertex ? vertex < other.vertex : side < other.side;
         }
-        bool operator==(const Key& other) const { return edge == other.edge && side == other.side; }
-    };
-    const auto key_of = [&](std::uint32_t i) {
-        const LooseSide side = side_of(i);
-        return Key{std::uint64_t(side.vertices[0]) << 32 | side.vertices[1],
-                   2 * side.triangle + side.is_reversed, i};
+        bool operator==(const Key& other) const {
+            return vertex == other.vertex && side == other.side;
+        }
     };
     constexpr std::size_t kBucket = 1024;
     const std::size_t bucket_count = count / kBucket + 1;
-    Buckets buckets = sort_in_buckets(count, bucket_count, [&](std::uint32_t i) {
-        return std::size_t(side_of(i).vertices[0]) * bucket_count / vertices;
-    });
+    const auto bucket_of = [&](std::size_t vertex) { return vertex * bucket_count / vertices; };
+    Buckets buckets = sort_in_buckets(
+        count, bucket_count, [&](std::uint32_t i) { return bucket_of(side_of(i).vertices[0]); });
     std::vector<std::uint32_t> first_edges(bucket_count + 1), first_sides(bucket_count + 1);
     buckets.for_each([&](std::size_t bucket, std::uint32_t* begin, std::uint32_t* end) {
-        std::vector<Key> keys;
+        // first by the edges' first vertices, at each of which are but a few
+        const std::size_t first = (bucket * vertices + bucket_count - 1) / bucket_count,
+                          last = ((bucket + 1) * vertices + bucket_count - 1) / bucket_count;
+        std::vector<std::uint32_t> ends(last - first + 2);
         for (const std::uint32_t* i = begin; i != end; ++i)
-            keys.push_back(key_of(*i));
-        std::sort(keys.begin(), keys.end());
-        keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-        for (std::size_t k = 0; k < keys.size(); ++k) {
-            begin[k] = keys[k].number;
-            first_edges[bucket] += k == 0 || keys[k - 1].edge != keys[k].edge;
+            ++ends[side_of(*i).vertices[0] - first + 2];
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+        std::vector<Key> keys(std::size_t(end - begin));
+        for (const std::uint32_t* i = begin; i != end; ++i) {
+            const LooseSide side = side_of(*i);
+            keys[ends[side.vertices[0] - first + 1]++] = {side.vertices[1],
+                                                          2 * side.triangle + side.is_reversed, *i};
         }
-        first_sides[bucket] = std::uint32_t(keys.size());
+        std::uint32_t edge_count = 0, side_count = 0;
+        for (std::size_t v = first; v < last; ++v) {
+            const auto from = keys.begin() + ends[v - first],
+                       to = keys.begin() + ends[v - first + 1];
+            std::sort(from, to);
+            for (auto key = from; key != to; ++key) {
+                if (key != from && *key == key[-1]) continue;
+                edge_count += key == from || key->vertex != key[-1].vertex;
+                begin[side_count++] = key->number;
+            }
+        }
+        first_edges[bucket] = edge_count;
+        first_sides[bucket] = side_count;
     });
     std::exclusive_scan(first_edges.begin(), first_edges.end(), first_edges.begin(), 0u);
     std::exclusive_scan(first_sides.begin(), first_sides.end(), first_sides.begin(), 0u);
     mesh.edges = large_array<SightMesh::Edge>(first_edges[bucket_count] + 1);
     mesh.sides = large_array<SightMesh::Side>(first_sides[bucket_count]);
     buckets.for_each([&](std::size_t bucket, const std::uint32_t* number, std::uint32_t*) {
-        std::uint32_t edge = first_edges[bucket];
-        std::uint64_t last = ~std::uint64_t(0);  // no edge
+        std::uint32_t next = first_edges[bucket];
         for (std::uint32_t s = first_sides[bucket]; s < first_sides[bucket + 1]; ++s, ++number) {
             const LooseSide side = side_of(*number);
-            const std::uint64_t ends = key_of(*number).edge;
-            if (ends != last) mesh.edges[edge++] = {{side.vertices[0], side.vertices[1]}, s};
+            const SightMesh::Edge edge = {{side.vertices[0], side.vertices[1]}, s};
+            const bool is_new = s == first_sides[bucket] ||
+                                edge.vertices[0] != mesh.edges[next - 1].vertices[0] ||
+                                edge.vertices[1] != mesh.edges[next - 1].vertices[1];
+            if (is_new) mesh.edges[next++] = edge;
             mesh.sides[s] = {side.triangle, side.is_reversed};
-            last = ends;
         }
     });
     mesh.edges.back() = {{0, 0}, first_sides[bucket_count]};
@@ -96,12 +109,16 @@ std::vector<std::uint8_t> find_equal_triangles(const SightMesh& mesh) {
     std::vector<std::uint8_t> are_equal(mesh.triangles.size());
     for_each_element(mesh.edge_count(), [&](std::size_t e) {
         const SightMesh::Edge& edge = mesh.edges[e];
-        if (mesh.side_count(std::uint32_t(e)) < 2) return;
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> by_third;  // corner, triangle
+        const std::size_t count = mesh.side_count(std::uint32_t(e));
         const SightMesh::Side* sides = mesh.sides_of(std::uint32_t(e));
-        for (std::size_t i = 0; i < mesh.side_count(std::uint32_t(e)); ++i)
-            for (const std::uint32_t v : mesh.triangles[sides[i].triangle])
-                if (v > edge.vertices[1]) by_third.emplace_back(v, sides[i].triangle);
+        const auto largest = [&](std::size_t i) {
+            const Triangle& t = mesh.triangles[sides[i].triangle];
+            return std::max({t[0], t[1], t[2]});
+        };
+        if (count < 2 || (count == 2 && largest(0) != largest(1))) return;
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> by_third;  // corner, triangle
+        for (std::size_t i = 0; i < count; ++i)
+            if (largest(i) > edge.vertices[1]) by_third.emplace_back(largest(i), sides[i].triangle);
         std::sort(by_third.begin(), by_third.end());
         for (std::size_t i = 1; i < by_third.size(); ++i)
             if (by_third[i].first == by_third[i - 1].first) are_equal[by_third[i].second] = 1;

@@ -84,16 +84,16 @@ bool weld_borders(SightMesh& mesh) {
 }
 
 /// For each end of cuts, the vertices from `first_end` on, the first vertex at its place.
-std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::size_t first_end) {
+std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::size_t first_end,
+                                         const std::vector<std::uint8_t>& near_cuts) {
     const std::size_t count = mesh.positions.size();
-    const std::vector<bool> are_used = vertices_of_edges(mesh);
     std::vector<bool> are_ends(count);
     std::fill(are_ends.begin() + std::ptrdiff_t(first_end), are_ends.end(), true);
     const VertexPlaces ends(mesh, are_ends);
     using Pair = std::pair<std::uint32_t, std::uint32_t>;  // an end, another vertex at its place
     const auto find = [&](std::uint32_t v, std::vector<Pair>& found) {
         const Vector3d& p = mesh.positions[v];
-        if (!are_used[v] && v < first_end) return;
+        if (v < first_end && !near_cuts[v]) return;
         ends.visit_along(p, p, mesh.precision, [&](std::uint32_t end) {
             if (v < end && (mesh.positions[end] - p).norm() <= mesh.precision)
                 found.emplace_back(end, v);
@@ -112,7 +112,7 @@ std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::size_t firs
 /// than the precision.
 void weld_ends(std::size_t first_end, const SightMesh& mesh, SurfaceContacts& contacts) {
     if (mesh.positions.size() == first_end) return;
-    const std::vector<std::uint32_t> first = first_at_ends(mesh, first_end);
+    const std::vector<std::uint32_t> first = first_at_ends(mesh, first_end, contacts.near_cuts);
     const auto weld = [&](std::uint32_t& v) {
         if (v >= first_end) v = first[v - first_end];
     };
@@ -144,10 +144,13 @@ bool come_before(const SurfaceContacts::OnEdge& a, const SurfaceContacts::OnEdge
 void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
     using OnEdge = SurfaceContacts::OnEdge;
     if (contacts.cuts.empty()) return;
-    std::vector<bool> are_ends(mesh.positions.size()), are_used = vertices_of_edges(mesh);
+    std::vector<bool> are_ends(mesh.positions.size());
     for (const SurfaceContacts::Cut& cut : contacts.cuts)
         for (const std::uint32_t v : cut.vertices)
-            are_ends[v] = are_used[v] = true;
+            are_ends[v] = true;
+    const auto is_near = [&](std::uint32_t v) {
+        return are_ends[v] || (v < contacts.near_cuts.size() && contacts.near_cuts[v]);
+    };
     const auto box_of = [&](std::uint32_t c) {
         const std::uint32_t* const ends = contacts.cuts[c].vertices;
         return box_around(mesh.positions[ends[0]], mesh.positions[ends[1]], mesh.precision);
@@ -162,7 +165,7 @@ void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
             found.push_back({{ends[0], ends[1]}, v});
     };
     const auto find_cuts = [&](std::uint32_t v, std::vector<OnEdge>& found) {
-        if (!are_used[v]) return;
+        if (!is_near(v)) return;
         cuts.visit(Eigen::AlignedBox3f(mesh.positions[v].cast<float>().eval()),
                    [&](std::uint32_t c) {
                        add_if_on(v, contacts.cuts[c].vertices, found);
@@ -172,6 +175,7 @@ void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
     const VertexPlaces ends(mesh, are_ends);
     const auto find_ends = [&](std::uint32_t e, std::vector<OnEdge>& found) {
         const std::uint32_t* const edge = mesh.edges[e].vertices;
+        if (!is_near(edge[0]) || !is_near(edge[1])) return;
         ends.visit_along(mesh.positions[edge[0]], mesh.positions[edge[1]], mesh.precision,
                          [&](std::uint32_t v) { add_if_on(v, edge, found); });
     };

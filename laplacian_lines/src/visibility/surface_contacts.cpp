@@ -9,7 +9,6 @@
 #include <map>
 #include <tuple>
 
-#include "system/large_array.h"
 #include "visibility/box_tree.h"
 #include "visibility/vertex_places.h"
 
@@ -84,6 +83,7 @@ struct Found {
     std::vector<FoundCut> cuts;
     std::vector<CutAlongEdge> along_edges;
     std::vector<SurfaceContacts::OnEdge> on_edges;
+    std::vector<std::uint8_t> near_cuts;
 };
 
 int common_corners(const Triangle& a, const Triangle& b) {
@@ -93,34 +93,78 @@ int common_corners(const Triangle& a, const Triangle& b) {
     return count;
 }
 
+using Spans = std::array<Vector3d, 2>;
+
 /// A triangle's sides from a corner.
-std::array<Vector3d, 2> spans_from(std::uint32_t corner, const Triangle& t, const SightMesh& mesh) {
+Spans spans_from(std::uint32_t corner, const Triangle& t, const SightMesh& mesh) {
     const std::size_t k = corner == t[0] ? 0 : corner == t[1] ? 1 : 2;
     const Vector3d& from = mesh.positions[corner];
     return {mesh.positions[t[(k + 1) % 3]] - from, mesh.positions[t[(k + 2) % 3]] - from};
 }
 
-/// Whether a plane through the one corner that two triangles have in common is between them, with
-/// the other corners farther from it than `reach`: so it is with most at a vertex that have another
-/// one between them.
-bool are_apart(const Triangle& a, const Triangle& b, double reach, const SightMesh& mesh) {
+bool is_over(const Spans& spans, const Vector3d& normal, double least) {
+    return normal.dot(spans[0]) > least && normal.dot(spans[1]) > least;
+}
+
+/// Whether triangles with these sides from their one common corner are on both sides of a plane
+/// through it, with the other corners farther from it than `reach`.
+bool are_beside(const Spans& a, const Spans& b, const Vector3d& normal, double reach) {
+    const double least = reach * normal.norm();
+    return is_over(a, normal, least) && is_over(b, -normal, least);
+}
+
+/// Whether one of some planes through the one corner that two triangles have in common is between
+/// them: so it is with nearly all at a vertex that have another one between them.
+bool are_apart_at_corner(const Triangle& a, const Triangle& b, double reach,
+                         const SightMesh& mesh) {
     const std::uint32_t corner = has_corner(b, a[0]) ? a[0] : has_corner(b, a[1]) ? a[1] : a[2];
-    const auto of_a = spans_from(corner, a, mesh), of_b = spans_from(corner, b, mesh);
-    const Vector3d across = of_a[0] + of_a[1] - of_b[0] - of_b[1];
-    const double least = reach * across.norm();
-    return across.dot(of_a[0]) > least && across.dot(of_a[1]) > least &&
-           across.dot(of_b[0]) < -least && across.dot(of_b[1]) < -least;
+    const Spans of_a = spans_from(corner, a, mesh), of_b = spans_from(corner, b, mesh);
+    if (are_beside(of_a, of_b, of_a[0] + of_a[1] - of_b[0] - of_b[1], reach)) return true;
+    const Vector3d normal = of_a[0].cross(of_a[1]);
+    for (const Vector3d& s : of_a)
+        for (const Vector3d& t : of_b) {  // upright in the middle of a gap
+            const Vector3d between = normal.cross(s * t.norm() + t * s.norm());
+            if (are_beside(of_a, of_b, between, reach) || are_beside(of_b, of_a, between, reach))
+                return true;
+        }
+    return false;
+}
+
+using Corners = std::array<Vector3d, 3>;
+
+Corners corners_of(const Triangle& t, const SightMesh& mesh) {
+    return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
+}
+
+/// Whether a triangle is beyond a side of another one, by a plane upright on that.
+bool is_beyond_side(const Corners& t, const Corners& other, double reach) {
+    const Vector3d normal = (other[1] - other[0]).cross(other[2] - other[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3d outwards = (other[(k + 1) % 3] - other[k]).cross(normal);
+        const double least = reach * outwards.norm() + outwards.dot(other[k]);
+        if (outwards.dot(t[0]) > least && outwards.dot(t[1]) > least && outwards.dot(t[2]) > least)
+            return true;
+    }
+    return false;
+}
+
+/// Whether two triangles without a common corner are farther from each other than `reach`, as one
+/// of some planes between them tells.
+bool are_far(const Triangle& a, const Triangle& b, double reach, const SightMesh& mesh) {
+    const Corners of_a = corners_of(a, mesh), of_b = corners_of(b, mesh);
+    const Vector3d across = of_a[0] + of_a[1] + of_a[2] - of_b[0] - of_b[1] - of_b[2];
+    const auto along = [&](const Vector3d& p) { return across.dot(p); };
+    if (std::min({along(of_a[0]), along(of_a[1]), along(of_a[2])}) -
+            std::max({along(of_b[0]), along(of_b[1]), along(of_b[2])}) >
+        reach * across.norm())
+        return true;
+    return is_beyond_side(of_a, of_b, reach) || is_beyond_side(of_b, of_a, reach);
 }
 
 /// Finds out how two triangles meet.
 class PairJudge {
 public:
-    explicit PairJudge(const SightMesh& mesh)
-        : mesh_(mesh),
-          normals_(large_array<Vector3d>(mesh.triangles.size())),
-          on_border_(mesh.positions.size()) {
-        for_each_element(normals_.size(),
-                         [&](std::size_t t) { normals_[t] = mesh.normal(std::uint32_t(t)); });
+    explicit PairJudge(const SightMesh& mesh) : mesh_(mesh), on_border_(mesh.positions.size()) {
         for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
             if (mesh.is_border(e))
                 for (const std::uint32_t v : mesh.edges[e].vertices)
@@ -134,11 +178,13 @@ public:
                Found& found) const {
         const Triangle &a = mesh_.triangles[t], &b = mesh_.triangles[other];
         const int common = common_corners(a, b);
-        if (common > 1 || (common == 1 && are_apart(a, b, reach(), mesh_))) return;
-        const Vector3d& m = normals_[other];
+        if (common > 1) return;
+        if (common == 1 ? are_apart_at_corner(a, b, reach(), mesh_) : are_far(a, b, reach(), mesh_))
+            return;
+        const Vector3d m = mesh_.normal(other);
         const Heights of_t(mesh_, a, m, mesh_.positions[b[0]]);
         if (of_t.are_beside(reach(), a, b)) return;
-        const Vector3d& n = normals_[t];
+        const Vector3d n = mesh_.normal(t);
         const Heights of_other(mesh_, b, n, mesh_.positions[a[0]]);
         if (of_other.are_beside(reach(), b, a)) return;
         find_touching(a, of_t, b, found);
@@ -229,7 +275,6 @@ private:
     }
 
     const SightMesh& mesh_;
-    std::vector<Vector3d> normals_;  // of triangles, unit
     std::vector<bool> on_border_;
 };
 
@@ -246,6 +291,27 @@ Eigen::AlignedBox3f box_of(const SightMesh& mesh, std::uint32_t triangle, double
 template <class T>
 void append(const std::vector<T>& from, std::vector<T>& to) {
     to.insert(to.end(), from.begin(), from.end());
+}
+
+/// SurfaceContacts::near_cuts
+std::vector<std::uint8_t> corners_near_cuts(const Found& found, const Tree& tree,
+                                            const SightMesh& mesh) {
+    constexpr double kRoom = 4;  // precisions: ends of cuts are welded within one
+    std::vector<std::uint8_t> near(mesh.positions.size());
+    const auto note_near = [&](const FoundCut& cut) {
+        const auto box =
+            box_around(cut.ends[0].position, cut.ends[1].position, kRoom * mesh.precision);
+        tree.visit(box, [&](std::uint32_t triangle) {
+            for (const std::uint32_t v : mesh.triangles[triangle])
+                near[v] = 1;
+            return true;
+        });
+    };
+    for (const FoundCut& cut : found.cuts)
+        note_near(cut);
+    for (const CutAlongEdge& along : found.along_edges)
+        note_near(along.cut);
+    return near;
 }
 
 Found find_pairs(SightMesh& mesh, const StageProgress& stage) {
@@ -279,6 +345,7 @@ Found find_pairs(SightMesh& mesh, const StageProgress& stage) {
     std::sort(
         all.along_edges.begin(), all.along_edges.end(),
         [](const CutAlongEdge& a, const CutAlongEdge& b) { return a.cut.place < b.cut.place; });
+    all.near_cuts = corners_near_cuts(all, tree, mesh);
     return all;
 }
 
@@ -303,7 +370,7 @@ void add_cuts_along_edges(Found& found) {
 SurfaceContacts find_surface_contacts(SightMesh& mesh, const StageProgress& stage) {
     Found found = find_pairs(mesh, stage);
     add_cuts_along_edges(found);
-    SurfaceContacts contacts{{}, std::move(found.on_edges)};
+    SurfaceContacts contacts{{}, std::move(found.on_edges), std::move(found.near_cuts)};
     using Key = std::pair<std::array<std::uint32_t, 2>, std::uint32_t>;
     std::map<Key, std::uint32_t> vertices;
     const auto vertex_of = [&](const CutEnd& end) {

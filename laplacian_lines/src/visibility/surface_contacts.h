@@ -23,6 +23,9 @@ struct SurfaceContacts {
     };
     std::vector<Cut> cuts;
     std::vector<OnEdge> on_edges;  ///< sorted by edges; may hold one twice
+    /// By vertex, but those that were added: corners of triangles that may be at the place of a
+    /// cut.
+    std::vector<std::uint8_t> near_cuts;
 };
 
 /// Two triangles run through each other if both have corners on both sides of the other's plane,
