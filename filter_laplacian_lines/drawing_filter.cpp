@@ -107,7 +107,8 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const PlacedLayers layers = placeLayers(
         {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, field_share);
     options.source = namesOf(layers).toStdString();
-    line_drawing::checkTexts(options, format);
+    for (const std::string& remark : line_drawing::checkTexts(options, format))
+        run.say(inQt(remark));
     Sheet sheet =
         line_drawing::makeSheets(objectsOf(layers), {options},
                                  meshlab_host::progressTo(run.progress, field_share, sheet_share))

@@ -87,7 +87,7 @@ void drawOne(const CommandLine& commands) {
     saySize(meshes, commands.options.mm_per_unit);
     std::vector<line_drawing::SheetOptions> options = {commands.options};
     options[0].source = sourcesOf(commands.meshes, meshes).toStdString();
-    line_drawing::checkTexts(options[0], format);
+    const std::vector<std::string> remarks = line_drawing::checkTexts(options[0], format);
     const bool has_view = !commands.contact_view.isEmpty();
     if (has_view) options.push_back(line_drawing::contactOptions(meshes.front().mesh, options[0]));
     line_drawing::Objects objects;
@@ -96,8 +96,9 @@ void drawOne(const CommandLine& commands) {
     std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
     sheets[0].provenance = line_drawing::provenanceText(origins, inUtf8(commands.words));
     line_drawing::writeWhole(file, writeSheet(sheets[0], format, commands.choices.dpi));
-    for (const std::string& remark : sheets[0].remarks)
-        say(stderr, inQt(remark));
+    for (const auto& all : {remarks, sheets[0].remarks})
+        for (const std::string& remark : all)
+            say(stderr, inQt(remark));
     if (has_view)
         line_drawing::writeWhole(fileName(commands.contact_view),
                                  line_drawing::packSheet(sheets[1]));

@@ -71,12 +71,13 @@ Drawing draw(const DrawnMeshes& drawn, const Words& words, const std::string& en
     choices.file = '.' + ending;
     SheetOptions options = sheetOptions(choices);
     name_sources(drawn.sources, options);
-    checkTexts(options, format);
+    const std::vector<std::string> of_texts = checkTexts(options, format);
     Objects objects;
     for (std::size_t i = 0; i < drawn.meshes.size(); ++i)
         objects.push_back({drawn.meshes[i], nullptr, drawn.sources[i].name});
     Sheet sheet = makeSheets(objects, {options}, progress).front();
     sheet.provenance = provenanceText(drawn.sources, words);
+    sheet.remarks.insert(sheet.remarks.begin(), of_texts.begin(), of_texts.end());
     return {writeSheet(sheet, format, choices.dpi),
             sheet.size.x(),
             sheet.size.y(),

@@ -18,7 +18,8 @@ std::string complaintOf(const std::string& title, const std::string& source, She
     options.title = title;
     options.source = source;
     try {
-        checkTexts(options, format);
+        for (const std::string& remark : checkTexts(options, format))
+            return "remark: " + remark;
     } catch (const laplacian_lines::Error& error) {
         return error.what();
     }
@@ -59,16 +60,25 @@ TEST(Lettering, PutsAccentsOnLetters) {
     }
 }
 
-TEST(Lettering, RefusesLettersThatItDoesNotHave) {
+TEST(Lettering, HasBoxesForLettersThatItLacks) {
+    const Lettering box = letteringOf("\xe2\x96\xa1"), han = letteringOf("\xe6\x97\xa5");
+    EXPECT_DOUBLE_EQ(han.width, box.width);
+    EXPECT_EQ(painterPath(han.path), painterPath(box.path));
+}
+
+TEST(Lettering, RefusesTitlesWithLettersThatItLacks) {
     const std::string han = "\xe6\x97\xa5", lodz = "\xc5\x81\xc3\xb3\x64\xc5\xba";
     for (const SheetFormat format : {SheetFormat::Pdf, SheetFormat::Png}) {
         EXPECT_EQ(complaintOf(lodz + " \xd0\x96 \xce\xa9 \xef\xbf\xbd\n", lodz + ".ply", format),
                   "");
-        for (const std::string& said :
-             {complaintOf(han, "", format), complaintOf("", han, format)}) {
+        const std::string of_title = complaintOf(han, "", format),
+                          of_source = complaintOf("", han, format);
+        for (const std::string& said : {of_title, of_source}) {
             EXPECT_NE(said.find("\"" + han + "\""), said.npos) << said;
-            EXPECT_NE(said.find("SVG or DXF"), said.npos) << said;
+            EXPECT_NE(said.find("SVG"), said.npos) << said;
         }
+        EXPECT_NE(of_title.find("remark: "), 0u);
+        EXPECT_EQ(of_source.find("remark: "), 0u);
     }
     EXPECT_EQ(complaintOf(han, han, SheetFormat::Svg) + complaintOf(han, han, SheetFormat::Dxf),
               "");

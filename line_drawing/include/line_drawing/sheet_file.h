@@ -20,9 +20,12 @@ SheetFormat formatOf(const std::string& file);
 /// a picture; with what to do instead.
 std::string writeSheet(const Sheet& sheet, SheetFormat format, double dpi = 300);
 
-/// Before much work is done: whether the format has the letters of title and source.
-/// @throws laplacian_lines::Error(InvalidOption) with what to do instead.
-void checkTexts(const SheetOptions& options, SheetFormat format);
+/// Before much work is done: whether the format has the letters of title and source, whose names
+/// nobody chose for a drawing.
+/// @returns a remark, if there are boxes instead of letters of the source.
+/// @throws laplacian_lines::Error(InvalidOption) if those of the title lack, with what to do
+/// instead.
+std::vector<std::string> checkTexts(const SheetOptions& options, SheetFormat format);
 
 /// The strokes that a kind of file can have: programs that read DXF draw lines of even width.
 StrokeStyle strokesIn(const std::string& file, StrokeStyle wanted);

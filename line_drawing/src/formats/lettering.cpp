@@ -172,15 +172,19 @@ Lettering letteringOf(const std::string& text) {
     Lettering result;
     result.path.fill_rule = FillRule::NonZero;
     for (const char32_t letter : lettersOf(text)) {
-        const int glyph = font.glyphOf(letter == no_character ? U'?' : letter);
-        if (glyph == 0)
-            refuse("PDF and PNG files cannot have the letter \"" + inUtf8({&letter, 1}) +
-                   "\" of \"" + text +
-                   "\". Write an SVG or DXF file, or take another title or name.");
+        int glyph = font.glyphOf(letter == no_character ? U'?' : letter);
+        if (glyph == 0) glyph = font.glyphOf(U'\u25a1');
         font.append(glyph, Point::Zero(), {result.width, 0}, result.path);
         result.width += font.advanceOf(glyph);
     }
     return result;
+}
+
+std::string lackingLetter(const std::string& text) {
+    const Font font;
+    for (const char32_t letter : lettersOf(text))
+        if (letter != no_character && font.glyphOf(letter) == 0) return inUtf8({&letter, 1});
+    return {};
 }
 
 }  // namespace line_drawing

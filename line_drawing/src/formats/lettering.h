@@ -14,8 +14,10 @@ struct Lettering {
     double width = 0;
 };
 
-/// @throws laplacian_lines::Error(InvalidOption) if the font lacks a letter, with what to do
-/// instead.
+/// Letters that the font lacks are boxes.
 Lettering letteringOf(const std::string& text);
+
+/// The first letter that the font lacks, or nothing.
+std::string lackingLetter(const std::string& text);
 
 }  // namespace line_drawing

@@ -23,10 +23,17 @@ std::string writeSheet(const Sheet& sheet, SheetFormat format, double dpi) {
     return format == SheetFormat::Pdf ? writePdf(sheet) : writePng(sheet, dpi);
 }
 
-void checkTexts(const SheetOptions& options, SheetFormat format) {
-    if (format == SheetFormat::Pdf || format == SheetFormat::Png)
-        for (const std::string& text : {options.title, options.source})
-            letteringOf(oneLine(text));
+std::vector<std::string> checkTexts(const SheetOptions& options, SheetFormat format) {
+    if (format != SheetFormat::Pdf && format != SheetFormat::Png) return {};
+    const std::string of_title = lackingLetter(oneLine(options.title)),
+                      of_source = lackingLetter(oneLine(options.source));
+    if (!of_title.empty())
+        refuse("PDF and PNG files cannot have the letter \"" + of_title +
+               "\" of the title. Write an SVG or DXF file, or take another title.");
+    if (of_source.empty()) return {};
+    return {"PDF and PNG files cannot have the letter \"" + of_source + "\" of \"" +
+            oneLine(options.source) +
+            "\": a box stands for each such letter. SVG and DXF files have them."};
 }
 
 StrokeStyle strokesIn(const std::string& file, StrokeStyle wanted) {
