@@ -7,7 +7,6 @@
 
 #include "sheet/view_drawing.h"
 #include "strokes/chaining.h"
-#include "strokes/slight_lines.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;
@@ -55,47 +54,6 @@ TEST(Thinning, LeavesTheStrongerOfTwoLinesSideBySide) {
             thinOut({straight({0, 0}, {20, 0}), straight({0, distance}, {20, distance})}, pens)
                 .size(),
             count);
-}
-
-/// The line with another weight from one of its points to another.
-DrawnLine withWeight(DrawnLine line, double weight, std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i <= to; ++i)
-        line.points[i].weight = weight;
-    return line;
-}
-
-TEST(Thinning, LeavesNothingOfLinesThatAreFaintAllAlong) {
-    EXPECT_TRUE(withoutFaintParts({}, pen).empty());
-    EXPECT_TRUE(withoutFaintParts(
-                    {straight({0, 0}, {20, 0}, 0.24), withWeight(circle(20), 0.1, 0, 100)}, pen)
-                    .empty());
-    EXPECT_EQ(withoutFaintParts({straight({0, 0}, {20, 0}, 0.25)}, pen).size(), 1u);
-}
-
-TEST(Thinning, CutsFaintEndsWhateverTheyAreJoinedTo) {
-    const auto cut = withoutFaintParts({withWeight(straight({0, 0}, {20, 0}), 0.1, 0, 80)}, pen);
-    ASSERT_EQ(cut.size(), 1u);
-    EXPECT_NEAR(lengthOf(cut[0].points), 12, 0.11);
-    const DrawnLine edge = straight({0, 0}, {20, 0}, 0.1, LineClass::Edge);
-    EXPECT_EQ(lengthOfAll(withoutFaintParts({edge}, pen)), lengthOf(edge.points));
-}
-
-TEST(Thinning, KeepsWhatIsFaintForALittle) {
-    const DrawnLine line = straight({0, 0}, {20, 0});
-    EXPECT_EQ(withoutFaintParts({withWeight(line, 0.1, 80, 147)}, pen).size(), 1u);
-    EXPECT_EQ(withoutFaintParts({withWeight(line, 0.1, 80, 152)}, pen).size(), 2u);
-}
-
-TEST(Thinning, KeepsLoopsThatAreFaintForALittle) {
-    const auto kept = [](std::size_t last) {  // faint where the loop begins and ends, too
-        DrawnLine loop = withWeight(circle(20), 0.1, 0, last);
-        loop.points.back().weight = 0.1;
-        return withoutFaintParts({loop}, pen);
-    };
-    ASSERT_EQ(kept(10).size(), 1u);
-    EXPECT_TRUE(kept(10)[0].closed);
-    EXPECT_EQ(kept(10)[0].points.size(), 101u);
-    EXPECT_NEAR(lengthOfAll(kept(40)), 12, 0.41);
 }
 
 TEST(Thinning, LeavesLinesThatCrossOrMeet) {

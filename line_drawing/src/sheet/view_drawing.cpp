@@ -110,7 +110,6 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     const auto makeWhole = [&] {
         lines = chain(std::move(lines), options.pens, options.strokes == StrokeStyle::Tapered);
     };
-    lines = withoutFaintParts(std::move(lines), inner_pen);
     cutHooks(lines, inner_pen);
     makeWhole();
     cutHooks(lines, inner_pen);  // of what was too short by itself

@@ -4,19 +4,11 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "strokes/refining.h"
-
 namespace line_drawing {
 namespace {
 
 // Of the shortest line: ends of contours of curved surfaces, which the roughness of a scan makes.
 constexpr double shortest_contour_end = 3;
-
-/// Of the full width: of a pen of .25 mm about the .06 mm of the thinnest stroke that is drawn.
-constexpr double least_weight = 0.25;
-// in pens of inner lines
-constexpr double longest_faint = 28;  // 7 √h: with 16 a groove under noise was two strokes
-constexpr double step = 0.5;
 
 bool isCurvedContour(const DrawnLine& line) {
     return line.line_class == LineClass::Contour && isSmooth(line);
@@ -73,58 +65,7 @@ void trim(const Nodes& nodes, double shortest, DrawnLine& line) {
     std::reverse(line.points.begin(), line.points.end());
 }
 
-bool isClear(const DrawnPoint& point) {
-    return point.weight >= least_weight;
-}
-
-/// A loop from a point on that is clear, if it has one.
-void beginClear(std::vector<DrawnPoint>& loop) {
-    const auto first = std::find_if(loop.begin(), loop.end(), isClear);
-    if (first == loop.end()) return;
-    loop.pop_back();
-    std::rotate(loop.begin(), first, loop.end());
-    loop.push_back(loop.front());
-}
-
-/// From clear points to clear points, with what is faint for no longer than `longest` between.
-std::vector<DrawnLine> clearParts(const DrawnLine& line, const std::vector<DrawnPoint>& points,
-                                  double longest) {
-    std::vector<DrawnLine> parts;
-    std::vector<DrawnPoint> faint;
-    for (const DrawnPoint& point : points) {
-        faint.push_back(point);
-        if (!isClear(point)) continue;
-        if (parts.empty() || lengthOf(faint) > longest) {
-            parts.push_back({line.line_class, false, {point}});
-        } else {
-            std::vector<DrawnPoint>& part = parts.back().points;
-            part.insert(part.end(), faint.begin(), faint.end());
-        }
-        faint.clear();
-    }
-    return parts;
-}
-
 }  // namespace
-
-std::vector<DrawnLine> withoutFaintParts(std::vector<DrawnLine> lines, double pen) {
-    std::vector<DrawnLine> rest;
-    for (DrawnLine& line : lines) {
-        std::vector<DrawnPoint> points;
-        if (isInner(line)) points = refine(line.points, step * pen);
-        if (std::all_of(points.begin(), points.end(), isClear)) {
-            rest.push_back(std::move(line));
-            continue;
-        }
-        if (line.closed) beginClear(points);
-        for (DrawnLine& part : clearParts(line, points, longest_faint * pen))
-            if (part.points.size() == points.size())
-                rest.push_back(std::move(line));
-            else if (part.points.size() > 1)
-                rest.push_back(std::move(part));
-    }
-    return rest;
-}
 
 std::vector<DrawnLine> withoutSlightLines(std::vector<DrawnLine> lines,
                                           const SheetOptions& options) {

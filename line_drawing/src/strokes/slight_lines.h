@@ -13,9 +13,4 @@ namespace line_drawing {
 std::vector<DrawnLine> withoutSlightLines(std::vector<DrawnLine> lines,
                                           const SheetOptions& options);
 
-/// Inner lines as far as they are a quarter of their full width at least, with what is fainter
-/// between two such places for no more than 28 pens: where a line that is hardly there ends does
-/// not hang on what it was joined to. `pen`: of inner lines, mm.
-std::vector<DrawnLine> withoutFaintParts(std::vector<DrawnLine> lines, double pen);
-
 }  // namespace line_drawing

@@ -24,7 +24,7 @@ constexpr double longest_touch = 3, longest_near_end = 2;        // likewise, of
 constexpr double same_place = 0.2, same_end = 0.5;
 /// What is left of a fold among others is an island between them, unless it is this long or this
 /// share of it.
-constexpr double longest_island = 24, least_share = 0.33;
+constexpr double longest_island = 24, least_share = 0.5;
 constexpr double step = 0.2;
 
 double meanWeight(const DrawnLine& line) {
