@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <queue>
+#include <vector>
 #include <utility>
 
 namespace line_drawing {
@@ -59,7 +60,7 @@ Lengths codeLengths(const Counts& counts) {
         }
     };
     std::priority_queue<Node, std::vector<Node>, std::greater<>> nodes;
-    std::array<int, 2 * symbol_count> parents = {};
+    std::vector<int> parents(2 * std::size_t(symbol_count));
     for (int symbol = 0; symbol < symbol_count; ++symbol)
         if (counts[std::size_t(symbol)] > 0) nodes.push({counts[std::size_t(symbol)], symbol});
     int next = symbol_count;
