@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     }
     try {
         TriangleMesh mesh = make(argv[1]);
-        if (divides) benchmarks::subdivide(mesh, std::atoi(argv[3]));
+        if (divides) test_meshes::subdivide(mesh, std::atoi(argv[3]));
         write(mesh, argv[argc - 1]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

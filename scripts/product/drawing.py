@@ -7,8 +7,6 @@ from environment.build import build_folder, build_targets
 from environment.messages import Failure, run
 from product.models import check_mesh, prepare_mesh
 
-PACKAGES = ["fonts-dejavu-core"]
-
 
 def unpack_mesh(name, folder):
     """A file, unpacked into the folder if need be, or a folder."""
@@ -24,7 +22,7 @@ def run_drawing(folder, words):
     """The words are as the program takes them, but that MESH may be missing or gzipped; the folder takes unpacked
     copies, each in one of its own, since their names may be the same."""
     program = build_folder() / "bin/laplacian-lines"
-    build_targets("laplacian_lines_drawing", preset="product", extra_packages=PACKAGES)
+    build_targets("laplacian_lines_drawing", preset="product", extra_packages=())
     options, names = [], []
     while words:
         word = words.pop(0)

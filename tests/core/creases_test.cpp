@@ -12,6 +12,7 @@
 #include "laplacian_lines/precompute.h"
 #include "machined_part.h"
 #include "mesh_noise.h"
+#include "midpoint_subdivision.h"
 
 namespace {
 
@@ -390,43 +391,28 @@ TEST(Creases, AreHardlyAnyOnNoisyScans) {
     }
 }
 
-/// Each triangle cut in four at the middles of its sides.
-TriangleMesh in_four(const TriangleMesh& mesh) {
-    TriangleMesh result{mesh.positions, {}};
-    std::map<Edge, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-        const auto number = std::uint32_t(result.positions.size());
-        const auto [place, is_new] = middles.try_emplace(Edge(std::minmax(a, b)), number);
-        if (is_new) result.positions.push_back((mesh.positions[a] + mesh.positions[b]) / 2);
-        return place->second;
-    };
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-        for (const Triangle& t :
-             {Triangle{a, ab, ca}, Triangle{b, bc, ab}, Triangle{c, ca, bc}, Triangle{ab, bc, ca}})
-            result.triangles.push_back(t);
-    }
-    return result;
+TriangleMesh subdivided(TriangleMesh mesh, int times) {
+    test_meshes::subdivide(mesh, times);
+    return mesh;
 }
 
 /// Its faces are flat and of several triangles then, as those of what was made are.
 TEST(Creases, AreHardlyAnyOnScansThatWereSubdivided) {
     for (const double noise : {0.06, 0.1}) {
         const TriangleMesh scan = mesh_noise::with_noise(test_meshes::bumpy_sphere(5).mesh, noise);
-        for (const TriangleMesh& mesh : {in_four(scan), in_four(in_four(scan))})
-            EXPECT_LT(helpers::total_length(creases_of(mesh)), 0.05) << noise;
+        for (const int times : {1, 2})
+            EXPECT_LT(helpers::total_length(creases_of(subdivided(scan, times))), 0.05) << noise;
     }
 }
 
 /// Their faces are not triangles, whatever they are cut into.
 TEST(Creases, AreThoseOfSubdividedPrisms) {
     const TriangleMesh mesh = prism({{-1, 0}, {1, 0}, {1, 1}, {0, 1.05}, {-1, 1}}, 2);
-    for (const TriangleMesh& fine : {in_four(mesh), in_four(in_four(mesh))})
-        EXPECT_NEAR(helpers::total_length(creases_of(fine)),
+    for (const int times : {1, 2})
+        EXPECT_NEAR(helpers::total_length(creases_of(subdivided(mesh, times))),
                     helpers::total_length(creases_of(mesh)), 1e-5);
 }
 
-/// The contour is there, so an edge between a face that is seen and one that is not is left out.
 /// Of a part whose fillets are as wide as its triangles, where edges sharper than the least angle
 /// come singly, to and fro, and in loops.
 TEST(Creases, AreLeftToRidgesOnFilletsOfFewTriangles) {
@@ -451,6 +437,7 @@ TEST(Creases, AreLeftToRidgesOnFilletsOfFewTriangles) {
     EXPECT_LT(both[LineKind::Crease], 0.5 * alone[LineKind::Ridge]);
 }
 
+/// The contour is there, so an edge between a face that is seen and one that is not is left out.
 TEST(Creases, AreLeftOutOnTheHorizon) {
     for (const int cells : {1, 10})
         for (const Eigen::Vector3d& eye :

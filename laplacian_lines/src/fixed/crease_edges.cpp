@@ -84,7 +84,8 @@ private:
         }
     }
 
-    /// Faces of large triangles count for what they are: lofts have few that are flat.
+    /// Faces of large triangles count for what they are: lofts have few that are flat. Notes in the
+    /// graph how often a scan was subdivided.
     bool was_made(bool is_rough) {
         static const float flat = cosine_of(kFlat);
         struct Counts {

@@ -40,7 +40,7 @@ public:
             [&](std::uint32_t half) {
                 if (!memory_.visited[half / 2]) trace(half);
             });
-        find_nets();
+        join_nets();
     }
 
 private:
@@ -68,8 +68,9 @@ private:
         Polyline line;
         line.kind = LineKind::Crease;
         line.first = std::uint32_t(traced_.lines.points.size());
-        std::uint32_t last = start, pieces = 0;
-        Eigen::Vector3f direction = Eigen::Vector3f::Zero();
+        TracedCreases::Net net;
+        std::uint32_t last = start;
+        Eigen::Vector3f first = Eigen::Vector3f::Zero(), direction = first;
         line.closed = follow_chain(
             start, [&](std::uint32_t half) { return memory_.linked_half[half]; },
             [&](std::uint32_t half) {
@@ -77,9 +78,13 @@ private:
                 const CreaseEdge& edge = *edges_[half / 2];
                 add_point(crossing_at(graph_, half), &edge);
                 line.length += edge.length();
-                const Eigen::Vector3f span = (edge.positions[1] - edge.positions[0]).normalized();
-                pieces += std::abs(span.dot(direction)) < kStraight;
-                direction = span;
+                const Eigen::Vector3f next = direction_of(half);
+                if (half == start)
+                    first = next;
+                else
+                    net.faults += turns_sharply(direction, next);
+                net.pieces += std::abs(next.dot(direction)) < kStraight;
+                direction = next;
                 nets_.unite(crossing_at(graph_, half), crossing_at(graph_, half ^ 1));
                 last = half ^ 1;
             });
@@ -87,39 +92,40 @@ private:
         line.count = std::uint32_t(traced_.lines.points.size()) - line.first;
         ends_.push_back({crossing_at(graph_, start), crossing_at(graph_, last)});
         traced_.lines.lines.push_back(line);
-        pieces_.push_back(pieces);
+        net.length = line.length;
+        net.faults += line.closed ? turns_sharply(direction, first) : loose_ends(ends_.back());
+        traced_.nets.push_back(net);
+    }
+
+    Eigen::Vector3f direction_of(std::uint32_t half) const {
+        const auto place = [&](std::uint32_t at) -> const Eigen::Vector3f& {
+            return graph_.crossings[crossing_at(graph_, at)].position;
+        };
+        return (place(half ^ 1) - place(half)).normalized();
+    }
+
+    static bool turns_sharply(const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
+        return from.dot(to) < kGoesOn;
     }
 
     std::uint32_t loose_ends(const std::array<std::uint32_t, 2>& ends) const {
         return std::uint32_t(memory_.degree[ends[0]] == 1) + (memory_.degree[ends[1]] == 1);
     }
 
-    std::uint32_t sharp_turns(const Polyline& line) const {
-        const LinePoint* points = traced_.lines.points.data() + line.first;
-        const std::uint32_t edges = line.count - 1;
-        const auto along = [&](std::uint32_t i) -> Eigen::Vector3f {
-            return (points[i % edges + 1].position - points[i % edges].position).stableNormalized();
+    /// Of lines alone, those of what is connected.
+    void join_nets() {
+        std::vector<TracedCreases::Net> joined(nets_.size());
+        const auto net_of = [&](std::size_t i) -> TracedCreases::Net& {
+            return joined[nets_.root(ends_[i][0])];
         };
-        std::uint32_t turns = 0;
-        for (std::uint32_t i = line.closed ? 0 : 1; i < edges; ++i)
-            turns += along(i + edges - 1).dot(along(i)) < kGoesOn;
-        return turns;
-    }
-
-    void find_nets() {
-        std::vector<TracedCreases::Net> nets(nets_.size());
-        std::vector<TracedCreases::Net> of_line;
         for (std::size_t i = 0; i < ends_.size(); ++i) {
-            const Polyline& line = traced_.lines.lines[i];
-            of_line.push_back({pieces_[i], line.length, sharp_turns(line) + loose_ends(ends_[i])});
-            TracedCreases::Net& net = nets[nets_.root(ends_[i][0])];
-            net.pieces += of_line[i].pieces;
-            net.length += of_line[i].length;
-            net.faults += of_line[i].faults;
+            const TracedCreases::Net& own = traced_.nets[i];
+            net_of(i).pieces += own.pieces;
+            net_of(i).length += own.length;
+            net_of(i).faults += own.faults;
         }
         for (std::size_t i = 0; i < ends_.size(); ++i)
-            traced_.nets.push_back(loose_ends(ends_[i]) > 0 ? of_line[i]
-                                                            : nets[nets_.root(ends_[i][0])]);
+            if (loose_ends(ends_[i]) == 0) traced_.nets[i] = net_of(i);
     }
 
     const ExtractorData& data_;
@@ -129,7 +135,6 @@ private:
     TracingMemory memory_;
     std::unordered_map<std::uint32_t, std::uint32_t> crossing_of_vertex_;
     std::vector<std::array<std::uint32_t, 2>> ends_;  // by line
-    std::vector<std::uint32_t> pieces_;               // straight ones, by line
     DisjointSets nets_;                               // of crossings
 };
 

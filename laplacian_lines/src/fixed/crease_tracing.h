@@ -16,7 +16,7 @@ struct TracedCreases {
     /// alone, by line.
     struct Net {
         std::uint32_t pieces = 0;  ///< straight ones, of one edge or several
-        float length = 0;  ///< D
+        float length = 0;          ///< D
         /// Loose ends, and turns of more than 60 degrees where no third edge meets: where
         /// an edge of the form turns, so do its walls, and there is an edge between these.
         std::uint32_t faults = 0;

@@ -92,15 +92,20 @@ public:
         const auto traced = trace(data, float(style.crease_angle));
         const float shortest = Thresholds(style).shortest_line;
         const std::lock_guard<std::mutex> lock(mutex_);
-        if (whole_of_ != traced || whole_shortest_ != shortest) {
-            whole_ = std::make_shared<const LineSet>(drawn(*traced, shortest));
-            whole_of_ = traced;
-            whole_shortest_ = shortest;
-        }
-        return whole_;
+        if (!whole_ || whole_->of != traced || whole_->shortest != shortest)
+            whole_ =
+                std::make_shared<const Whole>(Whole{traced, shortest, drawn(*traced, shortest)});
+        return {whole_, &whole_->lines};
     }
 
 private:
+    /// What is drawn, wherever the eye is.
+    struct Whole {
+        std::shared_ptr<const TracedCreases> of;
+        float shortest;
+        LineSet lines;
+    };
+
     static bool is_drawn(const TracedCreases::Net& net, float shortest) {
         const bool is_ragged = net.pieces < kPiecesOfAFault * net.faults &&
                                net.length < kRaggedPiece * float(net.pieces);
@@ -137,9 +142,8 @@ private:
 
     mutable OnDemand<std::vector<CreaseEdge>> edges_, more_edges_;
     mutable std::mutex mutex_;
-    mutable std::shared_ptr<const TracedCreases> traced_, whole_of_;
-    mutable float whole_shortest_ = 0;
-    mutable std::shared_ptr<const LineSet> whole_;
+    mutable std::shared_ptr<const TracedCreases> traced_;
+    mutable std::shared_ptr<const Whole> whole_;
 };
 
 }  // namespace

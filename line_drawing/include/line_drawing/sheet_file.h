@@ -16,8 +16,7 @@ SheetFormat formatOf(const std::string& file);
 
 /// A sheet as a file, so that a millimetre of the sheet is one of the file; PNG has `dpi` dots per
 /// inch. The same sheet gives the same bytes.
-/// @throws laplacian_lines::Error(InvalidOption): letters that the format cannot have, or too large
-/// a picture; with what to do instead.
+/// @throws laplacian_lines::Error(InvalidOption): too large a picture, with what to do instead.
 std::string writeSheet(const Sheet& sheet, SheetFormat format, double dpi = 300);
 
 /// Before much work is done: whether the format has the letters of title and source, whose names

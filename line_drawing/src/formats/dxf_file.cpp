@@ -42,13 +42,9 @@ public:
         writeHeader();
         writeLayers();
         begin("ENTITIES");
-        for (const SheetGroup& group : sheet_.groups)
-            for (const SheetLayer& layer : group.layers) {
-                for (const SheetPath& path : layer.paths)
-                    writePath(path, nameOf(group, layer));
-                for (const SheetText& text : layer.texts)
-                    writeText(text, nameOf(group, layer));
-            }
+        forEachMark(sheet_, [&](const auto& mark, const auto& group, const auto& layer) {
+            writeMark(mark, nameOf(group, layer));
+        });
         end();
         write(0, "EOF");
         return data_;
@@ -153,7 +149,7 @@ private:
         write(49, -dash / 2);
     }
 
-    void writePath(const SheetPath& path, const std::string& layer) {
+    void writeMark(const SheetPath& path, const std::string& layer) {
         for (const auto& line : path.path.flattened(tolerance))
             if (line.size() > 1) writePolyline(line, layer);
     }
@@ -192,7 +188,7 @@ private:
         return letters;
     }
 
-    void writeText(const SheetText& text, const std::string& layer) {
+    void writeMark(const SheetText& text, const std::string& layer) {
         write(0, "TEXT");
         write(8, layer);
         writePoint(10, text.position);

@@ -180,6 +180,11 @@ Lettering letteringOf(const std::string& text) {
     return result;
 }
 
+SheetPath outlinesOf(const SheetText& text) {
+    const Lettering letters = letteringOf(text.text);
+    return {letters.path.placed(text.height, text.begin(letters.width * text.height))};
+}
+
 std::string lackingLetter(const std::string& text) {
     const Font font;
     for (const char32_t letter : lettersOf(text))

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "line_drawing/path.h"
+#include "line_drawing/sheet.h"
 
 namespace line_drawing {
 
@@ -16,6 +17,9 @@ struct Lettering {
 
 /// Letters that the font lacks are boxes.
 Lettering letteringOf(const std::string& text);
+
+/// A text of a sheet as a filled area.
+SheetPath outlinesOf(const SheetText& text);
 
 /// The first letter that the font lacks, or nothing.
 std::string lackingLetter(const std::string& text);

@@ -43,13 +43,7 @@ public:
     std::string of(const Sheet& sheet) {
         data_ = inDigits(points_per_mm, 10) + " 0 0 -" + inDigits(points_per_mm, 10) + " 0 " +
                 inDigits(points_per_mm * sheet.size.y(), 10) + " cm 1 J 1 j\n";
-        for (const SheetGroup& group : sheet.groups)
-            for (const SheetLayer& layer : group.layers) {
-                for (const SheetPath& path : layer.paths)
-                    add(path);
-                for (const SheetText& text : layer.texts)
-                    add(text);
-            }
+        forEachMark(sheet, [&](const auto& mark, const auto&, const auto&) { add(mark); });
         return data_;
     }
 
@@ -75,9 +69,7 @@ private:
     void add(const SheetText& text) {
         const StandardText standard = inStandardFonts(text.text);
         if (!standard.is_whole) {
-            const Lettering letters = letteringOf(text.text);
-            return add(SheetPath{
-                letters.path.placed(text.height, text.begin(letters.width * text.height))});
+            return add(outlinesOf(text));
         }
         const std::string height = inThousandths(text.height);
         data_ += "0 g BT " + height + " 0 0 -" + height + ' ' +

@@ -18,13 +18,7 @@ class Painting {
 public:
     Painting(const Sheet& sheet, int width, int height, double scale)
         : scale_(scale), canvas_(width, height) {
-        for (const SheetGroup& group : sheet.groups)
-            for (const SheetLayer& layer : group.layers) {
-                for (const SheetPath& path : layer.paths)
-                    add(path);
-                for (const SheetText& text : layer.texts)
-                    add(text);
-            }
+        forEachMark(sheet, [&](const auto& mark, const auto&, const auto&) { add(mark); });
     }
 
     const Canvas& canvas() const { return canvas_; }
@@ -40,10 +34,7 @@ private:
         canvas_.fill(strokes, FillRule::NonZero);
     }
 
-    void add(const SheetText& text) {
-        const Lettering letters = letteringOf(text.text);
-        add(SheetPath{letters.path.placed(text.height, text.begin(letters.width * text.height))});
-    }
+    void add(const SheetText& text) { add(outlinesOf(text)); }
 
     const double scale_;
     Canvas canvas_;

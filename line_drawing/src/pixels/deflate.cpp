@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <functional>
 #include <queue>
-#include <vector>
 #include <utility>
+#include <vector>
 
 namespace line_drawing {
 namespace {

@@ -4,7 +4,7 @@
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/triangle_mesh.h"
 
-namespace benchmarks {
+namespace test_meshes {
 
 /// Splits each triangle in four at the middles of its edges. Positions and the field are
 /// interpolated, so the lines stay where they are: what grows is the mesh.
@@ -13,4 +13,4 @@ void subdivide(laplacian_lines::TriangleMesh& mesh, laplacian_lines::Field& fiel
 /// The same, so many times, of a mesh without a field.
 void subdivide(laplacian_lines::TriangleMesh& mesh, int times);
 
-}  // namespace benchmarks
+}  // namespace test_meshes

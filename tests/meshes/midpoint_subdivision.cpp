@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace benchmarks {
+namespace test_meshes {
 
 using namespace laplacian_lines;
 
@@ -91,4 +91,4 @@ void subdivide(laplacian_lines::TriangleMesh& mesh, int times) {
         subdivide(mesh, field);
 }
 
-}  // namespace benchmarks
+}  // namespace test_meshes
