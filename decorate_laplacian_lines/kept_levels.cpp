@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <numeric>
 
 namespace {
@@ -16,6 +17,7 @@ const laplacian_lines::KernelLaplacian* KeptLevels::use(int level) {
                                     [=](const Entry& entry) { return entry.level == level; });
     if (found == entries_.end()) return nullptr;
     entries_.splice(entries_.begin(), entries_, found);
+    found->is_used = true;
     return &entries_.front().laplacian;
 }
 
@@ -40,7 +42,14 @@ void KeptLevels::add(int level, laplacian_lines::KernelLaplacian laplacian,
     entries_.remove_if([=](const Entry& entry) { return entry.level == level; });
     entries_.push_front({level, std::move(laplacian)});
     while (entries_.size() > least_count && bytes() > most_bytes)
-        entries_.pop_back();
+        dropOne();
+}
+
+void KeptLevels::dropOne() {
+    auto dropped = std::prev(entries_.end());
+    for (auto entry = std::next(entries_.begin()); entry != entries_.end(); ++entry)
+        if (!entry->is_used) dropped = entry;
+    entries_.erase(dropped);
 }
 
 std::size_t KeptLevels::bytes() const {

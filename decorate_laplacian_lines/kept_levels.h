@@ -6,8 +6,8 @@
 
 #include "laplacian_lines/line_extractor.h"
 
-/// The levels of a mesh that are there, of laplacian_lines::KernelLevels. Those used longest ago go
-/// first.
+/// The levels of a mesh that are there, of laplacian_lines::KernelLevels. Those computed ahead that
+/// no drawing has used go first, then those used longest ago.
 class KeptLevels {
 public:
     /// Null if it is not there. Valid until the next call of add().
@@ -26,6 +26,10 @@ private:
     struct Entry {
         int level;
         laplacian_lines::KernelLaplacian laplacian;
+        bool is_used = false;
     };
+    /// Never the first one: where it has just been added, a drawing waits for it.
+    void dropOne();
+
     std::list<Entry> entries_;  ///< the one used last comes first
 };

@@ -33,6 +33,7 @@ std::optional<int> levelToCompute(const PreparedLines& lines,
 void computeNow(const PreparedLinesPointer& lines, const CMeshO& mesh, int level) {
     try {
         addLevel(*lines, level, computeLevel({lines, meshlab_host::toTriangleMesh(mesh), level}));
+        lines->kept_levels.use(level);  // nor dropped for the next one of this drawing
     } catch (...) {
         lines->failed_levels[level] = reasonWithoutLevel();
     }

@@ -5,7 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <future>
+#include <utility>
 
 #include "file_names.h"
 #include "mesh_files/mesh_file.h"
@@ -49,8 +49,9 @@ ReadMesh readMesh(const QString& name, bool draws_damaged) {
     if (!format) refuse(name, "meshes are read from PLY, OBJ, STL and OFF files.");
     const QByteArray bytes = file.readAll();
     if (bytes.size() != file.size()) refuse(name, "it cannot be read to its end.");
-    auto hash = std::async([&] {
-        return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex().toStdString();
+    auto hash = std::async(std::launch::async, [own = bytes]() mutable {
+        const QByteArray all = std::exchange(own, {});  // let go of at the end
+        return QCryptographicHash::hash(all, QCryptographicHash::Sha256).toHex().toStdString();
     });
     mesh_files::MeshInFile read =
         mesh_files::read_mesh(*format, {bytes.constData(), std::size_t(bytes.size())});
@@ -65,5 +66,5 @@ ReadMesh readMesh(const QString& name, bool draws_damaged) {
                        "that are drawn.")
                    .arg(defect)
                    .arg(triangles));
-    return {std::move(read.mesh), defect, hash.get()};
+    return {std::move(read.mesh), defect, hash.share()};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QStringList>
+#include <future>
 
 #include "laplacian_lines/triangle_mesh.h"
 
@@ -11,8 +12,9 @@ QStringList meshesOf(const QStringList& named);
 
 struct ReadMesh {
     laplacian_lines::TriangleMesh mesh;
-    QString defect;      ///< of a damaged file: why the mesh is not whole
-    std::string sha256;  ///< of the file's bytes, in hexadecimal
+    QString defect;  ///< of a damaged file: why the mesh is not whole
+    /// Of the file's bytes, in hexadecimal; computed while the mesh is drawn.
+    std::shared_future<std::string> sha256;
 };
 
 /// Reads a mesh of a PLY, OBJ, STL or OFF file. Polygons become triangles. A file that is not as

@@ -71,7 +71,7 @@ std::vector<SourceMesh> originsOf(const QStringList& files, const std::vector<Re
     std::vector<SourceMesh> origins;
     for (std::size_t i = 0; i < meshes.size(); ++i)
         origins.push_back(
-            {readable(QFileInfo(files[int(i)]).fileName()).toStdString(), meshes[i].sha256});
+            {readable(QFileInfo(files[int(i)]).fileName()).toStdString(), meshes[i].sha256.get()});
     return origins;
 }
 
@@ -82,8 +82,8 @@ void drawOne(const CommandLine& commands) {
     const line_drawing::SheetFormat format = line_drawing::formatOf(file);
     line_drawing::checkWritable(file);
     const std::vector<ReadMesh> meshes = readMeshes(commands);
-    const std::vector<SourceMesh> origins = originsOf(commands.meshes, meshes);
-    if (commands.like) sayWhatDiffers(*commands.like, origins);
+    const auto origins = [&] { return originsOf(commands.meshes, meshes); };
+    if (commands.like) sayWhatDiffers(*commands.like, origins());
     saySize(meshes, commands.options.mm_per_unit);
     std::vector<line_drawing::SheetOptions> options = {commands.options};
     options[0].source = sourcesOf(commands.meshes, meshes).toStdString();
@@ -94,7 +94,7 @@ void drawOne(const CommandLine& commands) {
     for (std::size_t i = 0; i < meshes.size(); ++i)
         objects.push_back({meshes[i].mesh, nullptr, commands.meshes[int(i)].toStdString()});
     std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
-    sheets[0].provenance = line_drawing::provenanceText(origins, inUtf8(commands.words));
+    sheets[0].provenance = line_drawing::provenanceText(origins(), inUtf8(commands.words));
     line_drawing::writeWhole(file, writeSheet(sheets[0], format, commands.choices.dpi));
     for (const auto& all : {remarks, sheets[0].remarks})
         for (const std::string& remark : all)

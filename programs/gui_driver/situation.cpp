@@ -2,6 +2,8 @@
 #include "situation.h"
 
 #include <QApplication>
+#include <QCheckBox>
+#include <algorithm>
 
 #include "gui.h"
 #include "meshlab_host/documents.h"
@@ -20,6 +22,14 @@ MLSceneGLSharedDataContext* sceneOfView() {
     return nullptr;
 }
 
+bool isPreviewOffered() {
+    const QWidgetList widgets = QApplication::allWidgets();
+    return std::any_of(widgets.begin(), widgets.end(), [](const QWidget* widget) {
+        const auto* box = qobject_cast<const QCheckBox*>(widget);
+        return box && box->isVisible() && box->text() == "Preview";
+    });
+}
+
 }  // namespace
 
 Situation presentSituation() {
@@ -32,6 +42,7 @@ Situation presentSituation() {
     }
     const QAction* decoration = findAction("Laplacian Lines");
     result.has_lines = result.current && decoration && decoration->isChecked();
+    result.has_preview = isPreviewOffered();
     return result;
 }
 

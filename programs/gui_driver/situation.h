@@ -14,6 +14,7 @@ struct Situation {
     std::vector<const MeshModel*> layers;  ///< of the current document
     MeshModel* current = nullptr;          ///< layer, null if there is none
     bool has_lines = false;                ///< the decoration of the current layer is on
+    bool has_preview = false;              ///< a dialog is open that offers one
 };
 Situation presentSituation();
 

@@ -35,7 +35,8 @@ enum Need : unsigned {
     RoomForDocument = 4096,
     SeveralDocuments = 8192,
     LoosableFaces = 16384,  ///< faces that may be deleted
-    SoundFaces = 32768      ///< such as may be simplified
+    SoundFaces = 32768,     ///< such as may be simplified
+    NoPreview = 65536       ///< is offered
 };
 
 /// Something that users do: lines of a driver's script. {1..3} stands for a number between, {a|b}
@@ -54,7 +55,8 @@ constexpr UserAction switch_on = {3, Mesh | NoLines,
 
 // Where a need looks odd, MeshLab does not survive it, whatever its plugins: previews while a mesh
 // is opened (2020.09); all faces deleted in several views (from 2022.02 on); the view closed from
-// which the last dialog was opened (2020.09); the only project closed once more (up to 2022.02).
+// which the last dialog was opened (2020.09); the only project closed once more (up to 2022.02); a
+// layer deleted that a dialog may have changed, which restores it then.
 constexpr UserAction all_actions[] = {
     open_mesh,
     choose_layer,
@@ -87,7 +89,7 @@ constexpr UserAction all_actions[] = {
     {4, Mesh | VisibleMesh, "trigger Reload"},
     {3, Mesh, "stretch {0.8..1.2}"},  // as edit tools do, without a word to decorations
     {3, Mesh | RoomForLayer, "filter Duplicate Current layer"},
-    {4, Layers, "delete-layer {layer}"},
+    {4, Layers | NoPreview, "delete-layer {layer}"},
     {4, Mesh | RoomForView, "trigger {Horizontally|Vertically}\ncheck Laplacian Lines on"},
     {3, SeveralViews | Faces,
      "view {other view}\ntrigger Laplacian Smooth\nclose\nview {view}\ntrigger Close current view"},
@@ -143,6 +145,7 @@ unsigned presentNeeds(const Situation& now) {
                           std::all_of(now.layers.begin(), now.layers.end(), mayBeShownAnew));
     note(RoomForDocument, now.documents < most_documents);
     note(SeveralDocuments, now.documents > 1);
+    note(NoPreview, !now.has_preview);
     if (!now.current) return needs;
     const CMeshO& mesh = now.current->cm;
     note(Mesh, true);

@@ -137,6 +137,18 @@ TEST_F(ViewLevelsTest, TakeNoMoreMemoryThanTheyMay) {
     EXPECT_TRUE(lines_->kept_levels.has(lines_->levels.count() - 1)) << "the last ones stay";
 }
 
+TEST_F(ViewLevelsTest, ThoseThatNoDrawingHadGoFirst) {
+    ASSERT_GT(lines_->levels.count(), 5);
+    demand(size(0), true);
+    for (const int ahead : {1, 2, 3})
+        addLevel(*lines_, ahead,
+                 computeLevel({lines_, meshlab_host::toTriangleMesh(mesh_), ahead}));
+    demand(size(4), true);
+    demand(size(5), true);
+    EXPECT_TRUE(lines_->kept_levels.has(0));
+    EXPECT_FALSE(lines_->kept_levels.has(1));
+}
+
 TEST_F(ViewLevelsTest, TheSecondIsAppendedAndFaded) {
     const double middle = std::sqrt(size(1) * size(2)) * 1.02;
     const auto kernels = demand(middle, true);
