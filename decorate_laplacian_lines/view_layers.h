@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "line_renderer/surface_layer.h"
+#include "line_renderer/surface.h"
 
 /// The layers whose lines a view shows. Within a redraw MeshLab tells one after the other, while
 /// each can hide lines of any: those that are still to come are taken from the last redraw, and if

@@ -61,9 +61,9 @@ def make_table(meshes, file, quick):
 def main():
     words = sys.argv[1:]
     if words[:1] == ["--truth"]:
-        return drawing_truth.hold_against_parts(words[1:])
+        return drawing_truth.compare_with_parts(words[1:])
     if words[:1] == ["--silhouettes"]:
-        return drawing_truth.hold_against_silhouettes(words[1:])
+        return drawing_truth.compare_with_silhouettes(words[1:])
     options = parse(words)
     for mesh in options.mesh:
         check_mesh(mesh)

@@ -31,7 +31,8 @@ def parse(words):
     parser.add_argument("--checks", action="store_true",
                         help="static analysis, the core under sanitizers, its coverage, some fuzzing; after the tests")
     parser.add_argument("--nightly", action="store_true",
-                        help="everything: all tests in all hosts, long checks, large meshes, --sanitized, --threads, --reach")
+                        help="everything: all tests in all hosts, long checks, large meshes, --sanitized, --threads, "
+                        f"{mutants.NIGHTLY_COUNT} mutants, --reach")
     parser.add_argument("--fuzz", type=int, metavar="SECONDS", help="fuzzing alone")
     parser.add_argument("--sanitized", action="store_true", help="GUI tests with plugins compiled with sanitizers, "
                         f"without a REGEX {' '.join(sanitized.GUI_TESTS)}")
@@ -71,7 +72,8 @@ def main():
     if options.threads:
         return sanitized.test_threads(options.regex)
     if options.mutants:
-        return mutants.run(options.regex, options.count, options.seed, options.most)
+        mutants.run(options.regex, options.count, options.seed, options.most)
+        return 0
     if not (options.host or options.checks or options.reach or options.aarch64):
         return hosts.test_here(options.regex)
     if options.regex and not options.host:
@@ -85,6 +87,7 @@ def main():
     if options.nightly:
         results.stage("GUI under sanitizers", sanitized.test_gui, [])
         results.stage("threads", sanitized.test_threads, [])
+        results.stage("mutants", mutants.run_nightly)
     if options.reach:
         reach.run_stages(results)
     elif options.aarch64:

@@ -92,4 +92,27 @@ GL_FUNCTION(glVertexAttribDivisorARB, PFNGLVERTEXATTRIBDIVISORARBPROC);
 GL_FUNCTION(glVertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC);
 #undef GL_FUNCTION
 
+// Instanced drawing, by OpenGL 3.3 or by the older extensions. All of it needs a current context.
+
+/// Whether shaders and instanced drawing are there.
+inline bool canDrawInstanced() {
+    return glFeatures().instancing || glFeatures().old_instancing;
+}
+
+/// glVertexAttribDivisor
+inline void setDivisor(GLuint attribute, GLuint divisor) {
+    if (glFeatures().instancing)
+        glVertexAttribDivisor(attribute, divisor);
+    else
+        glVertexAttribDivisorARB(attribute, divisor);
+}
+
+/// glDrawArraysInstanced, from vertex 0
+inline void drawInstanced(GLenum mode, GLsizei vertices, GLsizei instances) {
+    if (glFeatures().instancing)
+        glDrawArraysInstanced(mode, 0, vertices, instances);
+    else
+        glDrawArraysInstancedARB(mode, 0, vertices, instances);
+}
+
 }  // namespace line_renderer

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "instancing.h"
 #include "line_program.h"
 
 namespace line_renderer {

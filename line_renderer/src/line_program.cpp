@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_program.h"
 
-#include "line_shaders.h"
 #include "shader_program.h"
+#include "shaders.h"
 
 namespace line_renderer {
 

@@ -5,14 +5,13 @@
 #include <array>
 #include <stdexcept>
 
+#include "gl_functions.h"
 #include "gl_state.h"
-#include "instancing.h"
 #include "line_buffers.h"
 #include "line_program.h"
-#include "line_shaders.h"
 #include "line_stream.h"
-#include "mean_scale.h"
 #include "per_share_group.h"
+#include "shaders.h"
 #include "stream_settings.h"
 
 namespace line_renderer {

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <QObject>
+#include <QOpenGLContext>
 #include <exception>
 #include <map>
 #include <optional>
 #include <stdexcept>
 
-#include "share_group.h"
-
 namespace line_renderer {
+
+/// Names the set of OpenGL contexts that share objects with the current one: all views of one
+/// document. Null if no context is current. The name is only good for comparing.
+using ShareGroup = const QOpenGLContextGroup*;
 
 /// An Object for each share group of OpenGL contexts, made when it is first asked for there. It is
 /// forgotten, not deleted in OpenGL, when the group dies, which takes all OpenGL objects with it.
@@ -22,10 +25,12 @@ public:
     /// another try; other exceptions pass through.
     template <class Make>
     Object& current(Make make) {
-        const ShareGroup group = currentShareGroup();
+        const ShareGroup group = QOpenGLContextGroup::currentContextGroup();
         const auto [place, is_new] = entries_.try_emplace(group);
         Entry& entry = place->second;
-        if (is_new) whenGone(group, &receiver_, [this, group] { entries_.erase(group); });
+        if (is_new && group)
+            QObject::connect(group, &QObject::destroyed, &receiver_,
+                             [this, group] { entries_.erase(group); });
         if (entry.failure) std::rethrow_exception(entry.failure);
         if (!entry.object) fill(entry, make);
         return *entry.object;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "laplacian_lines/line_visibility.h"
-#include "mean_scale.h"
 
 namespace line_renderer {
 namespace {

@@ -2,10 +2,10 @@
 #include "line_renderer/surface_renderer.h"
 
 #include "gl_state.h"
-#include "mean_scale.h"
 #include "per_share_group.h"
 #include "shader_program.h"
-#include "surface_shaders.h"
+#include "shaders.h"
+#include "stream_settings.h"
 
 namespace line_renderer {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface_shaders.h"
+#include "shaders.h"
 
 namespace line_renderer {
 

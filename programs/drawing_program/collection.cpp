@@ -10,7 +10,6 @@
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
-#include "processes.h"
 
 namespace {
 

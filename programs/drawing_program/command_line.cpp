@@ -4,7 +4,6 @@
 #include <QFileInfo>
 
 #include "file_names.h"
-#include "like.h"
 #include "mesh_reading.h"
 
 namespace {

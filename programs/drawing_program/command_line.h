@@ -2,9 +2,25 @@
 #pragma once
 
 #include <QStringList>
+#include <optional>
 
-#include "like.h"
+#include "line_drawing/provenance.h"
 #include "line_drawing/sheet_choices.h"
+
+/// What a drawing says of how it was made, see line_drawing::provenanceText().
+struct Provenance {
+    QString version;
+    std::vector<line_drawing::SourceMesh> meshes;
+    QStringList options;
+};
+
+/// --like FILE: an SVG, PDF or DXF file that is to be made again, with options that can be given
+/// here.
+/// @throws laplacian_lines::Error(InvalidOption) if the file has none.
+Provenance likeOf(const QString& file);
+
+/// Says what is not as it was: the meshes, or this program.
+void sayWhatDiffers(const Provenance& like, const std::vector<line_drawing::SourceMesh>& meshes);
 
 struct CommandLine {
     bool help = false, version = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "like.h"
+#include "command_line.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -60,15 +60,16 @@ Provenance likeOf(const QString& file) {
 
 void sayWhatDiffers(const Provenance& like, const std::vector<SourceMesh>& meshes) {
     if (like.version != laplacian_lines::version())
-        say(stderr, QString("it was drawn like that by version %1, and is now by %2")
+        say(stderr, QString("the file was drawn by version %1; this is version %2")
                         .arg(like.version, laplacian_lines::version()));
     if (like.meshes.size() != meshes.size())
-        say(stderr, QString("it was drawn like that of %1 meshes, and is now of %2")
+        say(stderr, QString("the file was drawn from %1 meshes; now there are %2")
                         .arg(like.meshes.size())
                         .arg(meshes.size()));
     for (const SourceMesh& mesh : meshes)
         if (std::none_of(like.meshes.begin(), like.meshes.end(),
                          [&](const SourceMesh& m) { return m.sha256 == mesh.sha256; }))
-            say(stderr, QString("%1 is not a mesh that was drawn like that: its bytes are others")
-                            .arg(inQt(mesh.name)));
+            say(stderr,
+                QString("%1 is not the mesh that the file was drawn from: its contents differ")
+                    .arg(inQt(mesh.name)));
 }

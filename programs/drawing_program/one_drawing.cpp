@@ -4,8 +4,8 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "command_line.h"
 #include "file_names.h"
-#include "like.h"
 #include "line_drawing/bounds.h"
 #include "line_drawing/contact_sheet.h"
 #include "line_drawing/make_sheet.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "processes.h"
+#include "drawings.h"
 
 #include <QFile>
 #include <QFileInfo>

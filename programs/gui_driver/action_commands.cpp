@@ -56,7 +56,7 @@ void searchAndTrigger(const Command& command) {
 void setDecorationParameter(const Command& command) {
     auto* tree = requireMainWindow()->findChild<QTreeWidget*>("decParsTree");
     if (!tree) throw CommandError("the layer dialog shows no decoration parameters");
-    setFieldAsSaid(tree, command);
+    setFieldFromCommand(tree, command);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void addActionCommands(CommandTable& table) {
     table.addSimple("search", searchAndTrigger);
     table.addSimple("check", checkAction);
     table.addSimple("expect-action", expectAction);
-    table.addSimple("set", [](const Command& c) { setFieldAsSaid(filterDialog(), c); });
+    table.addSimple("set", [](const Command& c) { setFieldFromCommand(filterDialog(), c); });
     table.addSimple("apply", [](const Command&) { clickButton(filterDialog(), "Apply"); });
     table.addSimple("close", [](const Command&) { clickButton(filterDialog(), "Close"); });
     table.addSimple("defaults", [](const Command&) { clickButton(filterDialog(), "Default"); });

@@ -229,7 +229,7 @@ QString stateOfField(QWidget* container, const QString& label) {
     return editors.first()->isEnabled() ? "on" : "off";
 }
 
-void setFieldAsSaid(QWidget* container, const Command& command) {
+void setFieldFromCommand(QWidget* container, const Command& command) {
     if (!command.rest.contains('=')) throw CommandError("say LABEL = VALUE");
     // labels may hold a '=', values do not
     setField(container, command.rest.section('=', 0, -2).trimmed(),

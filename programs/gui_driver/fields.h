@@ -14,7 +14,7 @@ void setField(QWidget* container, const QString& label, const QString& value);
 
 // The same for the words of a command: LABEL = VALUE.
 struct Command;
-void setFieldAsSaid(QWidget* container, const Command& command);
+void setFieldFromCommand(QWidget* container, const Command& command);
 
 // What the field shows, of a check box "on" or "off".
 QString textOfField(QWidget* container, const QString& label);

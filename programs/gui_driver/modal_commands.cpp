@@ -35,7 +35,7 @@ Outcome clickInModal(const Command& command) {
 Outcome setInModal(const Command& command) {
     QWidget* modal = QApplication::activeModalWidget();
     if (!modal) return Outcome::Retry;
-    setFieldAsSaid(modal, command);
+    setFieldFromCommand(modal, command);
     return Outcome::Done;
 }
 

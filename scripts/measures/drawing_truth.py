@@ -49,13 +49,13 @@ def build_truth():
     return build_folder() / "programs/benchmarks/truth"
 
 
-def hold_against_parts(words):
+def compare_with_parts(words):
     options, names = split(words)
     program = build_truth() / "drawing_truth"
     return run([program, "--left-out", TRUTH / "left_out.tsv", *options, *part_files(names)])
 
 
-def hold_against_silhouettes(words):
+def compare_with_silhouettes(words):
     """Names are files of scans, without them those that lie beside the checkout, and the dragon if it was fetched."""
     options, names = split(words)
     program = build_truth() / "drawing_silhouettes"

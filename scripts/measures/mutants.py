@@ -5,6 +5,7 @@ tests that reach it, those that take least first, until one fails."""
 
 import collections
 import concurrent.futures
+import datetime
 import hashlib
 import json
 import os
@@ -28,10 +29,12 @@ NOT_RUN = r"meshlab\.|Installed|OutOfMemory|Rooms|benchmarks|wheel|scripts|line_
 ORDER = ["statement", "condition", "return", "sign", "constant", "comparison"]  # from outside to inside, at one place
 OVERTIME = -24, -9, 124, 137, 152  # of the processor, killed, by the clock, and as shells tell it
 BATCHES = 1, 10, 100, 1e9  # seconds of tests that run in one process, one batch after the other
+NIGHTLY_COUNT, NIGHTLY_MOST = 24, 60  # mutants a night, and seconds of tests for each
+LEAST_NOTICED = 0.6  # of those that a test reaches: about 85 % are, and most others make no difference
 
 
 def run(rooms, count, seed, most):
-    """Tests of one mutant take together no more than so many seconds of the processor."""
+    """How many mutants had which fate. Tests of one take together no more than so many seconds of the processor."""
     rooms = rooms or list(ROOMS)
     if unknown := [room for room in rooms if room not in ROOMS]:
         raise Failure(f"{unknown[0]} is no room with mutants: {' '.join(ROOMS)}")
@@ -51,7 +54,16 @@ def run(rooms, count, seed, most):
             return fate
 
         fates = list(pool.map(attempt, range(len(places))))
-    tell(folder / "table.tsv", places, fates, tests)
+    return tell(folder / "table.tsv", places, fates, tests)
+
+
+def run_nightly():
+    """A few mutants of all rooms, other ones each night."""
+    fates = run([], NIGHTLY_COUNT, datetime.date.today().isoformat(), NIGHTLY_MOST)
+    noticed, survived = fates["killed"] + fates["timed out"], fates["survived"]
+    if noticed < LEAST_NOTICED * (noticed + survived) or not noticed:
+        raise Failure(f"tests notice only {noticed} of {noticed + survived} changes that they see")
+    return f"{noticed} of {noticed + survived} changes were noticed"
 
 
 def copy_sources(tree):
@@ -216,6 +228,7 @@ def row(number, place, fate):
 
 
 def tell(table, places, fates, tests):
+    """Writes the tables, prints what survived, and counts fates."""
     pairs = [(place, fate) for place, fate in zip(places, fates) if fate]
     rows = [row(number, place, fates[number]) for number, place in enumerate(places) if place]
     table.write_text("fate\tnumber\tplace\tkind\tchange\tnoticed by\tseconds\n" + "\n".join(sorted(rows)) + "\n")
@@ -224,7 +237,9 @@ def tell(table, places, fates, tests):
                 if test["case"] not in noticing]
     table.with_name("unneeded.tsv").write_text("".join(unneeded))  # a test that takes less noticed all that they would
     print(table, table.with_name("unneeded.tsv"), sep="\n")
+    print("\n".join(told for told in rows if told.startswith("survived")))
     for room in ROOMS:
         counts = collections.Counter(fate for place, (fate, *_) in pairs if place.file.startswith(f"{room}/"))
         if counts:
             print(f"{room}: " + ", ".join(f"{count} {fate}" for fate, count in sorted(counts.items())))
+    return collections.Counter(fate for _, (fate, *_) in pairs)

@@ -20,7 +20,6 @@ with tempfile.TemporaryDirectory() as work, contextlib.redirect_stdout(io.String
     mesh.write_text(bumpy_torus(60, 30))
     count_instructions(sys.argv[1], mesh)
 print(table.getvalue())
-for row in ("Laplacian lines and contours, [^|]*", "plain contours, not traced",
-            "plain Laplacian lines, traced by a hash map"):
+for row in ("Laplacian lines and contours, [^|]*", "plain contours, not traced"):
     assert re.search(rf"^\| {row} \| [0-9.]+ \| [1-9][0-9]* \| [1-9][0-9]* \| 0\.[0-9]+ \| [1-9][0-9.]* \|$",
                      table.getvalue(), re.M), f"no instructions of: {row}"

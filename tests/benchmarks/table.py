@@ -11,13 +11,13 @@ import subprocess
 import sys
 import tempfile
 
-REDRAWS = "lines default_style plain_contours plain_laplacian plain_laplacian_traced read_plain_mesh read_extractor"
+REDRAWS = "lines default_style plain_contours plain_laplacian read_plain_mesh read_extractor"
 FIGURES = {
     "extraction_ms": REDRAWS,
     "extraction_median_ms": REDRAWS,
-    "building_s": "field laplacian plain_sum extractor",
+    "building_s": "field laplacian extractor",
     "memory": "extractor field",
-    "ratios": "lines_to_contours lines_to_traced lines_to_reading",
+    "ratios": "lines_to_contours lines_to_reading",
     "counts": "rounds lines segments",
 }
 RINGS, SIDES = 60, 30

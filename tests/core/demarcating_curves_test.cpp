@@ -8,7 +8,7 @@
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
 #include "mesh_noise.h"
-#include "plain_demarcation.h"
+#include "plain_derivatives.h"
 
 namespace {
 

@@ -9,9 +9,8 @@
 #include <tuple>
 
 #include "field/belkin_laplacian.h"
-#include "field/kernel_sizes.h"
+#include "field/field_steps.h"
 #include "field/shape_operators.h"
-#include "field/vertex_normals.h"
 #include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "reference_field.h"

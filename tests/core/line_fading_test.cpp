@@ -10,7 +10,7 @@
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
 #include "made_up_line.h"
-#include "rules/contour_clearance.h"
+#include "rules/opacity.h"
 #include "rules/thresholds.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plain_demarcation.h"
+#include "plain_derivatives.h"
 
 #include <cmath>
 

@@ -8,9 +8,12 @@
 #include "laplacian_lines/line_style.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
+#include "rules/line_parts.h"
+#include "rules/line_rules.h"
 
 /// The extraction written down plainly: one loop over all triangles, crossings and chains by maps.
 /// What LineExtractor is compared with.
+
 namespace reference {
 
 struct PlainLine {
@@ -24,5 +27,29 @@ std::vector<PlainLine> extract_plainly(const laplacian_lines::TriangleMesh& mesh
                                        const laplacian_lines::Field& field,
                                        const laplacian_lines::View& view,
                                        const laplacian_lines::LineStyle& style);
+
+/// A line before its parts are found: a segment between each two points.
+struct PlainChain {
+    struct Segment {
+        laplacian_lines::LinePiece sums;
+        std::uint32_t cluster;
+        bool forward;  ///< the positive side is on the left
+    };
+    std::vector<laplacian_lines::LinePoint> points;  ///< local; closed: the first again at the end
+    std::vector<Segment> segments;
+    bool closed;
+};
+
+/// Appends the parts that are drawn, finished. What means along lines say is tested by itself; here
+/// is what a redraw makes of it: pieces of four segments at most, that end where clusters do.
+void add_parts(const laplacian_lines::LineRules& rules, const PlainChain& chain,
+               const Eigen::Vector3d& centre, double diagonal, std::vector<PlainLine>& lines);
+
+/// Weights, opacities and smoothed positions of a traced line, point by point and pass by pass. On
+/// entry weights hold the sums of the slopes of a point's segments, opacities the fading of its
+/// crossing, and positions are local; then they are mesh coordinates.
+void finish_plainly(const laplacian_lines::LineRules& rules, const laplacian_lines::Polyline& line,
+                    const Eigen::Vector3d& centre, double diagonal,
+                    laplacian_lines::LinePoint* points);
 
 }  // namespace reference

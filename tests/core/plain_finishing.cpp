@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plain_finishing.h"
+#include "plain_extraction.h"
 
 #include <algorithm>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plain_parts.h"
+#include "plain_extraction.h"
 
 #include <algorithm>
 
-#include "plain_finishing.h"
 #include "redraw/hairpins.h"
 #include "rules/line_acceptance.h"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "fixed/ridge_angles.h"
+#include "fixed/ridge_candidates.h"
 #include "flaked_stone.h"
 #include "generators.h"
 #include "laplacian_lines/precompute.h"

@@ -15,7 +15,7 @@
 #include "helpers.h"
 #include "laplacian_lines/progress.h"
 #include "registry.h"
-#include "visibility/picture_crossings.h"
+#include "visibility/sight_pieces.h"
 
 namespace {
 

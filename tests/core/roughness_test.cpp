@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "closed_mesh.h"
-#include "field/facet_noise.h"
+#include "field/field_steps.h"
 #include "flaked_stone.h"
 #include "helpers.h"
 #include "implicit_head.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contours in space: as smooth as other lines, but for what is exact.
-#include "visibility/sight_tracing.h"
+#include "visibility/sight_pieces.h"
 
 #include <gtest/gtest.h>
 

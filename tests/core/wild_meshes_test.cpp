@@ -7,7 +7,6 @@
 #include <fstream>
 #include <limits>
 
-#include "byte_mesh.h"
 #include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"

@@ -9,7 +9,6 @@
 #include <limits>
 #include <random>
 
-#include "pixels/pen.h"
 #include "pixels/png.h"
 
 using namespace line_drawing;

@@ -9,7 +9,6 @@
 
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
-#include "sections/axis_finding.h"
 #include "sections/wall_area.h"
 #include "thrown_vessel.h"
 

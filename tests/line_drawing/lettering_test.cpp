@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/standard_fonts.h"
+#include "formats/pdf_parts.h"
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/words.h"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "made_sheets.h"
+#include "sight/observer.h"
 #include "thrown_vessel.h"
 
 using namespace line_drawing;
@@ -64,6 +65,31 @@ TEST(OutlineCheck, TakesOfOtherLinesWhatIsThere) {
     std::vector<DrawnLine> mended = found;
     mended.push_back(squareOutline(3));
     EXPECT_TRUE(missingOf(mended).empty());
+}
+
+/// A view that is whole is left as it is; one without lines gets what is missing, if outlines are
+/// wanted.
+TEST(OutlineCheck, AddsOnlyWhatIsMissing) {
+    const laplacian_lines::TriangleMesh cube = cubeOf100();
+    SheetOptions options = plainViews("front");
+    Observer observer({Object{cube}});
+    observer.prepare({options}, {});
+    DrawnView drawn = observer.stand(options.views[0], options);
+    observer.look(drawn, {}, options, {});
+    const std::size_t whole = drawn.lines.size();
+    EXPECT_EQ(observer.checkOutlines(drawn, options, pixel), 0);
+    EXPECT_EQ(drawn.lines.size(), whole);
+    drawn.lines.clear();
+    EXPECT_NEAR(observer.checkOutlines(drawn, options, pixel), 400, 4);
+    EXPECT_EQ(observer.checkOutlines(drawn, options, pixel), 0);
+    for (const auto kind :
+         {laplacian_lines::LineKind::Contour, laplacian_lines::LineKind::Border}) {
+        SheetOptions without = options;
+        without.style.shows[kind] = false;
+        drawn.lines.clear();
+        EXPECT_EQ(observer.checkOutlines(drawn, without, pixel), 0);
+        EXPECT_TRUE(drawn.lines.empty());
+    }
 }
 
 void expectClosedOutlines(const laplacian_lines::TriangleMesh& mesh, const char* views) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "strokes/drawn_lines.h"
-#include "strokes/line_ends.h"
 
 using namespace line_drawing;
 

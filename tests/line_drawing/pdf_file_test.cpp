@@ -3,9 +3,8 @@
 
 #include <random>
 
-#include "formats/lzw.h"
+#include "formats/pdf_parts.h"
 #include "formats/sheet_writers.h"
-#include "formats/standard_fonts.h"
 #include "laplacian_lines/error.h"
 
 using namespace line_drawing;

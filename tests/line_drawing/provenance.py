@@ -81,11 +81,11 @@ draw("direct.svg", *OPTIONS, "--unit", "mm", "cube.off")
 assert pathlib.Path("direct.svg").read_bytes() == pathlib.Path("larger.svg").read_bytes()
 
 # what is not as it was is said
-assert "other.off is not a mesh that was drawn like that" in draw("other.svg", "--like", "old.svg", "other.off")
-assert "of 1 meshes, and is now of 2" in draw("two.svg", "--like", "old.svg", "cube.off", "other.off")
+assert "other.off is not the mesh that the file was drawn from" in draw("other.svg", "--like", "old.svg", "other.off")
+assert "drawn from 1 meshes; now there are 2" in draw("two.svg", "--like", "old.svg", "cube.off", "other.off")
 text = pathlib.Path("old.svg").read_text()
 pathlib.Path("earlier.svg").write_text(text.replace(f'"laplacian_lines":"{VERSION}"', '"laplacian_lines":"0.2.9"'))
-assert "by version 0.2.9, and is now by " + VERSION in draw("now.svg", "--like", "earlier.svg", "cube.off")
+assert "drawn by version 0.2.9; this is version " + VERSION in draw("now.svg", "--like", "earlier.svg", "cube.off")
 
 # files that say nothing, or more than a drawing says
 refused("does not say how it was drawn", "none.svg", "--like", "cube.off", "cube.off")

@@ -5,7 +5,6 @@
 
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
-#include "sheet/sheet_furniture.h"
 
 using namespace line_drawing;
 

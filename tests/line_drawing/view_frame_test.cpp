@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Directions of views, and what becomes of lines in one.
 #include "line_drawing/view_frame.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "laplacian_lines/error.h"
+#include "views/drawn_view.h"
 
 using namespace line_drawing;
 using Eigen::Vector3d;
@@ -76,6 +78,21 @@ TEST(ViewFrames, MayHaveNamesOfAProgram) {
     EXPECT_EQ(views[1].name, "10°, 20°");
     EXPECT_EQ(views[2].name, "30°, 15°");
     EXPECT_THROW(parseViews("30,window", UpAxis::Z, others), laplacian_lines::Error);
+}
+
+TEST(DrawnLines, AreFineWhereTheyAreLessThanHalfAsWideOnTheMean) {
+    const ViewFrame front = frameOfSide(Side::Front, UpAxis::Z);
+    const Projection projection(front, Vector3d::Zero());
+    for (const float width : {0.45f, 0.55f}) {
+        laplacian_lines::SightLine line{};
+        line.kind = laplacian_lines::LineKind::Laplacian;
+        line.points = {{Vector3d(0, 0, 0), 1, 1, width, laplacian_lines::kNoSightNode, false},
+                       {Vector3d(3, 0, 4), width, 1, 1, laplacian_lines::kNoSightNode, false}};
+        const DrawnLine drawn = project({line}, projection, 10).at(0);
+        EXPECT_EQ(drawn.line_class, width < 0.5 ? LineClass::Fine : LineClass::Inner);
+        EXPECT_EQ(drawn.points[1].position, Eigen::Vector2d(30, 40));
+        EXPECT_EQ(drawn.points[1].weight, double(width));
+    }
 }
 
 TEST(ViewFrames, OfOtherWordsAreRefused) {

@@ -7,7 +7,7 @@
 #include <QImage>
 
 #include "line_renderer/line_renderer.h"
-#include "line_renderer/surface_layer.h"
+#include "line_renderer/surface.h"
 
 /// A framebuffer to draw into, with colors, alpha and depths, bound in the current context as long
 /// as it lives. Coordinates are pixels from the lower left, as long as the camera is not changed; z

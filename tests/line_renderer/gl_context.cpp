@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl_context.h"
 
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <stdexcept>
@@ -23,4 +24,10 @@ GlContext::~GlContext() = default;
 void GlContext::makeCurrent() {
     if (!data_->context.makeCurrent(&data_->surface))
         throw std::runtime_error("OpenGL cannot be used here.");
+}
+
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    const QGuiApplication program(argc, argv);
+    return RUN_ALL_TESTS();
 }

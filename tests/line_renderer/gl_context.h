@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gtest/gtest.h>
 #include <memory>
+
+#include "canvas.h"
 
 /// An OpenGL context without a window, on the display, current until another one is.
 class GlContext {
@@ -16,4 +19,11 @@ public:
 private:
     struct Data;
     std::unique_ptr<Data> data_;
+};
+
+/// A test with an OpenGL context of its own that draws on a canvas.
+class GlTest : public testing::Test {
+protected:
+    GlContext context_;
+    Canvas canvas_;
 };

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "line_program.h"
-#include "line_shaders.h"
 #include "line_test.h"
+#include "shaders.h"
 
 namespace {
 

@@ -9,7 +9,6 @@
 
 #include "line_stream.h"
 #include "made_up_lines.h"
-#include "written_stream.h"
 
 namespace {
 

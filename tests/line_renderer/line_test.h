@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gl_test.h"
+#include "gl_context.h"
 #include "line_renderer/surface_depth.h"
 #include "made_up_lines.h"
 

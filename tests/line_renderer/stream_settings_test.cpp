@@ -8,7 +8,6 @@
 #include <cstring>
 
 #include "made_up_lines.h"
-#include "written_stream.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The depths that lines are compared with: copied from the depth buffer, or drawn.
 #include "line_renderer/surface_depth.h"
+#include "gl_context.h"
 #include "gl_functions.h"
-#include "gl_test.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "gl_test.h"
+#include "gl_context.h"
 #include "line_renderer/background_renderer.h"
 #include "line_renderer/surface_depth.h"
 #include "line_renderer/surface_renderer.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "byte_mesh.h"
+#include "wild_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

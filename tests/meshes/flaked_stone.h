@@ -5,7 +5,6 @@
 #include <random>
 #include <vector>
 
-#include "arris.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "rounded_walls.h"
 

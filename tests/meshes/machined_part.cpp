@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "part_measures.h"
-#include "surface_net.h"
+#include "rounded_walls.h"
 
 namespace test_meshes {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "marching_cubes.h"
+#include "implicit_head.h"
 
 #include <array>
 #include <cstdint>

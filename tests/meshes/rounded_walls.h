@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <functional>
 #include <vector>
+
+#include "laplacian_lines/triangle_mesh.h"
 
 namespace test_meshes {
 
@@ -28,5 +31,30 @@ Wall rounded_union(const std::vector<Wall>& walls, double radius);
 
 /// The point of the surface that Newton's steps along the normals lead to.
 Eigen::Vector3d onto_surface(const Solid& solid, Eigen::Vector3d p);
+
+/// A closed mesh of a solid inside a box whose distance is exact or less: a vertex on the surface
+/// for each cell of a grid that it passes through, a quadrangle, cut along its shorter diagonal,
+/// for each edge of the grid that it cuts. The solid has to be thicker than two cells, and so have
+/// the gaps in it. The grid is turned against the axes, so that plane faces do not lie along it.
+laplacian_lines::TriangleMesh surface_net(const Solid& solid, const Eigen::AlignedBox3d& box,
+                                          double cell);
+
+/// A short piece of an edge of a form, sharp or rounded. Pieces are in no order.
+struct ArrisPiece {
+    Eigen::Vector3d a, b;    ///< its ends, on the rounded surface
+    double angle = 0;        ///< between the normals on both sides, degrees
+    Eigen::Vector3d normal;  ///< unit, in the middle between those
+    bool convex = true;
+
+    double length() const { return (b - a).norm(); }
+    Eigen::Vector3d middle() const { return (a + b) / 2; }
+};
+
+inline double total_length(const std::vector<ArrisPiece>& pieces) {
+    double sum = 0;
+    for (const ArrisPiece& piece : pieces)
+        sum += piece.length();
+    return sum;
+}
 
 }  // namespace test_meshes

@@ -8,7 +8,6 @@
 #include <map>
 
 #include "machined_part.h"
-#include "part_measures.h"
 
 namespace test_meshes {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface_net.h"
+#include "rounded_walls.h"
 
 #include <algorithm>
 #include <array>

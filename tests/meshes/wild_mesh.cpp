@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "byte_mesh.h"
 #include "generators.h"
 
 namespace test_meshes {

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes and fields as they stand in the world.
+// Meshes, fields and layers as they stand in the world.
 #include "placed_mesh.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
+#include "add_layer.h"
 #include "generators.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
+#include "meshlab_host/field_attributes.h"
+#include "meshlab_host/mesh_conversion.h"
+#include "placed_layers.h"
 
 namespace {
 
@@ -82,6 +86,35 @@ TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
             most = std::max(most, double(there.norm()));
         }
     EXPECT_LT(largest / most, 1e-2);
+}
+
+TEST(PlacedLayers, AreMovedWithTheirFields) {
+    MeshDocument document;
+    CMeshO& mesh = addLayer(document, "sphere", test_meshes::bumpy_sphere(3).mesh);
+    const laplacian_lines::PrecomputeOptions options;
+    meshlab_host::writeField(
+        mesh, laplacian_lines::precompute(meshlab_host::toTriangleMesh(mesh), options), options,
+        meshlab_host::geometryStamp(mesh));
+    const RichParameterList list;
+    meshlab_host::FilterResults results;
+    const auto placed = [&] {
+        PlacedLayers layers = placeLayers(
+            {false, false}, {document, list, nullptr, [](const QString&) {}, results}, 1);
+        EXPECT_TRUE(layers.at(0).field);
+        return layers.at(0);
+    };
+    PlacedLayer expected = placed();
+    const Eigen::Matrix4d layer = moved(3 * turned());
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            mesh.Tr[row][column] = Scalarm(layer(row, column));
+    const PlacedLayer there = placed();
+    EXPECT_GT(difference(there.mesh.positions, expected.mesh.positions), 0.5);
+    place(layer, expected.mesh);
+    place(*similarityOf(layer), *expected.field);
+    EXPECT_LT(difference(there.mesh.positions, expected.mesh.positions), 1e-5);
+    EXPECT_LT(difference(there.field->normals, expected.field->normals), 1e-5);
+    EXPECT_LT(difference(there.field->laplacian_normals, expected.field->laplacian_normals), 1e-5);
 }
 
 TEST(PlacedMesh, FacesKeepTheirOutside) {

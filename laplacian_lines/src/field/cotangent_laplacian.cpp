@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/cotangent_laplacian.h"
+#include "field/field_steps.h"
 
 #include <Eigen/Geometry>
 

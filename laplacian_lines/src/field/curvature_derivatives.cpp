@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/curvature_derivatives.h"
+#include "field/field_steps.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "field/curved_vertex.h"
 #include "field/ring_derivatives.h"
 #include "field/tensor_fits.h"
 #include "system/large_array.h"

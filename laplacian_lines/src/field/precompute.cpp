@@ -5,13 +5,8 @@
 #include <cmath>
 
 #include "field/belkin_laplacian.h"
-#include "field/cotangent_laplacian.h"
-#include "field/curvature_derivatives.h"
-#include "field/kernel_sizes.h"
-#include "field/normal_smoothing.h"
-#include "field/roughness.h"
+#include "field/field_steps.h"
 #include "field/shape_operators.h"
-#include "field/vertex_normals.h"
 #include "laplacian_lines/field_columns.h"
 #include "mesh/prepared_mesh.h"
 #include "mesh/soundness.h"

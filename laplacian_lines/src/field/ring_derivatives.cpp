@@ -4,8 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "field/curved_vertex.h"
-
 namespace laplacian_lines {
 namespace {
 

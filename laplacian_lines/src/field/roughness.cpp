@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/roughness.h"
+#include "field/field_steps.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "field/facet_noise.h"
 #include "laplacian_lines/precompute_options.h"
 #include "sums/facing_weight.h"
 #include "sums/summation_cost.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/tensor_sources.h"
+#include "field/tensor_fits.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/vertex_normals.h"
+#include "field/field_steps.h"
 
 #include <Eigen/Geometry>
 

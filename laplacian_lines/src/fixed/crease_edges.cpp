@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed/crease_edges.h"
+#include "fixed/crease_tracing.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "fixed/crease_jump.h"
-#include "fixed/crease_support.h"
-#include "fixed/crease_surroundings.h"
-#include "fixed/other_diagonal.h"
-#include "fixed/triangular_faces.h"
+#include "fixed/crease_criteria.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {

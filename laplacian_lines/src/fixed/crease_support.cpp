@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed/crease_support.h"
+#include "fixed/crease_criteria.h"
 
 #include <algorithm>
 
@@ -19,10 +19,7 @@ constexpr float kLeastStrong = 0.5f;  // of the length
 class SupportedCreases {
 public:
     explicit SupportedCreases(const std::vector<PossibleCrease>& edges)
-        : edges_(edges),
-          kept_(edges.size(), 1),
-          runs_out_(edges.size(), 0),
-          places_(edges.size()) {
+        : edges_(edges), kept_(edges.size(), 1), runs_out_(edges.size(), 0), places_(edges.size()) {
         std::vector<std::uint64_t> ends;  // by vertex, edge and end
         for (std::uint64_t i = 0; i < edges.size(); ++i)
             for (const unsigned end : {0u, 1u})
@@ -127,10 +124,10 @@ private:
         const auto is_loose = [&](std::uint32_t i) {
             return kept_[i] && !edges_[i].is_certain && !is_held(i);
         };
-        auto open = collect<std::uint32_t>(
-            edges_.size(), [&](std::uint32_t i, std::vector<std::uint32_t>& found) {
-                if (is_loose(i)) found.push_back(i);
-            });
+        auto open = collect<std::uint32_t>(edges_.size(),
+                                           [&](std::uint32_t i, std::vector<std::uint32_t>& found) {
+                                               if (is_loose(i)) found.push_back(i);
+                                           });
         while (!open.empty()) {
             const std::uint32_t i = open.back();
             open.pop_back();

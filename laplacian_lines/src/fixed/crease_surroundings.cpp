@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed/crease_surroundings.h"
+#include "fixed/crease_criteria.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "fixed/crease_jump.h"
 #include "fixed/edge_side.h"
 
 namespace laplacian_lines {

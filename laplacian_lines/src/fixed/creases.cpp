@@ -3,7 +3,7 @@
 #include <memory>
 #include <mutex>
 
-#include "fixed/crease_jump.h"
+#include "fixed/crease_criteria.h"
 #include "fixed/crease_tracing.h"
 #include "fixed/fixed_kinds.h"
 #include "fixed/showing.h"

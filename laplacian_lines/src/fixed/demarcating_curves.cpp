@@ -7,34 +7,25 @@
 
 #include "fixed/demarcation.h"
 #include "fixed/fixed_kinds.h"
-#include "fixed/showing.h"
-#include "fixed/stretches.h"
-#include "rules/contour_clearance.h"
+#include "fixed/strong_lines.h"
 #include "rules/line_rules.h"
+#include "rules/opacity.h"
 #include "rules/thresholds.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr float kWeak = 0.5f;  // of the style's demarcation: continues what is stronger
-constexpr float kFading = 3;   // a gentle relief is paler than a steep one
+constexpr float kFading = 3;  // a gentle relief is paler than a steep one
 
 class DemarcatingCurves : public FixedKindLines {
 public:
     explicit DemarcatingCurves(const ExtractorData& data)
-        : found_(find_demarcating_curves(data, place_clusters(data))) {
-        for (const Polyline& line : found_.lines.lines) {
-            const LinePoint* points = found_.lines.points.data() + line.first;
-            float most = 0;
-            for (std::uint32_t i = 0; i < line.count; ++i)
-                most = std::max(most, points[i].gradient);
-            strongest_.push_back(most);
-        }
-    }
+        : found_(find_demarcating_curves(data, place_clusters(data))),
+          strongest_(strongest_of(found_.lines)) {}
 
     void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
-        const std::shared_ptr<const Shown> shown = shown_by(Rules(style), float(data.diagonal));
+        const std::shared_ptr<const Shown> shown = shown_by(rules_of(style), float(data.diagonal));
         const float clearance = style.shows[LineKind::Contour] ? float(style.contour_clearance) : 0;
         const auto first = std::uint32_t(lines.points.size());
         for (std::size_t i = 0; i < shown->places.size(); ++i) {
@@ -54,80 +45,39 @@ public:
     }
 
 private:
-    struct Rules {
-        float demarcation;  ///< degrees
-        float fading;
-        float least_length;  ///< D
-        int smoothing_passes;
-
-        explicit Rules(const LineStyle& style)
-            : demarcation(Thresholds(style).demarcation),
-              fading(kFading * float(style.fading)),
-              least_length(std::max(kLeastDemarcatingLength, 2 * Thresholds(style).shortest_line)),
-              smoothing_passes(laplacian_lines::smoothing_passes(style.line_smoothing)) {}
-
-        bool operator==(const Rules& other) const {
-            return demarcation == other.demarcation && fading == other.fading &&
-                   least_length == other.least_length && smoothing_passes == other.smoothing_passes;
-        }
-    };
+    static StrongLineRules rules_of(const LineStyle& style) {
+        const Thresholds thresholds(style);
+        return {thresholds.demarcation, kFading * float(style.fading),
+                std::max(kLeastDemarcatingLength, 2 * thresholds.shortest_line),
+                kLeastDemarcatingLength, smoothing_passes(style.line_smoothing)};
+    }
 
     /// What rules show from any eye, but for what contours take of it.
     struct Shown {
-        Rules rules;
+        StrongLineRules rules;
         LineSet lines;
         std::vector<std::uint32_t> places;  // of the points among those that were found
     };
 
     /// The last ones are kept: styles seldom change from one redraw to the next.
-    std::shared_ptr<const Shown> shown_by(const Rules& rules, float diagonal) const {
+    std::shared_ptr<const Shown> shown_by(const StrongLineRules& rules, float diagonal) const {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!shown_ || !(shown_->rules == rules)) {
             auto shown = std::make_shared<Shown>(Shown{rules, {}, {}});
-            for (std::size_t number = 0; number < found_.lines.lines.size(); ++number)
-                append_line(number, diagonal, *shown);
+            const auto note = [&](std::uint32_t place) {
+                shown->places.push_back(place);
+                return 1.f;
+            };
+            append_strong(found_.lines, strongest_, rules, diagonal, note, shown->lines);
             shown_ = std::move(shown);
         }
         return shown_;
     }
 
-    void append_line(std::size_t number, float diagonal, Shown& shown) const {
-        const Polyline& line = found_.lines.lines[number];
-        const Rules& rules = shown.rules;
-        if (strongest_[number] < rules.demarcation || line.length < rules.least_length) return;
-        const LinePoint* points = found_.lines.points.data() + line.first;
-        for_each_stretch(line, points, kWeak * rules.demarcation, [&](const Stretch& stretch) {
-            const StretchLengths lengths = measure(stretch, points, rules.demarcation, diagonal);
-            if (stretch.count >= 2 && lengths.all >= rules.least_length &&
-                lengths.strong >= kLeastDemarcatingLength)
-                append_stretch(line, stretch, lengths.all, shown);
-        });
-    }
-
-    void append_stretch(const Polyline& whole, const Stretch& stretch, float length,
-                        Shown& shown) const {
-        const Rules& rules = shown.rules;
-        LineSet& lines = shown.lines;
-        Polyline line = whole;
-        line.first = std::uint32_t(lines.points.size());
-        line.count = stretch.count;
-        line.closed = stretch.is_closed;
-        line.length = length;
-        for (std::uint32_t i = 0; i < stretch.count; ++i) {
-            const std::uint32_t place = whole.first + stretch.point(i);
-            LinePoint point = found_.lines.points[place];
-            point.opacity = angle_opacity(point.gradient, kWeak * rules.demarcation, rules.fading);
-            lines.points.push_back(point);
-            shown.places.push_back(place);
-        }
-        smooth_positions(line, lines.points.data() + line.first, rules.smoothing_passes);
-        lines.lines.push_back(line);
-    }
-
+    const ZeroLines found_;
+    const std::vector<float> strongest_;
     mutable std::mutex mutex_;
     mutable std::shared_ptr<const Shown> shown_;
-    ZeroLines found_;
-    std::vector<float> strongest_;  // the largest value of a line's points, by line
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "fixed/crease_surroundings.h"
+#include "fixed/crease_criteria.h"
 
 namespace laplacian_lines {
 

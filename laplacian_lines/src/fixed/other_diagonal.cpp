@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed/other_diagonal.h"
+#include "fixed/crease_criteria.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include "fixed/crease_jump.h"
 
 namespace laplacian_lines {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed/ridge_angles.h"
+#include "fixed/ridge_candidates.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -6,33 +6,17 @@
 #include "fixed/fixed_kinds.h"
 #include "fixed/fixed_lines.h"
 #include "fixed/near_lines.h"
-#include "fixed/ridge_angles.h"
-#include "fixed/showing.h"
-#include "fixed/stretches.h"
-#include "rules/contour_clearance.h"
+#include "fixed/ridge_candidates.h"
+#include "fixed/strong_lines.h"
 #include "rules/line_rules.h"
+#include "rules/opacity.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr float kWeak = 0.5f;         // of the style's angle: continues what is sharper
 constexpr float kNearCrease = 0.01f;  // D
 constexpr float kFading = 5;          // a soft edge is paler than a sharp one
-
-struct RidgeRules {
-    float angle;  ///< degrees
-    float fading;
-    float clearance, least_length;  ///< D
-    int smoothing_passes;
-
-    explicit RidgeRules(const LineStyle& style)
-        : angle(Thresholds(style).ridge_angle),
-          fading(kFading * float(style.fading)),
-          // The contour of a rounded edge stays near its crest for long.
-          clearance(style.shows[LineKind::Contour] ? 4 * float(style.contour_clearance) : 0),
-          least_length(Thresholds(style).shortest_line),
-          smoothing_passes(laplacian_lines::smoothing_passes(style.line_smoothing)) {}
-};
+constexpr float kClearance = 4;       // the contour of a rounded edge stays near its crest for long
 
 class CrestLines : public FixedKindLines {
 public:
@@ -40,65 +24,34 @@ public:
         const std::vector<PlacedCluster> placed = place_clusters(data);
         found_ = find_ridge_candidates(data, placed, crest);
         measure_ridge_angles(data, placed, crest, found_);
-        for (const Polyline& line : found_.lines.lines) {
-            const LinePoint* points = found_.lines.points.data() + line.first;
-            sharpest_.push_back(std::max_element(points, points + line.count,
-                                                 [](const LinePoint& a, const LinePoint& b) {
-                                                     return a.gradient < b.gradient;
-                                                 })
-                                    ->gradient);
-        }
+        sharpest_ = strongest_of(found_.lines);
     }
 
     void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
                 const LineStyle& style, LineSet& lines) const override {
-        const RidgeRules rules(style);
+        const Thresholds thresholds(style);
+        const StrongLineRules rules{thresholds.ridge_angle, kFading * float(style.fading),
+                                    thresholds.shortest_line, kLeastRidgeLength,
+                                    smoothing_passes(style.line_smoothing)};
+        const float clear =
+            style.shows[LineKind::Contour] ? kClearance * float(style.contour_clearance) : 0;
         const auto along = along_creases(data, all.whole(data, LineKind::Crease, style));
-        for (std::size_t number = 0; number < found_.lines.lines.size(); ++number) {
-            const Polyline& line = found_.lines.lines[number];
-            if (sharpest_[number] < rules.angle || line.length < rules.least_length) continue;
-            for_each_stretch(line, found_.lines.points.data() + line.first, kWeak * rules.angle,
-                             [&](const Stretch& stretch) {
-                                 append_stretch(data, eye, rules, line, stretch, along.get(),
-                                                lines);
-                             });
-        }
+        const auto share_of = [&](std::uint32_t place) {
+            return along && (*along)[place] ? 0 : clearance(data, eye, clear, place);
+        };
+        append_strong(found_.lines, sharpest_, rules, float(data.diagonal), share_of, lines);
     }
 
 private:
-    void append_stretch(const ExtractorData& data, const LocalEye& eye, const RidgeRules& rules,
-                        const Polyline& whole, const Stretch& stretch,
-                        const std::vector<std::uint8_t>* along, LineSet& lines) const {
-        const LinePoint* points = found_.lines.points.data() + whole.first;
-        const StretchLengths lengths = measure(stretch, points, rules.angle, float(data.diagonal));
-        if (stretch.count < 2 || lengths.all < rules.least_length ||
-            lengths.strong < kLeastRidgeLength)
-            return;
-        Polyline line = whole;
-        line.first = std::uint32_t(lines.points.size());
-        line.count = stretch.count;
-        line.closed = stretch.is_closed;
-        line.length = lengths.all;
-        for (std::uint32_t i = 0; i < stretch.count; ++i) {
-            LinePoint point = points[stretch.point(i)];
-            const std::uint32_t place = whole.first + stretch.point(i);
-            point.opacity = point.weight =
-                along && (*along)[place]
-                    ? 0
-                    : angle_opacity(point.gradient, kWeak * rules.angle, rules.fading) *
-                          clearance(data, eye, rules, point, found_.forms[place]);
-            lines.points.push_back(point);
-        }
-        smooth_positions(line, lines.points.data() + line.first, rules.smoothing_passes);
-        lines.lines.push_back(line);
-    }
-
-    static float clearance(const ExtractorData& data, const LocalEye& eye, const RidgeRules& rules,
-                           const LinePoint& point, const RidgeCandidates::Form& form) {
+    /// By a contour that is nearer than `clear`.
+    float clearance(const ExtractorData& data, const LocalEye& eye, float clear,
+                    std::uint32_t place) const {
+        const LinePoint& point = found_.lines.points[place];
+        const RidgeCandidates::Form& form = found_.forms[place];
         const Eigen::Vector3f l = eye.towards(
             ((point.position.cast<double>() - data.centre) / data.diagonal).cast<float>());
         const float facing = std::abs(form.normal.dot(l)), gradient = std::abs(form.bend.dot(l));
-        return clearance_opacity(facing, std::max(gradient, 1e-6f), rules.clearance);
+        return clearance_opacity(facing, std::max(gradient, 1e-6f), clear);
     }
 
     /// Which points only double creases; null if none does.

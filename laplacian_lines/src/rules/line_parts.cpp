@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rules/rise.h"
+#include "rules/opacity.h"
 
 namespace laplacian_lines {
 namespace {

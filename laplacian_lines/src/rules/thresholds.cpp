@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "rules/line_rules.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -10,6 +12,10 @@ namespace {
 constexpr float kLeastApparent = 0.02f;
 
 }  // namespace
+
+int smoothing_passes(double deviation) {
+    return int(std::lround(2 * deviation * deviation));  // a pass has a variance of 1/2
+}
 
 double threshold_factor(double detail) {
     // Fitted to the number of lines on the Stanford bunny and dragon, igea and the armadillo.

@@ -7,7 +7,7 @@
 #include "rules/line_rules.h"
 #include "system/chains.h"
 #include "system/disjoint_sets.h"
-#include "visibility/sight_tracing.h"
+#include "visibility/sight_pieces.h"
 
 namespace laplacian_lines {
 namespace {

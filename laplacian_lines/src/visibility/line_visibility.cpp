@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "laplacian_lines/line_visibility.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "clusters/coarseness.h"
 #include "laplacian_lines/precompute_options.h"
@@ -10,14 +12,32 @@
 #include "visibility/picture.h"
 #include "visibility/sight_mesh.h"
 #include "visibility/sight_pieces.h"
-#include "visibility/sight_tracing.h"
-#include "visibility/winding_number.h"
 
 namespace laplacian_lines {
 namespace {
 
 // In D: where edges are longer on the mean, many triangles are coarse, unless the mesh is rough.
 constexpr double kLargestSmoothMeanEdge = 0.025;
+
+/// A. van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", 1983. Positive where the
+/// triangle shows its back.
+double solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    const double numerator = a.dot(b.cross(c));
+    const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    return 2 * std::atan2(numerator, denominator);
+}
+
+/// The sum of the solid angles of all triangles at a point, local, over 4π; +1 inside a closed
+/// surface that faces outwards.
+double winding_number(const SightMesh& mesh, const Eigen::Vector3d& point) {
+    const double sum = sum_of(mesh.triangles.size(), [&](std::size_t i) {
+        const Triangle& t = mesh.triangles[i];
+        return solid_angle(mesh.positions[t[0]] - point, mesh.positions[t[1]] - point,
+                           mesh.positions[t[2]] - point);
+    });
+    return sum / (4 * std::acos(-1.0));
+}
 
 void append(const LineSet& from, const Polyline& line, LineSet& to) {
     Polyline result = line;

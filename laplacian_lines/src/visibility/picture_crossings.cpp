@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "visibility/picture_crossings.h"
+#include "visibility/sight_pieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "fixed/line_smoothing.h"
 #include "rules/line_rules.h"
-#include "visibility/sight_tracing.h"
+#include "visibility/sight_pieces.h"
 
 namespace laplacian_lines {
 namespace {

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/letters_font.h"
 #include "line_drawing/words.h"
 
 namespace line_drawing {

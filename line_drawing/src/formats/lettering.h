@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "line_drawing/path.h"
 #include "line_drawing/sheet.h"
@@ -23,5 +24,8 @@ SheetPath outlinesOf(const SheetText& text);
 
 /// The first letter that the font lacks, or nothing.
 std::string lackingLetter(const std::string& text);
+
+/// The bytes of ../../letters/letters.ttf; its source is written by CMake.
+extern const std::string_view letters_font;
 
 }  // namespace line_drawing

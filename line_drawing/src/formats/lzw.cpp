@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/lzw.h"
+#include "formats/pdf_parts.h"
 
 #include <cstdint>
 #include <unordered_map>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/lettering.h"
-#include "formats/lzw.h"
+#include "formats/pdf_parts.h"
 #include "formats/sheet_writers.h"
-#include "formats/standard_fonts.h"
 #include "laplacian_lines/version.h"
 #include "line_drawing/words.h"
 

@@ -4,7 +4,7 @@
 #include "formats/lettering.h"
 #include "formats/sheet_writers.h"
 #include "line_drawing/words.h"
-#include "pixels/pen.h"
+#include "pixels/canvas.h"
 #include "pixels/png.h"
 
 namespace line_drawing {

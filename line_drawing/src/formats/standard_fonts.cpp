@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/standard_fonts.h"
+#include "formats/pdf_parts.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pixels/deflate.h"
+#include "pixels/png.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,6 @@
 
 #include <cstdint>
 
-#include "pixels/deflate.h"
-
 namespace line_drawing {
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sections/axis_finding.h"
+#include "sections/half_section.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "sections/place_on_axis.h"
-
 namespace line_drawing {
 namespace {
 

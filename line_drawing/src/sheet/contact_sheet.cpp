@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sheet/sheet_furniture.h"
 #include "sheet/sheet_layout.h"
 #include "views/drawn_view.h"
 

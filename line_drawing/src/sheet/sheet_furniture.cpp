@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sheet/sheet_furniture.h"
+#include "sheet/sheet_layout.h"
 
 #include <algorithm>
 #include <cmath>

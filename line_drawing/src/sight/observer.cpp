@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "laplacian_lines/error.h"
-#include "options/progress_part.h"
 #include "line_drawing/words.h"
+#include "options/progress_part.h"
 #include "planes/cutting.h"
 #include "sections/half_section.h"
 #include "sections/merged_walls.h"
-#include "sections/place_on_axis.h"
 #include "sections/section_marks.h"
 #include "sight/outline_check.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/elastic_line.h"
+#include "strokes/line_easing.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

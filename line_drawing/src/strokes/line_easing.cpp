@@ -5,7 +5,6 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "strokes/elastic_line.h"
 #include "strokes/refining.h"
 
 namespace line_drawing {

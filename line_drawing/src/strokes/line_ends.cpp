@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/line_ends.h"
+#include "strokes/overlaps.h"
 
 #include <array>
 

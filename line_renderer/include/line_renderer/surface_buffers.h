@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "line_renderer/surface_layer.h"
+#include "line_renderer/surface.h"
 
 namespace line_renderer {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "arris.h"
 #include "laplacian_lines/line_set.h"
+#include "rounded_walls.h"
 
 namespace benchmarks {
 

@@ -32,7 +32,7 @@ const Section kRatios{"ratios", "Ratios"};
 const Section kCounts{"counts", nullptr};
 const Section kGrowth{"growth", "x in time ∝ triangles^x, from a quarter of the triangles"};
 
-constexpr std::size_t kLargestForPlainSum = 1'000'000;  // triangles; it takes minutes above
+constexpr std::size_t kLargestForRounds = 1'000'000;  // triangles; of larger ones once is enough
 
 /// Time a divided by time b.
 struct Ratio {
@@ -41,15 +41,12 @@ struct Ratio {
 constexpr Ratio kAllRatios[] = {
     {"lines_to_contours", "Laplacian lines and contours : plain contours", "lines",
      "plain_contours"},
-    {"lines_to_traced", "... : plain Laplacian lines, traced", "lines", "plain_laplacian_traced"},
     {"lines_to_reading", "... : reading the plain mesh", "lines", "read_plain_mesh"},
     {"lines_to_reading_extractor", "... : reading what the extractor holds", "lines",
      "read_extractor"},
     {"one_to_two_threads", "one thread : two threads", "lines", "lines_two_threads"},
     {"avx2_to_avx512", "AVX2 : AVX-512", "lines_avx2", "lines"},
     {"baseline_to_best", "baseline x86-64 : the best instruction set", "lines_baseline", "lines"},
-    {"traced_to_contours", "plain Laplacian lines, traced : plain contours",
-     "plain_laplacian_traced", "plain_contours"},
 };
 
 struct Arguments {
@@ -94,13 +91,13 @@ void time_alternately(const TriangleMesh& mesh, const std::string& text, const s
                                       set_thread_limit(threads);
                                       work();
                                   }});
-    take_turns(contenders, {1, mesh.triangles.size() > kLargestForPlainSum ? 1 : 3, 5, 4});
+    take_turns(contenders, {1, mesh.triangles.size() > kLargestForRounds ? 1 : 3, 5, 4});
     set_thread_limit(0);
     for (const Contender& c : contenders)
         figures.add(kBuilding, c.key, c.text, c.best());
 }
 
-/// What is computed once, and a plain sum over cells for Δn alone. `kernel_size` is √h.
+/// What is computed once. `kernel_size` is √h.
 void add_precompute(const TriangleMesh& mesh, double kernel_size, MeshFigures& figures) {
     PrecomputeOptions options;
     options.kernel_size = kernel_size;
@@ -116,9 +113,6 @@ void add_precompute(const TriangleMesh& mesh, double kernel_size, MeshFigures& f
     const LaplacianAlone laplacian(mesh);
     const auto sum = [&] { laplacian.compute(kernel_size / field.scale.mean_edge); };
     time_alternately(mesh, "Δn alone", "laplacian", sum, figures);
-    if (mesh.triangles.size() <= kLargestForPlainSum)
-        figures.add(kBuilding, "plain_sum", "Δn alone by a plain sum over cells, one thread",
-                    seconds([&] { plain_belkin(mesh, field.normals, field.scale.kernel_size); }));
     figures.add(kMemory, "precompute_peak", "precompute at its peak, above the mesh",
                 peak / double(mesh.positions.size()));
 }

@@ -2,8 +2,7 @@
 #include "field_work.h"
 
 #include "field/belkin_laplacian.h"
-#include "field/normal_smoothing.h"
-#include "field/vertex_normals.h"
+#include "field/field_steps.h"
 
 namespace benchmarks {
 

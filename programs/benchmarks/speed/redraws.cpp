@@ -129,8 +129,6 @@ std::vector<Contender> Redraws::plain() {
          [this](std::size_t view) { contours_.extract(views_[view], points_); }},
         {"plain_laplacian", "plain Laplacian lines, not traced",
          [this](std::size_t view) { laplacian_.extract(views_[view], points_); }},
-        {"plain_laplacian_traced", "plain Laplacian lines, traced by a hash map",
-         [this](std::size_t view) { laplacian_.trace(views_[view], points_, starts_); }},
     };
 }
 

@@ -75,7 +75,6 @@ private:
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_;
     std::vector<Eigen::Vector3f> points_;
-    std::vector<std::uint32_t> starts_;
 };
 
 }  // namespace benchmarks

@@ -35,7 +35,7 @@ std::vector<Option> options_of(Arguments& a) {
             number("--most-bare PERCENT", "fails where more of all borders is bare", a.most_bare)};
 }
 
-DrawingManner manner_of(const laplacian_lines::TriangleMesh& mesh) {
+DrawingSetup setup_of(const laplacian_lines::TriangleMesh& mesh) {
     Eigen::AlignedBox3d box;
     for (const laplacian_lines::Triangle& triangle : mesh.triangles)
         for (const std::uint32_t v : triangle)
@@ -82,15 +82,15 @@ private:
     Row row_of(const SilhouetteMesh& entry) const {
         const std::vector<NamedFrame>& directions = arguments_.directions;
         const laplacian_lines::TriangleMesh mesh = entry.make();
-        const DrawingManner manner = manner_of(mesh);
+        const DrawingSetup setup = setup_of(mesh);
         std::vector<PlaneFrame> frames;
         for (const NamedFrame& direction : directions)
             frames.push_back(direction.frame);
-        const std::vector<DrawnPaths> drawn = drawings_of(mesh, frames, manner);
+        const std::vector<DrawnPaths> drawn = drawings_of(mesh, frames, setup);
         Row row;
         row.name = entry.name;
         for (std::size_t i = 0; i < drawn.size(); ++i) {
-            const ItemBuffer items(mesh, frames[i], manner);
+            const ItemBuffer items(mesh, frames[i], setup);
             BarePlaces bare;
             const SilhouetteScores scores = score_silhouette(items, drawn[i], &bare);
             ++row.views;

@@ -37,12 +37,12 @@ line_drawing::SheetOptions options_of(const PlaneFrame& frame, double mm_per_uni
 
 /// What the projection of the surface takes, mm.
 Eigen::AlignedBox2d extent_of(const TriangleMesh& mesh, const PlaneFrame& frame,
-                              const DrawingManner& manner) {
+                              const DrawingSetup& setup) {
     Eigen::AlignedBox2d extent;
     for (const laplacian_lines::Triangle& triangle : mesh.triangles)
         for (const std::uint32_t v : triangle) {
             const Eigen::Vector3d& p = mesh.positions[v];
-            if (p.allFinite()) extent.extend(manner.mm_per_unit * frame.project(p - manner.origin));
+            if (p.allFinite()) extent.extend(setup.mm_per_unit * frame.project(p - setup.origin));
         }
     return extent;
 }
@@ -135,12 +135,12 @@ DrawnPaths flattened(const line_drawing::SheetGroup& view) {
 }
 
 std::vector<DrawnPaths> drawings_of(const TriangleMesh& mesh, const std::vector<PlaneFrame>& frames,
-                                    const DrawingManner& manner) {
+                                    const DrawingSetup& setup) {
     std::vector<DrawnPaths> drawings;
-    const auto sheets = sheets_of(mesh, frames, manner.mm_per_unit);
+    const auto sheets = sheets_of(mesh, frames, setup.mm_per_unit);
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         DrawnPaths paths = flattened(sheets[i].groups.at(0));
-        const SheetPlace place(sheets[i].size, extent_of(mesh, frames[i], manner));
+        const SheetPlace place(sheets[i].size, extent_of(mesh, frames[i], setup));
         for (DrawnPath& path : paths)
             for (PlanePoint& p : path.points)
                 p = place.in_view(p);

@@ -20,7 +20,7 @@ using DrawnPaths = std::vector<DrawnPath>;
 PlaneLines lines_of(const DrawnPaths& paths);
 
 /// How a mesh is drawn: at 1:1, as plain strokes.
-struct DrawingManner {
+struct DrawingSetup {
     double mm_per_unit = 1;
     Eigen::Vector3d origin = {0, 0, 0};  ///< of the pictures' coordinates, in those of the mesh
 };
@@ -29,7 +29,7 @@ struct DrawingManner {
 /// frame, in the frame's coordinates. @throws laplacian_lines::Error
 std::vector<DrawnPaths> drawings_of(const laplacian_lines::TriangleMesh& mesh,
                                     const std::vector<PlaneFrame>& frames,
-                                    const DrawingManner& manner = {});
+                                    const DrawingSetup& setup = {});
 
 /// The lines of a view on a sheet, flattened to .002 mm, in the sheet's own coordinates, y down.
 DrawnPaths flattened(const line_drawing::SheetGroup& view);

@@ -61,11 +61,11 @@ std::pair<double, double> span_at(double y, const Eigen::Matrix3d& corners) {
 }  // namespace
 
 ItemBuffer::ItemBuffer(const TriangleMesh& mesh, const PlaneFrame& frame,
-                       const DrawingManner& manner) {
-    const double scale = manner.mm_per_unit * item_pixels_per_mm;
+                       const DrawingSetup& setup) {
+    const double scale = setup.mm_per_unit * item_pixels_per_mm;
     std::vector<Eigen::Vector3d> points;  // pixels, z likewise, towards the viewer
     for (const Eigen::Vector3d& p : mesh.positions) {
-        const Eigen::Vector3d q = p - manner.origin;
+        const Eigen::Vector3d q = p - setup.origin;
         points.push_back(scale *
                          Eigen::Vector3d(q.dot(frame.right), q.dot(frame.up), q.dot(frame.viewer)));
     }
@@ -160,19 +160,6 @@ PlaneLine ItemBuffer::border() const {
     return between_pixels([&](int x, int y, int right, int up) {
         return is_covered(x, y) != is_covered(x + right, y + up);
     });
-}
-
-bool ItemBuffer::is_edge(int x, int y, int right, int up, double most_cosine) const {
-    const std::uint32_t a = items_[index(x, y)], b = items_[index(x + right, y + up)];
-    if (a == b || a == nothing || b == nothing) return false;
-    if (!planes_[a].is_known || !planes_[b].is_known) return true;
-    return planes_[a].normal().dot(planes_[b].normal()) < most_cosine;
-}
-
-PlaneLine ItemBuffer::edges(double least) const {
-    const double most_cosine = std::cos(least * M_PI / 180);
-    return between_pixels(
-        [&](int x, int y, int right, int up) { return is_edge(x, y, right, up, most_cosine); });
 }
 
 /// What the two surfaces take between the two pixels does not meet.

@@ -18,17 +18,13 @@ public:
     /// In the coordinates of drawings_of().
     /// @throws std::runtime_error if the picture has more than 1e8 pixels
     ItemBuffer(const laplacian_lines::TriangleMesh& mesh, const PlaneFrame& frame,
-               const DrawingManner& manner);
+               const DrawingSetup& setup);
 
     /// Places between neighbouring pixels of which one is background.
     PlaneLine border() const;
     /// Places between neighbouring pixels where depth jumps by more than `least` mm.
     /// None beside a triangle that is seen from its edge.
     PlaneLine jumps(double least) const;
-
-    /// Places between neighbouring pixels of triangles that turn by more than `least` degrees, or
-    /// of which one is seen from its edge.
-    PlaneLine edges(double least) const;
 
     bool is_covered(int x, int y) const { return items_[index(x, y)] != nothing; }
     int width() const { return width_; }
@@ -43,7 +39,6 @@ private:
     struct Plane {
         double at_origin = 0, by_x = 0, by_y = 0;
         bool is_known = false;  ///< not of what is seen from its edge
-        Eigen::Vector3d normal() const { return Eigen::Vector3d(-by_x, -by_y, 1).normalized(); }
         double at(double x, double y) const { return at_origin + by_x * x + by_y * y; }
     };
 
@@ -54,7 +49,6 @@ private:
     void trace(std::uint32_t item, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
     void cover(std::uint32_t item, int x, int y, double depth);
     bool is_jump(int x, int y, int right, int up, double least) const;
-    bool is_edge(int x, int y, int right, int up, double most_cosine) const;
     template <class Test>
     PlaneLine between_pixels(Test test) const;
 

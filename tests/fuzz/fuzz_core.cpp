@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// One of the cases of wild_case.h, that of PART, which CMake names.
 #include <cstdio>
 #include <cstdlib>
 
@@ -6,8 +7,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     test_meshes::Choices choices(bytes, size);
-    const std::string found = wild::extract_case(choices);
+    const std::string found = wild::CASE(choices);
     if (found.empty()) return 0;
-    std::fprintf(stderr, "extract: %s\n", found.c_str());
+    std::fprintf(stderr, PART ": %s\n", found.c_str());
     std::abort();
 }
