@@ -111,16 +111,14 @@ Neighbours read_neighbours(const ExtractorData& data) {
     Neighbours result;
     const std::uint32_t* vertices = data.vertices_of_clusters.data();
     for (const Cluster& cluster : data.clusters) {
-        const unsigned char* memory = memory_of(data.store(), cluster);
-        const auto* triangles =
-            reinterpret_cast<const ClusterTriangle*>(memory + cluster_layout(cluster).triangles);
+        const ClusterTriangles triangles = triangles_of(data.store(), cluster);
         const auto side = [&](unsigned t, unsigned k) {
-            return Edge(vertices[triangles[t].corners[k]],
-                        vertices[triangles[t].corners[(k + 1) % 3]]);
+            const auto& corners = triangle_at(triangles, t).corners;
+            return Edge(vertices[corners[k]], vertices[corners[(k + 1) % 3]]);
         };
         for (unsigned t = 0; t < cluster.triangle_count; ++t)
             for (unsigned k = 0; k < 3; ++k) {
-                const unsigned next = triangles[t].neighbours[k];
+                const unsigned next = triangle_at(triangles, t).neighbours[k];
                 if (next == kNoNeighbour) {
                     ++result.ends[undirected(side(t, k))];
                 } else if (next >= cluster.triangle_count) {

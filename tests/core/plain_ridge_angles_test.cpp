@@ -35,7 +35,7 @@ std::vector<RidgePoint> points_of(const Polyline& line, const RidgeCandidates& f
     for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
         const RidgeCandidates::Form& form = found.forms[i];
         const PlacedCluster& cluster = placed[form.side.cluster];
-        const auto& corners = cluster.triangles[form.side.triangle].corners;
+        const auto& corners = cluster.triangle(form.side.triangle).corners;
         points.push_back({std::minmax(cluster.vertices[corners[form.side.side]],
                                       cluster.vertices[corners[(form.side.side + 1) % 3]]),
                           data.centre + data.diagonal * form.position.cast<double>(),

@@ -87,7 +87,7 @@ public:
 private:
     std::uint32_t corner(const MeshSide& side, unsigned k) const {
         const PlacedCluster& cluster = placed_[side.cluster];
-        return numbers_[cluster.vertices[cluster.triangles[side.triangle].corners[k]]];
+        return numbers_[cluster.vertices[cluster.triangle(side.triangle).corners[k]]];
     }
 
     const TriangleMesh& mesh_;

@@ -37,7 +37,7 @@ struct Placed {
     /// Of the mesh.
     std::pair<std::uint32_t, std::uint32_t> ends(const MeshSide& side) const {
         const PlacedCluster& cluster = placed[side.cluster];
-        const auto& corners = cluster.triangles[side.triangle].corners;
+        const auto& corners = cluster.triangle(side.triangle).corners;
         return {cluster.vertices[corners[side.side]],
                 cluster.vertices[corners[(side.side + 1) % 3]]};
     }
@@ -80,7 +80,7 @@ TEST(SectionProfile, TurnsEvenlyOnACylinder) {
     for (const MeshSide& side : mesh.all_sides()) {
         const PlacedCluster& cluster = mesh.placed[side.cluster];
         const auto position = [&](int k) -> Eigen::Vector3f {
-            const auto corner = cluster.triangles[side.triangle].corners[(side.side + k) % 3];
+            const auto corner = cluster.triangle(side.triangle).corners[(side.side + k) % 3];
             return Eigen::Map<const Eigen::Vector3f>(cluster.records[corner].position);
         };
         const Eigen::Vector3f point = (position(0) + position(1)) / 2;
@@ -111,7 +111,7 @@ TEST(SectionProfile, EndsWithTheSurface) {
     for (const MeshSide& side : mesh.all_sides())
         if (!mesh.sides.across(side).exists()) {
             const PlacedCluster& cluster = mesh.placed[side.cluster];
-            const auto& corners = cluster.triangles[side.triangle].corners;
+            const auto& corners = cluster.triangle(side.triangle).corners;
             const Eigen::Vector3f a =
                 Eigen::Map<const Eigen::Vector3f>(cluster.records[corners[side.side]].position);
             const Eigen::Vector3f b = Eigen::Map<const Eigen::Vector3f>(

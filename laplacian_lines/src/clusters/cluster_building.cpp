@@ -188,7 +188,6 @@ void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
 void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
     const Cluster& cluster = data_.clusters[c];
     const ClusterLayout layout = cluster_layout(cluster);
-    auto* triangles = reinterpret_cast<ClusterTriangle*>(memory + layout.triangles);
     std::uint32_t* edges = data_.border_edges.data() + cluster.first_border_edge;
     unsigned edge_count = 0;
     const std::size_t first_side = 3 * std::size_t(partition_.ranges[c].begin);
@@ -199,15 +198,12 @@ void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
         return std::uint8_t(cluster.triangle_count + edge_count++);
     };
     for (unsigned i = 0; i < cluster.triangle_count; ++i) {
-        ClusterTriangle& triangle = triangles[i];
         unsigned char* corners = memory + layout.corners + i / kMaskGroup * 3 * kMaskGroup;
         for (unsigned k = 0; k < 3; ++k) {
             const std::size_t side = first_side + 3 * i + k;
-            triangle.corners[k] = partition_.corners[side];
-            corners[k * kMaskGroup + i % kMaskGroup] = triangle.corners[k];
-            triangle.neighbours[k] = neighbour(partition_.across[side]);
+            corners[k * kMaskGroup + i % kMaskGroup] = partition_.corners[side];
+            memory[layout.neighbours + 3 * i + k] = neighbour(partition_.across[side]);
         }
-        triangle.number = std::uint8_t(i);
     }
 }
 

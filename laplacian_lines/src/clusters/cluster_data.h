@@ -51,10 +51,17 @@ static_assert(sizeof(CurvatureRecord) == kCacheUnit, "a curvature record is one 
 struct ClusterTriangle {
     std::uint8_t corners[3];
     std::uint8_t neighbours[3];
-    std::uint8_t unused;
-    std::uint8_t number;  ///< its own
 };
-static_assert(sizeof(ClusterTriangle) == 8, "shuffled as 8 bytes");
+/// Those of a cluster in its memory: corners apart, as the sign tests read them, for each
+/// kMaskGroup triangles all first ones, then all second, all third; three neighbours of each.
+struct ClusterTriangles {
+    const std::uint8_t *corners, *neighbours;
+};
+static inline ClusterTriangle triangle_at(const ClusterTriangles& triangles, unsigned i) {
+    const std::uint8_t* c = triangles.corners + i / kMaskGroup * 3 * kMaskGroup + i % kMaskGroup;
+    const std::uint8_t* n = triangles.neighbours + 3 * i;
+    return {{c[0], c[kMaskGroup], c[2 * kMaskGroup]}, {n[0], n[1], n[2]}};
+}
 
 /// The linear forms of some vertices: v.x of all, then v.y, v.z, and v·p.
 struct alignas(kCacheUnit) FormGroup {
@@ -63,9 +70,7 @@ struct alignas(kCacheUnit) FormGroup {
 
 /// The memory of a cluster, from `first_unit` on, each part beginning a cache unit:
 ///  - the FormGroups of all vertices, of kFacingForm,
-///  - corners as bytes for the sign tests: for each kMaskGroup triangles all first corners, then
-///    all second, all third ones,
-///  - ClusterTriangle of each triangle,
+///  - ClusterTriangles: the corners, then the neighbours,
 ///  - VertexRecord of each vertex.
 struct Cluster {
     std::uint32_t first_unit;         ///< in units of kCacheUnit
@@ -85,7 +90,7 @@ struct Cluster {
 
 /// Offsets of the parts, in bytes.
 struct ClusterLayout {
-    std::size_t corners, triangles, records, end;
+    std::size_t corners, neighbours, records, end;
 };
 
 static inline unsigned form_groups(const Cluster& c) {
@@ -97,10 +102,9 @@ static inline unsigned mask_groups(const Cluster& c) {
 static inline ClusterLayout cluster_layout(const Cluster& c) {
     ClusterLayout layout;
     layout.corners = form_groups(c) * sizeof(FormGroup);
-    layout.triangles = layout.corners + mask_groups(c) * 3 * kMaskGroup;
+    layout.neighbours = layout.corners + mask_groups(c) * 3 * kMaskGroup;
     layout.records =
-        layout.triangles +
-        (c.triangle_count * sizeof(ClusterTriangle) + kCacheUnit - 1) / kCacheUnit * kCacheUnit;
+        layout.neighbours + (3u * c.triangle_count + kCacheUnit - 1) / kCacheUnit * kCacheUnit;
     layout.end = layout.records + c.vertex_count * sizeof(VertexRecord);
     return layout;
 }
@@ -132,6 +136,11 @@ static inline const VertexRecord* records_of(const ClusterStore& store) {
 }
 static inline const unsigned char* memory_of(const ClusterStore& store, const Cluster& cluster) {
     return store.memory + cluster.first_unit * std::size_t(kCacheUnit);
+}
+static inline ClusterTriangles triangles_of(const ClusterStore& store, const Cluster& cluster) {
+    const unsigned char* memory = memory_of(store, cluster);
+    const ClusterLayout layout = cluster_layout(cluster);
+    return {memory + layout.corners, memory + layout.neighbours};
 }
 
 }  // namespace laplacian_lines

@@ -47,7 +47,7 @@ private:
         const Cluster& cluster = *placed.cluster;
         std::vector<std::uint32_t> places(cluster.triangle_count, kNoPlace);
         for (unsigned t = 0; t < cluster.triangle_count; ++t)
-            if (is_coarse(cluster, t)) places[t] = add_triangle(placed, placed.triangles[t]);
+            if (is_coarse(cluster, t)) places[t] = add_triangle(placed, placed.triangle(t));
         for (unsigned t = 0; t < cluster.triangle_count; ++t) {
             if (places[t] == kNoPlace) continue;
             for (unsigned k = 0; k < 3; ++k)
@@ -69,7 +69,7 @@ private:
     /// The side from corner k on.
     void add_side(const PlacedCluster& placed, unsigned t, unsigned k,
                   const std::vector<std::uint32_t>& places) {
-        const ClusterTriangle& triangle = placed.triangles[t];
+        const ClusterTriangle& triangle = placed.triangle(t);
         const Cluster& cluster = *placed.cluster;
         const unsigned neighbour = triangle.neighbours[k];
         const bool is_inside = neighbour < cluster.triangle_count;

@@ -85,12 +85,11 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
     placed.reserve(data.clusters.size());
     const ClusterStore store = data.store();
     for (const Cluster& cluster : data.clusters) {
-        const unsigned char* memory = memory_of(store, cluster);
-        const ClusterLayout layout = cluster_layout(cluster);
         placed.push_back(
             {&cluster, data.vertices_of_clusters.data() + cluster.first_vertex,
-             reinterpret_cast<const ClusterTriangle*>(memory + layout.triangles),
-             reinterpret_cast<const VertexRecord*>(memory + layout.records),
+             triangles_of(store, cluster),
+             reinterpret_cast<const VertexRecord*>(memory_of(store, cluster) +
+                                                   cluster_layout(cluster).records),
              data.laplacians.groups.data() + cluster.first_form_group,
              data.curvatures.empty() ? nullptr : data.curvatures.data() + cluster.first_vertex});
     }

@@ -60,10 +60,12 @@ inline Eigen::Vector3f normal_of(const VertexRecord& record) {
 struct PlacedCluster {
     const Cluster* cluster;
     const std::uint32_t* vertices;  ///< numbers in the prepared mesh
-    const ClusterTriangle* triangles;
+    ClusterTriangles triangles;
     const VertexRecord* records;
     const FormGroup* laplacians;        ///< those of ExtractorData
     const CurvatureRecord* curvatures;  ///< by vertex; null if there are none
+
+    ClusterTriangle triangle(unsigned i) const { return triangle_at(triangles, i); }
 };
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
 

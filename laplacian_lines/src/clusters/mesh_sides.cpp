@@ -8,7 +8,7 @@ namespace {
 
 /// The mesh's vertices at the ends of a side, in its direction.
 std::array<std::uint32_t, 2> ends(const PlacedCluster& placed, unsigned triangle, unsigned side) {
-    const auto& corners = placed.triangles[triangle].corners;
+    const auto& corners = placed.triangle(triangle).corners;
     return {placed.vertices[corners[side]], placed.vertices[corners[(side + 1) % 3]]};
 }
 
@@ -28,7 +28,7 @@ MeshSides::MeshSides(const ExtractorData& data, const std::vector<PlacedCluster>
 
 MeshSide MeshSides::across(const MeshSide& from) const {
     const PlacedCluster& placed = placed_[from.cluster];
-    const std::uint8_t neighbour = placed.triangles[from.triangle].neighbours[from.side];
+    const std::uint8_t neighbour = placed.triangle(from.triangle).neighbours[from.side];
     if (neighbour == kNoNeighbour) return {};
     std::array there = ends(placed, from.triangle, from.side);
     std::swap(there[0], there[1]);
@@ -47,14 +47,14 @@ MeshSide MeshSides::across(const MeshSide& from) const {
 
 bool MeshSides::is_shared(const MeshSide& side) const {
     const PlacedCluster& placed = placed_[side.cluster];
-    const std::uint8_t neighbour = placed.triangles[side.triangle].neighbours[side.side];
+    const std::uint8_t neighbour = placed.triangle(side.triangle).neighbours[side.side];
     return neighbour != kNoNeighbour && neighbour >= placed.cluster->triangle_count;
 }
 
 std::uint32_t MeshSides::edge_number(const MeshSide& side) const {
     const PlacedCluster& placed = placed_[side.cluster];
     const unsigned edge =
-        placed.triangles[side.triangle].neighbours[side.side] - placed.cluster->triangle_count;
+        placed.triangle(side.triangle).neighbours[side.side] - placed.cluster->triangle_count;
     return data_.border_edges[placed.cluster->first_border_edge + edge];
 }
 

@@ -32,7 +32,7 @@ std::vector<BorderSide> border_sides(const ExtractorData& data) {
     for (const PlacedCluster& placed : place_clusters(data))
         for (unsigned t = 0; t < placed.cluster->triangle_count; ++t)
             for (unsigned k = 0; k < 3; ++k) {
-                const ClusterTriangle& triangle = placed.triangles[t];
+                const ClusterTriangle& triangle = placed.triangle(t);
                 if (triangle.neighbours[k] != kNoNeighbour) continue;
                 const unsigned a = triangle.corners[k], b = triangle.corners[(k + 1) % 3];
                 sides.push_back({{placed.vertices[a], placed.vertices[b]},

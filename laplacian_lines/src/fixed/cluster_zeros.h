@@ -38,7 +38,7 @@ private:
     /// On a side of a triangle; the same, but for the side, from the triangles on both sides.
     template <class Ends>
     Zero zero(unsigned triangle, int side, const Ends& ends) const {
-        const auto& corners = placed_.triangles[triangle].corners;
+        const auto& corners = placed_.triangle(triangle).corners;
         unsigned a = corners[side], b = corners[(side + 1) % 3];
         if (placed_.vertices[b] < placed_.vertices[a]) std::swap(a, b);
         const std::pair<ZeroEnd, ZeroEnd> of = ends(a, b);

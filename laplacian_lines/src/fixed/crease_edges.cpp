@@ -123,7 +123,7 @@ private:
         in_parallel(placed_.size(), [&](std::size_t c) {
             for_each_edge(c, [&](unsigned t, unsigned k, float cosine) {
                 if (cosine > bent) return;
-                const std::uint8_t* corners = placed_[c].triangles[t].corners;
+                const auto& corners = placed_[c].triangle(t).corners;
                 of_cluster[c].push_back(
                     {{graph_.first[c] + t, k},
                      {placed_[c].vertices[corners[k]], placed_[c].vertices[corners[(k + 1) % 3]]},

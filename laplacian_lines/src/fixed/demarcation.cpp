@@ -76,7 +76,7 @@ public:
 
 private:
     void add(unsigned triangle, ZeroPieces& pieces) const {
-        const std::uint8_t* t = placed_.triangles[triangle].corners;
+        const auto& t = placed_.triangle(triangle).corners;
         bool is_negative[3];
         for (int k = 0; k < 3; ++k) {
             const Demarcation &a = at_[t[k]], &b = at_[t[(k + 1) % 3]];

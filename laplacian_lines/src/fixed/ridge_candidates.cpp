@@ -62,7 +62,7 @@ public:
 
 private:
     void add(unsigned triangle, ZeroPieces& pieces) const {
-        const std::uint8_t* t = placed_.triangles[triangle].corners;
+        const auto& t = placed_.triangle(triangle).corners;
         const Bend* b[3] = {&bends_[t[0]], &bends_[t[1]], &bends_[t[2]]};
         if (b[0]->curvature == 0 || b[1]->curvature == 0 || b[2]->curvature == 0) return;
         const float sign[3] = {1, sign_to(*b[0], *b[1]), sign_to(*b[0], *b[2])};

@@ -50,7 +50,7 @@ Plane crossing_plane(const SectionProbe::Section& section, const VertexRecord& a
 /// it leaves.
 Place leave(const std::vector<PlacedCluster>& clusters, const Plane& plane, MeshSide& at) {
     const PlacedCluster& placed = clusters[at.cluster];
-    const auto& corners = placed.triangles[at.triangle].corners;
+    const auto& corners = placed.triangle(at.triangle).corners;
     float heights[3];
     for (int k = 0; k < 3; ++k)
         heights[k] = plane.height(placed.records[corners[k]]);
@@ -67,7 +67,7 @@ Place leave(const std::vector<PlacedCluster>& clusters, const Plane& plane, Mesh
 
 void SectionProbe::measure(const Section& section, float reach, SectionProfile& profile) const {
     const PlacedCluster& placed = placed_[section.side.cluster];
-    const auto& corners = placed.triangles[section.side.triangle].corners;
+    const auto& corners = placed.triangle(section.side.triangle).corners;
     const Plane plane = crossing_plane(section, placed.records[corners[section.side.side]],
                                        placed.records[corners[(section.side.side + 1) % 3]]);
     MeshSide at[2] = {section.side, sides_.across(section.side)};

@@ -53,7 +53,7 @@ private:
         for (unsigned t = 0; t < placed.cluster->triangle_count; ++t) {
             Node& node = graph_.triangles[graph_.first[c] + t];
             for (unsigned k = 0; k < 3; ++k)
-                node.corners[k] = first_record + placed.triangles[t].corners[k];
+                node.corners[k] = first_record + placed.triangle(t).corners[k];
             set_plane(node);
             node.reversed = 0;
             for_each_side(c, t, [&](unsigned k, std::uint8_t neighbour, std::uint32_t vertex) {
@@ -85,7 +85,7 @@ private:
 
     template <class Visit>
     void for_each_side(std::size_t c, unsigned t, const Visit& visit) const {
-        const ClusterTriangle& triangle = placed_[c].triangles[t];
+        const ClusterTriangle& triangle = placed_[c].triangle(t);
         for (unsigned k = 0; k < 3; ++k)
             visit(k, triangle.neighbours[k], placed_[c].vertices[triangle.corners[k]]);
     }

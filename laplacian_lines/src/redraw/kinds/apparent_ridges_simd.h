@@ -64,8 +64,8 @@ static inline VertexBits vertices_where(const Cluster& cluster, const Holds& hol
 class ApparentTriangles {
 public:
     ApparentTriangles(const LineRules& rules, const ClusterInSlot& place,
-                      const ApparentMemory& memory, const ClusterTriangle* triangles)
-        : cluster_(place.cluster), slot_(place.slot), triangles_(triangles) {
+                      const ApparentMemory& memory)
+        : cluster_(place.cluster), slot_(place.slot), triangles_(triangles_of(place)) {
         __builtin_memset(sides_, 0, sizeof sides_);
         find_wanted(rules, place, memory);
         find_crossed(memory);
@@ -127,7 +127,7 @@ private:
             for (unsigned k = 0; k < 3; ++k)
                 load_columns(
                     [&](unsigned lane) {
-                        return vectors[triangles_[listed_[first + lane]].corners[k]];
+                        return vectors[triangle_at(triangles_, listed_[first + lane]).corners[k]];
                     },
                     corners[k]);
             const Ints sides = crossed_sides(corners);
@@ -156,7 +156,7 @@ private:
     }
 
     void write(unsigned number, unsigned entry, unsigned exit, ActiveTriangles& active) const {
-        const ClusterTriangle& t = triangles_[number];
+        const ClusterTriangle t = triangle_at(triangles_, number);
         const auto corner = [&](unsigned k) {
             return std::uint16_t(slot_ * kClusterVertices + t.corners[k % 3]);
         };
@@ -174,13 +174,13 @@ private:
 
     /// The listed triangle of this cluster behind a side, or kNoNeighbour.
     unsigned across(unsigned triangle, unsigned side) const {
-        const unsigned next = triangles_[triangle].neighbours[side];
+        const unsigned next = triangle_at(triangles_, triangle).neighbours[side];
         return next < cluster_.triangle_count && pair_of(sides_[next]).any ? next : kNoNeighbour;
     }
     /// The neighbour's name of the side that it shares.
     unsigned side_behind(unsigned triangle, unsigned side, unsigned neighbour) const {
-        const std::uint8_t end = triangles_[triangle].corners[(side + 1) % 3];
-        const std::uint8_t* corners = triangles_[neighbour].corners;
+        const std::uint8_t end = triangle_at(triangles_, triangle).corners[(side + 1) % 3];
+        const auto& corners = triangle_at(triangles_, neighbour).corners;
         return corners[0] == end ? 0 : corners[1] == end ? 1 : 2;
     }
     unsigned other_side(unsigned triangle, unsigned side) const {
@@ -190,7 +190,7 @@ private:
 
     const Cluster& cluster_;
     const unsigned slot_;
-    const ClusterTriangle* triangles_;
+    const ClusterTriangles triangles_;
     unsigned count_ = 0;
     std::uint8_t listed_[kClusterTriangles + kLanes];
     std::uint8_t sides_[kClusterTriangles];
@@ -279,7 +279,7 @@ static void extract_apparent_strips(const ClusterStore& store, const ExtractionT
     for (unsigned slot = 0; slot < batch.count; ++slot) {
         const ClusterInSlot place = place_of(store, batch, slot);
         evaluate_apparent(place, task.eye, memory.apparent);
-        ApparentTriangles(rules, place, memory.apparent, batch.triangles[slot]).append(active);
+        ApparentTriangles(rules, place, memory.apparent).append(active);
     }
     if (active.count == 0) return;
     CrossingMemory& m = memory.crossings;

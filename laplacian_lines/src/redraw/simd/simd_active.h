@@ -8,7 +8,7 @@
 namespace laplacian_lines {
 namespace SIMD_NAMESPACE {
 
-/// Places in ClusterTriangle's bytes that make an ActiveTriangle, by which corners are negative.
+/// Places in write_active()'s bytes that make an ActiveTriangle, by which corners are negative.
 /// A line leaves through the edge that goes from a negative to a positive corner.
 struct alignas(16) ActivePattern {
     std::uint8_t places[16];
@@ -17,8 +17,8 @@ constexpr ActivePattern active_pattern(unsigned exit, bool third_is_negative) {
     const auto a = std::uint8_t(exit), b = std::uint8_t((exit + 1) % 3),
                c = std::uint8_t((exit + 2) % 3);
     const std::uint8_t entry = third_is_negative ? b : c;
-    return {{a, b, c, 7, third_is_negative ? c : a, third_is_negative ? b : c, std::uint8_t(3 + a),
-             std::uint8_t(3 + entry)}};
+    return {{a, b, c, 3, third_is_negative ? c : a, third_is_negative ? b : c, std::uint8_t(4 + a),
+             std::uint8_t(4 + entry)}};
 }
 constexpr ActivePattern kActivePatterns[8] = {
     {},                        // none: no crossing
@@ -32,18 +32,26 @@ constexpr ActivePattern kActivePatterns[8] = {
 };
 
 typedef std::uint16_t Places __attribute__((vector_size(16)));  ///< ActiveTriangle
-static inline void write_active(const ClusterTriangle& triangle, unsigned negative_corners,
-                                unsigned slot, ActiveTriangle& active) {
+/// Writes triangle `number` of a cluster: with its corners first, then itself, its neighbours.
+static inline void write_active(const ClusterTriangles& triangles, unsigned number,
+                                unsigned negative_corners, unsigned slot, ActiveTriangle& active) {
     constexpr std::uint16_t v = kClusterVertices, n = kNumbersOfSlot;
     const ActivePattern& pattern = kActivePatterns[negative_corners];
+    const std::uint8_t* corners =
+        triangles.corners + number / kMaskGroup * 3 * kMaskGroup + number % kMaskGroup;
+    const std::uint32_t first = corners[0] | std::uint32_t(corners[kMaskGroup]) << 8 |
+                                std::uint32_t(corners[2 * kMaskGroup]) << 16 | number << 24;
+    std::uint32_t neighbours;  // and a byte of what is behind
+    __builtin_memcpy(&neighbours, triangles.neighbours + 3 * number, 4);
     Places numbers = {};
 #if defined(__SSE4_1__)
-    const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&triangle));
+    const __m128i bytes = _mm_insert_epi32(_mm_cvtsi32_si128(int(first)), int(neighbours), 1);
     const __m128i places = _mm_load_si128(reinterpret_cast<const __m128i*>(pattern.places));
     numbers = (Places)_mm_cvtepu8_epi16(_mm_shuffle_epi8(bytes, places));
 #else
     unsigned char bytes[8];
-    __builtin_memcpy(bytes, &triangle, 8);
+    __builtin_memcpy(bytes, &first, 4);
+    __builtin_memcpy(bytes + 4, &neighbours, 4);
     for (int i = 0; i < 8; ++i)
         numbers[i] = bytes[pattern.places[i]];
 #endif
@@ -51,19 +59,23 @@ static inline void write_active(const ClusterTriangle& triangle, unsigned negati
     __builtin_memcpy(&active, &numbers, sizeof numbers);
 }
 
-/// Appends the triangles of a mask, which is for those from number `first` on, and asks for them.
-static inline void list_mixed(std::uint64_t mask, const std::uint64_t negative[3], unsigned slot,
-                              unsigned first, const ClusterTriangle* triangles,
+/// Appends the triangles of a mask, which is for those from number `first` on, and asks for the
+/// records of their crossings.
+static inline void list_mixed(std::uint64_t mask, const std::uint64_t negative[3],
+                              const ClusterInSlot& place, unsigned first, const Batch& batch,
                               ActiveTriangles& active) {
+    const ClusterTriangles triangles = triangles_of(place);
+    const RecordsOfSlot records = records_around(batch, place.slot * kClusterVertices);
     unsigned count = active.count;
     for (; mask; mask &= mask - 1) {
         const auto i = unsigned(__builtin_ctzll(mask));
-        __builtin_prefetch(&triangles[first + i]);
-        active.slot[count] = std::uint8_t(slot);
-        active.number[count] = std::uint8_t(first + i);
-        active.negative[count] = std::uint8_t((negative[0] >> i & 1) | (negative[1] >> i & 1) << 1 |
-                                              (negative[2] >> i & 1) << 2);
-        ++count;
+        const auto corners = unsigned((negative[0] >> i & 1) | (negative[1] >> i & 1) << 1 |
+                                      (negative[2] >> i & 1) << 2);
+        ActiveTriangle& triangle = active.triangles[count++];
+        write_active(triangles, first + i, corners, place.slot, triangle);
+        __builtin_prefetch(records[triangle.exit[0]]);
+        __builtin_prefetch(records[triangle.exit[1]]);
+        __builtin_prefetch(records[triangle.third]);
     }
     active.count = count;
 }
@@ -139,22 +151,8 @@ static inline void find_mixed(const ExtractionTask& task, const ClusterInSlot& p
             }
             const std::uint64_t n[3] = {lookup[0](number), lookup[1](number), lookup[2](number)};
             const std::uint64_t mixed = ((n[0] ^ n[1]) | (n[0] ^ n[2])) & ~unwanted;
-            list_mixed(mixed, n, place.slot, g * kMaskGroup, batch.triangles[place.slot],
-                       batch.active[number]);
+            list_mixed(mixed, n, place, g * kMaskGroup, batch, batch.active[number]);
         });
-    }
-}
-
-/// Reads the listed triangles and asks for the records of their crossings.
-static inline void read_active(const Batch& batch, ActiveTriangles& active) {
-    for (unsigned i = 0; i < active.count; ++i) {
-        const unsigned slot = active.slot[i];
-        ActiveTriangle& triangle = active.triangles[i];
-        write_active(batch.triangles[slot][active.number[i]], active.negative[i], slot, triangle);
-        const RecordsOfSlot records = records_around(batch, triangle.third);
-        __builtin_prefetch(records[triangle.exit[0]]);
-        __builtin_prefetch(records[triangle.exit[1]]);
-        __builtin_prefetch(records[triangle.third]);
     }
 }
 
@@ -169,8 +167,6 @@ static inline void find_active(const ClusterStore& store, const ExtractionTask& 
         const ClusterSigns signs = find_all_signs<Kinds>(task, kept[slot], place, batch);
         if (signs.any_mixed) find_mixed<Kinds>(task, place, signs, batch);
     }
-    for (ActiveTriangles& active : batch.active)
-        read_active(batch, active);
 }
 
 }  // namespace SIMD_NAMESPACE

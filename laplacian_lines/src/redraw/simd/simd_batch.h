@@ -38,7 +38,7 @@ static inline void touch(const ClusterStore& store, const KeptCluster& kept) {
         touch(reinterpret_cast<const unsigned char*>(curvatures),
               reinterpret_cast<const unsigned char*>(curvatures + cluster.vertex_count));
     }
-    touch(memory + layout.corners, memory + layout.triangles);
+    touch(memory + layout.corners, memory + layout.records);
 }
 
 /// Fills in what a batch knows of its clusters, and reads what their signs are found from.
@@ -51,8 +51,6 @@ static inline void begin_batch(const ClusterStore& store, const KeptCluster* clu
         const Cluster& cluster = store.clusters[clusters[i].number];
         const ClusterLayout layout = cluster_layout(cluster);
         batch.clusters[i] = &cluster;
-        batch.triangles[i] =
-            reinterpret_cast<const ClusterTriangle*>(memory_of(store, cluster) + layout.triangles);
         batch.record_offsets[i] = cluster.first_unit +
                                   std::uint32_t(layout.records / sizeof(VertexRecord)) -
                                   std::uint32_t(i * kClusterVertices);

@@ -79,9 +79,6 @@ struct alignas(16) ActiveTriangle {
 struct ActiveTriangles {
     static constexpr unsigned kPlaces = kBatchTriangles + 48;
     unsigned count;
-    std::uint8_t slot[kPlaces];  ///< of its cluster
-    std::uint8_t number[kPlaces];
-    std::uint8_t negative[kPlaces];  ///< a bit for each corner
     alignas(64) ActiveTriangle triangles[kPlaces];
 };
 
@@ -89,7 +86,6 @@ struct ActiveTriangles {
 struct Batch {
     unsigned count;
     const Cluster* clusters[kBatch];
-    const ClusterTriangle* triangles[kBatch];
     const VertexRecord* records;               ///< the store's memory
     std::uint32_t record_offsets[kBatch];      ///< by slot, from places of vertices, modulo 2^32
     alignas(64) float facing[kBatchVertices];  ///< n·eye, slot by slot

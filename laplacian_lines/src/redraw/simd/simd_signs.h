@@ -54,8 +54,8 @@ struct ClusterInSlot {
 static inline const FormGroup* facing_of(const ClusterInSlot& place) {
     return reinterpret_cast<const FormGroup*>(place.memory);
 }
-static inline const VertexRecord* records_of(const ClusterInSlot& place) {
-    return reinterpret_cast<const VertexRecord*>(place.memory + place.layout.records);
+static inline ClusterTriangles triangles_of(const ClusterInSlot& place) {
+    return {place.memory + place.layout.corners, place.memory + place.layout.neighbours};
 }
 static inline const CurvatureRecord* curvatures_of(const ClusterInSlot& place) {
     return place.curvatures + place.cluster.first_vertex;
