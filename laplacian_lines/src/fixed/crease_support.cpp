@@ -5,6 +5,7 @@
 
 #include "system/disjoint_sets.h"
 #include "system/parallel.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -19,10 +20,7 @@ constexpr float kLeastStrong = 0.5f;  // of the length
 class SupportedCreases {
 public:
     explicit SupportedCreases(const std::vector<PossibleCrease>& edges)
-        : edges_(edges),
-          kept_(edges.size(), 1),
-          runs_out_(edges.size(), 0),
-          places_(edges.size()) {
+        : edges_(edges), kept_(edges.size(), 1), runs_out_(edges.size(), 0), places_(edges.size()) {
         std::vector<std::uint64_t> ends;  // by vertex, edge and end
         for (std::uint64_t i = 0; i < edges.size(); ++i)
             for (const unsigned end : {0u, 1u})
@@ -63,12 +61,12 @@ private:
     void for_each_at(std::uint32_t i, int end, const Visit& visit) const {
         const PossibleCrease& edge = edges_[i];
         const Vector3f& here = edge.positions[end];
-        const Vector3f direction = (here - edge.positions[1 - end]).normalized();
+        const Vector3f direction = unit(here - edge.positions[1 - end]);
         for (const std::uint32_t o : edges_at(i, end)) {
             if (o == i) continue;
             const PossibleCrease& other = edges_[o];
             const int begin = other.vertices[0] == edge.vertices[end] ? 0 : 1;
-            visit(o, direction.dot((other.positions[1 - begin] - here).normalized()));
+            visit(o, dot(direction, unit(other.positions[1 - begin] - here)));
         }
     }
 
@@ -127,10 +125,10 @@ private:
         const auto is_loose = [&](std::uint32_t i) {
             return kept_[i] && !edges_[i].is_certain && !is_held(i);
         };
-        auto open = collect<std::uint32_t>(
-            edges_.size(), [&](std::uint32_t i, std::vector<std::uint32_t>& found) {
-                if (is_loose(i)) found.push_back(i);
-            });
+        auto open = collect<std::uint32_t>(edges_.size(),
+                                           [&](std::uint32_t i, std::vector<std::uint32_t>& found) {
+                                               if (is_loose(i)) found.push_back(i);
+                                           });
         while (!open.empty()) {
             const std::uint32_t i = open.back();
             open.pop_back();

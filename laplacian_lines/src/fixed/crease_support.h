@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "system/three_floats.h"
+
 namespace laplacian_lines {
 
 /// An edge that is taken for one of the form, or may be.
@@ -17,7 +19,7 @@ struct PossibleCrease {
     bool is_strong;   ///< of one that is not certain: at least half of its angle is unexplained
     bool is_unclear;  ///< of one that is not certain: what is around cannot tell
 
-    float length() const { return (positions[1] - positions[0]).norm(); }
+    float length() const { return length_of(positions[1] - positions[0]); }
 };
 
 /// Which of them are edges of the form: all that are certain, and others in chains from one such

@@ -6,6 +6,7 @@
 
 #include "fixed/crease_jump.h"
 #include "fixed/edge_side.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -37,13 +38,13 @@ float cosine_of(float degrees) {
 }
 
 float angle_between(const Vector3f& a, const Vector3f& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegrees;
+    return arc_tangent(length_of(a.cross(b)), dot(a, b)) * kDegrees;
 }
 
 /// Positive where the surface is convex at a side of a triangle.
 float bend_at(const TriangleGraph& graph, std::uint32_t triangle, unsigned k) {
     const TriangleGraph::Node& node = graph.triangles[triangle];
-    return node.normal.dot(node.centre - graph.triangles[node.neighbours[k]].centre);
+    return dot(node.normal, node.centre - graph.triangles[node.neighbours[k]].centre);
 }
 
 /// What the surface is like on one side.
@@ -113,7 +114,7 @@ private:
         return has_few_edges() && !is_long_ ? size : size * (1 - std::abs(bends_) / sizes_);
     }
 
-    bool has_mean() const { return normals_.norm() > kLeastSum * area_; }
+    bool has_mean() const { return length_of(normals_) > kLeastSum * area_; }
 
     const TriangleGraph& graph_;
     const float passable_;

@@ -11,6 +11,7 @@
 #include "fixed/stretches.h"
 #include "rules/contour_clearance.h"
 #include "rules/line_rules.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -97,7 +98,7 @@ private:
                            const LinePoint& point, const RidgeCandidates::Form& form) {
         const Eigen::Vector3f l = eye.towards(
             ((point.position.cast<double>() - data.centre) / data.diagonal).cast<float>());
-        const float facing = std::abs(form.normal.dot(l)), gradient = std::abs(form.bend.dot(l));
+        const float facing = std::abs(dot(form.normal, l)), gradient = std::abs(dot(form.bend, l));
         return clearance_opacity(facing, std::max(gradient, 1e-6f), rules.clearance);
     }
 
