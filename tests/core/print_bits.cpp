@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints a hash of the bits of each test mesh, of its field and of the lines that each redraw finds
-// anew, to be compared between processors. Lines that are on the mesh whatever the eye hold angles
-// by the C library. print_bits [MESH...]: without names, all that are not refused.
+// Prints a hash of the bits of each test mesh, of its field and of lines of all kinds, to be
+// compared between processors. print_bits [MESH...]: without names, all that are not refused.
 #include <cinttypes>
 #include <cstdio>
 #include <string>
@@ -63,12 +62,6 @@ void add_lines(const LineSet& lines, Hash& hash) {
     }
 }
 
-LineKindSet redrawn_kinds() {
-    return only_kinds({LineKind::Laplacian, LineKind::Contour, LineKind::SuggestiveContour,
-                       LineKind::SuggestiveHighlight, LineKind::ApparentRidge,
-                       LineKind::PhoticExtremum});
-}
-
 std::uint64_t hash_of_lines(const TriangleMesh& mesh, const Field& field) {
     const LineExtractor extractor(mesh, field);
     Hash hash;
@@ -77,7 +70,7 @@ std::uint64_t hash_of_lines(const TriangleMesh& mesh, const Field& field) {
         for (const View& view :
              {View::perspective(field.scale.diagonal * eye), View::orthographic(eye)})
             for (LineStyle style : {LineStyle(), helpers::all_crossings_of_all_kinds()}) {
-                style.shows = redrawn_kinds();
+                style.shows = all_kinds();
                 add_lines(helpers::extract(extractor, view, style), hash);
             }
     return hash.value();

@@ -8,6 +8,7 @@
 
 #include "fixed/surface_walk.h"
 #include "fixed/triangle_graph.h"
+#include "system/three_floats.h"
 
 /// What tells edges of the form from those between facets.
 namespace laplacian_lines {
@@ -68,7 +69,7 @@ struct PossibleCrease {
     bool is_strong;   ///< of one that is not certain: at least half of its angle is unexplained
     bool is_unclear;  ///< of one that is not certain: what is around cannot tell
 
-    float length() const { return (positions[1] - positions[0]).norm(); }
+    float length() const { return length_of(positions[1] - positions[0]); }
 };
 
 /// Which of them are edges of the form: all that are certain, and others in chains from one such

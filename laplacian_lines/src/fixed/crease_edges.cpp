@@ -127,7 +127,7 @@ private:
                 of_cluster[c].push_back(
                     {{graph_.first[c] + t, k},
                      {placed_[c].vertices[corners[k]], placed_[c].vertices[corners[(k + 1) % 3]]},
-                     std::acos(std::max(cosine, -1.f)) * kDegrees});
+                     float(std::acos(std::max(double(cosine), -1.))) * kDegrees});
             });
         });
         std::vector<Candidate> all;

@@ -5,6 +5,7 @@
 
 #include "system/disjoint_sets.h"
 #include "system/parallel.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -60,12 +61,12 @@ private:
     void for_each_at(std::uint32_t i, int end, const Visit& visit) const {
         const PossibleCrease& edge = edges_[i];
         const Vector3f& here = edge.positions[end];
-        const Vector3f direction = (here - edge.positions[1 - end]).normalized();
+        const Vector3f direction = unit(here - edge.positions[1 - end]);
         for (const std::uint32_t o : edges_at(i, end)) {
             if (o == i) continue;
             const PossibleCrease& other = edges_[o];
             const int begin = other.vertices[0] == edge.vertices[end] ? 0 : 1;
-            visit(o, direction.dot((other.positions[1 - begin] - here).normalized()));
+            visit(o, dot(direction, unit(other.positions[1 - begin] - here)));
         }
     }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fixed/edge_side.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -36,13 +37,13 @@ float cosine_of(float degrees) {
 }
 
 float angle_between(const Vector3f& a, const Vector3f& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegrees;
+    return arc_tangent(length_of(a.cross(b)), dot(a, b)) * kDegrees;
 }
 
 /// Positive where the surface is convex at a side of a triangle.
 float bend_at(const TriangleGraph& graph, std::uint32_t triangle, unsigned k) {
     const TriangleGraph::Node& node = graph.triangles[triangle];
-    return node.normal.dot(node.centre - graph.triangles[node.neighbours[k]].centre);
+    return dot(node.normal, node.centre - graph.triangles[node.neighbours[k]].centre);
 }
 
 /// What the surface is like on one side.
@@ -112,7 +113,7 @@ private:
         return has_few_edges() && !is_long_ ? size : size * (1 - std::abs(bends_) / sizes_);
     }
 
-    bool has_mean() const { return normals_.norm() > kLeastSum * area_; }
+    bool has_mean() const { return length_of(normals_) > kLeastSum * area_; }
 
     const TriangleGraph& graph_;
     const float passable_;

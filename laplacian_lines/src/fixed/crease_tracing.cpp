@@ -9,6 +9,7 @@
 #include "fixed/segment_tracing.h"
 #include "system/chains.h"
 #include "system/disjoint_sets.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -83,7 +84,7 @@ private:
                     first = next;
                 else
                     net.faults += turns_sharply(direction, next);
-                net.pieces += std::abs(next.dot(direction)) < kStraight;
+                net.pieces += std::abs(dot(next, direction)) < kStraight;
                 direction = next;
                 nets_.unite(crossing_at(graph_, half), crossing_at(graph_, half ^ 1));
                 last = half ^ 1;
@@ -101,11 +102,11 @@ private:
         const auto place = [&](std::uint32_t at) -> const Eigen::Vector3f& {
             return graph_.crossings[crossing_at(graph_, at)].position;
         };
-        return (place(half ^ 1) - place(half)).normalized();
+        return unit(place(half ^ 1) - place(half));
     }
 
     static bool turns_sharply(const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
-        return from.dot(to) < kGoesOn;
+        return dot(from, to) < kGoesOn;
     }
 
     std::uint32_t loose_ends(const std::array<std::uint32_t, 2>& ends) const {

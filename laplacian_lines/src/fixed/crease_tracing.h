@@ -6,6 +6,7 @@
 
 #include "clusters/extractor_data.h"
 #include "laplacian_lines/line_set.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 
@@ -19,7 +20,7 @@ struct CreaseEdge {
     /// and the faces around do not explain it.
     float shown_up_to;
 
-    float length() const { return (positions[1] - positions[0]).norm(); }
+    float length() const { return length_of(positions[1] - positions[0]); }
 };
 
 /// All edges that a style with this crease angle, in degrees, or a larger one may draw. The number

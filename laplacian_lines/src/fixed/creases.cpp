@@ -8,6 +8,7 @@
 #include "fixed/fixed_kinds.h"
 #include "fixed/showing.h"
 #include "system/on_demand.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -29,7 +30,7 @@ public:
     bool contain(const CreaseEdge& edge) const {
         if (!drawn_) return false;
         const Eigen::Vector3f l = eye_.towards(edge.positions[0]);
-        return (edge.normals[0].dot(l) < 0) != (edge.normals[1].dot(l) < 0);
+        return (dot(edge.normals[0], l) < 0) != (dot(edge.normals[1], l) < 0);
     }
 
 private:

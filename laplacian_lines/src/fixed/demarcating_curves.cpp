@@ -11,6 +11,7 @@
 #include "rules/line_rules.h"
 #include "rules/opacity.h"
 #include "rules/thresholds.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -33,8 +34,8 @@ public:
             const ZeroLines::Form& form = found_.forms[shown->places[i]];
             const Eigen::Vector3f l = eye.towards(form.position);
             point.opacity *=
-                clearance_opacity(std::abs(form.normal.dot(l)),
-                                  std::max(std::abs(form.bend.dot(l)), 1e-6f), clearance);
+                clearance_opacity(std::abs(dot(form.normal, l)),
+                                  std::max(std::abs(dot(form.bend, l)), 1e-6f), clearance);
             point.weight = point.opacity;
             lines.points.push_back(point);
         }

@@ -7,6 +7,7 @@
 #include "fixed/cluster_zeros.h"
 #include "laplacian_lines/tangent_frame.h"
 #include "system/parallel.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -80,7 +81,7 @@ private:
         bool is_negative[3];
         for (int k = 0; k < 3; ++k) {
             const Demarcation &a = at_[t[k]], &b = at_[t[(k + 1) % 3]];
-            if (!(a.direction.dot(b.direction) > kLeastTurn)) return;  // also where there is none
+            if (!(dot(a.direction, b.direction) > kLeastTurn)) return;  // also where there is none
             is_negative[k] = a.curvature < 0;
         }
         if (is_negative[0] == is_negative[1] && is_negative[0] == is_negative[2]) return;

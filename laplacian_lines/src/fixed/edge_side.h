@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fixed/crease_criteria.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 
@@ -50,7 +51,7 @@ public:
         const Eigen::Vector3f b = graph.position(edge.triangle, (edge.side + 1) % 3);
         middle_ = (a + b) / 2;
         along_ = b - a;
-        length_ = along_.norm();
+        length_ = length_of(along_);
         if (length_ > 0) along_ /= length_;
         const Eigen::Vector3f inwards = own.normal.cross(along_);
         const Eigen::Vector3f outwards = sign * graph.triangles[other].normal.cross(-along_);
@@ -72,8 +73,8 @@ public:
     bool is_near(const Eigen::Vector3f& p, float across, float along) const {
         const Eigen::Vector3f offset = p - middle_;
         const float farthest = across + along + length_ / 2;
-        return offset.dot(away_) > 0 && std::abs(offset.dot(along_)) <= length_ / 2 + along &&
-               offset.squaredNorm() <= farthest * farthest;
+        return dot(offset, away_) > 0 && std::abs(dot(offset, along_)) <= length_ / 2 + along &&
+               squared_length_of(offset) <= farthest * farthest;
     }
 
     /// Calls visit(triangle, sign) for triangles as far as one leads to the next with

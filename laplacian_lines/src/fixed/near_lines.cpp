@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "system/parallel.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -43,7 +44,7 @@ NearLines::NearLines(const LineSet& lines, float distance) : distance_(distance)
 /// In pieces that are no longer than a cell, each in the cell of its middle: none that is near a
 /// point is farther off than a cell beside it.
 void NearLines::add(const Eigen::Vector3f& begin, const Eigen::Vector3f& end) {
-    const float count = std::clamp(std::ceil((end - begin).norm() / distance_), 1.f, kMostPieces);
+    const float count = std::clamp(std::ceil(length_of(end - begin) / distance_), 1.f, kMostPieces);
     for (float i = 0; i < count; ++i) {
         const Eigen::Vector3f a = begin + i / count * (end - begin);
         const Eigen::Vector3f b = begin + (i + 1) / count * (end - begin);
@@ -58,11 +59,11 @@ void NearLines::add(const Eigen::Vector3f& begin, const Eigen::Vector3f& end) {
 bool NearLines::is_along(const Piece& piece, const Eigen::Vector3f& p,
                          const Eigen::Vector3f& direction) const {
     const Eigen::Vector3f span = piece.end - piece.begin;
-    const float length = span.squaredNorm();
-    const float t = length > 0 ? std::clamp((p - piece.begin).dot(span) / length, 0.f, 1.f) : 0.f;
-    if ((piece.begin + t * span - p).squaredNorm() > distance_ * distance_) return false;
-    const float product = span.dot(direction);
-    return product * product >= kAlong * length * direction.squaredNorm();
+    const float length = squared_length_of(span);
+    const float t = length > 0 ? std::clamp(dot(p - piece.begin, span) / length, 0.f, 1.f) : 0.f;
+    if (squared_length_of(piece.begin + t * span - p) > distance_ * distance_) return false;
+    const float product = dot(span, direction);
+    return product * product >= kAlong * length * squared_length_of(direction);
 }
 
 bool NearLines::any_along(const Eigen::Vector3f& p, const Eigen::Vector3f& direction) const {

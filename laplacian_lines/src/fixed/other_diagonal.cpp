@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "system/three_floats.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr float kNotch = 2;  // how much more the other diagonal of an edge of t
 
 float bend(const Vector3f& a, const Vector3f& b, float length) {
     if (b.isZero(0)) return 0;
-    return std::atan2(a.cross(b).norm(), a.dot(b)) * length;
+    return arc_tangent(length_of(a.cross(b)), dot(a, b)) * length;
 }
 
 /// Two triangles p, q, r and q, p, s with the four around them.
@@ -35,7 +37,9 @@ struct Quad {
 };
 
 Vector3f normal_of(const Vector3f& a, const Vector3f& b, const Vector3f& c) {
-    return (b - a).cross(c - a).stableNormalized();
+    const Vector3f area = (b - a).cross(c - a);
+    const float most = area.cwiseAbs().maxCoeff();
+    return most > 0 ? unit(area / most) : area;
 }
 
 Vector3f normal_beyond(const TriangleGraph& graph, const TriangleSide& side, float sign) {
@@ -67,15 +71,15 @@ Quad quad_at(const TriangleGraph& graph, const TriangleSide& side) {
     quad.around[2] = normal_beyond(graph, {b, (l + (from_q ? 1 : 2)) % 3}, sign);
     quad.around[3] = normal_beyond(graph, {b, (l + (from_q ? 2 : 1)) % 3}, sign);
     for (int i = 0; i < 4; ++i)  // edges of the form are no matter of diagonals
-        if ((i < 2 ? quad.upper : quad.lower).dot(quad.around[i]) < cosine_of_edges())
+        if (dot(i < 2 ? quad.upper : quad.lower, quad.around[i]) < cosine_of_edges())
             quad.around[i].setZero();
     return quad;
 }
 
 /// The sides qr, rp, ps, sq with the triangles that are at them.
 float bend_around(const Quad& quad, const Vector3f* const (&normals)[4]) {
-    const float lengths[4] = {(quad.q - quad.r).norm(), (quad.r - quad.p).norm(),
-                              (quad.p - quad.s).norm(), (quad.s - quad.q).norm()};
+    const float lengths[4] = {length_of(quad.q - quad.r), length_of(quad.r - quad.p),
+                              length_of(quad.p - quad.s), length_of(quad.s - quad.q)};
     float sum = 0;
     for (int i = 0; i < 4; ++i)
         sum += bend(*normals[i], quad.around[i], lengths[i]);
@@ -90,10 +94,10 @@ bool is_mere_diagonal(const TriangleGraph& graph, const TriangleSide& side) {
     const Vector3f left = normal_of(quad.p, quad.s, quad.r),
                    right = normal_of(quad.s, quad.q, quad.r);
     for (const Vector3f* old : {&quad.upper, &quad.lower})
-        if (!(left.dot(*old) > 0) || !(right.dot(*old) > 0)) return false;  // no quad to cut
-    const float now = bend(quad.upper, quad.lower, (quad.p - quad.q).norm()) +
+        if (!(dot(left, *old) > 0) || !(dot(right, *old) > 0)) return false;  // no quad to cut
+    const float now = bend(quad.upper, quad.lower, length_of(quad.p - quad.q)) +
                       bend_around(quad, {&quad.upper, &quad.upper, &quad.lower, &quad.lower});
-    const float then = bend(left, right, (quad.r - quad.s).norm()) +
+    const float then = bend(left, right, length_of(quad.r - quad.s)) +
                        bend_around(quad, {&right, &left, &left, &right});
     return then <= kNotch * now;
 }

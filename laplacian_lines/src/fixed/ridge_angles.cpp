@@ -8,6 +8,7 @@
 
 #include "fixed/section_profile.h"
 #include "system/parallel.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -141,7 +142,7 @@ private:
         memory_.ways.assign(1, 0);
         for (std::uint32_t i = 1; i < count_; ++i)
             memory_.ways.push_back(memory_.ways.back() +
-                                   (forms_[i].position - forms_[i - 1].position).norm());
+                                   length_of(forms_[i].position - forms_[i - 1].position));
     }
 
     /// Both ends are among them.
@@ -164,12 +165,12 @@ private:
             ++last;
         Eigen::Vector3f bend = Eigen::Vector3f::Zero();
         for (std::uint32_t j = first; j <= last; ++j)
-            bend += forms_[j].bend.dot(here.bend) < 0 ? -forms_[j].bend : forms_[j].bend;
+            bend += dot(forms_[j].bend, here.bend) < 0 ? -forms_[j].bend : forms_[j].bend;
         const Eigen::Vector3f along = forms_[std::min(last + 1, count_ - 1)].position -
                                       forms_[first > 0 ? first - 1 : 0].position;
-        const Eigen::Vector3f normal = here.normal.normalized();
-        const Eigen::Vector3f across = (bend - normal.dot(bend) * normal).normalized();
-        const bool is_left = across.dot(normal.cross(along)) >= 0;
+        const Eigen::Vector3f normal = unit(here.normal);
+        const Eigen::Vector3f across = unit(bend - dot(normal, bend) * normal);
+        const bool is_left = dot(across, normal.cross(along)) >= 0;
         return {here.side, here.position, normal, is_left ? across : -across};
     }
 

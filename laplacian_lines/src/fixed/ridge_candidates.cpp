@@ -9,6 +9,7 @@
 #include "fixed/cluster_zeros.h"
 #include "fixed/stretches.h"
 #include "system/parallel.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -30,10 +31,13 @@ Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float si
         sign * Eigen::Map<const Eigen::Matrix<float, 4, 3>>(record.shape_operator[0]).topRows<3>();
     const Eigen::Vector3f u = normal_of(record).unitOrthogonal();
     const Eigen::Vector3f v = normal_of(record).cross(u);
-    const Eigen::Vector3f su = s * u, sv = s * v;
+    const auto times = [&s](const Eigen::Vector3f& x) -> Eigen::Vector3f {
+        return s.col(0) * x.x() + (s.col(1) * x.y() + s.col(2) * x.z());  // everywhere, see dot()
+    };
+    const Eigen::Vector3f su = times(u), sv = times(v);
     // In the tangent plane's basis (u, v): the mean of the diagonal and what differs from it.
-    const float mean = (u.dot(su) + v.dot(sv)) / 2;
-    const float x = (u.dot(su) - v.dot(sv)) / 2, y = u.dot(sv);
+    const float mean = (dot(u, su) + dot(v, sv)) / 2;
+    const float x = (dot(u, su) - dot(v, sv)) / 2, y = dot(u, sv);
     // The bits of hypotf(), which is another function from glibc 2.35 on.
     const float range = float(std::sqrt(double(x) * x + double(y) * y));
     const float k1 = mean + range, k2 = mean - range;
@@ -41,8 +45,8 @@ Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float si
     Bend bend;
     bend.curvature = k1;
     bend.direction =
-        (x > 0 ? ((range + x) * u + y * v).eval() : (y * u + (range - x) * v).eval()).normalized();
-    bend.derivative = sign * bend.direction.dot(laplacian);
+        unit(x > 0 ? ((range + x) * u + y * v).eval() : (y * u + (range - x) * v).eval());
+    bend.derivative = sign * dot(bend.direction, laplacian);
     return bend;
 }
 
@@ -87,7 +91,7 @@ private:
     }
 
     static float sign_to(const Bend& a, const Bend& b) {
-        return a.direction.dot(b.direction) < 0 ? -1.f : 1.f;
+        return dot(a.direction, b.direction) < 0 ? -1.f : 1.f;
     }
 
     Eigen::Vector3f position(unsigned v) const { return position_of(placed_.records[v]); }
@@ -99,7 +103,7 @@ private:
         const Eigen::Vector3f v = position(t[2]) - a;
         const Eigen::Vector3f area = u.cross(v);
         const Eigen::Vector3f df = (f[1] - f[0]) * v.cross(area) + (f[2] - f[0]) * area.cross(u);
-        return df.dot(e) < 0;
+        return dot(df, e) < 0;
     }
 
     const PlacedCluster& placed_;

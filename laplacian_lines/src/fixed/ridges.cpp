@@ -10,6 +10,7 @@
 #include "fixed/strong_lines.h"
 #include "rules/line_rules.h"
 #include "rules/opacity.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -50,7 +51,7 @@ private:
         const RidgeCandidates::Form& form = found_.forms[place];
         const Eigen::Vector3f l = eye.towards(
             ((point.position.cast<double>() - data.centre) / data.diagonal).cast<float>());
-        const float facing = std::abs(form.normal.dot(l)), gradient = std::abs(form.bend.dot(l));
+        const float facing = std::abs(dot(form.normal, l)), gradient = std::abs(dot(form.bend, l));
         return clearance_opacity(facing, std::max(gradient, 1e-6f), clear);
     }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "system/three_floats.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -26,7 +28,7 @@ struct Plane {
     Eigen::Vector3f origin, normal;
 
     float height(const VertexRecord& record) const {
-        return normal.dot(position_of(record) - origin);
+        return dot(normal, position_of(record) - origin);
     }
 };
 
@@ -36,12 +38,12 @@ Plane crossing_plane(const SectionProbe::Section& section, const VertexRecord& a
                      const VertexRecord& b) {
     const Place from = between(a, b, 0), to = between(a, b, 1);
     const Eigen::Vector3f edge = to.position - from.position;
-    const float length = edge.norm();
-    Plane plane = {section.point, section.normal.cross(section.across).normalized()};
+    const float length = length_of(edge);
+    Plane plane = {section.point, unit(section.normal.cross(section.across))};
     if (!(length > 0)) return plane;
-    const float t = (section.point - from.position).dot(edge) / (length * length);
+    const float t = dot(section.point - from.position, edge) / (length * length);
     plane.origin += (std::clamp(t, 0.02f, 0.98f) - t) * edge;
-    const float crossing = plane.normal.dot(edge) / length;
+    const float crossing = dot(plane.normal, edge) / length;
     if (std::abs(crossing) < 0.02f) plane.normal += (crossing < 0 ? -0.02f : 0.02f) / length * edge;
     return plane;
 }
@@ -76,11 +78,11 @@ void SectionProbe::measure(const Section& section, float reach, SectionProfile& 
     for (int k = 0; k < 2; ++k)
         if (at[k].exists()) {
             next[k] = leave(placed_, plane, at[k]);
-            along[k] = (next[k].position - section.point).dot(section.across);
+            along[k] = dot(next[k].position - section.point, section.across);
         }
     // Which of the two triangles is on the positive side.
     const bool is_first = along[0] > along[1];
-    const Eigen::Vector3f up = section.normal.normalized();
+    const Eigen::Vector3f up = unit(section.normal);
     for (int k = 0; k < 2; ++k) {
         const bool is_positive = (k == 0) == is_first;
         const Eigen::Vector3f forward = is_positive ? section.across : -section.across;
@@ -88,9 +90,10 @@ void SectionProbe::measure(const Section& section, float reach, SectionProfile& 
         side.assign(1, {0, 0, section.point});
         while (at[k].exists()) {
             const SectionProfile::Place& last = side.back();
-            const float distance = last.distance + (next[k].position - last.position).norm();
-            const float angle =
-                sign_ * std::atan2(next[k].normal.dot(forward), next[k].normal.dot(up)) * kDegrees;
+            const float distance = last.distance + length_of(next[k].position - last.position);
+            const float angle = sign_ *
+                                arc_tangent(dot(next[k].normal, forward), dot(next[k].normal, up)) *
+                                kDegrees;
             side.push_back({distance, angle, next[k].position});
             if (distance >= reach || side.size() > kMostSteps) break;
             at[k] = sides_.across(at[k]);

@@ -4,6 +4,7 @@
 #include "fixed/line_smoothing.h"
 #include "rules/line_acceptance.h"
 #include "system/chains.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -49,7 +50,7 @@ private:
     void add_segment(std::uint32_t from, std::uint32_t to, Polyline& line) {
         add_point(to);
         const Crossing &a = graph_.crossings[from], &b = graph_.crossings[to];
-        const float length = (b.position - a.position).norm();
+        const float length = length_of(b.position - a.position);
         line.length += length;
         line.strength += (a.gradient + b.gradient) / 2 * length;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "laplacian_lines/line_set.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 
@@ -63,7 +64,7 @@ inline StretchLengths measure(const Stretch& stretch, const LinePoint* points, f
     float strong = 0;
     for (std::uint32_t i = 1; i < stretch.count; ++i) {
         const LinePoint &a = points[stretch.point(i - 1)], &b = points[stretch.point(i)];
-        const float length = (b.position - a.position).norm() / diagonal;
+        const float length = length_of(b.position - a.position) / diagonal;
         lengths.all += length;
         const float sharp = std::min(a.gradient, b.gradient);
         strong = sharp >= angle ? strong + SharpLength::weight(sharp) * length : 0;

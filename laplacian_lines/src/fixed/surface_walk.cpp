@@ -2,8 +2,11 @@
 #include "fixed/surface_walk.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -16,8 +19,8 @@ constexpr float kAcross = 0.5f;  // sine between a path and a wall at which it e
 constexpr float kMostLean = 0.9999f;
 
 Vector3f direction_of(const TriangleGraph& graph, const TriangleSide& side) {
-    return (graph.position(side.triangle, (side.k + 1) % 3) - graph.position(side.triangle, side.k))
-        .normalized();
+    return unit(graph.position(side.triangle, (side.k + 1) % 3) -
+                graph.position(side.triangle, side.k));
 }
 
 /// Unit, in the triangle's plane, out of it across a side.
@@ -25,8 +28,8 @@ Vector3f outwards(const TriangleGraph& graph, const TriangleSide& side) {
     return direction_of(graph, side).cross(graph.triangles[side.triangle].normal);
 }
 
-float clamped(float sine) {
-    return std::min(std::max(sine, -1.f), 1.f);
+float arc_sine(float sine) {
+    return float(std::asin(std::clamp(double(sine), -1., 1.)));
 }
 
 /// Whether the edge at a side, which there has to be, is bent by less.
@@ -48,8 +51,7 @@ SmallAngle wall_angle(float angle) {
 }
 
 /// From a side along the only other one that is a wall; zero: none is, or both.
-Vector3f along_wall(const TriangleGraph& graph, const TriangleSide& side,
-                    const SmallAngle& least) {
+Vector3f along_wall(const TriangleGraph& graph, const TriangleSide& side, const SmallAngle& least) {
     const TriangleSide next{side.triangle, (side.k + 1) % 3}, last{side.triangle, (side.k + 2) % 3};
     const bool is_next = is_wall(graph, next, least);
     if (is_next == is_wall(graph, last, least)) return Vector3f::Zero();
@@ -76,8 +78,8 @@ float signed_angle(const TriangleGraph& graph, const TriangleSide& side) {
     const TriangleGraph::Node& node = graph.triangles[side.triangle];
     const Vector3f other =
         node.sign_across(side.k) * graph.triangles[node.neighbours[side.k]].normal;
-    return std::atan2(node.normal.cross(other).dot(direction_of(graph, side)),
-                      node.normal.dot(other)) *
+    return arc_tangent(dot(node.normal.cross(other), direction_of(graph, side)),
+                       dot(node.normal, other)) *
            kDegrees;
 }
 
@@ -87,9 +89,9 @@ float lean_of_walls(const TriangleGraph& graph, const TriangleSide& side) {
     const SmallAngle least = wall_angle(signed_angle(graph, side));
     const Vector3f here = along_wall(graph, side, least), there = -along_wall(graph, beyond, least);
     if (here.isZero(0) || there.isZero(0)) return 0;
-    const float a = std::asin(clamped(here.dot(along))), b = std::asin(clamped(there.dot(along)));
+    const float a = arc_sine(dot(here, along)), b = arc_sine(dot(there, along));
     const float lean = std::sin((a + b) / 2);
-    return std::abs(a - b) < std::asin(kAcross) && std::abs(lean) < kMostLean ? lean : 0;
+    return std::abs(a - b) < arc_sine(kAcross) && std::abs(lean) < kMostLean ? lean : 0;
 }
 
 SmallAngle::SmallAngle(float size) : degrees(size) {
@@ -142,12 +144,12 @@ bool SurfaceWalk::goes_on_within(const SmallAngle& angle) const {
 void SurfaceWalk::cross() {
     const TriangleGraph::Node& node = graph_.triangles[at_.triangle];
     const Vector3f aside = direction_ - tangent_of_lean_ * sign_ * direction_.cross(node.normal);
-    centre_ = begin_ + (node.centre - place_).dot(aside);
+    centre_ = begin_ + dot(node.centre - place_, aside);
     end_ = begin_;
     if (!find_exit(at_.k)) return;
     const unsigned wall = exit_;
     if (slant_ >= kAcross || !is_wall(graph_, {at_.triangle, wall}, wall_angle_)) return;
-    direction_ = direction_.dot(along_) > 0 ? along_ : -along_;
+    direction_ = dot(direction_, along_) > 0 ? along_ : -along_;
     // the side that is left, unless the path has come from there
     if (!find_exit(wall)) goes_on_ = false;
 }
@@ -159,9 +161,9 @@ bool SurfaceWalk::find_exit(unsigned wall) {
         if (k == at_.k || k == wall) continue;
         const Vector3f along = direction_of(graph_, {at_.triangle, k});
         const Vector3f out = along.cross(node.normal);
-        const float slant = direction_.dot(out);
+        const float slant = dot(direction_, out);
         if (!(slant > 1e-6f)) continue;
-        const float distance = (graph_.position(at_.triangle, k) - place_).dot(out) / slant;
+        const float distance = dot(graph_.position(at_.triangle, k) - place_, out) / slant;
         if (distance >= nearest) continue;
         nearest = distance;
         exit_ = k;
@@ -181,7 +183,7 @@ void SurfaceWalk::go_on() {
     const TriangleSide exit{at_.triangle, exit_};
     const TriangleSide next = side_beyond(graph_, exit);
     sign_ *= graph_.triangles[at_.triangle].sign_across(exit_);
-    direction_ = (direction_.dot(along_) * along_ - slant_ * outwards(graph_, next)).normalized();
+    direction_ = unit(dot(direction_, along_) * along_ - slant_ * outwards(graph_, next));
     begin_ = end_;
     at_ = next;
     cross();

@@ -6,6 +6,7 @@
 
 #include "system/large_array.h"
 #include "system/parallel.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -101,7 +102,7 @@ private:
         };
         const Eigen::Vector3f a = corner(0), b = corner(1), c = corner(2);
         const Eigen::Vector3f product = (b - a).cross(c - a);
-        const float length = product.norm();
+        const float length = length_of(product);
         node.area = length / 2;
         node.normal = length > 0 ? Eigen::Vector3f(product / length) : Eigen::Vector3f::Zero();
         node.centre = (a + b + c) / 3;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clusters/extractor_data.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 
@@ -40,7 +41,7 @@ struct TriangleGraph {
     /// Between a triangle and its neighbour across side k, which there has to be.
     float cosine_across(std::uint32_t triangle, unsigned k) const {
         const Node& node = triangles[triangle];
-        return node.sign_across(k) * node.normal.dot(triangles[node.neighbours[k]].normal);
+        return node.sign_across(k) * dot(node.normal, triangles[node.neighbours[k]].normal);
     }
     /// Whether a neighbour is in one plane with the triangle, by this cosine.
     bool goes_on_flat(std::uint32_t triangle, float cosine) const {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "system/three_floats.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -31,9 +33,9 @@ std::size_t parts_of_triangle(const TriangleGraph& graph, std::uint32_t triangle
             }
             const Vector3f side =
                 graph.position(parts[i], (k + 1) % 3) - graph.position(parts[i], k);
-            const Vector3f direction = signs[i] * side.normalized();
+            const Vector3f direction = signs[i] * unit(side);
             const auto is_same = [&](const Vector3f& d) {
-                return d.dot(direction) > kSameDirection;
+                return dot(d, direction) > kSameDirection;
             };
             if (std::any_of(directions.begin(), directions.end(), is_same)) continue;
             if (directions.size() == 3) return 0;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "system/chains.h"
-#include "system/length.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -117,7 +117,7 @@ private:
         float least = 2;
         for (std::uint32_t i = m_.next_at_end[half]; i != kNoEnd; i = m_.next_at_end[i]) {
             if (m_.links[i] != kNoEnd) continue;
-            const float cosine = direction(half).dot(direction(i));
+            const float cosine = dot(direction(half), direction(i));
             if (!(cosine < least)) continue;
             least = cosine;
             best = i;

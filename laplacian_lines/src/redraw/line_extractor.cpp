@@ -12,7 +12,7 @@
 #include "redraw/horizon.h"
 #include "redraw/kinds/strip_kinds.h"
 #include "redraw/line_finishing.h"
-#include "system/length.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 

@@ -6,8 +6,8 @@
 
 #include "redraw/simd/simd_functions.h"
 #include "rules/line_acceptance.h"
-#include "system/length.h"
 #include "system/thread_pool.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace laplacian_lines {
+
+// The same bits everywhere: Eigen adds up three floats in another order on aarch64, and the C
+// library's arc tangent of floats has other last bits there.
+
+inline float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    return a.x() * b.x() + (a.y() * b.y() + a.z() * b.z());
+}
+
+inline float squared_length_of(const Eigen::Vector3f& v) {
+    return dot(v, v);
+}
+
+inline float length_of(const Eigen::Vector3f& v) {
+    return std::sqrt(dot(v, v));
+}
+
+/// Zero of a zero vector.
+inline Eigen::Vector3f unit(const Eigen::Vector3f& v) {
+    const float square = dot(v, v);
+    return square > 0 ? Eigen::Vector3f(v / std::sqrt(square)) : v;
+}
+
+/// Of the direction (x, y), radians. Of a double's last bits rounding leaves nothing.
+inline float arc_tangent(float y, float x) {
+    return float(std::atan2(double(y), double(x)));
+}
+
+}  // namespace laplacian_lines
