@@ -15,6 +15,7 @@ from environment.messages import Failure, output, say
 from environment.packages import meshlab_version
 
 KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
+HEADERS = "*/ML_VERSION", "*/src/common", "*/vcglib/vcg", "*/vcglib/wrap"  # beside src/ (2020.09) or inside it (later)
 
 
 def debian_mirror():
@@ -70,7 +71,7 @@ Acquire::Check-Valid-Until "false";
     return subprocess.run(["apt-get", "-qq", "-c", folder / "apt.conf", *words], **options).returncode == 0
 
 
-def unpack_headers(package, folder, suite=None):
+def unpack_source(package, folder, suite=None, parts=HEADERS):
     """Of the tarball only; some mirrors lack the other files of a source package. The package may be NAME=VERSION, of
     this machine's sources, or of another release of Debian."""
     with tempfile.TemporaryDirectory() as name:
@@ -81,11 +82,9 @@ def unpack_headers(package, folder, suite=None):
         (apt / "cache").mkdir()
         if not source_apt_get(apt, "update"):  # sources of other vendors often hold no source packages
             say("not all package sources answered; going on with those that did")
-        # wildcards cover vcglib beside src/ (2020.09) and inside it (later)
         return (source_apt_get(apt, "source", "--tar-only", "--download-only", package, cwd=apt) and
                 subprocess.run(["tar", "-xf", next(apt.glob("meshlab_*.orig.tar.*")), "-C", folder,
-                                "--strip-components=1", "--wildcards",
-                                "*/ML_VERSION", "*/src/common", "*/vcglib/vcg", "*/vcglib/wrap"]).returncode == 0)
+                                "--strip-components=1", "--wildcards", *parts]).returncode == 0)
 
 
 def ensure_headers():
@@ -96,6 +95,6 @@ def ensure_headers():
     if (folder / "src/common").is_dir():
         return
     say(f"fetching the headers of MeshLab {version} from the distribution's source package")
-    if not publish_into(folder, lambda scratch: unpack_headers(f"meshlab={version}", scratch)):
+    if not publish_into(folder, lambda scratch: unpack_source(f"meshlab={version}", scratch)):
         raise Failure(f"could not fetch the source package of meshlab {version}; unpack it yourself and name its folder: "
                       "cmake -DMESHLAB_SOURCE_DIR=FOLDER")

@@ -13,6 +13,7 @@ from environment.files import cache_folder
 from environment.messages import Failure, run
 from environment.releases import SUITES
 from hosts import aarch64, hosts
+from hosts.built_meshlab import ensure_built_meshlab
 from hosts.roots import ensure_root, in_root
 from product import portable, pymeshlab
 from product.models import default_mesh
@@ -55,8 +56,8 @@ def build():
         raise Failure("the plugins of the .zip need more")
 
 
-def run_in_root(command, settings=()):
-    root, lock = ensure_root(portable.SUITE)
+def run_in_root(command, settings, ensure):
+    root, lock = ensure()
     with lock:
         binds = [f"ro:{CHECKOUT}", f"rw:{BUILD}", f"ro:{cache_folder()}/headers"]
         models = CHECKOUT.parent / "shared/models"
@@ -67,10 +68,11 @@ def run_in_root(command, settings=()):
             raise Failure("")
 
 
-def test_in_root(tests, name, settings=()):
+def test_in_root(tests, name, settings=(), ensure=lambda: ensure_root(portable.SUITE)):
     """Runs tests of the build in the root, which has nothing else of this machine, and draws the dragon there."""
-    run_in_root(ctest(BUILD, "meshlab", "--parallel", str(processors()), "--tests-regex", tests), settings)
-    run_in_root(["python3", "-B", "-c", PICTURE, BUILD / "stage", BUILD / f"dragon_{name}.png", default_mesh()], settings)
+    run_in_root(ctest(BUILD, "meshlab", "--parallel", str(processors()), "--tests-regex", tests), settings, ensure)
+    run_in_root(["python3", "-B", "-c", PICTURE, BUILD / "stage", BUILD / f"dragon_{name}.png", default_mesh()], settings,
+                ensure)
 
 
 def test_in_bundle():
@@ -101,6 +103,7 @@ def run_stages(results):
     results.stage("portable plugins", build)
     results.stage(f"MeshLab of Debian {portable.SUITE}", test_in_root, GUI_TESTS, "debian")
     results.stage("that with upstream's libraries", test_in_bundle)
+    results.stage(f"MeshLab built on Debian {SUITES['2020']}", test_in_root, BUNDLE_TESTS, "built", (), ensure_built_meshlab)
     for host in SUITES:
         results.stage(f"package in MeshLab {host}", hosts.test_host, host, [r"meshlab\.(stage|package)$"])
     results.stage("lintian", check_packages)

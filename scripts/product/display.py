@@ -9,6 +9,8 @@ import subprocess
 
 from environment.messages import Failure
 
+# What a distribution's MeshLab does not ask: whether statistics may be sent.
+SETTINGS = "[General]\ninformativeShown=true\n"
 QT_LOOKS = """QT_STYLE_OVERRIDE QT_QPA_PLATFORMTHEME QT_SCALE_FACTOR QT_AUTO_SCREEN_SCALE_FACTOR
     QT_SCREEN_SCALE_FACTORS""".split()
 
@@ -57,6 +59,9 @@ def private_home(home):
     """The environment of a program with this home folder, which is made, so that the user's settings neither matter nor
     change."""
     (home / ".config/VCG").mkdir(parents=True, exist_ok=True)
+    settings = home / ".config/VCG/MeshLab_64bit_fp.conf"
+    if not settings.exists():
+        settings.write_text(SETTINGS)
     (home / "runtime").mkdir(mode=0o700, exist_ok=True)
     places = {"HOME": home, "XDG_CONFIG_HOME": home / ".config", "XDG_CACHE_HOME": home / ".cache",
               "XDG_DATA_HOME": home / ".local/share", "XDG_RUNTIME_DIR": home / "runtime", "LC_ALL": "C.UTF-8"}

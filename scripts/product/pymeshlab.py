@@ -8,7 +8,7 @@ import shutil
 from environment import packages
 from environment.build import CHECKOUT, build_targets
 from environment.files import cache_folder, publish_into
-from environment.headers import unpack_headers
+from environment.headers import unpack_source
 from environment.messages import Failure, Obstacle, output, run, say
 from environment.python_environments import ensure_python
 from environment.releases import SUITES
@@ -24,7 +24,7 @@ def ensure_meshlab_headers():
     os.environ["MESHLAB_SOURCE_DIR"] = str(folder)
     if not (folder / "src/common").is_dir():
         say(f"fetching the headers of MeshLab {MESHLAB} from the source package of Debian {SUITES[HOST]}")
-        if (not publish_into(folder, lambda scratch: unpack_headers("meshlab", scratch, SUITES[HOST])) or
+        if (not publish_into(folder, lambda scratch: unpack_source("meshlab", scratch, SUITES[HOST])) or
                 (folder / "ML_VERSION").read_text().strip() != MESHLAB):
             shutil.rmtree(folder, ignore_errors=True)
             raise Obstacle(f"the source of MeshLab {MESHLAB} could not be fetched; unpack it yourself to {folder}")

@@ -54,6 +54,7 @@ def copy_meshlab(folder, plugins):
     # MeshLab loads both of two plugins with the same decorations and stops at their parameters: ours replaces an
     # installed one of the same name
     link_all(libraries / "plugins", [*installed.glob("plugins/*.so"), *plugins])
+    link_all(folder / "lib", [libraries])  # where MeshLab looks that was not built by a distribution
     link_all(folder / "share", [pathlib.Path("/usr/share/meshlab")])
 
 

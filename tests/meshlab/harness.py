@@ -20,7 +20,7 @@ sys.path.insert(0, str(CHECKOUT / "scripts"))
 from environment.files import cache_folder
 from environment.messages import Failure, exit_code, say
 from environment.packages import meshlab_version
-from product.display import private_home, start_display, stop_display
+from product.display import SETTINGS, private_home, start_display, stop_display
 from product.meshlab import settings_commands
 from product.models import bumpy_torus
 from product.picture import Options, Pictures, check_picture, columns_of
@@ -96,7 +96,7 @@ def begin_test(size="1700x1000"):
 
 def set_background(*colors):
     """Of (Bot or Top, red, green, blue). MeshLab keeps each setting as a small XML text under its own name."""
-    text = "[General]\n"
+    text = SETTINGS
     for name, *rgb in colors:
         name, values = f"background{name}Color", " ".join(f'{c}=\\"{v}\\"' for c, v in zip("rgba", [*rgb, 255]))
         text += (f'MeshLab%3A%3AAppearance%3A%3A{name}="<Param type=\\"RichColor\\" name=\\"MeshLab::Appearance::{name}\\" '
