@@ -8,6 +8,7 @@
 
 #include "event_loop.h"
 #include "meshlab_host/geometry_stamp.h"
+#include "meshlab_host/mesh_conversion.h"
 #include "wavy_sheet.h"
 
 using laplacian_lines::DrawnKernel;
@@ -138,15 +139,17 @@ TEST_F(ViewLevelsTest, TakeNoMoreMemoryThanTheyMay) {
 }
 
 TEST_F(ViewLevelsTest, ThoseThatNoDrawingHadGoFirst) {
-    ASSERT_GT(lines_->levels.count(), 5);
-    demand(size(0), true);
-    for (const int ahead : {1, 2, 3})
-        addLevel(*lines_, ahead,
-                 computeLevel({lines_, meshlab_host::toTriangleMesh(mesh_), ahead}));
-    demand(size(4), true);
-    demand(size(5), true);
-    EXPECT_TRUE(lines_->kept_levels.has(0));
-    EXPECT_FALSE(lines_->kept_levels.has(1));
+    KeptLevels kept;
+    const auto add = [&](int level) {
+        kept.add(level, computeLevel({lines_, meshlab_host::toTriangleMesh(mesh_), 0}), 1);
+    };
+    add(0);
+    kept.use(0);
+    for (const int later : {1, 2, 3, 4})
+        add(later);
+    EXPECT_TRUE(kept.has(0));
+    EXPECT_FALSE(kept.has(1));
+    EXPECT_TRUE(kept.has(4));
 }
 
 TEST_F(ViewLevelsTest, TheSecondIsAppendedAndFaded) {
