@@ -21,6 +21,7 @@ import zipfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 from environment.files import cache_folder
+from environment.releases import SUITES
 
 CASES = pathlib.Path(__file__).resolve().parent / "cases"
 MOST_BYTES = 25_000_000
@@ -146,8 +147,9 @@ def main():
     write_reference(given.work, given.write_reference, given.lines, given.command)
     for version, python in pythons().items():
         run_cases([environment(given.work / f"bare-{version}", python, wheel)], given.work)
-    for python in cache_folder().glob("roots/*/usr/bin/python3"):
-        run_in_root(python.parents[2], wheel, given.work)
+    for root in (cache_folder() / "roots" / suite for suite in SUITES.values()):
+        if root.is_dir():
+            run_in_root(root, wheel, given.work)
     if given.others:
         run_cases([environment(given.work / "others", sys.executable, wheel, *given.others.split(","))], given.work)
 
