@@ -12,10 +12,11 @@ constexpr std::size_t least_count = 4;
 
 }  // namespace
 
-const laplacian_lines::KernelLaplacian* KeptLevels::use(int level) {
+const laplacian_lines::KernelLaplacian* KeptLevels::use(int level, bool wanted) {
     const auto found = std::find_if(entries_.begin(), entries_.end(),
                                     [=](const Entry& entry) { return entry.level == level; });
     if (found == entries_.end()) return nullptr;
+    if (!wanted) return &found->laplacian;
     entries_.splice(entries_.begin(), entries_, found);
     found->is_used = true;
     return &entries_.front().laplacian;

@@ -10,8 +10,9 @@
 /// no drawing has used go first, then those used longest ago.
 class KeptLevels {
 public:
-    /// Null if it is not there. Valid until the next call of add().
-    const laplacian_lines::KernelLaplacian* use(int level);
+    /// Null if it is not there. Valid until the next call of add(). One that stands in for another
+    /// is not `wanted`, and counts as used no more than before.
+    const laplacian_lines::KernelLaplacian* use(int level, bool wanted = true);
     bool has(int level) const;
     /// The level that is there and nearest to this one; -1 if there is none.
     int nearest(int level) const;

@@ -42,9 +42,10 @@ void computeNow(const PreparedLinesPointer& lines, const CMeshO& mesh, int level
 std::vector<DrawnKernel> kernelsThatAreThere(PreparedLines& lines, std::vector<LevelShare> shares) {
     std::vector<DrawnKernel> kernels;
     const int nearest = lines.kept_levels.nearest(shares.front().level);
-    if (nearest != shares.front().level) shares = {{nearest, 1}};
+    const bool wanted = nearest == shares.front().level;
+    if (!wanted) shares = {{nearest, 1}};
     for (const LevelShare& share : shares)
-        if (const auto* laplacian = lines.kept_levels.use(share.level))
+        if (const auto* laplacian = lines.kept_levels.use(share.level, wanted))
             kernels.push_back({lines.levels.size(share.level), laplacian, share.share});
     if (kernels.empty()) kernels.emplace_back();
     return kernels;

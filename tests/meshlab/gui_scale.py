@@ -33,12 +33,13 @@ await-kernel 0.02 0.04
 expect-true-drawings
 {MIDDLE}
 await-kernel 0.06 0.12
+# what was drawn is there at once, as far as it fits into memory: two kernels of this view and one of each before
+together {FAR} ; redraw ; expect-kernel 0.16 0.17
+{MIDDLE}
 wheel 4
 expect-true-drawings
 wheel -4
 expect-true-drawings
-# what was there is there at once
-together {FAR} ; redraw ; expect-kernel 0.16 0.17
 # in the middle between two levels both are drawn, and are the core's lines
 {between}expect-true-drawings
 
