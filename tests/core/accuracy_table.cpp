@@ -55,13 +55,13 @@ void print_convergence(const char* title,
     }
 }
 
-double laplacian_error(const AnalyticMesh& surface, double kernel_size, PrecomputeOptions options) {
-    options.kernel_size = kernel_size;
+double laplacian_error(const AnalyticMesh& surface, const PrecomputeOptions& options) {
     return helpers::laplacian_error(precompute(surface.mesh, options), surface.truth);
 }
 
-void print_kernel_sizes() {
-    std::printf("\nError of Δn by kernel size, default options\n\n| surface |");
+/// `size`: the option that sets √h, a kernel's or that of a level of drawings.
+void print_kernel_sizes(const char* title, double PrecomputeOptions::*size) {
+    std::printf("\nError of Δn by kernel size, %s\n\n| surface |", title);
     const double factors[] = {1, 2, 3, 5, 10};
     for (double f : factors)
         std::printf(" √h = %g ē |", f);
@@ -70,8 +70,11 @@ void print_kernel_sizes() {
         const AnalyticMesh surface = family.generate(kLevels - 1);
         const double edge = reference::mean_edge(surface.mesh);
         std::printf("| %s |", family.name);
-        for (double f : factors)
-            std::printf(" %.2g |", laplacian_error(surface, f * edge, {}));
+        for (double f : factors) {
+            PrecomputeOptions options;
+            options.*size = f * edge;
+            std::printf(" %.2g |", laplacian_error(surface, options));
+        }
         std::printf("\n");
     }
 }
@@ -147,15 +150,18 @@ int main(int argc, char**) {
         print_kinds();
         return 0;
     }
-    print_convergence(
-        "Relative error of Δn, default options",
-        [](const AnalyticMesh& s, double size) { return laplacian_error(s, size, {}); });
+    PrecomputeOptions options;
+    print_convergence("Relative error of Δn, default options",
+                      [&](const AnalyticMesh& s, double size) {
+                          options.kernel_size = size;
+                          return laplacian_error(s, options);
+                      });
+    options.normal_weighting = NormalWeighting::Max;
+    options.normal_smoothing = NormalSmoothing::None;
     print_convergence("Relative error of Δn, N. Max's normals, not smoothed",
-                      [](const AnalyticMesh& s, double size) {
-                          PrecomputeOptions options;
-                          options.normal_weighting = NormalWeighting::Max;
-                          options.normal_smoothing = NormalSmoothing::None;
-                          return laplacian_error(s, size, options);
+                      [&](const AnalyticMesh& s, double size) {
+                          options.kernel_size = size;
+                          return laplacian_error(s, options);
                       });
     print_convergence("Relative error of S, triangle fit", [](const AnalyticMesh& s, double) {
         return helpers::shape_error(precompute(s.mesh), s.truth);
@@ -165,7 +171,8 @@ int main(int argc, char**) {
         options.gradient_estimator = GradientEstimator::LeastSquares;
         return helpers::shape_error(precompute(s.mesh, options), s.truth);
     });
-    print_kernel_sizes();
+    print_kernel_sizes("default options", &PrecomputeOptions::kernel_size);
+    print_kernel_sizes("levels of drawings", &PrecomputeOptions::drawn_kernel_size);
     print_sums();
     print_kinds();
 }

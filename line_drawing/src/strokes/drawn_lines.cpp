@@ -10,8 +10,9 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double least_cosine = 0.94;  // of 20°
-constexpr double end_share = 0.5;      // of a piece of a line: beyond its end is not beside it
-constexpr double piece_share = 0.51;   // of the reach: half a piece, and rounding
+constexpr double largest_sine = 0.342;
+constexpr double end_share = 0.5;     // of a piece of a line: beyond its end is not beside it
+constexpr double piece_share = 0.51;  // of the reach: half a piece, and rounding
 
 Vector2d nearestTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
     const Vector2d way = end - begin;
@@ -92,6 +93,25 @@ std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, co
         if (distance > within) return;
         within = distance;
         nearest = Place{place, piece.line};
+    });
+    return nearest;
+}
+
+std::optional<DrawnLines::Neighbour> DrawnLines::nextOn(
+    const Vector2d& point, const Vector2d& side, const Distances& distances,
+    const std::function<bool(std::size_t)>& skips) const {
+    std::optional<Neighbour> nearest;
+    double most = distances.most;
+    forEachPieceNear(point, distances.most, [&](const Piece& piece) {
+        const Vector2d across = nearestTo(piece.begin, piece.end, point) - point;
+        const Vector2d way = (piece.end - piece.begin).normalized();
+        const double distance = across.norm();
+        if (distance < distances.least || distance > most ||
+            across.dot(side) < least_cosine * distance || std::abs(way.dot(side)) > largest_sine ||
+            skips(piece.line))
+            return;
+        most = distance;
+        nearest = Neighbour{point + across, way, piece.line};
     });
     return nearest;
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -50,6 +51,19 @@ public:
     };
     std::optional<Place> nearestOn(const Eigen::Vector2d& point, const Numbers& except,
                                    double within) const;
+
+    /// The nearest line beside `point` on one side, where the unit vector `side` points, within
+    /// 20°, and the line runs across that; none of those that `skips` names.
+    struct Neighbour {
+        Eigen::Vector2d position, way;  ///< unit
+        std::size_t line;
+    };
+    struct Distances {
+        double least, most;
+    };
+    std::optional<Neighbour> nextOn(
+        const Eigen::Vector2d& point, const Eigen::Vector2d& side, const Distances& distances,
+        const std::function<bool(std::size_t)>& skips = [](std::size_t) { return false; }) const;
 
 private:
     struct Piece {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "strokes/drawn_lines.h"
+#include "strokes/families.h"
 #include "strokes/refining.h"
 
 namespace line_drawing {
@@ -76,8 +77,9 @@ public:
         outlines_[std::size_t(line.line_class)].add(positionsOf(line));
     }
 
-    void addFree(const DrawnLine& line, std::vector<DrawnLine>& result) {
-        if (line.closed && lengthOf(line.points) < shortest_loop * pen_) return;
+    /// Returns whether all of it is.
+    bool addFree(const DrawnLine& line, std::vector<DrawnLine>& result) {
+        if (line.closed && lengthOf(line.points) < shortest_loop * pen_) return false;
         const std::vector<DrawnPoint> points = refine(line.points, step * pen_);
         std::vector<bool> is_free(points.size());
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -89,9 +91,8 @@ public:
             std::size_t end = begin;
             while (end < points.size() && is_free[end])
                 ++end;
-            if (end - begin == points.size())
-                keep(line, shortest, result);
-            else if (end > begin + 1)
+            if (end - begin == points.size()) return keep(line, shortest, result);
+            if (end > begin + 1)
                 keep({line.line_class,
                       false,
                       {points.begin() + std::ptrdiff_t(begin),
@@ -99,6 +100,7 @@ public:
                      shortest, result);
             begin = std::max(end, begin + 1);
         }
+        return false;
     }
 
 private:
@@ -167,13 +169,14 @@ private:
     }
 
     /// If it is not shorter than that, in pens.
-    void keep(const DrawnLine& line, double shortest, std::vector<DrawnLine>& result) {
+    bool keep(const DrawnLine& line, double shortest, std::vector<DrawnLine>& result) {
         const double length = lengthOf(line.points) / pen_;
         if (length < shortest || meanWeight(line) * length < least_ink ||
-            extentOf(line) < least_extent * pen_)
-            return;
+            extentOf(line) < least_extent * pen_ || isBetweenFolds(line, kept_, pen_))
+            return false;
         kept_.add(positionsOf(line));
         result.push_back(line);
+        return true;
     }
 
     const std::array<double, line_class_count>& pens_;
@@ -195,8 +198,11 @@ std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines,
     std::stable_sort(inner.begin(), inner.end(), [](const DrawnLine& a, const DrawnLine& b) {
         return strengthOf(a) > strengthOf(b);
     });
+    std::vector<double> strengths;
     for (const DrawnLine& line : inner)
-        thinning.addFree(line, result);
+        strengths.push_back(strengthOf(line));
+    forEachByFamilies(inner, strengths, between_lines * pens[std::size_t(LineClass::Inner)],
+                      [&](std::size_t i) { return thinning.addFree(inner[i], result); });
     return withoutSpecks(std::move(result), pens[std::size_t(LineClass::Inner)]);
 }
 

@@ -151,12 +151,13 @@ void print_head(int voxels, const TruthOptions& options) {
 
 }  // namespace
 
-const std::array<TruthTable, 5>& truth_tables() {
-    static const std::array<TruthTable, 5> tables = {{{"stones", print_stones},
+const std::array<TruthTable, 6>& truth_tables() {
+    static const std::array<TruthTable, 6> tables = {{{"stones", print_stones},
                                                       {"parts", print_parts},
                                                       {"drawings", print_drawings},
                                                       {"kinds", print_kinds_alone},
-                                                      {"terraces", print_terraces}}};
+                                                      {"terraces", print_terraces},
+                                                      {"motion", print_motion}}};
     return tables;
 }
 

@@ -49,7 +49,7 @@ struct TruthTable {
     const char* name;
     void (*print)(const TruthOptions& options, const std::vector<std::string>& files);
 };
-const std::array<TruthTable, 5>& truth_tables();
+const std::array<TruthTable, 6>& truth_tables();
 
 /// Lines of flaked stones, of machined parts, against their arrises.
 void print_stones(const TruthOptions& options, const std::vector<std::string>&);
@@ -60,5 +60,7 @@ void print_drawings(const TruthOptions& options, const std::vector<std::string>&
 void print_kinds_alone(const TruthOptions& options, const std::vector<std::string>& files);
 /// Drawings of a head from volumes of labels against those of the same head from smooth ones.
 void print_terraces(const TruthOptions& options, const std::vector<std::string>&);
+/// How steady the lines of files are while the view turns, and while it zooms in.
+void print_motion(const TruthOptions&, const std::vector<std::string>& files);
 
 }  // namespace benchmarks

@@ -15,18 +15,17 @@
 #include "inner_strokes.h"
 #include "item_buffer.h"
 #include "line_drawing/bounds.h"
+#include "line_scores.h"
 #include "mesh_file.h"
 #include "mesh_noise.h"
 #include "program.h"
-#include "strokes/drawn_lines.h"
-#include "strokes/refining.h"
 
 namespace {
 
+using namespace benchmarks;
+
 using Eigen::Vector2d, Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
-using line_drawing::DrawnLines;
-using Strokes = std::vector<std::vector<Vector2d>>;
 
 constexpr double pi = 3.141592653589793;
 constexpr double width = 50;           // mm
@@ -36,7 +35,6 @@ constexpr double turn = 2 * pi / 180;
 constexpr int steps = 10;
 constexpr double sample_step = 0.1;  // mm
 constexpr double hiding = 0.6;       // mm: what is as much behind is hidden
-constexpr std::size_t none = std::size_t(-1);
 
 double hollow(double distance, double deviation) {
     return std::exp(-distance * distance / (2 * deviation * deviation));
@@ -45,7 +43,7 @@ double hollow(double distance, double deviation) {
 struct Grooved {
     const char* name;
     TriangleMesh mesh;
-    Strokes grooves;  // as they look from the front
+    PlaneLines grooves;  // as they look from the front
 };
 
 /// 2.8 by 2, as convex along y as said: three wavy grooves along x, and three across them.
@@ -78,51 +76,31 @@ Grooved relief(const char* name, double convexity, bool crossing, int columns, d
     return result;
 }
 
-/// How many points along lines there are, and how many of them have another one near.
-struct Share {
-    double near = 0, all = 0;
-    double value() const { return all > 0 ? near / all : 0; }
-    void operator+=(const Share& other) {
-        near += other.near;
-        all += other.all;
-    }
-};
-
-Share share_near(const std::vector<Vector2d>& line, const DrawnLines& others, double reach,
-                 double step) {
-    Share share;
-    for (const Vector2d& p : line_drawing::refine(line, step)) {
-        ++share.all;
-        share.near += others.nearestOn(p, none, reach).has_value();
-    }
-    return share;
-}
-
-Share share_near(const Strokes& lines, const Strokes& others, double reach, double step) {
-    DrawnLines there(reach);
-    for (const auto& other : others)
-        there.add(other);
-    Share sum;
-    for (const auto& line : lines)
-        sum += share_near(line, there, reach, step);
-    return sum;
+CurvePoints points_along(const PlaneLines& lines, double step) {
+    CurvePoints curves;
+    for (const PlaneLine& line : lines)
+        for (std::size_t i = 1; i < line.size(); ++i)
+            curves.add({line[i - 1].x(), line[i - 1].y(), 0}, {line[i].x(), line[i].y(), 0}, step);
+    return curves;
 }
 
 void print_grooves(const Grooved& form, double noise) {
     const TriangleMesh mesh =
         noise > 0 ? mesh_noise::with_noise(form.mesh, noise / 100) : form.mesh;
-    const Strokes strokes = benchmarks::drawn_strokes(mesh, width).inner;
+    const PlaneLines strokes = drawn_strokes(mesh, width).inner;
     const double mm = line_drawing::boundsOf(mesh).sizes().x() / width;
-    std::size_t along = 0;
-    for (const auto& stroke : strokes)
-        along +=
-            share_near({stroke}, form.grooves, groove_reach * mm, sample_step * mm).value() > 0.5;
+    const auto points = [&](const PlaneLines& lines) {
+        return points_along(lines, sample_step * mm);
+    };
+    const CurvePoints grooves = points(form.grooves);
+    const auto along = std::count_if(strokes.begin(), strokes.end(), [&](const PlaneLine& stroke) {
+        return share_near(points({stroke}), grooves, groove_reach * mm).value() > 0.5;
+    });
+    const Score score = compare(points(strokes), grooves, groove_reach * mm);
     std::printf(
         "%-8s %7zu triangles, noise %g %%: covered %.2f, strokes a groove %.2f, precision %.2f\n",
-        form.name, mesh.triangles.size(), noise,
-        share_near(form.grooves, strokes, groove_reach * mm, sample_step * mm).value(),
-        double(along) / double(form.grooves.size()),
-        share_near(strokes, form.grooves, groove_reach * mm, sample_step * mm).value());
+        form.name, mesh.triangles.size(), noise, score.recall.value(),
+        double(along) / double(form.grooves.size()), score.precision.value());
     std::fflush(stdout);
 }
 
@@ -135,32 +113,29 @@ Vector3d turned(const Vector3d& p, double angle) {
 struct SeenMesh {
     /// `mm`: of paper, in units of the mesh.
     SeenMesh(const TriangleMesh& mesh, double mm)
-        : strokes(benchmarks::drawn_strokes(mesh, line_drawing::boundsOf(mesh).sizes().x() / mm)),
+        : strokes(drawn_strokes(mesh, line_drawing::boundsOf(mesh).sizes().x() / mm)),
           surface(mesh, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {1 / mm}) {}
 
-    benchmarks::DrawnStrokes strokes;
-    benchmarks::ItemBuffer surface;
+    DrawnStrokes strokes;
+    ItemBuffer surface;
 };
 
 /// Of the inner lines of a drawing, without what is hidden in another one, the share with a line
 /// there.
 Share share_with_partners(const SeenMesh& from, const SeenMesh& to, double angle, double mm) {
-    DrawnLines there(partner_reach * mm);
-    for (const auto& line : to.strokes.all)
-        there.add(line);
-    Share share;
-    for (const auto& line : from.strokes.inner)
-        for (const Vector2d& p : line_drawing::refine(line, sample_step * mm)) {
-            const auto depth = from.surface.depth_at(p / mm);
-            if (!depth) continue;
-            const Vector3d moved = turned({p.x(), p.y(), *depth * mm}, angle);
-            const Vector2d place = moved.head<2>();
-            const auto before = to.surface.depth_at(place / mm);
-            if (!before || *before * mm > moved.z() + hiding * mm) continue;
-            ++share.all;
-            share.near += there.nearestOn(place, none, partner_reach * mm).has_value();
-        }
-    return share;
+    const CurvePoints points = points_along(from.strokes.inner, sample_step * mm);
+    CurvePoints seen;
+    for (std::size_t i = 0; i < points.points.size(); ++i) {
+        const Vector2d p = points.points[i].head<2>();
+        const auto depth = from.surface.depth_at(p / mm);
+        if (!depth) continue;
+        const Vector3d moved = turned({p.x(), p.y(), *depth * mm}, angle);
+        const auto before = to.surface.depth_at(moved.head<2>() / mm);
+        if (!before || *before * mm > moved.z() + hiding * mm) continue;
+        seen.points.emplace_back(moved.x(), moved.y(), 0);
+        seen.lengths.push_back(points.lengths[i]);
+    }
+    return share_near(seen, points_along(to.strokes.all, sample_step * mm), partner_reach * mm);
 }
 
 /// Of `steps` turns, one after the other.
@@ -185,7 +160,6 @@ void print_turns(const std::string& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    using namespace benchmarks;
     std::vector<double> columns = {200, 300, 700}, noise = {0, 20};
     double deviation = 0.03;
     const std::vector<Option> options = {
