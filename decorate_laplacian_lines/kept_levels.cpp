@@ -12,18 +12,19 @@ constexpr std::size_t least_count = 4;
 
 }  // namespace
 
-const laplacian_lines::KernelLaplacian* KeptLevels::use(int level, bool wanted) {
+const laplacian_lines::KernelLaplacian* KeptLevels::find(int level) const {
+    for (const Entry& entry : entries_)
+        if (entry.level == level) return &entry.laplacian;
+    return nullptr;
+}
+
+const laplacian_lines::KernelLaplacian* KeptLevels::use(int level) {
     const auto found = std::find_if(entries_.begin(), entries_.end(),
                                     [=](const Entry& entry) { return entry.level == level; });
     if (found == entries_.end()) return nullptr;
-    if (!wanted) return &found->laplacian;
     entries_.splice(entries_.begin(), entries_, found);
     found->is_used = true;
-    return &entries_.front().laplacian;
-}
-
-bool KeptLevels::has(int level) const {
-    return nearest(level) == level;
+    return &found->laplacian;
 }
 
 int KeptLevels::nearest(int level) const {

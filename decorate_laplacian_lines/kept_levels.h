@@ -10,10 +10,11 @@
 /// no drawing has used go first, then those used longest ago.
 class KeptLevels {
 public:
-    /// Null if it is not there. Valid until the next call of add(). One that stands in for another
-    /// is not `wanted`, and counts as used no more than before.
-    const laplacian_lines::KernelLaplacian* use(int level, bool wanted = true);
-    bool has(int level) const;
+    /// Null if it is not there. Valid until the next call of add().
+    const laplacian_lines::KernelLaplacian* find(int level) const;
+    /// The same of a level that a drawing wants; one that stands in for another does not count.
+    const laplacian_lines::KernelLaplacian* use(int level);
+    bool has(int level) const { return find(level) != nullptr; }
     /// The level that is there and nearest to this one; -1 if there is none.
     int nearest(int level) const;
     /// Whether another one will fit into `most_bytes` of all.

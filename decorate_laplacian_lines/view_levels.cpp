@@ -39,15 +39,16 @@ void computeNow(const PreparedLinesPointer& lines, const CMeshO& mesh, int level
     }
 }
 
-std::vector<DrawnKernel> kernelsThatAreThere(PreparedLines& lines, std::vector<LevelShare> shares) {
-    std::vector<DrawnKernel> kernels;
+std::vector<DrawnKernel> kernelsThatAreThere(PreparedLines& lines,
+                                             const std::vector<LevelShare>& shares) {
     const int nearest = lines.kept_levels.nearest(shares.front().level);
-    const bool wanted = nearest == shares.front().level;
-    if (!wanted) shares = {{nearest, 1}};
+    if (nearest < 0) return {DrawnKernel()};
+    if (nearest != shares.front().level)
+        return {DrawnKernel{lines.levels.size(nearest), lines.kept_levels.find(nearest), 1}};
+    std::vector<DrawnKernel> kernels;
     for (const LevelShare& share : shares)
-        if (const auto* laplacian = lines.kept_levels.use(share.level, wanted))
+        if (const auto* laplacian = lines.kept_levels.use(share.level))
             kernels.push_back({lines.levels.size(share.level), laplacian, share.share});
-    if (kernels.empty()) kernels.emplace_back();
     return kernels;
 }
 

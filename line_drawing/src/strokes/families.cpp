@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "laplacian_lines/precompute_options.h"
 #include "strokes/refining.h"
 
 namespace line_drawing {
@@ -14,7 +15,7 @@ using Eigen::Vector2d;
 constexpr double farthest_next = 2;      // times the white: farther ones do not depend on the first
 constexpr double side_by_side = 0.7;     // of the longer one's length
 constexpr double least_strength = 0.75;  // of the first
-constexpr double kernel = 4;             // √h in pens
+constexpr double kernel = laplacian_lines::kDrawnKernelWidths;  // pens
 constexpr double widest_gap = 4 * kernel;
 constexpr double unevenness = 0.25;    // of a gap's width
 constexpr double least_between = 0.8;  // of a line's length
