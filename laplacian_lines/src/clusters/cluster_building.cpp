@@ -198,10 +198,10 @@ void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
         return std::uint8_t(cluster.triangle_count + edge_count++);
     };
     for (unsigned i = 0; i < cluster.triangle_count; ++i) {
-        unsigned char* corners = memory + layout.corners + i / kMaskGroup * 3 * kMaskGroup;
+        unsigned char* corners = memory + layout.corners + place_of_corners(i);
         for (unsigned k = 0; k < 3; ++k) {
             const std::size_t side = first_side + 3 * i + k;
-            corners[k * kMaskGroup + i % kMaskGroup] = partition_.corners[side];
+            corners[k * kMaskGroup] = partition_.corners[side];
             memory[layout.neighbours + 3 * i + k] = neighbour(partition_.across[side]);
         }
     }

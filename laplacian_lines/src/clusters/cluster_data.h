@@ -57,8 +57,12 @@ struct ClusterTriangle {
 struct ClusterTriangles {
     const std::uint8_t *corners, *neighbours;
 };
+/// Where the first corner of a triangle is; each other one is kMaskGroup bytes further.
+static inline unsigned place_of_corners(unsigned triangle) {
+    return triangle / kMaskGroup * 3 * kMaskGroup + triangle % kMaskGroup;
+}
 static inline ClusterTriangle triangle_at(const ClusterTriangles& triangles, unsigned i) {
-    const std::uint8_t* c = triangles.corners + i / kMaskGroup * 3 * kMaskGroup + i % kMaskGroup;
+    const std::uint8_t* c = triangles.corners + place_of_corners(i);
     const std::uint8_t* n = triangles.neighbours + 3 * i;
     return {{c[0], c[kMaskGroup], c[2 * kMaskGroup]}, {n[0], n[1], n[2]}};
 }

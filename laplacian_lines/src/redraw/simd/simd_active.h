@@ -37,8 +37,7 @@ static inline void write_active(const ClusterTriangles& triangles, unsigned numb
                                 unsigned negative_corners, unsigned slot, ActiveTriangle& active) {
     constexpr std::uint16_t v = kClusterVertices, n = kNumbersOfSlot;
     const ActivePattern& pattern = kActivePatterns[negative_corners];
-    const std::uint8_t* corners =
-        triangles.corners + number / kMaskGroup * 3 * kMaskGroup + number % kMaskGroup;
+    const std::uint8_t* corners = triangles.corners + place_of_corners(number);
     const std::uint32_t first = corners[0] | std::uint32_t(corners[kMaskGroup]) << 8 |
                                 std::uint32_t(corners[2 * kMaskGroup]) << 16 | number << 24;
     std::uint32_t neighbours;  // and a byte of what is behind
