@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_mesh stone|vessel|FILE [--subdivide N] FILE.ply: a mesh to draw, as binary PLY: a flaked
-// stone of 100 mm or a vessel of 200 mm, in metres as scans come, or a mesh whose triangles are cut
-// in four, N times.
+// write_mesh stone|vessel|part|FILE [--subdivide N] FILE.ply: a mesh to draw, as binary PLY: a flaked
+// stone of 100 mm, a vessel of 200 mm or a machined part of 100 mm whose rounded edges are as wide as
+// its triangles, in metres as scans come, or a mesh whose triangles are cut in four, N times.
 
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +11,7 @@
 
 #include "flaked_stone.h"
 #include "generators.h"
+#include "machined_part.h"
 #include "mesh_file.h"
 #include "midpoint_subdivision.h"
 #include "thrown_vessel.h"
@@ -21,6 +22,8 @@ using laplacian_lines::TriangleMesh;
 
 TriangleMesh make(const std::string& name) {
     if (name == "vessel") return test_meshes::moved(test_meshes::thrown_vessel(), {0, 0, 0}, 1e-3);
+    if (name == "part")
+        return test_meshes::moved(test_meshes::MachinedPart(0.005).mesh(0.012), {0, 0, 0}, 0.05);
     if (name != "stone") return test_meshes::read_mesh(name);
     test_meshes::StoneShape shape;
     shape.half_axes = {0.6, 1, 0.3};
@@ -48,7 +51,7 @@ void write(const TriangleMesh& mesh, const std::string& file) {
 int main(int argc, char** argv) {
     const bool divides = argc == 5 && std::string(argv[2]) == "--subdivide";
     if (argc != 3 && !divides) {
-        std::fputs("write_mesh stone|vessel|FILE [--subdivide N] FILE.ply\n", stderr);
+        std::fputs("write_mesh stone|vessel|part|FILE [--subdivide N] FILE.ply\n", stderr);
         return 2;
     }
     try {

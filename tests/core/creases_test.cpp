@@ -416,8 +416,7 @@ TEST(Creases, AreThoseOfSubdividedPrisms) {
 /// Of a part whose fillets are as wide as its triangles, where edges sharper than the least angle
 /// come singly, to and fro, and in loops.
 TEST(Creases, AreLeftToRidgesOnFilletsOfFewTriangles) {
-    const TriangleMesh mesh = test_meshes::MachinedPart(0.005).mesh(0.006);
-    const auto drawn = [&](std::initializer_list<LineKind> kinds) {
+    const auto drawn = [&](const TriangleMesh& mesh, std::initializer_list<LineKind> kinds) {
         LineStyle style = creases_alone();
         style.shows = {};
         for (const LineKind kind : kinds)
@@ -431,10 +430,28 @@ TEST(Creases, AreLeftToRidgesOnFilletsOfFewTriangles) {
                     double((lines.points[i].position - lines.points[i - 1].position).norm());
         return lengths;
     };
-    auto alone = drawn({LineKind::Ridge}), both = drawn({LineKind::Ridge, LineKind::Crease});
-    EXPECT_GT(alone[LineKind::Ridge], 10);
-    EXPECT_GT(both[LineKind::Ridge], 0.7 * alone[LineKind::Ridge]);
-    EXPECT_LT(both[LineKind::Crease], 0.5 * alone[LineKind::Ridge]);
+    for (const auto& [radius, edge] : {std::pair(0.005, 0.006), {0.005, 0.012}, {0.0025, 0.012}}) {
+        const TriangleMesh mesh = test_meshes::MachinedPart(radius).mesh(edge);
+        auto alone = drawn(mesh, {LineKind::Ridge}),
+             both = drawn(mesh, {LineKind::Ridge, LineKind::Crease});
+        EXPECT_GT(alone[LineKind::Ridge], 10) << radius;
+        EXPECT_GT(both[LineKind::Ridge], 0.9 * alone[LineKind::Ridge]) << radius;
+        EXPECT_LT(both[LineKind::Crease], 0.1 * alone[LineKind::Ridge]) << radius;
+    }
+}
+
+/// Of triangular faces, too, such as those of studs.
+TEST(Creases, AreTheEdgesOfSmallForms) {
+    TriangleMesh octahedron;
+    octahedron.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    octahedron.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                            {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    for (const auto& [small, edges] :
+         {std::pair(octahedron, 12u), {turned(6, {{1, -1}, {1, 1}}), 18u}}) {
+        TriangleMesh mesh = test_meshes::cube(1);
+        test_meshes::append(mesh, test_meshes::moved(small, {3, 0, 0}, 0.03));
+        EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 12 + edges);
+    }
 }
 
 /// The contour is there, so an edge between a face that is seen and one that is not is left out.

@@ -164,8 +164,10 @@ TEST(LineEasing, OfInnerLinesKeepsContoursAndWidths) {
     }
 }
 
-std::size_t kept(const std::vector<DrawnLine>& lines) {
-    return withoutSlightLines(lines, SheetOptions()).size();
+std::size_t kept(const std::vector<DrawnLine>& lines, double kernel = 0) {
+    SheetOptions options;
+    options.kernel = {kernel, false};
+    return withoutSlightLines(lines, options).size();
 }
 
 TEST(SlightLines, AreContoursBeforeASmallJumpInDepth) {
@@ -193,6 +195,17 @@ TEST(SlightLines, AreShortContoursThatEndInNothing) {
     DrawnLine exact = zigzag(0, 4, true);
     exact.jump = 5;
     EXPECT_EQ(kept({exact}), 1u);
+}
+
+TEST(SlightLines, AreContoursShorterThanTheKernelThatMeetNothing) {
+    DrawnLine contour = zigzag(0, 6);
+    contour.jump = 5;
+    const double length = lengthOf(contour.points);
+    EXPECT_EQ(kept({contour}, 1.1 * length), 0u);
+    EXPECT_EQ(kept({contour}, 0.9 * length), 1u);
+    contour.points.front().node = 1;
+    const DrawnLine met{LineClass::Edge, false, {{{-5, 0}, 1, 1}, {{-15, 0}, 1, 2}}};
+    EXPECT_EQ(kept({contour, met}, 1.1 * length), 2u);
 }
 
 TEST(SlightLines, AreLoopsThatTheirStrokeFills) {

@@ -179,10 +179,15 @@ private:
     CreaseEdge make_edge(const Candidate& candidate, float shown_up_to) const {
         const auto [triangle, side] = candidate.side;
         const TriangleGraph::Node& node = graph_.triangles[triangle];
+        static const float flat = cosine_of(kFlat);
+        const auto facet = [&](std::uint32_t t) {
+            return graph_.goes_on_flat(t, flat) ? CreaseEdge::kNone : t;
+        };
         return {
             {candidate.vertices[0], candidate.vertices[1]},
             {graph_.position(triangle, side), graph_.position(triangle, (side + 1) % 3)},
             {node.normal, node.sign_across(side) * graph_.triangles[node.neighbours[side]].normal},
+            {facet(triangle), facet(node.neighbours[side])},
             candidate.angle,
             shown_up_to};
     }

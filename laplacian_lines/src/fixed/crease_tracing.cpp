@@ -29,6 +29,8 @@ public:
             edges_.push_back(&edge);
             const std::uint32_t begin = crossing(edge, 0);
             graph_.segments.push_back({begin, crossing(edge, 1)});
+            for (const std::uint32_t facet : edge.facets)
+                if (facet != CreaseEdge::kNone) ++sides_of_facet_[facet];
         }
     }
 
@@ -85,6 +87,7 @@ private:
                 else
                     net.faults += turns_sharply(direction, next);
                 net.pieces += std::abs(dot(next, direction)) < kStraight;
+                net.faults += count_facets(edge);
                 direction = next;
                 nets_.unite(crossing_at(graph_, half), crossing_at(graph_, half ^ 1));
                 last = half ^ 1;
@@ -103,6 +106,18 @@ private:
             return graph_.crossings[crossing_at(graph_, at)].position;
         };
         return unit(place(half ^ 1) - place(half));
+    }
+
+    /// Facets at an edge that have just one other side among the edges; each counts once.
+    std::uint32_t count_facets(const CreaseEdge& edge) {
+        std::uint32_t count = 0;
+        for (const std::uint32_t facet : edge.facets) {
+            if (facet == CreaseEdge::kNone) continue;
+            std::uint32_t& sides = sides_of_facet_[facet];
+            count += sides == 2;
+            sides = 0;
+        }
+        return count;
     }
 
     static bool turns_sharply(const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
@@ -134,7 +149,7 @@ private:
     std::vector<const CreaseEdge*> edges_;  // by segment
     CrossingGraph graph_;
     TracingMemory memory_;
-    std::unordered_map<std::uint32_t, std::uint32_t> crossing_of_vertex_;
+    std::unordered_map<std::uint32_t, std::uint32_t> crossing_of_vertex_, sides_of_facet_;
     std::vector<std::array<std::uint32_t, 2>> ends_;  // by line
     DisjointSets nets_;                               // of crossings
 };

@@ -15,11 +15,14 @@ struct CreaseEdge {
     std::uint32_t vertices[2];
     Eigen::Vector3f positions[2];
     Eigen::Vector3f normals[2];  ///< of the triangles; as one sees them from the same side
-    float angle;                 ///< between the normals, degrees
+    /// Of the two triangles those that are in one plane with no neighbour; otherwise kNone.
+    std::uint32_t facets[2];
+    float angle;  ///< between the normals, degrees
     /// The largest LineStyle::crease_angle with which it is drawn: its angle, or 40 if that is less
     /// and the faces around do not explain it.
     float shown_up_to;
 
+    static constexpr std::uint32_t kNone = 0xffffffffu;
     float length() const { return length_of(positions[1] - positions[0]); }
 };
 
@@ -38,8 +41,9 @@ struct TracedCreases {
     struct Net {
         std::uint32_t pieces = 0;  ///< straight ones, of one edge or several
         float length = 0;          ///< D
-        /// Loose ends, and turns of more than 60 degrees where no third edge meets: where
-        /// an edge of the form turns, so do its walls, and there is an edge between these.
+        /// Loose ends; turns of more than 60 degrees where no third edge meets: where an edge of
+        /// the form turns, so do its walls, and there is an edge between these; and facets
+        /// between two of the edges, whose third side is bent but none of them.
         std::uint32_t faults = 0;
     };
     std::vector<Net> nets;

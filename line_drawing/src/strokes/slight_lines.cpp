@@ -37,6 +37,16 @@ private:
     std::unordered_map<std::uint32_t, int> lines_;
 };
 
+/// Of what ends in nothing. A contour that meets nothing at all and is shorter than √h goes round a
+/// triangle or two which face away by chance.
+double shortestEnd(const Nodes& nodes, const DrawnLine& line, const SheetOptions& options) {
+    if (!isCurvedContour(line)) return options.shortest_line;
+    const double shortest = shortest_contour_end * options.shortest_line;
+    const bool is_alone = std::none_of(line.points.begin(), line.points.end(),
+                                       [&](const DrawnPoint& p) { return nodes.isJunction(p); });
+    return is_alone ? std::max(shortest, options.kernel.size) : shortest;
+}
+
 /// Cuts off what is shorter than `shortest` between an end in nothing and the next junction.
 void trimEnd(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& points) {
     if (points.size() < 2 || nodes.isJunction(points.back())) return;
@@ -73,11 +83,9 @@ std::vector<DrawnLine> withoutSlightLines(std::vector<DrawnLine> lines,
                                [&](const DrawnLine& line) { return isSlight(line, options); }),
                 lines.end());
     const Nodes nodes(lines);
-    for (DrawnLine& line : lines) {
-        const double shares = isCurvedContour(line) ? shortest_contour_end : 1;
+    for (DrawnLine& line : lines)
         if (line.line_class != LineClass::Outline)
-            trim(nodes, shares * options.shortest_line, line);
-    }
+            trim(nodes, shortestEnd(nodes, line, options), line);
     lines.erase(std::remove_if(lines.begin(), lines.end(),
                                [](const DrawnLine& line) { return line.points.size() < 2; }),
                 lines.end());

@@ -9,7 +9,8 @@ namespace line_drawing {
 
 /// Lines, on the sheet, without what would be specks of it: contours of curved surfaces before a
 /// jump in depth that is less than a pen, lines shorter than the shortest one that end in nothing,
-/// and such ends of lines behind the last line that they meet. Outlines stay as they are.
+/// and such ends of lines behind the last line that they meet. The kernel is in mm of the sheet.
+/// Outlines stay as they are.
 std::vector<DrawnLine> withoutSlightLines(std::vector<DrawnLine> lines,
                                           const SheetOptions& options);
 
