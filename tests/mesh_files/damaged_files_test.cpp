@@ -77,6 +77,8 @@ TEST(DamagedFiles, SayWhatAndWhere) {
               "line 2: it ends without \"endsolid\"");
     EXPECT_EQ(defect(Format::Stl, std::string(80, '\0') + packed(std::uint32_t(2))),
               "it has 84 bytes, but 2 triangles take 184");
+    EXPECT_EQ(defect(Format::Stl, "solid" + std::string(75, ' ') + packed(std::uint32_t(0))),
+              "");  // of no triangles, and no text
     EXPECT_EQ(defect(Format::Ply, "ply\nformat ascii 1.0\nelement vertex 1\nend_header\n"),
               "line 4: its vertices have no x");
     EXPECT_EQ(defect(Format::Ply,
