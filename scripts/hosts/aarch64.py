@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./test --reach: the core, the command laplacian-lines and the parts of the plugins for another processor, compiled by
-Debian's cross compiler in a root of its own and run by qemu. Fields, lines and drawings have to be those of this
-processor's baseline, bit by bit."""
+"""./test --reach: the core, the command laplacian-lines and the plugins for another processor, compiled by Debian's cross
+compiler in a root of its own and run by qemu. Fields, lines and drawings have to be those of this processor's baseline,
+bit by bit."""
 
 import filecmp
 import os
@@ -14,10 +14,12 @@ from environment.messages import Failure, run
 from environment.releases import SUITES
 from hosts import aarch64_wheel
 from hosts.roots import ensure_root, in_root, run_with_network
+from product.display import SETTINGS, display
 
 BUILD = CHECKOUT / "build/aarch64"
 SUITE = SUITES["2020"]
-TARGETS = "print_bits write_reference laplacian_lines_drawing mesh_files_tests line_drawing_tests core_tests".split()
+TARGETS = ("print_bits write_reference laplacian_lines_drawing mesh_files_tests line_drawing_tests core_tests"
+           " filter_laplacian_lines decorate_laplacian_lines meshlab_driver").split()
 # qemu takes some thirty times as long: a few quick tests of each subject. And its own assertions fail where a forked process
 # begins threads (ThreadPool.GoesOn...).
 TESTS = (r"^(Extraction|Meshes/PlainComparison.*/(three_sheets|dirty_torus)|Views/TorusLines|Ridges\.(KnowTheir|OfAnEll)"
@@ -28,6 +30,22 @@ TESTS = (r"^(Extraction|Meshes/PlainComparison.*/(three_sheets|dirty_torus)|View
 MESHES = "torus bumpy_sphere cube moebius_strip three_sheets rounded_cube triangle_soup doubled_triangles".split()
 DRAWINGS = {"usual.svg": [], "all.svg": ["--kinds", "all_kinds", "--scale", "10:1"],
             "six.pdf": ["--views", "six", "--section", "y=0.5"], "six.dxf": ["--views", "six", "--hidden", "dashed"]}
+
+# What the driver does in MeshLab's window.
+WINDOW = """time-limit 900
+wait
+load torus.ply
+check Show Info Panel off
+check Show Trackball off
+check Laplacian Lines on
+check Laplacian Lines Probe on
+setdeco Line Color = #ff0000
+setdeco Contour Color = #ff0000
+expect-lines
+grab window.png
+quit
+"""
+SETTINGS_FILE = f"mkdir -p ~/.config/VCG; printf '%s' '{SETTINGS}' >~/.config/VCG/MeshLab_64bit_fp.conf"
 
 
 def install(root, kept):
@@ -48,12 +66,13 @@ python3 -B -c 'from environment.headers import ensure_headers as e; e()'"""
     return run_with_network(root, kept, ["sh", "-exc", script])
 
 
-def run_in_root(command, failure):
+def run_in_root(command, failure, *more_binds):
     root, lock = ensure_root(SUITE, "-arm64", install)
     with lock:
         for folder in (BUILD, compiled_folder()):
             folder.mkdir(parents=True, exist_ok=True)
-        binds = [f"ro:{CHECKOUT}", f"rw:{BUILD}", f"ro:{cache_folder()}/headers", f"rw:{compiled_folder()}"]
+        binds = [f"ro:{CHECKOUT}", f"rw:{BUILD}", f"ro:{cache_folder()}/headers", f"rw:{compiled_folder()}",
+                 *more_binds]
         words = ["env", f"PYTHONPATH={CHECKOUT}/scripts", *command]
         if in_root(root, "ro", binds, words, LAPLACIAN_LINES_BUILD=str(BUILD)) != 0:
             raise Failure(failure)
@@ -102,6 +121,36 @@ def compare():
     return f"{len(MESHES)} meshes and {len(DRAWINGS)} drawings have the same bits"
 
 
+def test_plugins():
+    """MeshLab of that processor runs the example's filter, whose drawing has to be that of the command here, and shows
+    lines in its window."""
+    example, stage, work = CHECKOUT / "docs/examples/laplacian_lines_drawing.mlx", BUILD / "stage", BUILD / "bits"
+    program = f"""import pathlib
+from product import stage
+stage.multiarch = lambda: "aarch64-linux-gnu"
+stage.copy_meshlab(pathlib.Path("{stage}"), stage.built_plugins(pathlib.Path("{BUILD}"), "plugins", "driver"))"""
+    run_in_root(["python3", "-B", "-c", program], "MeshLab for aarch64 is not as expected")
+    (work / "window").write_text(WINDOW)
+    run_in_meshlab(work, f"meshlabserver -i torus.ply -s {example}", "drawing.svg")
+    here, there = (without_metadata(work / name) for name in ("here/usual.svg", "drawing.svg"))
+    if here != there:
+        raise Failure(f"{work}/drawing.svg and here/usual.svg differ")
+    run_in_meshlab(work, "meshlab", "window.png", "LAPLACIAN_LINES_DRIVER=window LAPLACIAN_LINES_PROBE=1")
+    return "the filter's drawing is the one of the command here, and the window shows lines"
+
+
+def run_in_meshlab(work, command, writes, settings=""):
+    """By a display of this machine, whose socket the root sees."""
+    with display(1200, 800):
+        words = f"QT_QPA_PLATFORM=xcb DISPLAY={os.environ['DISPLAY']} {settings} qemu-aarch64 {BUILD}/stage/bin/{command}"
+        script = f"cd {work}; rm -f {writes}; {SETTINGS_FILE}; {words}; test -s {writes}"
+        run_in_root(["sh", "-e", "-c", script], f"MeshLab for aarch64 did not write {writes}", "rw:/tmp/.X11-unix")
+
+
+def without_metadata(drawing):
+    return [line for line in drawing.read_text().splitlines() if "<metadata>" not in line]
+
+
 def build_by_oldest():
     """The core and drawings by the oldest compiler that CMake lets through."""
     folder = BUILD / "oldest"
@@ -114,5 +163,6 @@ def run_stages(results):
     if results.stage("aarch64: build", build):
         results.stage("aarch64: tests", test)
         results.stage("aarch64: the same bits", compare)
+        results.stage("aarch64: plugins in MeshLab", test_plugins)
         results.stage("aarch64: wheel", aarch64_wheel.test, BUILD / "wheel", run_in_root, baseline())
     results.stage("the core by GCC 11", build_by_oldest)
