@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <functional>
 #include <utility>
-#include <vector>
 
 #include "decoration_table.h"
 #include "laplacian_lines/error.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
-#include <string>
 
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_rows.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "view_levels.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "meshlab_host/geometry_stamp.h"

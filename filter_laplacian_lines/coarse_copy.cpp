@@ -2,7 +2,6 @@
 #include "compute_filter.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

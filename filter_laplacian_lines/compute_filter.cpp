@@ -3,7 +3,6 @@
 
 #include <QElapsedTimer>
 #include <cmath>
-#include <optional>
 
 #include "compute_filter.h"
 #include "laplacian_lines/error.h"

@@ -3,7 +3,6 @@
 
 #include <QStringList>
 #include <cmath>
-#include <optional>
 #include <tuple>
 
 #include "compute_filter.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polyline_view.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "laplacian_lines/error.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stream_settings.h"
 
-#include <cmath>
-
 #include "laplacian_lines/line_visibility.h"
 
 namespace line_renderer {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // STL of 3D Systems: text, or 50 bytes a triangle behind a head of 84.
 #include <algorithm>
-#include <cstring>
 
 #include "binary.h"
 #include "readers.h"

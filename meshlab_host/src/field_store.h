@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "column_attributes.h"
 #include "meshlab_host/field_attributes.h"
 

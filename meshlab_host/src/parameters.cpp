@@ -2,7 +2,6 @@
 #include "meshlab_host/parameters.h"
 
 #include <cmath>
-#include <optional>
 
 #include "laplacian_lines/error.h"
 #include "meshlab_host/parameter_text.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QStringList>
-#include <future>
 
 #include "laplacian_lines/triangle_mesh.h"
 

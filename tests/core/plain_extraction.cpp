@@ -13,7 +13,6 @@
 #include "plain_kinds.h"
 #include "redraw/kinds/strip_kinds.h"
 #include "rules/convexity.h"
-#include "rules/line_rules.h"
 
 namespace reference {
 

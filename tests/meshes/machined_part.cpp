@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "rounded_walls.h"
-
 namespace test_meshes {
 namespace {
 

@@ -2,7 +2,6 @@
 #include "field/shape_operators.h"
 
 #include <Eigen/Dense>
-#include <cmath>
 
 #include "field/triangle_tensors.h"
 #include "system/large_array.h"

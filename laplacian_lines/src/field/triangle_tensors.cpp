@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/triangle_tensors.h"
 
-#include <cmath>
-
 #include "system/simd_versions.h"
 
 namespace laplacian_lines {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "laplacian_lines/option_table.h"
 
-#include <cmath>
 #include <limits>
 #include <sstream>
 

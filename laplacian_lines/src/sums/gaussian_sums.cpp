@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "sums/simd_gaussian_sums.h"
-#include "system/large_array.h"
 
 namespace laplacian_lines {
 namespace {

@@ -2,10 +2,8 @@
 #include "sums/grid_points.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "mesh/bounding_box.h"
-#include "sums/simd_grid.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "laplacian_lines/threads.h"

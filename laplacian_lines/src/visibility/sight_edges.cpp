@@ -2,7 +2,6 @@
 #include "visibility/sight_edges.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <iterator>
 #include <numeric>
 #include <tuple>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "visibility/sight_segments.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "visibility/edge_on_walls.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/pdf_parts.h"
 
-#include <algorithm>
 #include <array>
 
 #include "line_drawing/words.h"

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "line_drawing/sheet_file.h"
-#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {

@@ -2,7 +2,6 @@
 #include "planes/clipping.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace line_drawing {
 namespace {

@@ -2,7 +2,6 @@
 #include "sections/wall_area.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace line_drawing {
 namespace {

@@ -2,7 +2,6 @@
 #include "line_drawing/contact_sheet.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sheet/sheet_layout.h"
 #include "views/drawn_view.h"

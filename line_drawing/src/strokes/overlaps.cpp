@@ -2,7 +2,6 @@
 #include "strokes/overlaps.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "strokes/drawn_lines.h"
 #include "strokes/refining.h"
