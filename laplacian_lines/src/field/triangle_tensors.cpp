@@ -6,7 +6,6 @@
 namespace laplacian_lines {
 namespace {
 
-/// The loops, by vectors of so many bytes.
 template <std::size_t Bytes>
 struct Loops {
     static constexpr std::size_t kWidth = Bytes / sizeof(double);

@@ -13,8 +13,8 @@ namespace laplacian_lines {
 
 constexpr double kQuickError = 8e-5;  ///< of a quick Gaussian, relative
 
-/// For every vertex p: w(q) = m_q exp(−|q−p|²/(4 h(p)) − normal_falloff |n_q−n_p|²) over the
-/// vertices q within `cutoff`·√h(p) of p.
+/// w(q) = m_q exp(−|q−p|²/(4 h(p)) − normal_falloff |n_q−n_p|²) over the vertices q within
+/// `cutoff`·√h(p) of p.
 struct GaussianKernel {
     std::vector<float> kernel_sizes;  ///< [N], √h(p), local units
     double cutoff = 6;                ///< in √h
@@ -23,7 +23,7 @@ struct GaussianKernel {
     bool quick = false;               ///< kQuickError will do; no normal_falloff then
 };
 
-/// The sums that both the normal smoothing and Belkin's operator are made of, [N] each.
+/// What the normal smoothing and Belkin's operator are made of, [N] each.
 struct GaussianSums {
     explicit GaussianSums(std::size_t count)
         : mass(large_array<float>(count)),
@@ -35,9 +35,9 @@ struct GaussianSums {
     std::vector<Eigen::Vector3f> normal_difference;  ///< Σ w (n_q − n_p)
 };
 
-/// The mesh is sorted in space, and `tree` is its tree. Direct summation in float, relative error
-/// about 1e-6 (kQuickError if quick) before the truncation at the cutoff: positions and normals are
-/// taken relative to the mean of a group of targets.
+/// Direct summation in float, relative error about 1e-6 (kQuickError if quick) before the cutoff
+/// truncates: positions and normals are relative to the mean of a group of targets. `mesh` is
+/// sorted in space by `tree`.
 GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const std::vector<Eigen::Vector3d>& normals,
                            const GaussianKernel& kernel, const StageProgress& stage);
