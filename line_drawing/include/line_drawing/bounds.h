@@ -7,7 +7,7 @@
 
 namespace line_drawing {
 
-/// The part of the mesh that has triangles; vertices that are not finite do not count.
+/// Of the triangles' vertices that are finite.
 Eigen::AlignedBox3d boundsOf(const laplacian_lines::TriangleMesh& mesh);
 
 }  // namespace line_drawing

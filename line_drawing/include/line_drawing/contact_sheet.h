@@ -10,8 +10,8 @@
 
 namespace line_drawing {
 
-/// How a mesh is drawn for a contact sheet: its first view, small and without furniture; the
-/// title is its size.
+/// Options for one mesh of a contact sheet: its first view, small, no furniture; the title is its
+/// size.
 SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& options);
 
 struct ContactEntry {
@@ -19,12 +19,12 @@ struct ContactEntry {
     Sheet view;
 };
 
-/// One page with all views, each in a square of the same size, with name and size below.
+/// One page with all views in equal squares, name and size below each.
 Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const std::string& title);
 
-/// The paths of a sheet as bytes, to be kept in a file.
+/// Serializes the paths of a sheet.
 std::string packSheet(const Sheet& sheet);
-/// @throws laplacian_lines::Error(InvalidOption) if it is none.
+/// @throws laplacian_lines::Error(InvalidOption) if the bytes are no packed sheet
 Sheet unpackSheet(const std::string& bytes);
 
 }  // namespace line_drawing

@@ -9,9 +9,8 @@
 
 namespace line_drawing {
 
-/// One of the things on a drawing: a mesh in the coordinates of the drawing and its field, which
-/// both have to outlive it. Without a field, one is computed whose kernel suits the drawing's
-/// scale.
+/// A mesh in the coordinates of the drawing and its field, which outlive it. Without a field, one
+/// is computed whose kernel suits the scale.
 struct Object {
     const laplacian_lines::TriangleMesh& mesh;
     const laplacian_lines::Field* field = nullptr;

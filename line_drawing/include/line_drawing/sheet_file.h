@@ -10,23 +10,20 @@ namespace line_drawing {
 
 enum class SheetFormat { Svg, Pdf, Dxf, Png };
 
-/// By the ending of the file's name.
-/// @throws laplacian_lines::Error(InvalidOption) if it is another one.
+/// By the extension. @throws laplacian_lines::Error(InvalidOption) if it is unknown
 SheetFormat formatOf(const std::string& file);
 
-/// A sheet as a file, so that a millimetre of the sheet is one of the file; PNG has `dpi` dots per
-/// inch. The same sheet gives the same bytes.
-/// @throws laplacian_lines::Error(InvalidOption): too large a picture, with what to do instead.
+/// The bytes of a file at true scale, PNG at `dpi` dots per inch; a function of the sheet alone.
+/// @throws laplacian_lines::Error(InvalidOption) if the picture would be too large, with what to do
+/// instead
 std::string writeSheet(const Sheet& sheet, SheetFormat format, double dpi = 300);
 
-/// Before much work is done: whether the format has the letters of title and source, whose names
-/// nobody chose for a drawing.
-/// @returns a remark, if there are boxes instead of letters of the source.
-/// @throws laplacian_lines::Error(InvalidOption) if those of the title lack, with what to do
-/// instead.
+/// Whether the format has the letters of title and source, asked before the work begins.
+/// @returns a remark if letters of the source become boxes
+/// @throws laplacian_lines::Error(InvalidOption) if the title's do, with what to do instead
 std::vector<std::string> checkTexts(const SheetOptions& options, SheetFormat format);
 
-/// The strokes that a kind of file can have: programs that read DXF draw lines of even width.
+/// The strokes that a format can have: DXF readers draw even widths.
 StrokeStyle strokesIn(const std::string& file, StrokeStyle wanted);
 
 }  // namespace line_drawing

@@ -22,7 +22,7 @@ laplacian_lines::LineKindSet kindsIn(const std::string& names) {
            laplacian_lines::names_of_kinds() + ", with commas between.");
 }
 
-/// Lines of at most `width` characters, each with `indent` blanks before it but the first.
+/// At most `width` characters a line, indented but for the first.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
     std::string result;
     std::size_t column = indent;

@@ -7,9 +7,8 @@
 
 namespace line_drawing {
 
-/// Lines, on the sheet, without what would be specks of it: contours of curved surfaces before a
-/// jump in depth that is less than a pen, lines shorter than the shortest one that end in nothing,
-/// and such ends of lines behind the last line that they meet. Outlines stay as they are.
+/// Removes specks, on the sheet: contours of curved surfaces before a jump in depth of less than a
+/// pen, lines and ends of lines shorter than the shortest one that end in nothing. Outlines stay.
 std::vector<DrawnLine> withoutSlightLines(std::vector<DrawnLine> lines,
                                           const SheetOptions& options);
 

@@ -8,7 +8,7 @@
 
 namespace line_drawing {
 
-/// A line, in the sheet's coordinates, as it is drawn; none if it is too short or too thin.
+/// In the sheet's coordinates; none if the line is too short or too thin.
 std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& options);
 
 }  // namespace line_drawing

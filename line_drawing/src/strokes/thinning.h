@@ -7,11 +7,11 @@
 
 namespace line_drawing {
 
-/// Leaves white between lines: of inner lines in mm on the sheet, the strongest first, what runs
-/// beside another one within three pens, or beside an outline, contour or edge with less than half
-/// a pen between, goes; where lines cross or meet they stay. Strokes of less than six pens go,
-/// those within four pens, and loops of less than 24; then contours of curved surfaces of less than
-/// six pens that meet no line. `pens`: widths in mm, by LineClass.
+/// Leaves white between lines, mm on the sheet: strongest first, an inner line goes where it runs
+/// within three pens of another one, or within half a pen of an outline, contour or edge, but not
+/// where lines cross or meet. So do strokes shorter than six pens, those within four pens of each
+/// other, loops below 24, then contours of curved surfaces below six pens that meet no line.
+/// `pens`: widths in mm, by LineClass.
 std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines,
                                const std::array<double, line_class_count>& pens);
 
