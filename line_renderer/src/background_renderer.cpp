@@ -8,7 +8,7 @@
 namespace line_renderer {
 namespace {
 
-// At the depth that an empty view has.
+// At the depth of an empty view.
 const char* const vertex_shader = R"(#version 120
 void main()
 {

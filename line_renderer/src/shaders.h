@@ -5,16 +5,16 @@
 
 namespace line_renderer {
 
-/// GLSL 1.20. The vertex shader widens a segment to a quad in pixels, the fragment shader cuts the
-/// quad to the segment's share of the line.
+/// GLSL 1.20. Widens a segment to a quad in pixels, of which the fragment shader keeps the
+/// segment's share of the line.
 extern const char* const line_vertex_shader;
 extern const char* const line_fragment_shader;
 
-/// How many looks the shaders hold.
+/// Looks that the shaders hold.
 constexpr std::size_t most_looks = 16;
 
-/// GLSL 1.20. Paints faces in flat tones by the angle between the normal and the ray of sight, and
-/// a little nearer to the eye than they are.
+/// GLSL 1.20. Paints faces, slightly nearer to the eye, in flat tones by the angle between normal
+/// and ray.
 extern const char* const surface_vertex_shader;
 extern const char* const surface_fragment_shader;
 

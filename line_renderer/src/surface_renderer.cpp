@@ -10,7 +10,7 @@
 namespace line_renderer {
 namespace {
 
-/// How far paint may come before the surface to cover wires and points, in diagonals.
+/// How far paint may move to cover wires and points, in diagonals.
 constexpr double least_move = 0.0005;
 constexpr double greatest_move = 0.03;
 

@@ -5,8 +5,7 @@
 
 namespace mesh_files {
 
-/// A number of these bytes, wherever they lie. On the machines that MeshLab runs on, integers and
-/// floats have the same order, least byte first.
+/// A number at any address. MeshLab's machines all are little-endian.
 template <class Number>
 Number little_endian(const char* bytes) {
     Number number;
