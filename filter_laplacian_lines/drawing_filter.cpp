@@ -23,7 +23,7 @@ namespace {
 
 const char* const filter_name = "Export Laplacian Lines Drawing";
 
-// What is done of the work when each step has ended.
+// Progress at the end of each step.
 constexpr double field_share = 0.05, sheet_share = 0.98;
 
 Eigen::Vector3d sizeOf(const PlacedLayers& layers) {
@@ -37,7 +37,7 @@ QString lengths(const Eigen::Vector3d& size) {
     return QString("%1 x %2 x %3 mm").arg(size.x()).arg(size.y()).arg(size.z());
 }
 
-/// Name, scale and paper of what was drawn, and how large the object was taken to be.
+/// Name, scale and paper of the drawing, and the assumed size of the object.
 QString report(const PlacedLayers& layers, const QString& file, const Sheet& sheet,
                const Eigen::Vector3d& size, const SheetOptions& options) {
     return QString(
@@ -54,7 +54,7 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
                               : QString());
 }
 
-/// Without hashes: a layer need not be any more what its file has.
+/// Without hashes: a layer may differ from its file.
 std::string provenanceOf(const PlacedLayers& layers) {
     std::vector<line_drawing::SourceMesh> meshes;
     for (const PlacedLayer& layer : layers)

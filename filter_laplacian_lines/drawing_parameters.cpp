@@ -42,7 +42,7 @@ TextDescription describeText(const SheetOption& option) {
             option.row.for_experts};
 }
 
-/// As the layer stands in the world.
+/// In world coordinates.
 double diagonalOf(const MeshModel& layer) {
     const Eigen::Matrix4d transform = meshlab_host::layerTransform(layer.cm);
     const double factor = std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));

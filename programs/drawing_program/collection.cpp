@@ -20,7 +20,7 @@ void makeFolders(const CollectionFolder& folder) {
         refuse(QString("the folder \"%1\" cannot be written.").arg(folder.path));
 }
 
-/// What is left to be drawn; an old record must not outlive a failure.
+/// Old records must not outlive a failure.
 std::vector<Job> jobsFor(const std::vector<CollectionItem>& items, const CollectionFolder& folder,
                          const CommandLine& commands) {
     std::vector<Job> jobs;

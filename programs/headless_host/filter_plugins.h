@@ -16,15 +16,14 @@ struct LoadedFilter {
     QAction* action;
 };
 
-/// Loads `files`, then MeshLab's plugins for filters and files, except those that have the name of
-/// one of `files`. One of MeshLab's own that cannot be loaded is only reported.
-/// @throws MLException if one of `files` cannot be loaded
+/// Loads `files`, then MeshLab's own plugins for filters and files but those with the name of one
+/// of `files`; of these a failure is only reported. @throws MLException if one of `files` fails
 void loadPlugins(const QStringList& files, Report& report);
 
-/// @throws MLException that names similar filters if there is none of this name
+/// @throws MLException that names similar filters if there is none
 LoadedFilter filterNamed(const QString& name);
 
-/// Writes all filters with their parameters, as text. @throws MLException
+/// Writes all filters with parameters as text. @throws MLException
 void dumpFilters(const QString& file);
 
 }  // namespace server

@@ -9,10 +9,9 @@ class MeshDocument;
 
 namespace server {
 
-/// Runs all filters of a script (.mlx) on the document. Parameters that the script does not name
-/// have their defaults. Unlike MeshLab itself, refuses what it does not understand: unknown
-/// filters and parameters, values of another type, text that is not a number.
-/// @throws MLException that names the filter; those before it have changed the document then
+/// Runs a script (.mlx). Missing parameters have their defaults. Unlike MeshLab, refuses unknown
+/// filters and parameters, values of another type, and text that is not a number. @throws
+/// MLException that names the filter; earlier ones have changed the document
 void runScript(const QString& file, MeshDocument& document, Report& report);
 
 }  // namespace server

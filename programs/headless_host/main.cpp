@@ -58,7 +58,6 @@ void run(const CommandLine& commands, Report& report) {
     }
 }
 
-/// The exit code.
 int runCatchingAll(const QStringList& arguments) {
     Report report;
     try {
@@ -87,7 +86,7 @@ int runCatchingAll(const QStringList& arguments) {
 
 namespace {
 
-/// Qt's and MeshLab's own talk is of no use on a command line, warnings apart.
+/// Of Qt's and MeshLab's messages only warnings are of use on a command line.
 void passWarnings(QtMsgType type, const QMessageLogContext&, const QString& message) {
     const bool is_talk = type == QtDebugMsg || type == QtInfoMsg;
     if (is_talk || message.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) return;
