@@ -29,7 +29,6 @@ class QWidget;
 /// decorations, but then either the redraw has another reason than the camera, or a key or button
 /// went before: such redraws always compare. Large meshes must turn smoothly, so one drag compares
 /// only now and then, and once after the camera has stopped. GUI thread only.
-/// done now and then, and once more when the camera has stopped. GUI thread only.
 class GeometryCheck {
 public:
     GeometryCheck();

@@ -116,8 +116,8 @@ QJsonArray kinds() {
 }  // namespace
 
 /// The tables behind the dialogs, for programs without dialogs: a JSON object, UTF-8, that lives as
-/// long as the plugin:     filters   name, python_name, help and parameters of each: key, label,
-/// help, default, kind
+/// long as the plugin:
+///     filters   name, python_name, help and parameters of each: key, label, help, default, kind
 ///               ("real", "integer", "length", "boolean", "choice", "text", "place"), minimum and
 ///               maximum (absent if there is no limit), choices; of places, by which choice of
 ///               which parameter they count

@@ -20,8 +20,6 @@ namespace line_renderer {
 // the screen and stand out of a surface that falls away, by sqrt(2 R d) at d pixels from the
 // horizon of a ball of radius R. The depth buffer counts as well, but after a move as long as that,
 // which leaves what is well in front.
-// ball of radius R by sqrt(2 R d). The depth buffer is then asked as well, but only after a move as
-// long as that, which leaves the things that hide lines from well before the surface.
 const char* const line_vertex_shader = R"(#version 120
 attribute vec2 corner;  // x: 0 at the start, 1 at the end; y: -1 or 1, side
 attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark

@@ -49,7 +49,6 @@ private:
 /// Extracts the lines of one mesh for any view. Built once from a mesh and its field, which need
 /// not outlive it. Source: Zhang, He, Seah, "Laplacian Lines for Real-Time Shape Illustration",
 /// section on extraction; where we deviate is said at the members of LineStyle.
-/// paper are described at the members of LineStyle.
 class LineExtractor {
 public:
     /// Values of the field that are not finite count as zero.

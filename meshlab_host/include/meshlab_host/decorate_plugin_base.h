@@ -13,11 +13,12 @@ struct DecorationDescription {
 
 /// A plugin with one decoration of meshes, with the same virtual functions in every version of
 /// MeshLab. A plugin class adds Q_OBJECT and
-/// MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
-/// Q_INTERFACES(MESHLAB_HOST_DECORATE_INTERFACE) MeshLab calls it from the GUI thread, with its GL
-/// context current in start() and draw(). After each filter and each edit of a decoration parameter
-/// it ends and restarts the decoration in every view, ignoring what start() returned then. Virtual
-/// functions must not throw. `view` is only a key: GLArea is not available to plugins.
+///     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
+///     Q_INTERFACES(MESHLAB_HOST_DECORATE_INTERFACE)
+/// MeshLab calls it from the GUI thread, with its GL context current in start() and draw(). After
+/// each filter and each edit of a decoration parameter it restarts the decoration in every view and
+/// ignores what start() returns then. Virtual functions must not throw. `view` is only a key:
+/// GLArea is not available to plugins.
 class DecoratePluginBase : public QObject, public MESHLAB_HOST_DECORATE_INTERFACE {
 public:
     explicit DecoratePluginBase(DecorationDescription description);

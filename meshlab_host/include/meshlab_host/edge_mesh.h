@@ -9,8 +9,8 @@
 namespace meshlab_host {
 
 /// Fills an empty mesh with lines: a vertex per point, in order, and an edge per segment; a closed
-/// line's last point is its first vertex. Per vertex, as Scalarm:     ll_line
-/// number of the line, from 0
+/// line's last point is its first vertex. Per vertex, as Scalarm:
+///     ll_line                          number of the line, from 0
 ///     ll_kind                          laplacian_lines::LineKind of the line, as a number
 ///     ll_strength, ll_slope            of the line, see Polyline
 ///     ll_weight, ll_gradient, ll_opacity   of the point, see LinePoint
