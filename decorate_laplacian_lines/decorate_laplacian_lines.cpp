@@ -12,7 +12,6 @@
 #include "meshlab_host/documents.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/layer_drawing.h"
-#include "panel_lines.h"
 #include "view_properties.h"
 
 using laplacian_lines::DrawnKernel;

@@ -6,7 +6,6 @@
 #include "decoration_table.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
-#include "meshlab_host/parameter_text.h"
 #include "meshlab_host/parameters.h"
 
 namespace {

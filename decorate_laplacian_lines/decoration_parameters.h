@@ -13,6 +13,7 @@
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"
+#include "meshlab_host/parameter_panel.h"
 
 /// Makes names unique among MeshLab's plugins.
 inline const QString decoration_prefix = "MeshLab::Decoration::LaplacianLines_";
@@ -73,3 +74,8 @@ ValidParameters readValidParameters(const RichParameterList& list,
 
 /// The part that filters can follow.
 meshlab_host::DrawnStyle drawnStyleOf(const DecorationParameters& parameters);
+
+/// The layer dialog's panel: parameters of the first hour on the first screen, others on request,
+/// and disabled what has no effect, above all what a drawing style overrides. Errors can always be
+/// mended.
+std::vector<meshlab_host::PanelLine> panelLines(const ValidParameters& parameters);

@@ -10,7 +10,7 @@
 #include "decoration_table.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_mixture.h"
-#include "meshlab_host/parameter_text.h"
+#include "meshlab_host/parameters.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_rows.h"
-#include "meshlab_host/parameter_text.h"
+#include "meshlab_host/parameters.h"
 
 namespace {
 

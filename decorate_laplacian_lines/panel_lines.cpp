@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel_lines.h"
+#include "decoration_parameters.h"
 
 #include <stdexcept>
 

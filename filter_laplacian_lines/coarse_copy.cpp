@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "system/parallel.h"
 
 using laplacian_lines::TriangleMesh;

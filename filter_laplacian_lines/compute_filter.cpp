@@ -9,7 +9,7 @@
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/version.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/parameters.h"

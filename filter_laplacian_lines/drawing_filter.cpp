@@ -7,9 +7,8 @@
 
 #include "drawing_dialog.h"
 #include "drawing_parameters.h"
-#include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
-#include "line_drawing/provenance.h"
+#include "line_drawing/object.h"
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 #include "meshlab_host/current_view.h"

@@ -2,8 +2,8 @@
 #include "drawing_dialog.h"
 
 #include "drawing_parameters.h"
-#include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/object.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/documents.h"
 

@@ -8,7 +8,7 @@
 #include "drawing_dialog.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
-#include "meshlab_host/parameter_text.h"
+#include "meshlab_host/parameters.h"
 
 using laplacian_lines::refuse;
 using line_drawing::SheetOption;

@@ -8,7 +8,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/edge_mesh.h"

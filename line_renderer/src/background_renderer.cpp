@@ -3,7 +3,7 @@
 
 #include "gl_state.h"
 #include "per_share_group.h"
-#include "shader_program.h"
+#include "shaders.h"
 
 namespace line_renderer {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shader_program.h"
+#include "shaders.h"
 
 #include <stdexcept>
 #include <string>

@@ -2,8 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
+
+#include "gl_functions.h"
 
 namespace line_renderer {
+
+/// Attributes get their indices in `attributes` as locations. The program belongs to the current
+/// share group. @throws std::runtime_error: `refusal`, such as "Lines cannot be drawn", and the
+/// reason: no shaders (OpenGL 2.0), or the compiler's message
+GLuint buildShaderProgram(const char* refusal, const char* vertex_shader,
+                          const char* fragment_shader,
+                          const std::vector<const char*>& attributes = {});
 
 /// GLSL 1.20. Widens a segment to a quad in pixels, of which the fragment shader keeps the
 /// segment's share of the line.

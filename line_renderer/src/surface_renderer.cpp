@@ -3,7 +3,6 @@
 
 #include "gl_state.h"
 #include "per_share_group.h"
-#include "shader_program.h"
 #include "shaders.h"
 #include "stream_settings.h"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "laplacian_lines/error.h"
-#include "meshlab_host/parameter_text.h"
 
 namespace meshlab_host {
 

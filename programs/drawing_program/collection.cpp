@@ -7,7 +7,7 @@
 
 #include "collection_items.h"
 #include "file_names.h"
-#include "line_drawing/contact_sheet.h"
+#include "line_drawing/make_sheet.h"
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 

@@ -6,9 +6,8 @@
 
 #include "command_line.h"
 #include "file_names.h"
-#include "line_drawing/bounds.h"
-#include "line_drawing/contact_sheet.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/object.h"
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 #include "mesh_reading.h"

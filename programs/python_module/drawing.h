@@ -8,7 +8,7 @@
 
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
-#include "line_drawing/provenance.h"
+#include "line_drawing/sheet_file.h"
 
 namespace python_module {
 

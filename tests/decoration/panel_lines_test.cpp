@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which parameters the layer dialog shows, and which of them are off.
-#include "panel_lines.h"
+#include "decoration_parameters.h"
 
 #include <gtest/gtest.h>
 

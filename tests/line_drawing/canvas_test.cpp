@@ -9,8 +9,6 @@
 #include <limits>
 #include <random>
 
-#include "pixels/png.h"
-
 using namespace line_drawing;
 
 namespace {

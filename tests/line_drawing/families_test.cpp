@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "strokes/thinning.h"
+#include "strokes/strokes.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;

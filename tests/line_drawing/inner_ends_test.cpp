@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hooks at the ends of inner lines are left out, and ends that head for a line meet it.
-#include "strokes/inner_ends.h"
+#include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "strokes/slight_lines.h"
+#include "strokes/strokes.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;

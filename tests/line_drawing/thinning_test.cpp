@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/thinning.h"
+#include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sheet/view_drawing.h"
-#include "strokes/chaining.h"
+#include "sheet/sheet_layout.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;

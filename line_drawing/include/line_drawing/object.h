@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,8 @@ struct Object {
     std::string name = {};  ///< for messages
 };
 using Objects = std::vector<Object>;
+
+/// Of the triangles' vertices that are finite.
+Eigen::AlignedBox3d boundsOf(const laplacian_lines::TriangleMesh& mesh);
 
 }  // namespace line_drawing

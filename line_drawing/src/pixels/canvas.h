@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "line_drawing/path.h"
@@ -35,5 +36,13 @@ private:
 /// and gaps of half their length. A line of one point gives nothing; one without length a dot,
 /// dashed nothing.
 void appendStroke(const Polygon& line, double width, double dash, std::vector<Polygon>& polygons);
+
+/// The rows, each after a byte for "not filtered", as a zlib stream (RFC 1950, 1951) of runs of one
+/// gray in Huffman's code. For lines on white this is smaller than zlib's output, and no library's
+/// version decides the bytes.
+std::string deflatedRows(const Canvas& canvas);
+
+/// 256 grays.
+std::string inPng(const Canvas& canvas, int dots_per_metre);
 
 }  // namespace line_drawing

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "line_drawing/words.h"
-#include "sections/merged_walls.h"
 #include "sections/wall_area.h"
 
 namespace line_drawing {

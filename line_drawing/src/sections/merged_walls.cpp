@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sections/merged_walls.h"
+#include "sections/wall_area.h"
 
 #include <algorithm>
 
 #include "planes/cutting.h"
-#include "sections/wall_area.h"
 
 namespace line_drawing {
 namespace {

@@ -30,4 +30,13 @@ private:
 
 std::vector<DrawnLine> withoutPartsIn(const WallArea& area, const std::vector<DrawnLine>& lines);
 
+struct CutObject {
+    Wall wall = {};
+    std::vector<DrawnLine> lines = {};
+};
+
+/// Adds walls and lines to a view. Merges walls that overlap: their lines end where they enter
+/// another. Walls that touch, or overlap as little as scans of fitting parts do, stay apart.
+void addWalls(const std::vector<CutObject>& objects, DrawnView& drawn);
+
 }  // namespace line_drawing

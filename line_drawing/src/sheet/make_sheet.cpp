@@ -9,7 +9,6 @@
 #include "line_drawing/words.h"
 #include "options/progress_part.h"
 #include "sheet/sheet_layout.h"
-#include "sheet/view_drawing.h"
 #include "sight/observer.h"
 #include "system/parallel.h"
 #include "views/joined_surface.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "line_drawing/sheet.h"
 #include "strokes/strokes.h"
+#include "views/drawn_view.h"
 
 namespace line_drawing {
 
@@ -36,5 +38,10 @@ std::string sizeInWords(const Eigen::Vector3d& size);
 std::string elided(const std::string& text, double height, double width);
 /// "5 cm" for 50.
 std::string lengthInWords(double mm);
+
+/// `number` counts views from 1; `surface_place` is the surface's on the sheet. Thin lines come
+/// first, outlines lie over them.
+SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
+                    const Eigen::AlignedBox2d& surface_place, const SheetOptions& options);
 
 }  // namespace line_drawing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstring>
 
-#include "line_drawing/contact_sheet.h"
+#include "line_drawing/make_sheet.h"
 #include "line_drawing/words.h"
 
 namespace line_drawing {

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sheet/view_drawing.h"
+#include "sheet/sheet_layout.h"
 
 #include "line_drawing/words.h"
 #include "planes/cutting.h"
 #include "sections/section_marks.h"
-#include "strokes/chaining.h"
-#include "strokes/inner_ends.h"
 #include "strokes/line_easing.h"
-#include "strokes/overlaps.h"
-#include "strokes/slight_lines.h"
 #include "strokes/strokes.h"
-#include "strokes/thinning.h"
 
 namespace line_drawing {
 namespace {

@@ -6,7 +6,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "options/progress_part.h"
 
 namespace line_drawing {

@@ -8,8 +8,8 @@
 #include "options/progress_part.h"
 #include "planes/cutting.h"
 #include "sections/half_section.h"
-#include "sections/merged_walls.h"
 #include "sections/section_marks.h"
+#include "sections/wall_area.h"
 #include "sight/outline_check.h"
 
 namespace line_drawing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/chaining.h"
+#include "strokes/strokes.h"
 
 #include <algorithm>
 #include <array>

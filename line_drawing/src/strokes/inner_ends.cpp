@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/inner_ends.h"
+#include "strokes/strokes.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/triangle_mesh.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "line_drawing/sheet_options.h"
 #include "views/projection.h"
 

@@ -14,7 +14,7 @@
 #include "generators.h"
 #include "inner_strokes.h"
 #include "item_buffer.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "line_scores.h"
 #include "mesh_file.h"
 #include "mesh_noise.h"
