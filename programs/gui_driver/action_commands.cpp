@@ -36,7 +36,7 @@ void expectAction(const Command& command) {
         throw CommandError(QString("it is %1").arg(action->isChecked() ? "checked" : "unchecked"));
 }
 
-// MeshLab's search box lists actions in a menu below it.
+// MeshLab's search box lists actions in a menu.
 void searchAndTrigger(const Command& command) {
     QMenu* menu = nullptr;
     for (QWidget* widget : QApplication::allWidgets())

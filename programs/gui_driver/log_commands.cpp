@@ -14,7 +14,7 @@ bool logHas(const QString& pattern) {
     return logText().contains(expression);
 }
 
-/// Some lines come with a redraw, which is late on a busy machine.
+/// Some lines come with a redraw, late on a busy machine.
 Outcome expectLog(const Command& command) {
     if (logHas(command.rest)) return Outcome::Done;
     return retryAWhile(command, "the log does not say so; it says:\n" + logText());

@@ -85,7 +85,7 @@ void takeSnapshot(const Command& command) {
     });
     QMetaObject::invokeMethod(requireMainWindow(), "saveSnapshot", Qt::DirectConnection);
     if (!error.isEmpty()) throw CommandError(error);
-    // MeshLab draws the tiles later, one a repaint. Ends by the time limit when it never does.
+    // MeshLab draws tiles later, one per repaint. The time limit ends this otherwise.
     while (!QFileInfo(written).size())
         QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
     QFile::remove(target.absoluteFilePath());
