@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints the tables of docs/accuracy.md: how far the field and lines are from the truth. With an
-// argument, those of lines alone.
+// Prints the tables of docs/accuracy.md: errors of the field and of lines. With an argument, those
+// of lines alone.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -59,7 +59,7 @@ double laplacian_error(const AnalyticMesh& surface, const PrecomputeOptions& opt
     return helpers::laplacian_error(precompute(surface.mesh, options), surface.truth);
 }
 
-/// `size`: the option that sets √h, a kernel's or that of a level of drawings.
+/// `size`: the option for √h.
 void print_kernel_sizes(const char* title, double PrecomputeOptions::*size) {
     std::printf("\nError of Δn by kernel size, %s\n\n| surface |", title);
     const double factors[] = {1, 2, 3, 5, 10};
@@ -101,7 +101,7 @@ void print_sums() {
     }
 }
 
-/// Of a kind on a surface, over all views: mean and largest distance, and how much was looked at.
+/// Over all views: mean and largest distance, and the length compared.
 reference::LineDistance over_views(const reference::KindTruth& truth, LineKind kind) {
     reference::LineDistance sum;
     for (const reference::NamedView& view : reference::views_of(truth.scale())) {

@@ -38,7 +38,7 @@ TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(Determinism, FieldsOfManyVerticesDoNotDependOnTheNumberOfThreads) {
-    // Enough for several ranges of vertices, and for parts of the tree that are built apart.
+    // Several ranges of vertices, and parts of the tree built in parallel.
     const TriangleMesh mesh = test_meshes::torus(240, 120, 0.2).mesh;
     PrecomputeOptions plain, adaptive, by_grid;
     adaptive.kernel_mode = KernelMode::Adaptive;

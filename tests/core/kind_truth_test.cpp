@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the lines of each kind are: against those of the smooth surface, under refinement. Figures:
+// Lines of each kind under refinement against those of the smooth surface. Figures:
 // docs/accuracy.md.
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, KindsOnSurface, testing::ValuesIn(reference::
                              return name;
                          });
 
-/// Mean distance over views, by length; 0 where there is nothing to compare.
+/// Mean over views, by length; 0 without anything to compare.
 LineDistance over_views(const KindTruth& truth, LineKind kind) {
     LineDistance sum;
     for (const reference::NamedView& view : reference::views_of(truth.scale())) {
@@ -57,7 +57,7 @@ TEST_P(KindsOnSurface, AreNearerTheTrueLinesTheFinerTheMesh) {
     EXPECT_GT(compared, 0);
 }
 
-/// On a tube's middle the true lines are known; the true field draws them.
+/// On a torus seen from above the true lines are known.
 TEST(TrueField, GivesTheContoursOfATorusFromAbove) {
     const auto torus = test_meshes::torus(96, 48);
     const Field field = reference::true_field(torus, measure_scale(torus.mesh));
@@ -73,7 +73,7 @@ TEST(TrueField, GivesTheContoursOfATorusFromAbove) {
 
 /// The largest curvature of an ellipsoid is largest across the rim of its shortest axis.
 TEST(Ridges, OfAnEllipsoidConvergeToItsRim) {
-    // So that no edges of the mesh lie in a plane of symmetry, where errors cancel.
+    // Keeps mesh edges off planes of symmetry, where errors cancel.
     const auto turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
     double before = 1;
     for (const int level : {4, 5, 6}) {
