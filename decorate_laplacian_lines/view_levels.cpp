@@ -7,7 +7,6 @@
 #include "meshlab_host/mesh_conversion.h"
 
 using laplacian_lines::DrawnKernel;
-using laplacian_lines::KernelLevels;
 using laplacian_lines::LevelShare;
 
 namespace {

@@ -6,8 +6,6 @@
 #include "laplacian_lines/error.h"
 #include "meshlab_host/camera.h"
 
-using laplacian_lines::Error;
-using laplacian_lines::ErrorCode;
 using meshlab_host::CurrentView;
 
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QStringList>
+#include <future>
 
 #include "laplacian_lines/triangle_mesh.h"
 

@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 
-#include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_extractor.h"

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "helpers.h"
 #include "laplacian_lines/tangent_frame.h"
 
 namespace reference {

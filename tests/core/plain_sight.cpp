@@ -11,7 +11,6 @@ namespace plain_sight {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using laplacian_lines::LineKind;
-using laplacian_lines::SightPoint;
 using laplacian_lines::Triangle;
 
 namespace {

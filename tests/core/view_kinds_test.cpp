@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "helpers.h"
-#include "laplacian_lines/precompute.h"
 #include "laplacian_lines/tangent_frame.h"
 #include "plain_kinds.h"
 

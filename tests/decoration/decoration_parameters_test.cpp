@@ -10,7 +10,6 @@
 #include <set>
 
 #include "decoration_parameters.h"
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 
 namespace {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
 

@@ -13,7 +13,6 @@
 namespace {
 
 using Eigen::Vector3f;
-using laplacian_lines::LineKind;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 using laplacian_lines::Polyline;

@@ -14,7 +14,6 @@ namespace {
 using Eigen::Vector3f;
 using line_renderer::DepthTexture;
 using line_renderer::SurfaceAppearance;
-using line_renderer::SurfaceLayer;
 using line_renderer::SurfacePointer;
 
 const QColor paper(250, 240, 210), shade(90, 100, 110);

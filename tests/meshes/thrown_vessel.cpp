@@ -7,7 +7,6 @@ namespace test_meshes {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 constexpr double kTau = 6.283185307179586;
 

@@ -2,8 +2,8 @@
 // write_reference MESH FOLDER: a mesh of the registry as FOLDER/MESH.ply and, in FOLDER/MESH.txt, a
 // line per vertex: the core's field with the default options, as in MeshLab's attributes, then the
 // truth (n, Δn, diagonal and rest of S). The first line has the layout, # NAME:NUMBERS..., with
-// "true_" before names of the truth. For tests in other languages. write_reference --attributes:
-// names and numbers of the field alone.
+// "true_" before names of the truth. For tests in other languages.
+// write_reference --attributes: names and numbers of the field alone.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -9,9 +9,7 @@
 
 #include "add_layer.h"
 #include "filter_laplacian_lines.h"
-#include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_attributes.h"
-#include "meshlab_host/mesh_conversion.h"
 #include "registry.h"
 #include "with_threads.h"
 

@@ -8,8 +8,6 @@
 namespace laplacian_lines {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr double kShortestGap = 0.001, kShortestPart = 0.003;  // in D of the line's own surface
 
 /// Successive pieces of one line, or of a part that is before the eye.

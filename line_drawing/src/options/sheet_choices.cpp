@@ -9,8 +9,6 @@
 namespace line_drawing {
 namespace {
 
-using laplacian_lines::OptionKind;
-
 [[noreturn]] void refuseWord(const SheetOption& option, const std::string& word,
                              const std::string& allowed) {
     laplacian_lines::refuse_value(option.command(), "\"" + word + "\"", allowed);
