@@ -111,8 +111,8 @@ void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mes
         lines.has_derivatives = true;
         lines.lack.clear();
         lines.bytes = bytesOf(lines);
-        say(QString("Laplacian Lines: %1: computed in %2 s what the chosen kinds of lines need "
-                    "besides")
+        say(QString("Laplacian Lines: %1: computed in %2 s what the chosen kinds of lines also "
+                    "need")
                 .arg(mesh_name)
                 .arg(1e-3 * double(clock.elapsed()), 0, 'f', 2));
     } catch (const std::bad_alloc&) {

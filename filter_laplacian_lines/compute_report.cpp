@@ -40,8 +40,8 @@ QString leftOutLine(const MeshReport& report) {
 QString weldedLine(const MeshReport& report) {
     return report.welded_vertices
                ? "Cuts closed: " + counted(report.welded_vertices,
-                                           "duplicated vertex counts as another one",
-                                           "duplicated vertices count as others")
+                                           "duplicate vertex treated as one with another",
+                                           "duplicate vertices treated as one with others")
                : QString();
 }
 

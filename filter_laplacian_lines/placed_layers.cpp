@@ -26,7 +26,7 @@ namespace {
 laplacian_lines::Field fieldOfStretched(const laplacian_lines::TriangleMesh& mesh, double factor,
                                         laplacian_lines::PrecomputeOptions options,
                                         const FilterRun& run, const Progress& progress) {
-    run.say("The layer's transformation stretches it: its lines are computed anew, as it stands.");
+    run.say("The layer's transformation stretches it: its lines are recomputed as it stands.");
     options.kernel_size *= factor;
     return laplacian_lines::precompute(mesh, options, progress);
 }

@@ -22,7 +22,7 @@ public:
     ~Watchdog();
 
     void setLimit(std::chrono::milliseconds limit);
-    void watch(const std::string& what);  // starts the clock anew
+    void watch(const std::string& what);  // restarts the clock
     void rest();                          // nothing to watch
 
 private:

@@ -107,7 +107,7 @@ def forget_moved_build(checkout, build):
     places = ((cached(build, "CMAKE_HOME_DIRECTORY"), checkout), (cached(build, "CMAKE_CACHEFILE_DIR"), build))
     if all(os.path.exists(was) and os.path.samefile(was, now) for was, now in places):
         return
-    say("this checkout was moved or copied with its build: building anew")
+    say("this checkout was moved or copied with its build: rebuilding")
     (build / "CMakeCache.txt").unlink()
     for folder, below, files in os.walk(build):
         if "CMakeCache.txt" in files:

@@ -82,7 +82,7 @@ def install_plugins(plugins):
     folder = extra_plugins_folder()
     for target in (folder / plugin.name for plugin in plugins):
         if target.exists() and not is_installed(target):
-            raise Failure(f"{target} is there already, but ./run has not installed it; remove it first")
+            raise Failure(f"{target} already exists, but ./run has not installed it; remove it first")
     make_folders(record_file().parent)
     old = [line for line in record() if line.startswith("file ")]
     folders = [line for line in record() if line.startswith("folder ")] + make_folders(folder)

@@ -57,16 +57,16 @@ def log_lines(folder):
 
 
 def explain_failure(folder, code):
-    """Why MeshLab has ended, in a line."""
+    """Why MeshLab ended, in a line."""
     log = "\n".join(log_lines(folder))
     for kind in ("reason", "error"):
         if found := re.findall(f"^meshlab_driver: {kind}: (.*)$", log, re.M):
             return found[-1]
     doing = re.findall(r"^meshlab_driver: line \d+: (.*)$", log, re.M)
     if doing and doing[-1].startswith("load "):
-        return (f"MeshLab's own reader of .{doing[-1].rsplit('.', 1)[-1]} files has ended MeshLab (exit code {code}); the file may be "
+        return (f"MeshLab's own reader of .{doing[-1].rsplit('.', 1)[-1]} files crashed MeshLab (exit code {code}); the file may be "
                 "damaged")
-    return f"MeshLab has ended with code {code}; the last it said: {log.splitlines()[-1] if log else ''}"
+    return f"MeshLab ended with code {code}; its last output: {log.splitlines()[-1] if log else ''}"
 
 
 def is_project(name):

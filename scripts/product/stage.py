@@ -114,7 +114,7 @@ def blame_reader(server, words):
     for mesh in words_after("-i", words):
         done = subprocess.run([server, "-i", mesh], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         if is_signal(exit_code(done.returncode)):
-            say(f"{mesh}: MeshLab's own reader of .{mesh.rsplit('.')[-1]} files ends meshlabserver; the file may be damaged")
+            say(f"{mesh}: MeshLab's own reader of .{mesh.rsplit('.')[-1]} files crashes meshlabserver; the file may be damaged")
 
 
 def is_signal(code):

@@ -51,7 +51,7 @@ TEST_F(PreparedLinesTest, GetDerivativesWithoutBeingPreparedAgain) {
     EXPECT_EQ(linesOf(*lines).points.size(), linesOf(*whole).points.size());
     EXPECT_EQ(lines->bytes, whole->bytes) << "the field is not kept any longer";
     EXPECT_EQ(said_.filter("default options").size(), 0);
-    EXPECT_EQ(said_.filter("need besides").size(), 1);
+    EXPECT_EQ(said_.filter("also need").size(), 1);
 }
 
 /// Here because the mesh is another one.

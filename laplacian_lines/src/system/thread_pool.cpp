@@ -141,7 +141,7 @@ private:
 Pool& pool() {
     static Pool pool;
 #ifdef __unix__
-    // A forked process has none of the threads, and perhaps a locked mutex: it begins anew.
+    // A forked process has none of the threads, and perhaps a locked mutex: it starts over.
     static const int prepared =
         pthread_atfork(nullptr, nullptr, [] { new (static_cast<void*>(&pool)) Pool; });
     (void)prepared;
