@@ -12,7 +12,6 @@
 #include "line_stream.h"
 #include "per_share_group.h"
 #include "shaders.h"
-#include "stream_settings.h"
 
 namespace line_renderer {
 namespace {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "laplacian_lines/line_set.h"
+#include "line_renderer/line_renderer.h"
 
 namespace line_renderer {
 
@@ -71,5 +74,19 @@ struct StreamPart {
 /// than before.
 void writeStream(const laplacian_lines::LineSet& lines, const StreamSettings& settings,
                  StreamPoint* stream, std::vector<StreamPart>& parts);
+
+/// From mesh to eye lengths, averaged over directions.
+inline double meanScale(const Eigen::Matrix4d& to_eye) {
+    return std::cbrt(std::abs(to_eye.topLeftCorner<3, 3>().determinant()));
+}
+
+LineRadii lineRadii(const LineAppearance& appearance, double pixel_scale);
+
+/// How far lines of a look move towards the eye before the surface can hide them, eye coordinates.
+double lineClearance(std::size_t look, const LinePlacement& placement);
+
+/// `half_viewport` in pixels.
+StreamSettings streamSettings(const LineAppearance& appearance, const LinePlacement& placement,
+                              const Eigen::Vector2f& half_viewport);
 
 }  // namespace line_renderer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stream_settings.h"
+#include "line_stream.h"
 
 #include "laplacian_lines/line_visibility.h"
 

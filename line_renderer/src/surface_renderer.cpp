@@ -2,9 +2,9 @@
 #include "line_renderer/surface_renderer.h"
 
 #include "gl_state.h"
+#include "line_stream.h"
 #include "per_share_group.h"
 #include "shaders.h"
-#include "stream_settings.h"
 
 namespace line_renderer {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "report.h"
 
+class MeshDocument;
 class FilterPlugin;
 class QAction;
 
@@ -25,5 +26,10 @@ LoadedFilter filterNamed(const QString& name);
 
 /// Writes all filters with parameters as text. @throws MLException
 void dumpFilters(const QString& file);
+
+/// Runs a script (.mlx). Missing parameters have their defaults. Unlike MeshLab, refuses unknown
+/// filters and parameters, values of another type, and text that is not a number. @throws
+/// MLException that names the filter; earlier ones have changed the document
+void runScript(const QString& file, MeshDocument& document, Report& report);
 
 }  // namespace server

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filter_scripts.h"
+#include "filter_plugins.h"
 
 #include <GL/glew.h>
 
@@ -9,8 +9,6 @@
 
 #include <QDomDocument>
 #include <QFile>
-
-#include "filter_plugins.h"
 
 namespace server {
 

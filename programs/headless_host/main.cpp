@@ -14,7 +14,6 @@
 
 #include "command_line.h"
 #include "filter_plugins.h"
-#include "filter_scripts.h"
 #include "mesh_files.h"
 #include "report.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines are closed and whole, and what is missing of them is found by another way.
-#include "sight/outline_check.h"
+#include "sight/observer.h"
 
 #include <gtest/gtest.h>
 
 #include "made_sheets.h"
-#include "sight/observer.h"
 #include "thrown_vessel.h"
 
 using namespace line_drawing;

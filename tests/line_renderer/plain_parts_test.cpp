@@ -8,7 +8,7 @@
 #include "line_renderer/line_appearance.h"
 #include "line_renderer/redraw_clock.h"
 #include "line_renderer/surface.h"
-#include "stream_settings.h"
+#include "line_stream.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From appearance and placement to what lines are written with.
-#include "stream_settings.h"
+#include "line_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sums/gaussian_grid.h"
+#include "sums/gaussian_sums.h"
 #include "system/large_array.h"
 
 namespace laplacian_lines {

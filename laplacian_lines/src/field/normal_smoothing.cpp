@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sums/gaussian_grid.h"
+#include "sums/gaussian_sums.h"
 #include "sums/summation_cost.h"
 
 namespace laplacian_lines {

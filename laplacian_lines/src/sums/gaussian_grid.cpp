@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sums/gaussian_grid.h"
+#include "sums/gaussian_sums.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -10,7 +10,6 @@
 #include "sections/half_section.h"
 #include "sections/section_marks.h"
 #include "sections/wall_area.h"
-#include "sight/outline_check.h"
 
 namespace line_drawing {
 

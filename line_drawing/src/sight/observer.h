@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/progress.h"
@@ -10,6 +11,7 @@
 #include "sight/object_lines.h"
 #include "views/drawn_view.h"
 #include "views/joined_surface.h"
+#include "views/projection.h"
 
 namespace line_drawing {
 
@@ -67,5 +69,18 @@ private:
     std::optional<const laplacian_lines::LineVisibility> visibility_;
     std::vector<laplacian_lines::LineVisibility> alone_;  ///< of each object, if wanted
 };
+
+/// Checks a view's outlines by independent means: fills its triangles in pixels of this size, mm of
+/// the object. Returns the middles of border pixels without an outline within two pixels. `bounds`
+/// are the surface's in the view.
+std::vector<Eigen::Vector2d> borderWithoutOutline(const laplacian_lines::TriangleMesh& mesh,
+                                                  const Projection& projection, double unit,
+                                                  const Eigen::AlignedBox2d& bounds,
+                                                  const std::vector<DrawnLine>& lines,
+                                                  double pixel);
+
+/// Segments within two pixels of these places, as outlines.
+std::vector<DrawnLine> linesAt(const std::vector<Eigen::Vector2d>& places,
+                               const std::vector<DrawnLine>& lines, double pixel);
 
 }  // namespace line_drawing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sight/outline_check.h"
+#include "sight/observer.h"
 
 #include <algorithm>
 #include <cmath>
