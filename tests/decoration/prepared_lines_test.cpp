@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is made ready of a mesh, and what kinds of lines need that are switched on later.
 #include "prepared_lines.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +53,7 @@ TEST_F(PreparedLinesTest, GetDerivativesWithoutBeingPreparedAgain) {
     EXPECT_EQ(said_.filter("also need").size(), 1);
 }
 
-/// Here because the mesh is another one.
+/// Fails because the mesh is another one.
 TEST_F(PreparedLinesTest, StayAsTheyAreWithoutDerivatives) {
     const auto source = fieldSource(mesh_);
     const PreparedLinesPointer lines = prepareLines(mesh_, "sheet", source, say());

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Views in perspective.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +17,7 @@ using made_sheets::sheetOf;
 
 namespace {
 
-/// From above, along -z, with the eye at a height.
+/// Along -z, from a height.
 SheetOptions fromHeight(double z, const char* paper = "a4") {
     SheetOptions options = plainViews("top", paper);
     options.views[0].side = Side::Other;
@@ -43,8 +42,8 @@ Words textsOf(const Sheet& sheet) {
     return texts;
 }
 
-/// From a height of 150 the near face is twice as large as the far one, which is hidden by it like
-/// the four edges between them.
+/// From 150 the near face is twice as large as the far one and hides it with the four edges
+/// between.
 TEST(Perspective, MakesTheNearFaceOfACubeLarger) {
     SheetOptions options = fromHeight(150);
     options.hidden = HiddenLines::Dashed;
@@ -87,7 +86,7 @@ TEST(Perspective, StandsBesideViewsAtScale) {
         EXPECT_EQ(std::count(texts.begin(), texts.end(), name), 1) << name;
 }
 
-/// A plate of 160 x 40 mm from a height of 30 is seen as far as 60 degrees to both sides.
+/// A plate of 160 x 40 mm from 30 above shows 60 degrees to both sides.
 TEST(Perspective, EndsFarAside) {
     TriangleMesh plate = test_meshes::plane(32);
     for (Vector3d& p : plate.positions)

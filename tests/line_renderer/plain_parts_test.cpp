@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the renderers are made of and needs no OpenGL: looks, surfaces, the clock, scales.
+// Parts of the renderers without OpenGL: looks, surfaces, the clock, scales.
 #include <gtest/gtest.h>
 
 #include <limits>
