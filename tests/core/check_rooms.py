@@ -81,7 +81,7 @@ def check_top(rooms):
                     complaints.append(f"{file.relative_to(root)} includes {name} of {owner}, which its room may not")
         readme = root / room / "README.md"
         if not readme.is_file() or not {"In scope:", "Out of scope:"} <= set(re.findall(r"In scope:|Out of scope:", readme.read_text())):
-            complaints.append(f"{room}/README.md does not say what \"Goes in:\" and what \"Does not:\"")
+            complaints.append(f"{room}/README.md does not say what is in scope and what is out of scope")
     return count
 
 
