@@ -70,14 +70,13 @@ private:
     std::map<QString, Entry> entries_;
 };
 
-// Each file of commands registers its own.
+// Each file of commands registers its own; README.md describes them.
 void addWindowCommands(CommandTable& table);
 void addActionCommands(CommandTable& table);
 void addDialogCommands(CommandTable& table);
 void addModalCommands(CommandTable& table);
 void addDrawingCommands(CommandTable& table);
 void addMouseCommands(CommandTable& table);
-void addLogCommands(CommandTable& table);
 void addMemoryCommands(CommandTable& table);
 void addProbeCommands(CommandTable& table);
 void addWatchCommands(CommandTable& table);
