@@ -12,9 +12,9 @@ struct DecorationSetting {
 };
 
 /// Reads "NAME=VALUE". NAME is a parameter's label or key in any case; VALUE a color, "#202020" or
-/// a name, or what meshlab_host::valueIn() takes. Thread-safe. @throws
-/// laplacian_lines::Error(InvalidOption) with the names or values allowed; for parameters of former
-/// versions, with what to do instead
+/// a name, or what meshlab_host::valueIn() takes. Thread-safe.
+/// @throws laplacian_lines::Error(InvalidOption) with the names or values allowed; for parameters
+/// of former versions, with what to do instead
 DecorationSetting readDecorationSetting(const QString& text);
 
 /// A line for each parameter of former versions that MeshLab's settings give another value than its
@@ -22,8 +22,8 @@ DecorationSetting readDecorationSetting(const QString& text);
 QStringList ignoredSettings();
 
 /// The GUI driver's commands for settings "NAME=VALUE". Parameters that would override one of them
-/// are reset, unless they are set as well. Thread-safe. @throws
-/// laplacian_lines::Error(InvalidOption) like readDecorationSetting()
+/// are reset, unless they are set as well. Thread-safe.
+/// @throws laplacian_lines::Error(InvalidOption) like readDecorationSetting()
 QStringList settingCommands(const QStringList& settings);
 
 /// One picture of a comparison: kinds of lines, or edges detected in a picture of the shaded
@@ -36,6 +36,7 @@ struct ComparedPicture {
 };
 
 /// @param names separated by commas: kinds as in laplacian_lines::kinds_named(), joined by +; log,
-/// canny; all @param settings the user's, as above, for all pictures @throws
-/// laplacian_lines::Error(InvalidOption) that lists the names
+///        canny; all
+/// @param settings the user's, as above, for all pictures
+/// @throws laplacian_lines::Error(InvalidOption) that lists the names
 std::vector<ComparedPicture> comparedPictures(const QString& names, const QStringList& settings);

@@ -55,8 +55,8 @@ std::vector<meshlab_host::ParameterDescription> describeDrawingParameters();
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter out of range
 DrawingParameters readDrawingParameters(const RichParameterList& list);
 
-/// Views are in world coordinates, `window` is the window's current one. @throws
-/// laplacian_lines::Error(InvalidOption) with what is understood, also if there is no view of a
-/// window or decoration to follow
+/// Views are in world coordinates, `window` is the window's current one.
+/// @throws laplacian_lines::Error(InvalidOption) with what is understood, also if there is no view
+/// of a window or decoration to follow
 line_drawing::SheetOptions sheetOptions(const DrawingParameters& chosen,
                                         const std::optional<meshlab_host::CurrentView>& window);

@@ -26,8 +26,8 @@ struct LayerChoice {
 };
 
 /// The layers to draw, in the document's order, with their fields, by `share` of all work. Skips
-/// visible layers that have no faces or cannot be drawn; the log says why. @throws
-/// laplacian_lines::Error if none is left, Cancelled
+/// visible layers that have no faces or cannot be drawn; the log says why.
+/// @throws laplacian_lines::Error if none is left, Cancelled
 PlacedLayers placeLayers(const LayerChoice& choice, const meshlab_host::FilterRun& run,
                          double share);
 

@@ -18,8 +18,8 @@ struct Similarity {
 /// None if the layer's transformation stretches, shears or reflects.
 std::optional<Similarity> similarityOf(const Eigen::Matrix4d& layer);
 
-/// Moves a layer's mesh into the world. Reflected faces keep their outside. @throws
-/// laplacian_lines::Error(InvalidOption) if the transformation is singular
+/// Moves a layer's mesh into the world. Reflected faces keep their outside.
+/// @throws laplacian_lines::Error(InvalidOption) if the transformation is singular
 void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh);
 
 /// Transforms a field and its lengths, but drops curvature derivatives, whose frames do not follow.

@@ -18,8 +18,8 @@ laplacian_lines::TriangleMesh liveTriangles(const CMeshO& mesh);
 /// and of what the decoration keeps. Caches recent geometries.
 class CoreLines {
 public:
-    /// For the current GL context's camera and these kernels. Valid until the next call. @throws
-    /// std::exception if the layer can have no lines
+    /// For the current GL context's camera and these kernels. Valid until the next call.
+    /// @throws std::exception if the layer can have no lines
     const laplacian_lines::LineSet& of(const MeshModel& mesh, const DecorationParameters& chosen,
                                        const std::vector<laplacian_lines::DrawnKernel>& kernels);
 

@@ -13,9 +13,10 @@ struct Window {
 };
 
 /// How far along z from the origin an eye has to be to show all points within a window, in camera
-/// coordinates: x right, y up, z to the viewer. @param points not empty, finite, not all the same
-/// @param window tangents of the angles from the picture's middle to its sides @param nearest least
-/// distance of points from the eye, as a share of its z
+/// coordinates: x right, y up, z to the viewer.
+/// @param points not empty, finite, not all the same
+/// @param window tangents of the angles from the picture's middle to its sides
+/// @param nearest least distance of points from the eye, as a share of its z
 double leastDistance(const std::vector<Eigen::Vector3d>& points, const Window& window,
                      double nearest);
 

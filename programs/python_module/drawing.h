@@ -27,8 +27,8 @@ struct Drawing {
     std::vector<std::string> remarks;
 };
 
-/// Options are in the command's words; a name without a dot, "svg", is a format. @throws
-/// laplacian_lines::Error
+/// Options are in the command's words; a name without a dot, "svg", is a format.
+/// @throws laplacian_lines::Error
 Drawing draw(const DrawnMeshes& drawn, const line_drawing::Words& words, const std::string& ending,
              const laplacian_lines::Progress& progress);
 

@@ -7,8 +7,8 @@
 
 namespace test_meshes {
 
-/// Reads a sound PLY, STL, OBJ or OFF file, also gzipped (.gz; needs the program gzip). @throws
-/// std::runtime_error
+/// Reads a sound PLY, STL, OBJ or OFF file, also gzipped (.gz; needs the program gzip).
+/// @throws std::runtime_error
 laplacian_lines::TriangleMesh read_mesh(const std::string& path);
 
 /// Without folder and extensions.

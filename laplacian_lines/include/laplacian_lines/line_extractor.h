@@ -70,8 +70,8 @@ public:
     KernelLaplacian laplacian_of(const TriangleMesh& mesh, const Field& field) const;
 
     /// Adds what kinds with LineKindDescription::needs_derivatives read, as if the field had had
-    /// its derivatives from the start. Not while another thread extracts. Strong guarantee. @throws
-    /// Error(FieldMismatch)
+    /// its derivatives from the start. Not while another thread extracts. Strong guarantee.
+    /// @throws Error(FieldMismatch)
     void add_derivatives(const TriangleMesh& mesh, const Field& field);
 
     /// Bytes.

@@ -99,8 +99,9 @@ public:
     LineVisibility(LineVisibility&&) noexcept;
     LineVisibility& operator=(LineVisibility&&) noexcept;
 
-    /// Whether the winding number (Jacobson et al., "Robust Inside-Outside Segmentation Using
-    /// Generalized Winding Numbers", 2013) is above 1/2; of a surface that faces inwards, nowhere.
+    /// Whether a point is inside: its winding number (Jacobson et al., "Robust Inside-Outside
+    /// Segmentation Using Generalized Winding Numbers", 2013) is above 1/2. Works with holes;
+    /// nothing is inside a surface that faces inwards.
     bool encloses(const Eigen::Vector3d& point) const;
 
     /// What is seen of the mesh's own edges and of `lines`: a set from extract_on_surface() for

@@ -32,8 +32,8 @@ struct SightPiece {
     float gap;        ///< to what is behind it, local; infinite if there is nothing
 };
 
-/// Of all segments that are drawn, in order, each decided by one ray through its middle. @throws
-/// Error(Cancelled)
+/// Of all segments that are drawn, in order, each decided by one ray through its middle.
+/// @throws Error(Cancelled)
 std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
                                           const std::vector<PictureCrossing>& crossings,
                                           const StageProgress& stage);

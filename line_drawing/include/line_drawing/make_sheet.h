@@ -13,9 +13,9 @@
 namespace line_drawing {
 
 /// A measured drawing of a mesh and its field: all views orthographic (or in perspective) at one
-/// scale, laid out on paper. Any number of threads gives the same sheet. @throws
-/// laplacian_lines::Error: InvalidOption, also if the drawing does not fit its paper at its scale;
-/// InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
+/// scale, laid out on paper. Any number of threads gives the same sheet.
+/// @throws laplacian_lines::Error: InvalidOption, also if the drawing does not fit its paper at its
+/// scale; InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
 Sheet makeSheet(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field,
                 const SheetOptions& options, const laplacian_lines::Progress& progress = {});
 
@@ -30,8 +30,9 @@ struct SheetPlan {
     double scale;           ///< as Sheet's
 };
 
-/// Size and scale of the sheet; ignores fields. Looks at each triangle once per view. @throws
-/// laplacian_lines::Error(InvalidOption) as makeSheets(), but not for eyes inside the surface
+/// Size and scale of the sheet; ignores fields. Looks at each triangle once per view.
+/// @throws laplacian_lines::Error(InvalidOption) as makeSheets(), but not for eyes inside the
+/// surface
 SheetPlan planSheet(const Objects& objects, const SheetOptions& options);
 
 /// Options for one mesh of a contact sheet: its first view, small, no furniture; the title is its

@@ -53,8 +53,8 @@ ViewFrame frameOfVessel(UpAxis up);
 using NamedViews = std::map<std::string, ViewFrame>;
 
 /// From names separated by commas or spaces: front, back, left, right, top, bottom, six (all of
-/// these), vessel, azimuth and elevation, or names in `others`. @throws
-/// laplacian_lines::Error(InvalidOption) that says what is understood
+/// these), vessel, azimuth and elevation, or names in `others`.
+/// @throws laplacian_lines::Error(InvalidOption) that says what is understood
 std::vector<ViewFrame> parseViews(std::string_view text, UpAxis up, const NamedViews& others = {});
 
 }  // namespace line_drawing

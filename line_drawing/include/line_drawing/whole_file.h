@@ -6,9 +6,9 @@
 namespace line_drawing {
 
 /// Writes a file whole or not at all: beside its place, flushed, then renamed. Follows links;
-/// writes into devices and pipes, never replaces them. @throws
-/// laplacian_lines::Error(InvalidOption) naming file and reason; an existing file is as it was, and
-/// nothing is left beside it
+/// writes into devices and pipes, never replaces them.
+/// @throws laplacian_lines::Error(InvalidOption) naming file and reason; an existing file is as it
+/// was, and nothing is left beside it
 void writeWhole(const std::string& file, const std::string& data);
 
 /// Whether the file could be written now, asked before the work begins. Writes nothing.

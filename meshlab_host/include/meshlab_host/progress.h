@@ -19,8 +19,8 @@ inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback, double b
     };
 }
 
-/// Tells the callback, which may be null, that a step begins at `done` (0..1). @throws
-/// laplacian_lines::Error(Cancelled)
+/// Tells the callback, which may be null, that a step begins at `done` (0..1).
+/// @throws laplacian_lines::Error(Cancelled)
 inline void beginStep(vcg::CallBackPos* callback, double done, const char* step) {
     if (callback && !callback(int(100 * done), step))
         throw laplacian_lines::Error(laplacian_lines::ErrorCode::Cancelled,

@@ -52,8 +52,8 @@ QColor color_of(Mistake mistake) {
 }
 
 /// A PNG at 10 pixels per mm: exact lines light gray (tangent edges lighter), drawn ones thin and
-/// black; missed red, wrong blue, doubled green, loose ends in orange rings. @throws
-/// std::runtime_error
+/// black; missed red, wrong blue, doubled green, loose ends in orange rings.
+/// @throws std::runtime_error
 void write_truth_picture(const QString& file, const DrawnPaths& drawing, const ExactLines& exact,
                          const TruthDetails& details) {
     const PlaneLines lines = lines_of(drawing);
