@@ -101,19 +101,6 @@ void print_sums() {
     }
 }
 
-/// Over all views: mean and largest distance, and the length compared.
-reference::LineDistance over_views(const reference::KindTruth& truth, LineKind kind) {
-    reference::LineDistance sum;
-    for (const reference::NamedView& view : reference::views_of(truth.scale())) {
-        const reference::LineDistance one = truth.distance(kind, view.view);
-        sum.largest = std::max(sum.largest, one.largest);
-        sum.mean += one.mean * one.length;
-        sum.length += one.length;
-    }
-    if (sum.length > 0) sum.mean /= sum.length;
-    return sum;
-}
-
 void print_kinds() {
     constexpr int levels = 3;
     std::printf(
@@ -129,7 +116,7 @@ void print_kinds() {
             double first = 0, last = 0;
             std::string cells;
             for (const reference::KindTruth& truth : truths) {
-                const reference::LineDistance found = over_views(truth, kind);
+                const reference::LineDistance found = truth.over_views(kind);
                 char cell[60];
                 std::snprintf(cell, sizeof cell, " %.2g (%.2g) |", 100 * found.mean,
                               100 * found.largest);

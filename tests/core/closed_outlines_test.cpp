@@ -22,10 +22,6 @@ using namespace plain_sight;
 using Eigen::Vector3d;
 using test_meshes::MeshEntry;
 
-double random_unit(std::mt19937& random) {
-    return double(random()) / double(std::mt19937::max());
-}
-
 Vector3d random_vector(std::mt19937& random) {
     const double x = random_unit(random), y = random_unit(random);
     return {x, y, random_unit(random)};

@@ -111,4 +111,16 @@ LineDistance KindTruth::distance(LineKind kind, const View& view) const {
     return distance;
 }
 
+LineDistance KindTruth::over_views(LineKind kind) const {
+    LineDistance sum;
+    for (const NamedView& view : views_of(scale())) {
+        const LineDistance one = distance(kind, view.view);
+        sum.largest = std::max(sum.largest, one.largest);
+        sum.mean += one.mean * one.length;
+        sum.length += one.length;
+    }
+    if (sum.length > 0) sum.mean /= sum.length;
+    return sum;
+}
+
 }  // namespace reference

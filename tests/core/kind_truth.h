@@ -49,6 +49,8 @@ public:
 
     const laplacian_lines::FieldScale& scale() const { return field_.scale; }
     LineDistance distance(laplacian_lines::LineKind kind, const laplacian_lines::View& view) const;
+    /// Of all views_of(): the mean is by length, 0 without anything to compare.
+    LineDistance over_views(laplacian_lines::LineKind kind) const;
 
 private:
     laplacian_lines::LineStyle style(laplacian_lines::LineKind kind, double factor) const;

@@ -28,25 +28,13 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, KindsOnSurface, testing::ValuesIn(reference::
                              return name;
                          });
 
-/// Mean over views, by length; 0 without anything to compare.
-LineDistance over_views(const KindTruth& truth, LineKind kind) {
-    LineDistance sum;
-    for (const reference::NamedView& view : reference::views_of(truth.scale())) {
-        const LineDistance one = truth.distance(kind, view.view);
-        sum.mean += one.mean * one.length;
-        sum.length += one.length;
-    }
-    if (sum.length > 0) sum.mean /= sum.length;
-    return sum;
-}
-
 TEST_P(KindsOnSurface, AreNearerTheTrueLinesTheFinerTheMesh) {
     const auto fine = GetParam().generate(2);
     const KindTruth coarse(GetParam().generate(0).mesh, fine, GetParam().border),
         finer(GetParam().generate(1).mesh, fine, GetParam().border);
     int compared = 0;
     for (const LineKind kind : reference::true_kinds) {
-        const LineDistance before = over_views(coarse, kind), now = over_views(finer, kind);
+        const LineDistance before = coarse.over_views(kind), now = finer.over_views(kind);
         if (before.length < 1) continue;
         // Hess I(g, g) grows with the cube of ∇I, and changes sign late where that is small.
         const double least_gain = kind == LineKind::PhoticExtremum ? 0.95 : 0.65;

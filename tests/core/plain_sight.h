@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,11 @@ using laplacian_lines::LineKindSet;
 using laplacian_lines::SightLine;
 using laplacian_lines::TriangleMesh;
 using laplacian_lines::View;
+
+/// 0..1.
+inline double random_unit(std::mt19937& random) {
+    return double(random()) / double(std::mt19937::max());
+}
 
 /// Contours, borders and creases.
 LineKindSet edge_kinds();

@@ -23,10 +23,6 @@ using namespace laplacian_lines;
 using namespace plain_sight;
 using Eigen::Vector3d;
 
-double random_unit(std::mt19937& random) {
-    return double(random()) / double(std::mt19937::max());
-}
-
 /// On triangles, in arbitrary directions.
 LineSet random_lines(const TriangleMesh& mesh, int count, double least_length, unsigned seed) {
     std::mt19937 random(seed);

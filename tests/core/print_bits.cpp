@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // print_bits [MESH...]: hashes of test meshes, their fields and lines of all kinds, to compare
 // processors. Without names, all that are not refused.
+#include <cinttypes>
 #include <cstdio>
 
 #include "helpers.h"

@@ -53,6 +53,13 @@ inline const line_drawing::SheetLayer& layerOf(const line_drawing::SheetGroup& g
     throw std::out_of_range(key);
 }
 
+inline double lengthOf(const line_drawing::SheetLayer& layer) {
+    double length = 0;
+    for (const line_drawing::SheetPath& path : layer.paths)
+        length += painterPath(path.path).length();
+    return length;
+}
+
 /// Of a view's lines on the sheet, without pen widths.
 inline QRectF extentOf(const line_drawing::SheetGroup& group) {
     QRectF extent;

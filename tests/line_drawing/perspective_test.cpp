@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
 using made_sheets::cubeOf100;
 using made_sheets::layerOf;
-using made_sheets::painterPath;
+using made_sheets::lengthOf;
 using made_sheets::plainViews;
 using made_sheets::sheetOf;
 
@@ -24,13 +24,6 @@ SheetOptions fromHeight(double z, const char* paper = "a4") {
     options.views[0].name = "View";
     options.views[0].eye = Vector3d(0, 0, z);
     return options;
-}
-
-double lengthOf(const SheetLayer& layer) {
-    double length = 0;
-    for (const SheetPath& path : layer.paths)
-        length += painterPath(path.path).length();
-    return length;
 }
 
 Words textsOf(const Sheet& sheet) {

@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
 using made_sheets::cubeOf100;
 using made_sheets::layerOf;
+using made_sheets::lengthOf;
 using made_sheets::painterPath;
 using made_sheets::plainViews;
 using test_meshes::moved;
@@ -35,13 +36,6 @@ Sheet sheetOfAll(const std::vector<TriangleMesh>& meshes, const SheetOptions& op
     for (std::size_t i = 0; i < meshes.size(); ++i)
         objects.push_back({meshes[i], &fields[i]});
     return makeSheets(objects, {options}).front();
-}
-
-double lengthOf(const SheetLayer& layer) {
-    double length = 0;
-    for (const SheetPath& path : layer.paths)
-        length += painterPath(path.path).length();
-    return length;
 }
 
 /// 100 mm of both long sides of its border.

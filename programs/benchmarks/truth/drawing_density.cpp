@@ -63,13 +63,6 @@ double penOf(const line_drawing::Sheet& sheet) {
         line_drawing::Weights::Illustrator)[std::size_t(line_drawing::LineClass::Inner)];
 }
 
-double lengthOf(const PlaneLine& line) {
-    double length = 0;
-    for (std::size_t i = 1; i < line.size(); ++i)
-        length += (line[i] - line[i - 1]).norm();
-    return length;
-}
-
 /// Lengths of strokes that are inner lines in whole or part: from end to end where strokes taper.
 /// `plain`: with even strokes, where contours and inner lines differ.
 std::vector<double> strokeLengths(const line_drawing::Sheet& tapered,
@@ -96,7 +89,7 @@ std::vector<double> strokeLengths(const line_drawing::Sheet& tapered,
                 continue;
             lengths.push_back(0);  // half of the edges
             for (const PlaneLine& line : path.path.flattened(flatness))
-                lengths.back() += lengthOf(line) / 2;
+                lengths.back() += length_of(line) / 2;
         }
     std::sort(lengths.begin(), lengths.end());
     return lengths;

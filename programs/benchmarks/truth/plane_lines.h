@@ -15,6 +15,13 @@ using PlanePoint = Eigen::Vector2d;
 using PlaneLine = std::vector<PlanePoint>;
 using PlaneLines = std::vector<PlaneLine>;
 
+inline double length_of(const PlaneLine& line) {
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        length += (line[i + 1] - line[i]).norm();
+    return length;
+}
+
 /// Axes of a picture in mesh coordinates, orthonormal.
 struct PlaneFrame {
     Eigen::Vector3d right, up, viewer;  ///< the last one towards the viewer

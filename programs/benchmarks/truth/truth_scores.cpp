@@ -92,13 +92,6 @@ void score_doubles(const DrawnPaths& drawing, const PlaneLines& lines, TruthScor
     }
 }
 
-double length_of(const PlaneLine& line) {
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        length += (line[i + 1] - line[i]).norm();
-    return length;
-}
-
 /// Whether another line, or a farther part of the same one, is within reach.
 bool is_at_line(const NearSegments& lines, const PlanePoint& p, std::size_t own, double own_along) {
     return lines.any_near(p, [&](const NearPlace& place) {
