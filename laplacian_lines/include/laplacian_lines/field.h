@@ -38,8 +38,8 @@ struct Field {
     /// S̄, S smoothed with the kernel, 1/length: S̄(u,u), S̄(u,v), S̄(v,v) in
     /// tangent_frame(normals[v]). Empty unless asked for.
     std::vector<Eigen::Vector3f> smooth_curvatures;
-    /// C = ∇S, symmetric, 1/length²: C(u,u,u), C(u,u,v), C(u,v,v), C(v,v,v) in the same frame. With
-    /// S̄.
+    /// C = ∇S, symmetric, 1/length²: C(u,u,u), C(u,u,v), C(u,v,v), C(v,v,v) in the same frame.
+    /// Computed together with S̄.
     std::vector<Eigen::Vector4f> curvature_derivatives;
     FieldScale scale;
     MeshReport report;
