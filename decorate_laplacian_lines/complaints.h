@@ -6,19 +6,17 @@
 
 class GLLogStream;
 
-/// What has been said of meshes without lines, by log and mesh, since their lines were last drawn:
-/// once, not at every redraw. Logs only serve as names, unless they are passed as references. GUI
-/// thread only.
+/// What was said of meshes without lines since these were last drawn, by log and mesh: once, not at
+/// every redraw. Logs are keys unless they are references. GUI thread only.
 class Complaints {
 public:
-    /// Whether the log's reader knows this line: it was the last one said of the mesh, and has not
-    /// been taken out of the log since.
+    /// Whether the line was the last one said of the mesh and is still in the log.
     bool isSaid(const GLLogStream& log, int mesh, const QString& line) const;
-    /// The line has just been said, in this log if it is not null.
+    /// The line was just said, in this log if it is not null.
     void note(const GLLogStream* log, int mesh, const QString& line);
     /// The mesh has lines again.
     void forget(const GLLogStream& log, int mesh);
-    /// To be called when a view closes: another document may get the place of a closed one.
+    /// Call it when a view closes: a new document may get the address of the old.
     void forgetAll();
 
 private:

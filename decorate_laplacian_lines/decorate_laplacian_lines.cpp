@@ -12,7 +12,6 @@
 #include "meshlab_host/documents.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/layer_drawing.h"
-#include "panel_lines.h"
 #include "view_properties.h"
 
 using laplacian_lines::DrawnKernel;
@@ -32,7 +31,6 @@ meshlab_host::DecorationDescription description() {
     return {"DecorateLaplacianLines", title, help + laplacian_lines::version() + '.'};
 }
 
-/// Eye and light in mesh coordinates.
 laplacian_lines::View viewOf(const CameraMatrices& camera, const Eigen::Matrix4d& layer,
                              const DecorationParameters& chosen) {
     auto view = meshlab_host::viewFromMatrices(camera.modelview, camera.projection, layer);
@@ -63,7 +61,6 @@ QString statistics(const laplacian_lines::LineSet& lines, const RedrawClock& clo
         .arg(1e-3 * switching_on, 0, 'f', 3);
 }
 
-/// The widget that is being painted, null if it is none.
 QWidget* widgetOf(QPainter* painter) {
     return painter ? dynamic_cast<QWidget*>(painter->device()) : nullptr;
 }
@@ -74,8 +71,7 @@ double lineScale(QPainter* painter) {
     return scale.isValid() ? scale.toDouble() : 1;
 }
 
-/// The whole picture that the layer is in, of which a tile shows a part. The view's viewport must
-/// be OpenGL's.
+/// The whole picture, of which a tile shows a part. The view's viewport has to be OpenGL's.
 PictureOfMesh pictureOf(const LayerInView& layer, const laplacian_lines::View& eye,
                         const Eigen::Matrix4d& middle_of_tiles, double tiles) {
     GLint viewport[4] = {};
@@ -93,7 +89,7 @@ double devicePixelRatio(QPainter* painter) {
     return painter && painter->device() ? painter->device()->devicePixelRatioF() : 1;
 }
 
-/// A layer as `camera` sees it and MeshLab draws it; what the redraw knows is left to the caller.
+/// The layer as `camera` sees it and MeshLab draws it; the caller adds what the redraw knows.
 LayerInView layerInView(const MeshModel& mesh, const PreparedLines& lines,
                         const CameraMatrices& camera) {
     const Eigen::Matrix4d transform = meshlab_host::layerTransform(mesh.cm);
@@ -111,7 +107,7 @@ LayerInView layerInView(const MeshModel& mesh, const PreparedLines& lines,
     return layer;
 }
 
-/// And nobody has tried in vain to compute them.
+/// And computing them has not failed.
 bool isWithoutDerivatives(const PreparedLines& lines) {
     return lines.extractor && !lines.has_derivatives && lines.lack.isEmpty();
 }
@@ -144,7 +140,7 @@ ValidParameters DecorateLaplacianLines::validParameters(const RichParameterList&
 
 bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& parameters,
                                    GLArea* view) {
-    // here and not at redraws: MeshLab starts decorations anew whenever a parameter changes
+    // Not at redraws: MeshLab restarts decorations whenever a parameter changes.
     const ValidParameters valid = validParameters(parameters);
     meshlab_host::noteDrawnStyle(drawnStyleOf(valid.chosen));
     panel_.arrange(panelLines(valid));

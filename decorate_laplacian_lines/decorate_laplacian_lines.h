@@ -14,8 +14,8 @@
 #include "view_drawing.h"
 #include "view_levels.h"
 
-/// MeshLab's side of drawing: mesh attributes, camera and parameters in, lines on the screen out.
-/// Never draws lines of a geometry that the mesh does not have any more.
+/// Mesh attributes, camera and parameters in, lines on the screen out; never lines of a geometry
+/// that the mesh no longer has.
 class DecorateLaplacianLines : public meshlab_host::DecoratePluginBase {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
@@ -25,10 +25,10 @@ public:
     DecorateLaplacianLines();
 
 signals:
-    /// For observers, around each drawing of a layer and with MeshLab's GL context current, which
-    /// they must leave as it is. `lines` in mesh coordinates, valid during the call; null if none
-    /// could be drawn, for the reason in `refusal`, which also says what of the parameters is not
-    /// `drawn`. `kernels` are those of the lines.
+    /// For observers, around each drawing of a layer with MeshLab's GL context current, which they
+    /// leave as it is. `lines` in mesh coordinates, valid during the call; null if `refusal` says
+    /// why none were drawn; it also says which parameters are not `drawn`. `kernels` are those of
+    /// the lines.
     void drawingBegins(const MeshModel& mesh);
     void drawingEnds(const MeshModel& mesh, const DecorationParameters& drawn,
                      const std::vector<laplacian_lines::DrawnKernel>& kernels,
@@ -44,30 +44,29 @@ protected:
     void meshGone(GLArea* view) override;
 
 private:
-    /// What is out of range is as it was last time.
+    /// Values out of range stay as they were last time.
     ValidParameters validParameters(const RichParameterList& parameters);
-    /// Lines of the mesh's present geometry, found or prepared, and assigned to the view. `shown`
-    /// is null while a view is painted.
+    /// Lines of the mesh's present geometry, found or prepared and assigned to the view. `shown` is
+    /// null while a view is painted.
     PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view, bool needs_derivatives,
                                      meshlab_host::WindowProgress* shown = nullptr);
-    /// The view's lines, if they still belong to the mesh, as far as this is looked at while the
-    /// camera moves; otherwise null.
+    /// The view's lines if they still belong to the mesh, as far as that is checked while the
+    /// camera moves; else null.
     PreparedLinesPointer currentLines(const MeshModel& mesh, GLArea* view, QPainter* painter);
-    /// Text for the view, empty if there is nothing to tell. Throws what is to be complained about.
+    /// Returns text for the view, if any. Throws what to complain about.
     QString drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,
                       const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                       line_renderer::RedrawClock& clock);
-    /// The kernels that `layer` is to be drawn with, as `eye` sees it; `tiles` as
-    /// meshlab_host::SnapshotTiles has them.
+    /// The kernels for `layer` seen by `eye`; `tiles` as in meshlab_host::SnapshotTiles.
     std::vector<laplacian_lines::DrawnKernel> kernelsFor(const MeshModel& mesh,
                                                          const PreparedLinesPointer& lines,
                                                          const DecorationParameters& chosen,
                                                          const laplacian_lines::View& eye,
                                                          const LayerInView& layer, double tiles);
-    /// Adds why a mesh has no lines to its document's log, which is `log`.
+    /// Logs why a mesh has no lines; `log` is its document's.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
-    /// Keeps lines as long as the mesh and its document live and memory allows.
+    /// While the mesh and its document live and memory allows.
     void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 
     meshlab_host::ParameterPanel panel_;

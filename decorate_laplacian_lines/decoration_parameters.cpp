@@ -6,12 +6,11 @@
 #include "decoration_table.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
-#include "meshlab_host/parameter_text.h"
 #include "meshlab_host/parameters.h"
 
 namespace {
 
-/// Calls the visitor with each row and its label, which has the heading of the group that it opens.
+/// Calls the visitor with each row and its label, below the heading of its group.
 template <class Visitor>
 void visitRows(const Visitor& visitor) {
     for (const ParameterGroup& group : decorationTable())
@@ -87,7 +86,7 @@ struct Reader {
     }
 };
 
-/// What white becomes, of a paper of another color.
+/// White on paper of another color.
 QColor shadeOf(const QColor& paper) {
     const QColor of_white = line_renderer::SurfaceAppearance().shade;
     const auto share = [](int channel, int of_paper) { return channel * of_paper / 255; };
@@ -102,7 +101,7 @@ void putMixtureIntoEffect(DecorationParameters& parameters) {
     parameters.lines.colored = mixture->colored;
 }
 
-/// Without their color, those of a mixture that have one would be taken for others.
+/// A mixture's colored kinds would be mistaken for others without their color.
 void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
     if (style == DrawingStyle::Custom) return;
     for (const auto& kind : laplacian_lines::line_kinds)
@@ -118,7 +117,7 @@ void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
 DecorationParameters inEffect(DecorationParameters parameters) {
     putMixtureIntoEffect(parameters);
     parameters.surface.shade = shadeOf(parameters.surface.paper);
-    // contours without width must not push other lines aside
+    // Invisible contours must not push other lines aside.
     if (parameters.lines.outline_factor == 0)
         parameters.style.shows[laplacian_lines::LineKind::Contour] = false;
     parameters.appearance.looks = looksOf(parameters.lines);

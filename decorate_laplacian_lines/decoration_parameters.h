@@ -13,29 +13,27 @@
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"
+#include "meshlab_host/parameter_panel.h"
 
-/// Of the names of all parameters, which are then unique among MeshLab's plugins.
+/// Makes names unique among MeshLab's plugins.
 inline const QString decoration_prefix = "MeshLab::Decoration::LaplacianLines_";
 
-/// A choice of looks by one parameter, which then counts more than the others it stands for.
+/// Looks chosen by one parameter, which overrides those it stands for.
 enum class DrawingStyle { Custom, Publication, Archaeology };
 
-/// The kinds of lines are those that are switched on; otherwise a mixture says which.
+/// The switches of kinds count; otherwise a mixture does.
 constexpr int as_switched = 0;
 
-/// What is seen where no surface is.
 enum class Background { AsMeshLabDrawsIt, Paper };
 
-/// Which parameters the layer dialog shows.
 enum class ShownParameters { Basic, All };
 
-/// At which size lines show the form: that of the field as it was computed, or one that follows
-/// the size of the surface in the view.
+/// The kernel of the field as computed, or one that suits the size of the surface in the view.
 enum class Scale { AsComputed, WithTheView };
 
 enum class Light { AtTheEye, FixedToTheCamera };
 
-/// What the user chose in MeshLab's decoration parameters, which are the same for all views.
+/// MeshLab's decoration parameters, which all views share.
 struct DecorationParameters {
     DrawingStyle drawing_style = DrawingStyle::Custom;
     int mixture = as_switched;  ///< of laplacian_lines::line_mixtures, counted from 1
@@ -51,11 +49,9 @@ struct DecorationParameters {
     bool show_statistics = false;
 };
 
-/// Adds all parameters with their defaults, in the order in which MeshLab shows them: what
-/// everybody uses first.
+/// In MeshLab's order: what everybody uses first.
 void listDecorationParameters(RichParameterList& list);
 
-/// How a parameter appears in that list.
 struct DecorationField {
     const char* key;
     QString label;  ///< with the heading of the group that it opens
@@ -64,11 +60,10 @@ struct DecorationField {
 };
 std::vector<DecorationField> decorationFields();
 
-/// Null if the kinds are as switched.
+/// Null if the switches count.
 const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters);
 
-/// Drawing style and mixture are already put into effect in what they stand for.
-/// Parameters that are out of range have the values of the last time.
+/// With drawing style and mixture applied. Values out of range are those of the last time.
 struct ValidParameters {
     DecorationParameters chosen;
     DecorationParameters as_set;             ///< without drawing style and mixture put into effect
@@ -77,5 +72,10 @@ struct ValidParameters {
 ValidParameters readValidParameters(const RichParameterList& list,
                                     const DecorationParameters& last_time = {});
 
-/// What of it filters can do as well.
+/// The part that filters can follow.
 meshlab_host::DrawnStyle drawnStyleOf(const DecorationParameters& parameters);
+
+/// The layer dialog's panel: parameters of the first hour on the first screen, others on request,
+/// and disabled what has no effect, above all what a drawing style overrides. Errors can always be
+/// mended.
+std::vector<meshlab_host::PanelLine> panelLines(const ValidParameters& parameters);

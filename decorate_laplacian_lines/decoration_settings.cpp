@@ -6,16 +6,15 @@
 #include <algorithm>
 #include <functional>
 #include <utility>
-#include <vector>
 
 #include "decoration_table.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_mixture.h"
-#include "meshlab_host/parameter_text.h"
+#include "meshlab_host/parameters.h"
 
 namespace {
 
-/// Any row of the tables, as far as its text goes.
+/// The text of any row of the tables.
 struct TextRow {
     QString key;
     QString label;
@@ -58,7 +57,7 @@ QString sentenceOf(const GoneParameter& gone) {
         .arg(gone.label, gone.value, gone.instead);
 }
 
-/// The value in what MeshLab keeps of a parameter, <Param value="..."/>, in the dialog's words.
+/// From what MeshLab keeps, <Param value="..."/>, to the dialog's words.
 QString valueIn(const QString& kept) {
     const auto attribute = [&](const char* name) {
         return QRegularExpression(QString("\\b%1=\"([^\"]*)\"").arg(name)).match(kept).captured(1);
@@ -109,11 +108,10 @@ using laplacian_lines::LineKind;
 using laplacian_lines::LineKindSet;
 
 const char* const compared = "all";
-/// Of edges in pictures, with their labels.
+/// Edge detectors for pictures, with labels.
 const std::vector<std::pair<QString, QString>> detectors = {{"log", "LoG of the Picture"},
                                                             {"canny", "Canny of the Picture"}};
 
-/// Null if this is none.
 const std::pair<QString, QString>* detectorNamed(const QString& name) {
     const auto found = std::find_if(detectors.begin(), detectors.end(),
                                     [&](const auto& detector) { return detector.first == name; });
@@ -154,7 +152,7 @@ QString labelOf(const QString& name) {
     return mixture ? QString(mixture->label) : name;
 }
 
-/// White lights and dark contours on gray, as in the paper that has them, need a darker paper.
+/// White lights and dark contours, as in the paper that has them, need a darker paper.
 void showHighlights(ComparedPicture& picture, const std::vector<DecorationSetting>& settings) {
     const QString paper = "Paper Color", lights = "Highlight Color";
     if (isAmong(paper, settings) || isAmong(lights, settings)) return;
@@ -190,7 +188,7 @@ ComparedPicture pictureOfKinds(const QString& name,
     return picture;
 }
 
-/// Each mixture but that of all kinds, and the edges of pictures.
+/// Each mixture but that of all kinds, and the edge detectors.
 QStringList allCompared() {
     QStringList names;
     for (const auto& mixture : laplacian_lines::line_mixtures)

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
-#include <string>
 
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_rows.h"
-#include "meshlab_host/parameter_text.h"
+#include "meshlab_host/parameters.h"
 
 namespace {
 
@@ -19,7 +18,6 @@ using line_renderer::LineAppearance;
 using line_renderer::SurfaceAppearance;
 using Parameters = DecorationParameters;
 
-/// A row of the core's line style.
 StyleRow style(const std::string& key) {
     for (const StyleRow& row : laplacian_lines::line_style_table())
         if (row.key == key) return row;
@@ -47,7 +45,7 @@ ColorRow color(const char* key, const char* label, const char* help) {
 
 constexpr auto line_choice = &Parameters::lines;
 
-/// What the first hour needs, and what belongs to it.
+/// What the first hour needs.
 ParameterGroup everyday() {
     return {
         nullptr,
@@ -92,7 +90,7 @@ ParameterGroup everyday() {
              "values.")}};
 }
 
-/// Lights, which want another color on each paper. Other kinds tell themselves apart by theirs.
+/// Highlights need another color on each paper; other kinds tell themselves apart by theirs.
 ColorRow highlightColor() {
     return {"highlight_color",
             "Highlight Color",
@@ -150,7 +148,7 @@ bool isListed(const StyleRow& row, const std::vector<ParameterRow>& rows) {
     });
 }
 
-/// All rows of the line style that have no other place.
+/// The rest of the line style.
 ParameterGroup experts() {
     ParameterGroup group{"For Experts",
                          {forExperts(real<line_choice, &LineChoice::outline_factor>(
@@ -222,7 +220,6 @@ bool isSwitchOfKind(const std::string& key) {
                        [&](const auto& kind) { return key == kind.key; });
 }
 
-/// Null if this is not a color.
 const ColorRow* colorRow(const std::string& key) {
     for (const ParameterGroup& group : decorationTable())
         for (const ParameterRow& any : group.rows)
@@ -230,7 +227,7 @@ const ColorRow* colorRow(const std::string& key) {
     return nullptr;
 }
 
-/// The mixture needs it to tell a kind from others, in any style.
+/// In any style the mixture needs it to tell a kind from others.
 bool isColorOfMixture(const std::string& key, const DecorationParameters& chosen) {
     const laplacian_lines::LineMixture* lines = mixtureOf(chosen);
     const ColorRow* color = colorRow(key);

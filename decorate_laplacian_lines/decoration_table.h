@@ -21,19 +21,18 @@ struct ColorRow {
     std::optional<laplacian_lines::LineKind> kind = {};  ///< whose own color it is
 };
 
-/// A parameter: one of the decoration's own or of the core's line style.
+/// The decoration's own, or one of the core's line style.
 using ParameterRow = std::variant<DecorationRow, StyleRow, ColorRow>;
 
-/// Parameters that stand together in the layer dialog.
 struct ParameterGroup {
     const char* heading;  ///< null: none
     std::vector<ParameterRow> rows;
 };
 
-/// All parameters of the decoration, what everybody uses first.
+/// What everybody uses first.
 const std::vector<ParameterGroup>& decorationTable();
 
-/// One that former versions had and that is a constant now.
+/// Of former versions, a constant now.
 struct GoneParameter {
     QString key, label;
     QString usual;    ///< its default, which MeshLab keeps of those that were never set
@@ -42,7 +41,7 @@ struct GoneParameter {
 };
 std::vector<GoneParameter> goneParameters();
 
-/// A parameter that stands for others, which have no effect unless it leaves them alone.
+/// A parameter that stands for others, which only count if it leaves them alone.
 struct Override {
     const char* key;
     const char* label;
@@ -50,9 +49,8 @@ struct Override {
     const char* sentence;  ///< why the others are off
 };
 
-/// What may override the parameter with this key: the drawing style or the choice of lines; null
-/// for those that always count.
+/// What may override the parameter with this key: the drawing style or the choice of lines; null if
+/// nothing does.
 const Override* overrideOf(const std::string& key);
 
-/// Whether it does, with what is chosen.
 bool isOverridden(const std::string& key, const DecorationParameters& chosen);

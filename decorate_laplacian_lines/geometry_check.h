@@ -8,9 +8,8 @@
 #include <memory>
 #include <optional>
 
-/// Counts the presses and releases of keys and buttons anywhere in the program, as long as it
-/// lives. Between two of them a user does one thing: turns the camera or edits, not both. GUI
-/// thread only.
+/// Counts presses and releases of keys and buttons anywhere in the program. Between two of them a
+/// user either turns the camera or edits. GUI thread only.
 class PressCount : public QObject {
 public:
     PressCount();
@@ -26,17 +25,16 @@ private:
 
 class QWidget;
 
-/// When to compare the geometry of a mesh that a view shows with that of its lines. Edit tools move
-/// vertices without telling decorations, but then MeshLab redraws the view for another reason than
-/// the camera, or a key or button was pressed or released before the camera moved: such a redraw
-/// always compares. Turning a large mesh must be smooth, so while one drag moves the camera it is
-/// done now and then, and once more when the camera has stopped. GUI thread only.
+/// When to compare a mesh with the geometry of its lines. Edit tools move vertices without telling
+/// decorations, but then either the redraw has another reason than the camera, or a key or button
+/// went before: such redraws always compare. Large meshes must turn smoothly, so one drag compares
+/// only now and then, and once after the camera has stopped. GUI thread only.
 class GeometryCheck {
 public:
     GeometryCheck();
 
-    /// Whether to do it in this redraw, of `widget`, with this modelview matrix, after so many
-    /// presses. If not, the widget is redrawn soon, unless it is done before.
+    /// Whether to compare in this redraw of `widget`; if not, it is redrawn soon, unless compared
+    /// before.
     bool isDue(const Eigen::Matrix4d& modelview, unsigned presses, QWidget* widget);
 
 private:

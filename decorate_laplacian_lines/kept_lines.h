@@ -7,8 +7,8 @@
 
 #include "prepared_lines.h"
 
-/// The lines that each mesh had last, so that switching them off and on computes nothing. Of all
-/// documents together only so many bytes: what was used longest ago goes first. GUI thread only.
+/// Each mesh's last lines, so that switching them off and on computes nothing; the least recently
+/// used go, over all documents, when memory is short. GUI thread only.
 class KeptLines {
 public:
     using Document = const void*;  ///< a name, never followed
@@ -17,13 +17,13 @@ public:
     /// A quarter of this machine's memory.
     static std::size_t usualBytes();
 
-    /// The mesh uses these lines now and no others. Those that lacked memory are not kept.
+    /// The mesh uses these lines alone. Lines that lacked memory are not kept.
     void keep(Document document, int mesh, PreparedLinesPointer lines);
-    /// To be called when lines that may be kept have grown.
+    /// Call it when lines that may be kept have grown.
     void fit();
-    /// Meshes of the document that are not in `alive` (ascending ids) are gone.
+    /// `alive` are ascending ids.
     void forgetAllBut(Document document, const std::vector<int>& alive);
-    /// Gives all back, for those who lack memory. False if there is nothing.
+    /// Frees all, for those who lack memory. False if there was nothing.
     bool drop();
 
     /// Lines that are shared count once.

@@ -39,7 +39,7 @@ QString reasonWithoutLevel() {
 
 LevelWorker::LevelWorker(std::function<void()> finished) : finished_(std::move(finished)) {
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { finishIfDone(); });
-    // Threads must not outlive what the program takes down on its way out.
+    // The thread must end before the program tears down what it uses.
     if (QCoreApplication* program = QCoreApplication::instance())
         QObject::connect(program, &QCoreApplication::aboutToQuit, &timer_, [this] { stop(); });
 }

@@ -13,37 +13,35 @@
 
 #include "prepared_lines.h"
 
-/// A level of a mesh that is to be computed.
 struct LevelJob {
     PreparedLinesPointer lines;  ///< with an extractor; not changed
     laplacian_lines::TriangleMesh mesh;
     int level = 0;
 };
 
-/// As the extractor's field, but with the level's kernel.
-/// @throws laplacian_lines::Error, std::bad_alloc
+/// As the extractor's field, but with the level's kernel. @throws laplacian_lines::Error,
+/// std::bad_alloc
 laplacian_lines::KernelLaplacian computeLevel(const LevelJob& job,
                                               const laplacian_lines::Progress& progress = {});
 
-/// Why a level cannot be, by the exception that is being handled; empty if it was given up.
+/// From the exception being handled; empty if the level was given up.
 QString reasonWithoutLevel();
 
-/// Computes one level at a time on a thread of its own. A job of which nobody else has the lines
-/// any more, because the mesh has changed or is gone, is given up. GUI thread only.
+/// Computes one level at a time on its own thread. Gives up a job whose lines nobody else has any
+/// more, because the mesh has changed or is gone. GUI thread only.
 class LevelWorker {
 public:
-    /// `finished` is called on the GUI thread when lines have got a level or a failed one.
+    /// `finished` runs on the GUI thread when lines got a level or a failed one.
     explicit LevelWorker(std::function<void()> finished);
     ~LevelWorker();  ///< gives up, and waits for the thread
     LevelWorker(const LevelWorker&) = delete;
     LevelWorker& operator=(const LevelWorker&) = delete;
 
     bool isBusy() const { return running_ != nullptr; }
-    /// Not while busy. @throws std::system_error if there can be no thread
+    /// Not while busy. @throws std::system_error if there is no thread
     void start(LevelJob job);
-    /// The widget, which may be null, is redrawn when the work ends.
+    /// Redraws the widget, which may be null, when the work ends.
     void redrawAtEnd(QWidget* widget);
-    /// Gives up; nothing is computed afterwards.
     void stop();
 
 private:

@@ -10,32 +10,27 @@
 #include "geometry_check.h"
 #include "prepared_lines.h"
 
-/// Who uses which prepared lines. Lines are found by content, so that two views, or two layers with
-/// the same geometry, share them, as long as someone uses or keeps them (KeptLines). MeshLab ends
-/// and starts a decoration at every occasion: what is released stays findable until control is back
-/// in the event loop. GUI thread only.
+/// Who uses which prepared lines. They are found by content: views, or layers of the same geometry,
+/// share them while someone uses or keeps them (KeptLines). MeshLab restarts decorations all the
+/// time, so released lines can be found until control returns to the event loop. GUI thread only.
 class LineCache {
 public:
     using View = const void*;  ///< a name, never followed
 
-    /// Lines with this key, or null.
     PreparedLinesPointer find(const meshlab_host::FieldKey& key) const;
 
-    /// The lines that `mesh` uses in `view`, or null.
     PreparedLinesPointer at(View view, int mesh) const;
     void assign(View view, int mesh, PreparedLinesPointer lines);
 
-    /// Whether the geometry of a mesh with lines has to be compared with theirs in this redraw, of
-    /// `widget`, with this modelview matrix.
+    /// Whether to compare the mesh's geometry with its lines' in this redraw of `widget`.
     bool isCheckDue(View view, int mesh, const Eigen::Matrix4d& modelview, QWidget* widget);
 
     void release(View view, int mesh);
     void releaseView(View view);
-    /// Releases all meshes of the view that are not in `alive` (ascending ids).
+    /// `alive` are ascending ids.
     void releaseAllBut(View view, const std::vector<int>& alive);
-    /// A mesh of the view is gone, nobody knows which one: releases those that are not assigned
-    /// again before control returns to the event loop. For MeshLab's refresh, which starts all
-    /// decorated meshes of a view anew.
+    /// An unknown mesh of the view is gone: releases those not assigned again before control
+    /// returns to the event loop. MeshLab's refresh restarts all decorated meshes of a view.
     void releaseUnlessAssigned(View view);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel_lines.h"
+#include "decoration_parameters.h"
 
 #include <stdexcept>
 
@@ -13,7 +13,7 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-/// What stands side by side, or first. The others follow, each on a line of its own.
+/// What comes first, side by side; the others follow, one a line.
 const std::vector<Keys> first_lines = {
     {"drawing_style"},
     {"detail", "line_width"},
@@ -46,7 +46,7 @@ PanelField panelField(const DecorationField& field, const ValidParameters& param
     return {field.label, field.help, is_shown, obstacleOf(field.key, chosen), {}};
 }
 
-/// Takes the field with this key out of the list.
+/// Removes the field from the list.
 DecorationField take(const std::string& key, std::vector<DecorationField>& fields) {
     for (auto field = fields.begin(); field != fields.end(); ++field)
         if (field->key == key) {

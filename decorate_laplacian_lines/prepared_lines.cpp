@@ -14,14 +14,13 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
-/// Share of the time that computing the field takes; the rest is building the extractor.
+/// Share of the time for the field; the rest builds the extractor.
 constexpr double field_share = 0.65;
-/// Share of the time of adding derivatives that computing them takes.
+/// Share of the time for computing derivatives; the rest adds them.
 constexpr double derivatives_share = 0.95;
-/// Of an extractor's memory, for levels.
+/// Of an extractor's memory.
 constexpr double share_of_levels = 0.7;
 
-/// An hourglass while the GUI thread is busy.
 class WaitCursor {
 public:
     WaitCursor() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
@@ -112,8 +111,8 @@ void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mes
         lines.has_derivatives = true;
         lines.lack.clear();
         lines.bytes = bytesOf(lines);
-        say(QString("Laplacian Lines: %1: computed in %2 s what the chosen kinds of lines need "
-                    "besides")
+        say(QString("Laplacian Lines: %1: computed in %2 s what the chosen kinds of lines also "
+                    "need")
                 .arg(mesh_name)
                 .arg(1e-3 * double(clock.elapsed()), 0, 'f', 2));
     } catch (const std::bad_alloc&) {

@@ -14,7 +14,7 @@
 #include "meshlab_host/window_progress.h"
 #include "surface_samples.h"
 
-/// A mesh made ready for line extraction, or the reason why it cannot be.
+/// A mesh ready for line extraction, or why it is not.
 struct PreparedLines {
     meshlab_host::FieldKey key;
     double diagonal = 0;    ///< of the usable mesh's bounding box, mesh units
@@ -37,23 +37,21 @@ struct PreparedLines {
 };
 using PreparedLinesPointer = std::shared_ptr<PreparedLines>;
 
-/// Prepares the lines of a mesh: from its attributes if they belong to it, otherwise by computing
-/// the field with the default options, which takes seconds for a million triangles and is then
-/// told to `say`; `shown` is where progress is. The mesh is not changed. Throws nothing but
-/// std::bad_alloc from the very end.
+/// From the mesh's attributes if current, else by computing the field with the defaults, which
+/// takes seconds for a million triangles and is logged by `say`; `shown` has the progress. Does not
+/// change the mesh. Throws only std::bad_alloc, at the very end.
 PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
                                   const std::function<void(const QString&)>& say,
                                   meshlab_host::WindowProgress* shown = nullptr);
 
-/// Adds a level. Those of a mesh take at most .7 times the memory of its extractor, unless drawings
-/// need more at once.
+/// Levels take at most .7 times the memory of their extractor, unless drawings need more at once.
 void addLevel(PreparedLines& lines, int level, laplacian_lines::KernelLaplacian laplacian);
-/// Whether another one would push out none.
+/// For another one without dropping any.
 bool hasRoomForLevel(const PreparedLines& lines);
 
-/// Adds derivatives to lines of this mesh, and computes nothing else anew; or says in `lack` why
-/// not, and leaves the lines as they are. Throws nothing but std::bad_alloc from the very end.
+/// Adds derivatives only; or says in `lack` why not and leaves the lines alone. Throws only
+/// std::bad_alloc, at the very end.
 void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
                     const meshlab_host::FieldSource& source,
                     const std::function<void(const QString&)>& say,

@@ -15,7 +15,7 @@ constexpr float turned_away = 0.01f;   // what counts of the surface where it do
 
 SurfaceSamples::SurfaceSamples(const laplacian_lines::TriangleMesh& mesh,
                                const laplacian_lines::Field& field) {
-    // A step that has no common divisor with the rows of regular meshes
+    // Odd: no common divisor with the rows of regular meshes.
     const std::size_t step = mesh.positions.size() / most_samples | 1;
     std::size_t count = 0;
     const auto is_used = [&](std::size_t v) { return !field.normals[v].isZero(); };
@@ -41,14 +41,14 @@ double SurfaceSamples::pixelSize(const PictureOfMesh& picture) const {
     };
     const Column w_of_clip = along(to_clip.row(3)), depth = w_of_clip.max(least_depth);
     const Column x = along(to_clip.row(0)), y = along(to_clip.row(1));
-    // n·(e − w p), of the length of l
+    // n·(e − w p), as long as l.
     const Eigen::Vector3d eye = picture.view.eye - picture.view.w * origin_;
     const Rows towards =
         (float(-picture.view.w) * positions_).rowwise() + eye.cast<float>().transpose();
     const Column facing = towards.cwiseProduct(normals_).rowwise().sum().array() /
                           towards.rowwise().norm().array().max(1e-30f);
     const Column off_centre = (x.square() + y.square()) / depth.square() + 1;
-    // What an equal part of the surface covers of the picture, mainly in its middle
+    // What an equal part of the surface covers of the picture, mainly in the middle.
     const Column weight = (w_of_clip > least_depth).cast<float>() *
                           (facing.max(0.f) + turned_away * facing.abs()) /
                           (off_centre.square().square() * depth.square());

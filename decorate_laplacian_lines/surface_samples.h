@@ -7,7 +7,6 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
 
-/// A picture of a mesh.
 struct PictureOfMesh {
     laplacian_lines::View view;  ///< mesh coordinates
     Eigen::Matrix4d to_eye;      ///< mesh to eye coordinates
@@ -15,15 +14,15 @@ struct PictureOfMesh {
     double height = 0;           ///< pixels
 };
 
-/// Points of a surface, which tell how large it is in a picture.
+/// Points of a surface, to measure its size in a picture.
 class SurfaceSamples {
 public:
     SurfaceSamples() = default;
     SurfaceSamples(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field);
 
-    /// The length of a pixel of a picture where the surface is seen, mesh units: by the geometric
-    /// mean of the depths over the picture, mainly its middle, of what faces the eye. A continuous
-    /// function of the camera. 0 if nothing of the surface is before the eye.
+    /// The length of a pixel on the surface, mesh units: the geometric mean over what faces the
+    /// eye, mainly in the picture's middle. Continuous in the camera. 0 if nothing is before the
+    /// eye.
     double pixelSize(const PictureOfMesh& picture) const;
 
     std::size_t bytes() const;

@@ -9,7 +9,7 @@
 #include "line_renderer/surface_renderer.h"
 #include "view_layers.h"
 
-/// A layer to which the redraw of a view has come.
+/// A layer in a redraw of a view.
 struct LayerInView {
     ViewLayers::View view = nullptr;
     QWidget* widget = nullptr;  ///< shows the view, or null
@@ -20,10 +20,9 @@ struct LayerInView {
     line_renderer::LinePlacement placement;  ///< without depths
 };
 
-/// Draws the lines of layers into views, and what comes before them: in each redraw first the
-/// background, then the surfaces of all layers, then the lines of one layer after the other, which
-/// reach over the outline of their own. Needs the view's context to be current, with the camera's
-/// matrices, and leaves OpenGL's state as it was. GUI thread only.
+/// Draws, in each redraw, the background, then all layers' surfaces, then the lines layer by layer,
+/// since they reach beyond their own outline. Needs the view's context current with the camera's
+/// matrices; keeps OpenGL's state. GUI thread only.
 class ViewDrawing {
 public:
     /// @throws std::runtime_error if OpenGL cannot do it
@@ -33,8 +32,8 @@ public:
     void forget(ViewLayers::View view);
 
 private:
-    /// What comes before the layer's lines. Returns the depths of all that hides them, if there are
-    /// any lines.
+    /// Draws what comes before the layer's lines. If there are lines, returns the depths of what
+    /// hides them.
     line_renderer::DepthTexture prepare(const LayerInView& layer, bool has_lines,
                                         const DecorationParameters& chosen);
     line_renderer::DepthTexture depths(ViewLayers::View view);

@@ -16,7 +16,7 @@ bool ViewLayers::areInDepthBuffer(View view) const {
     return redraw != views_.end() && areInDepthBuffer(redraw->second);
 }
 
-/// Removes the layers to which the redraw has not come. Returns whether there were any.
+/// Removes layers that the redraw did not reach. Whether there were any.
 bool ViewLayers::dropMissing(Redraw& redraw) {
     const std::size_t before = redraw.layers.size();
     for (auto layer = redraw.layers.begin(); layer != redraw.layers.end();)

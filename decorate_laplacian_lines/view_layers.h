@@ -9,20 +9,20 @@
 
 #include "line_renderer/surface.h"
 
-/// The layers whose lines a view shows. Within a redraw MeshLab tells one after the other, while
-/// each can hide lines of any: those that are still to come are taken from the last redraw, and if
-/// they turn out to be different, the view is drawn once more. GUI thread only.
+/// The layers whose lines a view shows. MeshLab redraws them one by one, while each can hide lines
+/// of any: later ones are taken from the last redraw, and if they have changed, the view is drawn
+/// again. GUI thread only.
 class ViewLayers {
 public:
     using View = const void*;  ///< a name, never followed
 
-    /// Notes that the redraw of a view has come to a mesh, its first one if `is_first`. `widget`
-    /// shows the view, or null. Returns whether this is what was expected of the mesh.
+    /// The redraw of a view, shown by `widget` or null, has come to a mesh, the first if
+    /// `is_first`. Whether it is as expected.
     bool note(View view, QWidget* widget, int mesh, const line_renderer::SurfaceLayer& layer,
               bool is_first);
-    /// All layers of the view, as far as they are known. Valid until the next call.
+    /// As far as they are known. Valid until the next call.
     const std::vector<line_renderer::SurfaceLayer>& of(View view);
-    /// Whether the depth buffer has the faces of all of them, and nothing else of them.
+    /// Whether the depth buffer has the faces of all layers, and nothing else of them.
     bool areInDepthBuffer(View view) const;
     void forget(View view);
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "view_levels.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "meshlab_host/geometry_stamp.h"
 #include "meshlab_host/mesh_conversion.h"
 
 using laplacian_lines::DrawnKernel;
-using laplacian_lines::KernelLevels;
 using laplacian_lines::LevelShare;
 
 namespace {
@@ -17,7 +15,7 @@ bool isMissing(const PreparedLines& lines, int level) {
     return !lines.kept_levels.has(level) && !lines.failed_levels.count(level);
 }
 
-/// The first missing one of those of a drawing, or else of those that it may come to next.
+/// The first missing level of a drawing, or else of those it may need next.
 std::optional<int> levelToCompute(const PreparedLines& lines,
                                   const std::vector<LevelShare>& shares) {
     for (const LevelShare& share : shares)
@@ -72,7 +70,7 @@ void ViewLevels::computeInBackground(const PreparedLinesPointer& lines, const CM
     if (!level) return;
     worker_.redrawAtEnd(widget);
     if (worker_.isBusy()) return;
-    // Redraws while the camera moves look only now and then whether the mesh has changed.
+    // While the camera moves, redraws check for changes of the mesh only now and then.
     if (meshlab_host::geometryStamp(mesh) != lines->key.stamp) return;
     try {
         worker_.start({lines, meshlab_host::toTriangleMesh(mesh), *level});

@@ -2,12 +2,11 @@
 #include "compute_filter.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "system/parallel.h"
 
 using laplacian_lines::TriangleMesh;
@@ -35,7 +34,7 @@ TriangleMesh someTriangles(const CMeshO& mesh) {
     return copy;
 }
 
-/// Along the axes, the diagonals of the sides and those of the space.
+/// Edges of a cube, diagonals of its sides and of itself.
 constexpr std::size_t axes = 13;
 
 std::array<Scalarm, axes> reachOf(const CVertexO& vertex) {
@@ -44,7 +43,7 @@ std::array<Scalarm, axes> reachOf(const CVertexO& vertex) {
             y + z, y - z, x + y + z, x + y - z, x - y + z, x - y - z};
 }
 
-/// Of some vertices, the first and the last one along each axis; none that is not finite.
+/// The first and last vertex along each axis, without those that are not finite.
 class Farthest {
 public:
     void add(const CVertexO& vertex) {

@@ -3,14 +3,13 @@
 
 #include <QElapsedTimer>
 #include <cmath>
-#include <optional>
 
 #include "compute_filter.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/version.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/parameters.h"
@@ -27,7 +26,7 @@ namespace {
 
 const QString key_prefix;  // scripts use the keys of the option table as they are
 
-/// As a large mesh has it, near enough to be shown.
+/// Of a large mesh, near enough to be shown.
 FieldScale scaleByCopy(const TriangleMesh& coarse_copy) {
     PrecomputeOptions as_it_is;
     as_it_is.weld_duplicates = false;  // of the copy's triangles, which do not touch
@@ -37,8 +36,7 @@ FieldScale scaleByCopy(const TriangleMesh& coarse_copy) {
     return scale;
 }
 
-/// The scale that the defaults are made from; zeros if the mesh cannot be used, in which case the
-/// filter itself will say why.
+/// For the defaults; zeros if the mesh is unusable, which the filter itself explains.
 FieldScale defaultScale(const MeshModel* mesh) {
     if (!mesh) return {};
     try {
@@ -50,8 +48,7 @@ FieldScale defaultScale(const MeshModel* mesh) {
     }
 }
 
-/// The default of a large mesh is shown as nearly as a dialog needs it. Who has left it as it is
-/// wants the kernel that the whole mesh asks for.
+/// Large meshes show an estimate as default; a user who leaves it wants the exact value.
 void measureAnew(const CMeshO& mesh, PrecomputeOptions& options) {
     constexpr double as_shown = 1e-4;  // share by which a text may differ from its number
     if (options.kernel_size == 0) return;
@@ -61,8 +58,8 @@ void measureAnew(const CMeshO& mesh, PrecomputeOptions& options) {
     if (std::abs(options.kernel_size - shown) <= as_shown * shown) options.kernel_size = 0;
 }
 
-/// Stores the field, unless the mesh was deleted or edited while the progress bar ran the event
-/// loop: a field must never end up on another geometry.
+/// Unless the mesh was deleted or edited while the progress bar ran the event loop: a field must
+/// never end up on another geometry.
 void store(MeshDocument& document, int mesh_id, const meshlab_host::GeometryStamp& stamp,
            const Field& field, const PrecomputeOptions& options) {
     MeshModel* mesh = document.getMesh(mesh_id);

@@ -9,18 +9,16 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "meshlab_host/meshlab_api.h"
 
-/// What the user wants to know about a finished computation, one line of the log each. Parts that
-/// say "none were left out" are not there.
+/// Lines of the log about a finished computation. "None were left out" is not said.
 QStringList computeReport(const laplacian_lines::Field& field,
                           const laplacian_lines::PrecomputeOptions& options, double seconds);
 
-/// Meshes up to this many faces are looked at whole before a dialog opens.
+/// Up to this many faces are looked at before a dialog opens.
 constexpr int most_faces_looked_at = 1000000;
 
-/// What a dialog has to know of a large mesh without looking at all of it: some of its triangles,
-/// spread evenly over the mesh's own order, none with a vertex of another; and of its vertices
-/// those that reach farthest along its axes and diagonals, as triangles without an area. As large
-/// as the mesh, exactly so along the axes, and with a mean edge within a few thousandths of the
-/// mesh's. None of a mesh that is not large, and of one whose vertices reach beyond its faces,
-/// since those do not count. In mesh coordinates. Not to be called while the mesh changes.
+/// A stand-in for a large mesh, for dialogs: some triangles without common vertices, evenly spread
+/// over the mesh's order, and the vertices farthest along axes and diagonals, as triangles without
+/// area. Of the mesh's size, exactly along the axes, and its mean edge to a few thousandths. None
+/// for small meshes, and if vertices reach beyond the faces, as those do not count. In mesh
+/// coordinates. Not while the mesh changes.
 std::optional<laplacian_lines::TriangleMesh> coarseCopy(const CMeshO& mesh);

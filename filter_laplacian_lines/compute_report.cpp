@@ -22,7 +22,7 @@ QString counted(std::size_t count, const char* one, const char* several) {
     return QString("%1 %2").arg(count).arg(count == 1 ? one : several);
 }
 
-/// Empty if everything was used.
+/// Empty if all was used.
 QString leftOutLine(const MeshReport& report) {
     QStringList parts;
     if (report.non_finite_vertices)
@@ -40,8 +40,8 @@ QString leftOutLine(const MeshReport& report) {
 QString weldedLine(const MeshReport& report) {
     return report.welded_vertices
                ? "Cuts closed: " + counted(report.welded_vertices,
-                                           "duplicated vertex counts as another one",
-                                           "duplicated vertices count as others")
+                                           "duplicate vertex treated as one with another",
+                                           "duplicate vertices treated as one with others")
                : QString();
 }
 
@@ -63,7 +63,7 @@ QString smoothingLine(const Field& field, const PrecomputeOptions& options) {
                .arg(field.scale.normal_sigma / field.scale.mean_edge, 0, 'f', 2);
 }
 
-/// "Laplace Operator: Heat Kernel (Belkin), Normal Smoothing: Gaussian, ...": the choices made.
+/// "Laplace Operator: Heat Kernel (Belkin), Normal Smoothing: Gaussian, ..."
 QString choicesLine(const PrecomputeOptions& options) {
     QStringList parts;
     for (const auto& row : laplacian_lines::precompute_option_table())

@@ -18,7 +18,7 @@ constexpr int pause_of_typing = 150;  // ms
 constexpr int marks_in_a_row = 4;
 constexpr int outlook_lines = 3;
 
-/// Lives in the dialog, and with its fields.
+/// Owned by the dialog.
 class DrawingDialog : public QObject {
 public:
     DrawingDialog(FilterDialog dialog, const MeshDocument& document)
@@ -47,7 +47,7 @@ public:
     }
 
 protected:
-    /// The window's view, or a layer, may have changed meanwhile.
+    /// The window's view, or a layer, may have changed.
     bool eventFilter(QObject* receiver, QEvent* event) override {
         if (event->type() == QEvent::Enter) update_soon_.start();
         return QObject::eventFilter(receiver, event);

@@ -10,18 +10,17 @@
 #include "meshlab_host/filter_dialog.h"
 #include "placed_layers.h"
 
-/// Adds to the dialog of the filter what MeshLab's parameters have not: check marks for views, a
-/// button that looks for the file, size and scale before anything is drawn, and what it was last
-/// applied with. `defaults` is what the dialog was opened with.
+/// Adds what MeshLab's parameters lack: check marks for views, a file button, size and scale before
+/// drawing, and the last settings. `defaults` are those the dialog opened with.
 void furnishDrawingDialog(meshlab_host::FilterDialog dialog, const DrawingParameters& defaults,
                           const MeshDocument& document);
 
-/// What a drawing will be, in words, before it is made.
+/// Describes a drawing before it is made.
 class DrawingOutlook {
 public:
-    /// Says what a unit is, how large the object is with it, and the scale and paper of the
-    /// drawing, or why it cannot be made. Fields of the dialog by their labels. Layers are looked
-    /// at anew only when they have changed. Nothing while a filter works on them.
+    /// Unit, size of the object, scale and paper, or why the drawing cannot be made; nothing while
+    /// a filter works on the layers. Fields by their labels. Looks at layers again only after
+    /// changes.
     std::optional<QString> inWords(
         const MeshDocument& document,
         const std::function<std::optional<QString>(const QString& label)>& text_of);
@@ -33,26 +32,23 @@ private:
     PlacedLayers layers_;
 };
 
-/// What the dialog was last applied with, from one session of MeshLab to the next. File, title and
-/// unit are the mesh's: another one only has the file's ending from it.
+// What the dialog was last applied with, across sessions of MeshLab. File, title and unit belong to
+// the mesh: another one only takes the file's extension over.
 
 void keepSettings(const DrawingParameters& applied, const QString& mesh);
 
-/// By fields of the dialog; `fresh` is what it has for this mesh by default. Nothing if nothing is
-/// kept.
+/// By fields of the dialog; `fresh` are the mesh's defaults.
 std::vector<DrawingField> keptSettings(const DrawingParameters& fresh, const QString& mesh);
 
-/// The parameter "Views" is a text, which also takes angles; those that have a name are chosen by
-/// check marks.
+// The parameter "Views" is a text that also takes angles; named views have check marks.
 
-/// The view of MeshLab's window.
 constexpr const char* window_view = "window";
 
 /// "window", "front", ...
 QStringList viewsWithMarks();
 
-/// Whether a text names a view, "six" all sides.
+/// "six" has all sides.
 bool hasView(const QString& text, const QString& view);
 
-/// The text with a view or without it; what else is named there stays in its order.
+/// Adds or removes a view; all else in the text stays in order.
 QString withView(const QString& text, const QString& view, bool is_wanted);

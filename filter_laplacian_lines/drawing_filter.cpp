@@ -7,9 +7,8 @@
 
 #include "drawing_dialog.h"
 #include "drawing_parameters.h"
-#include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
-#include "line_drawing/provenance.h"
+#include "line_drawing/object.h"
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 #include "meshlab_host/current_view.h"
@@ -23,7 +22,7 @@ namespace {
 
 const char* const filter_name = "Export Laplacian Lines Drawing";
 
-// What is done of the work when each step has ended.
+// Progress at the end of each step.
 constexpr double field_share = 0.05, sheet_share = 0.98;
 
 Eigen::Vector3d sizeOf(const PlacedLayers& layers) {
@@ -37,7 +36,7 @@ QString lengths(const Eigen::Vector3d& size) {
     return QString("%1 x %2 x %3 mm").arg(size.x()).arg(size.y()).arg(size.z());
 }
 
-/// Name, scale and paper of what was drawn, and how large the object was taken to be.
+/// Name, scale and paper of the drawing, and the assumed size of the object.
 QString report(const PlacedLayers& layers, const QString& file, const Sheet& sheet,
                const Eigen::Vector3d& size, const SheetOptions& options) {
     return QString(
@@ -54,7 +53,7 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
                               : QString());
 }
 
-/// Without hashes: a layer need not be any more what its file has.
+/// Without hashes: a layer may differ from its file.
 std::string provenanceOf(const PlacedLayers& layers) {
     std::vector<line_drawing::SourceMesh> meshes;
     for (const PlacedLayer& layer : layers)

@@ -2,8 +2,8 @@
 #include "drawing_dialog.h"
 
 #include "drawing_parameters.h"
-#include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/object.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/documents.h"
 
@@ -44,7 +44,7 @@ QString planInWords(const line_drawing::SheetPlan& plan, const std::string& pape
     return QString("Fits %1 at %2.").arg(size, inQt(line_drawing::scaleInWords(plan.scale)));
 }
 
-/// Triangles that have each vertex of the mesh's once: as large, and looked at six times as fast.
+/// Keeps triangles with all vertices of the mesh, once each: the same size, six times as fast.
 void thin(laplacian_lines::TriangleMesh& mesh) {
     std::vector<bool> is_used(mesh.positions.size());
     for (const laplacian_lines::Triangle& triangle : mesh.triangles)

@@ -8,7 +8,7 @@
 #include "drawing_dialog.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
-#include "meshlab_host/parameter_text.h"
+#include "meshlab_host/parameters.h"
 
 using laplacian_lines::refuse;
 using line_drawing::SheetOption;
@@ -42,7 +42,7 @@ TextDescription describeText(const SheetOption& option) {
             option.row.for_experts};
 }
 
-/// As the layer stands in the world.
+/// In world coordinates.
 double diagonalOf(const MeshModel& layer) {
     const Eigen::Matrix4d transform = meshlab_host::layerTransform(layer.cm);
     const double factor = std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));

@@ -11,13 +11,11 @@
 #include "meshlab_host/meshlab_api.h"
 #include "meshlab_host/parameters.h"
 
-/// What the user chose for a measured drawing, of line_drawing::sheetOptionTable() what the filter
-/// has.
+/// The user's choices; the filter has a part of line_drawing::sheetOptionTable().
 using DrawingParameters = line_drawing::SheetChoices;
 
-/// The number of the unit that a mesh of this size most likely has. Scanners measure in mm what is
-/// larger than a bead, photogrammetry and phones in m what is smaller than a house; there is no
-/// telling cm and inches.
+/// The likely unit of a mesh of this size: scanners measure in mm what is larger than a bead,
+/// photogrammetry and phones in m what is smaller than a house; nothing tells cm and inches.
 constexpr int likelyUnit(double diagonal) {
     constexpr int millimetre = 0, metre = 2;
     return diagonal < 10 ? metre : millimetre;
@@ -27,39 +25,38 @@ inline QString inQt(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-/// Labels of fields that the dialog adds something to.
+/// Fields to which the dialog adds something.
 namespace drawing_labels {
 inline const QString file = "File", views = "Views";
 }
 
-/// What files a drawing may be in, for dialogs that look for one.
+/// For file dialogs.
 inline const QString drawing_files = "Drawings (*.svg *.pdf *.dxf *.png)";
 
-/// Where the dialog starts: with a file beside that of the mesh, and, if there is a window, at its
-/// view and with the unit that the mesh most likely has. Scripts have the same everywhere.
+/// The file is beside the mesh's; with a window its view and the likely unit. Scripts have the same
+/// everywhere.
 DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window);
 
 void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list);
 
-/// What the dialog shows of a parameter.
 struct DrawingField {
     QString key, label, text;
 };
 std::vector<DrawingField> fieldsOf(const DrawingParameters& parameters);
 
-/// Of fields of the dialog, found by their labels.
-/// @throws laplacian_lines::Error(InvalidOption) that names a field which is out of range.
+/// From fields of the dialog by their labels. @throws laplacian_lines::Error(InvalidOption) that
+/// names a field out of range
 DrawingParameters drawingParametersIn(
     const std::function<std::optional<QString>(const QString& label)>& text_of);
 
-/// The parameters that are switches or choices; texts are not among them.
+/// Switches and choices, without texts.
 std::vector<meshlab_host::ParameterDescription> describeDrawingParameters();
 
-/// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range.
+/// @throws laplacian_lines::Error(InvalidOption) that names a parameter out of range
 DrawingParameters readDrawingParameters(const RichParameterList& list);
 
-/// What is to be drawn, views in world coordinates. `window` is the current view of the window.
-/// @throws laplacian_lines::Error(InvalidOption) with what is understood, also if the view of the
-/// window or the decoration's settings are asked for where there are none.
+/// Views are in world coordinates, `window` is the window's current one.
+/// @throws laplacian_lines::Error(InvalidOption) with what is understood, also if there is no view
+/// of a window or decoration to follow
 line_drawing::SheetOptions sheetOptions(const DrawingParameters& chosen,
                                         const std::optional<meshlab_host::CurrentView>& window);

@@ -115,8 +115,8 @@ QJsonArray kinds() {
 
 }  // namespace
 
-/// The tables that dialogs are made from, for programs that call the filters and show no dialogs: a
-/// JSON object, UTF-8, that lives as long as the plugin. In it are
+/// The tables behind the dialogs, for programs without dialogs: a JSON object, UTF-8, that lives as
+/// long as the plugin:
 ///     filters   name, python_name, help and parameters of each: key, label, help, default, kind
 ///               ("real", "integer", "length", "boolean", "choice", "text", "place"), minimum and
 ///               maximum (absent if there is no limit), choices; of places, by which choice of

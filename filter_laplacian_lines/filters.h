@@ -4,10 +4,9 @@
 #include "laplacian_lines/line_set.h"
 #include "meshlab_host/filter.h"
 
-// What they say of themselves in dialogs is short: these have to fit small screens, and not all
-// scroll.
+// Descriptions in dialogs are short: these have to fit small screens, and not all scroll.
 
-/// MeshLab's side of laplacian_lines::precompute(): parameters in, per-vertex attributes out.
+/// laplacian_lines::precompute(): parameters in, per-vertex attributes out.
 class ComputeFilter : public meshlab_host::Filter {
 public:
     meshlab_host::FilterDescription description() const override;
@@ -25,12 +24,10 @@ public:
     void run(const meshlab_host::FilterRun& run) const override;
 };
 
-/// "12 Laplacian lines, 1 ridge": how many there are of each kind, without those of which there are
-/// none.
+/// "12 Laplacian lines, 1 ridge", without kinds that have none.
 QString kindsInWords(const laplacian_lines::LineSet& lines);
 
-/// MeshLab's side of line_drawing: a measured drawing of a layer as it stands in the world, in a
-/// file.
+/// A measured drawing, as a file, of a layer as it stands in the world.
 class DrawingFilter : public meshlab_host::Filter {
 public:
     meshlab_host::FilterDescription description() const override;

@@ -11,7 +11,7 @@ const char* const group = "LaplacianLinesDrawing";
 const QString mesh_key = "mesh";
 const QStringList keys_of_mesh = {"file", "title", "unit"};
 
-/// In the place and of the name of `file`, with the ending of another one.
+/// `file` with the extension of `other`.
 QString withEndingOf(const QString& other, const QString& file) {
     const QFileInfo info(file);
     const QString ending = QFileInfo(other).suffix();

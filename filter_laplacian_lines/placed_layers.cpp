@@ -3,7 +3,6 @@
 
 #include <QStringList>
 #include <cmath>
-#include <optional>
 #include <tuple>
 
 #include "compute_filter.h"
@@ -23,11 +22,11 @@ using meshlab_host::FilterRun;
 
 namespace {
 
-/// A field cannot follow a layer that is stretched: that of its result is computed.
+/// A stretched layer needs a field of its own.
 laplacian_lines::Field fieldOfStretched(const laplacian_lines::TriangleMesh& mesh, double factor,
                                         laplacian_lines::PrecomputeOptions options,
                                         const FilterRun& run, const Progress& progress) {
-    run.say("The layer's transformation stretches it: its lines are computed anew, as it stands.");
+    run.say("The layer's transformation stretches it: its lines are recomputed as it stands.");
     options.kernel_size *= factor;
     return laplacian_lines::precompute(mesh, options, progress);
 }
@@ -56,7 +55,7 @@ PlacedLayer placeInWorld(const MeshModel& layer, const FilterRun& run, const Pro
     return result;
 }
 
-/// By number: a layer may go while others are worked on.
+/// By number: layers may go while others are worked on.
 std::vector<int> visibleLayers(const MeshDocument& document) {
     std::vector<int> numbers;
     for (const MeshModel* layer : meshlab_host::layersOf(document))
@@ -106,7 +105,7 @@ void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
             "0 (Current Layer).");
 }
 
-/// Enough of a mesh to know its bounds in any view.
+/// As much of a mesh as its bounds in any view take.
 laplacian_lines::TriangleMesh shapeOf(const CMeshO& mesh) {
     if (std::optional<laplacian_lines::TriangleMesh> copy = coarseCopy(mesh))
         return std::move(*copy);

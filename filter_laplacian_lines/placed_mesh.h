@@ -7,22 +7,20 @@
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/triangle_mesh.h"
 
-// Meshes and fields as they stand in the world: drawings are measured there.
+// Meshes and fields in world coordinates, where drawings are measured.
 
-/// A transformation that keeps shapes, but for where it moves them: x' = factor · rotation · x.
+/// x' = factor · rotation · x; without the translation.
 struct Similarity {
     Eigen::Matrix3d rotation;
     double factor;
 };
 
-/// That of a layer's transformation; none if it stretches, shears or reflects.
+/// None if the layer's transformation stretches, shears or reflects.
 std::optional<Similarity> similarityOf(const Eigen::Matrix4d& layer);
 
-/// Moves the mesh of a layer to where it stands in the world. Faces keep their outside, also if
-/// they are reflected.
-/// @throws laplacian_lines::Error(InvalidOption) for a transformation that cannot be inverted.
+/// Moves a layer's mesh into the world. Reflected faces keep their outside.
+/// @throws laplacian_lines::Error(InvalidOption) if the transformation is singular
 void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh);
 
-/// Turns a field, and its lengths, into that of the placed mesh, but without curvature derivatives,
-/// whose frames do not turn along.
+/// Transforms a field and its lengths, but drops curvature derivatives, whose frames do not follow.
 void place(const Similarity& similarity, laplacian_lines::Field& field);

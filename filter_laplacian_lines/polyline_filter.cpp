@@ -8,7 +8,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/edge_mesh.h"
@@ -26,11 +26,10 @@ using laplacian_lines::View;
 
 namespace {
 
-// What is done of the work when each step has ended, the last of which leaves out hidden parts.
+// Progress at the end of each step, the last of which removes hidden parts.
 constexpr double field_share = 0.5, sight_share = 0.7, extractor_share = 0.85, lines_share = 0.87;
 
-/// What the filter needs of a layer, copied: the layer may go while the progress bar runs the event
-/// loop.
+/// Copied from the layer, which may go while the progress bar runs the event loop.
 struct Source {
     explicit Source(const MeshModel& mesh)
         : triangles(meshlab_host::toTriangleMesh(mesh.cm)),
@@ -61,7 +60,7 @@ QString help() {
 
 using Visibility = std::optional<laplacian_lines::LineVisibility>;
 
-/// None, if it is not asked.
+/// None unless wanted.
 Visibility visibilityOf(const Source& source, const View& view, const PolylineParameters& chosen,
                         vcg::CallBackPos* progress) {
     Visibility visibility;
@@ -75,8 +74,7 @@ Visibility visibilityOf(const Source& source, const View& view, const PolylinePa
     return visibility;
 }
 
-/// Triangles to vertices far off are slivers, which have no lines, but would hide all others in
-/// the rounding of numbers.
+/// Triangles to far vertices are slivers without lines, but would hide all others by rounding.
 void refuseFarVertices(const Source& source, const laplacian_lines::Field& field) {
     constexpr double most = 1e6;  // diagonals of what has lines
     const double all = line_drawing::boundsOf(source.triangles).diagonal().stableNorm();

@@ -36,7 +36,6 @@ std::vector<const char*> viewNames() {
     return names;
 }
 
-/// Dialogs fit small screens.
 Row folded(Row row) {
     row.for_experts = true;
     return row;
@@ -108,14 +107,14 @@ const PlaceRow& lightDirectionRow() {
     return row;
 }
 
-/// The others come by mixtures, and with their thresholds by the settings of the decoration: no
-/// dialog would hold them.
+/// The others come by mixtures, or with their thresholds from the decoration: too many for a
+/// dialog.
 bool isSwitchOfUsualKind(const std::string& key) {
     return std::any_of(laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(),
                        [&](const auto& kind) { return kind.shown && key == kind.key; });
 }
 
-/// Calls the visitor with each row, in the order of the dialog.
+/// In the order of the dialog.
 template <class Visitor>
 void visitRows(Visitor& visitor) {
     visitor.visit(viewRow());
@@ -167,7 +166,6 @@ struct ParameterReader {
     }
 };
 
-/// Notes what a dialog and a script may hold.
 struct Describer {
     std::vector<meshlab_host::ParameterDescription> parameters;
     std::vector<PlaceUse> places;
@@ -201,8 +199,7 @@ void takeFromDecoration(Parameters& parameters) {
     parameters.colors = drawn->colors;
 }
 
-/// MeshLab's own box takes in vertices that the lines leave out: not finite, or far beyond the
-/// rest.
+/// MeshLab's box includes vertices that lines ignore: not finite, or far beyond the rest.
 vcg::Box3d usableBox(const MeshModel& mesh) {
     vcg::Box3d box = vcg::Box3d::Construct(mesh.cm.bbox);
     if (box.IsNull() || box.Diag() < largest_box) return box;

@@ -13,7 +13,7 @@
 #include "meshlab_host/meshlab_api.h"
 #include "meshlab_host/parameters.h"
 
-/// The numbers are what scripts hold: new ones come last. From Front on they are sides.
+/// Scripts hold the numbers: new ones come last. From Front on they are sides.
 enum class ViewChoice {
     CurrentView,
     Perspective,
@@ -29,11 +29,10 @@ enum class ViewChoice {
 enum class SettingsChoice { AsSetBelow, AsTheDecoration, FirstMixture };
 enum class LightChoice { AtTheEye, FromADirection };
 
-/// An orthographic view along an axis of the world, as in MeshLab's menu; of the choices from Front
-/// on.
+/// Orthographic along a world axis, as in MeshLab's menu; for choices from Front on.
 line_drawing::ViewFrame sideView(ViewChoice choice);
 
-/// What the user chose for lines as polylines. Points and directions are in world coordinates.
+/// Points and directions are in world coordinates.
 struct PolylineParameters {
     ViewChoice view = ViewChoice::Front;
     Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();
@@ -47,17 +46,17 @@ struct PolylineParameters {
     meshlab_host::KindColors colors = meshlab_host::usualKindColors();
 };
 
-/// Where the dialog starts: at the current view of the window if there is one, otherwise in front
-/// of the mesh, with a viewpoint on the side of +z from which all of it is seen.
+/// The window's current view, if any; else in front of the mesh, with a viewpoint on the side of +z
+/// that sees all of it.
 PolylineParameters polylineDefaults(const MeshModel* mesh,
                                     const std::optional<meshlab_host::CurrentView>& window);
 
 void listPolylineParameters(const PolylineParameters& defaults, RichParameterList& list);
 
-/// The parameters that are numbers, switches or choices; places are not among them.
+/// Numbers, switches and choices, without places.
 std::vector<meshlab_host::ParameterDescription> describePolylineParameters();
 
-/// Which choice of another parameter a point or a direction needs to have an effect.
+/// The choice of another parameter that a place needs to have an effect.
 struct PlaceUse {
     QString place;
     QString parameter;
@@ -65,7 +64,6 @@ struct PlaceUse {
 };
 std::vector<PlaceUse> polylinePlaces();
 
-/// With the decoration's settings put into effect, if they are asked for.
-/// @throws laplacian_lines::Error(InvalidOption) that names a parameter which is out of range, or
-/// if the decoration has drawn nothing.
+/// Applies the decoration's settings if asked for. @throws laplacian_lines::Error(InvalidOption)
+/// that names a parameter out of range, or if the decoration has drawn nothing
 PolylineParameters readPolylineParameters(const RichParameterList& list);

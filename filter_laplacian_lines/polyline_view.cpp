@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polyline_view.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "laplacian_lines/error.h"
 #include "meshlab_host/camera.h"
 
-using laplacian_lines::Error;
-using laplacian_lines::ErrorCode;
 using meshlab_host::CurrentView;
 
 namespace {
 
-/// Perspective views that reach further than this from where they look at are warned of.
+/// Wider perspective views get a warning.
 constexpr double widest_angle = 60;  // degrees
 
 QString inWords(const Eigen::Vector3d& v) {
     return QString("%1 %2 %3").arg(v.x(), 0, 'g', 6).arg(v.y(), 0, 'g', 6).arg(v.z(), 0, 'g', 6);
 }
 
-/// y where that can be, as in MeshLab's own views.
+/// y where possible, as in MeshLab's own views.
 Eigen::Vector3d upwards(const Eigen::Vector3d& towards_viewer) {
     const double y = towards_viewer.normalized().y();
     const bool is_upright = std::abs(y) < 0.999;
@@ -52,7 +49,7 @@ Eye ofWindow(const std::optional<CurrentView>& window) {
                                    : perspective(window->eye, window->towards_viewer, window->up);
 }
 
-/// Towards the light that turns with the camera, in world coordinates.
+/// In world coordinates.
 Eigen::Vector3d cameraLight(const Eye& eye, const meshlab_host::CameraLight& light) {
     const Eigen::Vector3d in_eye = meshlab_host::towardsLight(light);
     return in_eye.x() * eye.up.cross(eye.towards_viewer) + in_eye.y() * eye.up +

@@ -15,7 +15,7 @@ QStringList sides() {
     return names;
 }
 
-/// Angles as one word, "six" as its sides.
+/// A pair of angles is one word, "six" its sides.
 QStringList viewsIn(const QString& text) {
     QStringList views;
     QStringList words;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./run: product/command.py. A drawing of a small part takes less time than to import what it does not need."""
+"""./run: product/command.py. Drawing a small part takes less time than importing what it does not need."""
 
 import os
 import pathlib

@@ -3,12 +3,12 @@
 
 #include "gl_state.h"
 #include "per_share_group.h"
-#include "shader_program.h"
+#include "shaders.h"
 
 namespace line_renderer {
 namespace {
 
-// At the depth that an empty view has.
+// At the depth of an empty view.
 const char* const vertex_shader = R"(#version 120
 void main()
 {

@@ -5,9 +5,8 @@
 
 namespace line_renderer {
 
-/// A framebuffer with a depth texture as its only content, bound as long as the object lives; those
-/// bound before come back. Framebuffers cannot be shared between contexts, so it lives for one
-/// drawing.
+/// A framebuffer with only a depth texture, bound while the object lives, then replaced by those
+/// bound before. Contexts cannot share framebuffers, so it lives for one drawing.
 class DepthFramebuffer {
 public:
     /// @throws std::runtime_error if there are no framebuffer objects, or not for this texture
@@ -24,7 +23,6 @@ private:
     GLint read_before_ = 0;
 };
 
-/// Whether the current context has framebuffer objects.
 bool hasFramebuffers();
 
 }  // namespace line_renderer

@@ -4,14 +4,14 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-/// OpenGL beyond version 1.1, found through Qt: plugins then need no library of their own for it,
-/// whose name differs from system to system. In this namespace the usual names mean these.
+/// OpenGL beyond version 1.1, found through Qt, since its library has another name on each system.
+/// In this namespace the usual names mean these.
 namespace line_renderer {
 
-/// Null if the current context, or Qt, has none of that name.
+/// Null if the current context, or Qt, has no such function.
 void (*findGlFunction(const char* name))();
 
-/// A function of OpenGL, looked for when it is first needed, which takes a current context.
+/// Looked up when it is first needed, which takes a current context.
 template <class Pointer>
 class GlFunction;
 
@@ -23,7 +23,7 @@ public:
     constexpr explicit GlFunction(const char* name) : name_(name) {}
 
     Result operator()(Arguments... arguments) { return pointer()(arguments...); }
-    /// Tests put others in its place.
+    /// Tests replace it.
     Pointer& pointer() {
         if (!pointer_) pointer_ = reinterpret_cast<Pointer>(findGlFunction(name_));
         return pointer_;
@@ -34,7 +34,7 @@ private:
     Pointer pointer_ = nullptr;
 };
 
-/// What the first context can do, and so all of them.
+/// Of the first context, which stands for all.
 struct GlFeatures {
     bool shaders;        ///< OpenGL 2.0
     bool array_objects;  ///< OpenGL 3.0 or an extension, as the next two
@@ -92,14 +92,12 @@ GL_FUNCTION(glVertexAttribDivisorARB, PFNGLVERTEXATTRIBDIVISORARBPROC);
 GL_FUNCTION(glVertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC);
 #undef GL_FUNCTION
 
-// Instanced drawing, by OpenGL 3.3 or by the older extensions. All of it needs a current context.
+// Instanced drawing, by OpenGL 3.3 or older extensions. Needs a current context.
 
-/// Whether shaders and instanced drawing are there.
 inline bool canDrawInstanced() {
     return glFeatures().instancing || glFeatures().old_instancing;
 }
 
-/// glVertexAttribDivisor
 inline void setDivisor(GLuint attribute, GLuint divisor) {
     if (glFeatures().instancing)
         glVertexAttribDivisor(attribute, divisor);
@@ -107,7 +105,7 @@ inline void setDivisor(GLuint attribute, GLuint divisor) {
         glVertexAttribDivisorARB(attribute, divisor);
 }
 
-/// glDrawArraysInstanced, from vertex 0
+/// From vertex 0.
 inline void drawInstanced(GLenum mode, GLsizei vertices, GLsizei instances) {
     if (glFeatures().instancing)
         glDrawArraysInstanced(mode, 0, vertices, instances);

@@ -29,7 +29,7 @@ GlState::GlState() : has_vertex_arrays_(glFeatures().array_objects) {
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
-    // The second pair keeps the picture opaque where lines are, for snapshots without background.
+    // Alpha stays opaque where lines are, for snapshots without background.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 

@@ -5,9 +5,9 @@
 
 namespace line_renderer {
 
-/// Saves the OpenGL state that drawing lines and surfaces touches, sets what lines need (depth test
-/// without depth writes, blending, no culling, texture unit 0) and restores all of it when it goes
-/// out of scope. The context must be the same and current at both ends.
+/// Saves the state that drawing touches, sets what lines need (depth test without writes, blending,
+/// no culling, texture unit 0) and restores it at the end of the scope, in the same current
+/// context.
 class GlState {
 public:
     GlState();

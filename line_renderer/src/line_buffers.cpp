@@ -8,7 +8,7 @@
 namespace line_renderer {
 namespace {
 
-/// Reads an attribute from the buffer that is bound. `divisor` 1: one value a segment.
+/// From the bound buffer. `divisor` 1: one value per segment.
 void pointAttribute(LineProgram::Attribute attribute, GLint floats, GLsizei stride,
                     std::size_t offset, GLuint divisor) {
     glEnableVertexAttribArray(attribute);
@@ -17,7 +17,7 @@ void pointAttribute(LineProgram::Attribute attribute, GLint floats, GLsizei stri
     setDivisor(attribute, divisor);
 }
 
-/// The segment attributes are four windows onto one array, each a point further.
+/// Four windows onto one array, each a point further.
 constexpr LineProgram::Attribute windows[] = {LineProgram::Before, LineProgram::Start,
                                               LineProgram::End, LineProgram::After};
 constexpr LineProgram::Attribute per_segment[] = {LineProgram::Before,    LineProgram::Start,
@@ -48,7 +48,7 @@ StreamPoint* LineBuffers::map(std::size_t points) {
         capacity_ = std::max(capacity_, points + points / 4);
         glBufferData(GL_ARRAY_BUFFER, bytes(capacity_), nullptr, GL_STREAM_DRAW);
     }
-    // The driver need not wait for the last frame to be done with what the buffer had.
+    // Invalidated, so the driver need not wait for the last frame.
     void* memory = has_ranges ? glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes(points),
                                                  GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT)
                               : glMapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY);

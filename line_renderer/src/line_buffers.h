@@ -8,21 +8,21 @@
 
 namespace line_renderer {
 
-/// What the line program reads: the corners of a quad, and the points of this frame. Needs the
-/// context in which it was made, or another of its share group, to be current.
+/// Input of the line program: corners of a quad, and this frame's points. Needs a current context
+/// of its share group.
 class LineBuffers {
 public:
     LineBuffers();
 
-    /// Memory for so many points, at least 1, until it is unmapped; null if there is none. Leaves
-    /// the buffer bound.
+    /// Room for so many points, at least 1, until unmapped; null if there is no memory. The buffer
+    /// stays bound.
     StreamPoint* map(std::size_t points);
-    /// Hands the points over. False if they were lost.
+    /// False if the points were lost.
     bool unmap();
 
-    /// Makes the points from `first` on the program's attributes, one segment after the other.
+    /// Feeds the points from `first` on to the program, segment by segment.
     void bind(std::size_t first) const;
-    /// Takes back what bind() has set and GlState does not save.
+    /// Undoes what GlState does not.
     static void unbind();
 
 private:

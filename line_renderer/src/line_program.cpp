@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_program.h"
 
-#include "shader_program.h"
 #include "shaders.h"
 
 namespace line_renderer {

@@ -5,11 +5,10 @@
 
 namespace line_renderer {
 
-/// The shader program that draws the segments of a StreamPoint array. Made in a current context
-/// with OpenGL 2.0, whose share group it belongs to.
+/// Draws the segments of a StreamPoint array. Needs OpenGL 2.0; belongs to the current share group.
 struct LineProgram {
-    /// Attribute locations. Corner comes first because some drivers want the attribute at location
-    /// 0 to advance with every vertex; the others advance with every segment.
+    /// Attribute locations. Corner is 0, which some drivers want to advance with every vertex; the
+    /// others advance with every segment.
     enum Attribute : GLuint {
         Corner = 0,
         Before = 1,

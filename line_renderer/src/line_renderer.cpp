@@ -12,32 +12,29 @@
 #include "line_stream.h"
 #include "per_share_group.h"
 #include "shaders.h"
-#include "stream_settings.h"
 
 namespace line_renderer {
 namespace {
 
-/// How far beside a line, in pixels, the surface may give way to let it be seen. Less than half the
-/// width of an outline, which hides what reaches below it.
+/// How far beside a line, pixels, the surface may give way to let it be seen: less than half an
+/// outline's width, which hides what reaches below it.
 constexpr double to_side = 1.5;
 
-/// The same of what follows edges of the mesh: the pixel there then has its middle beyond the edge,
-/// by up to sqrt(2) pixels. And by how many pixels at most such an edge is moved towards the eye:
-/// by that a surface which leans 70 degrees away from the eye rises so far from it, such as the
-/// ground that a body stands on.
+/// The same for lines along mesh edges: the pixel's middle may be beyond the edge, by up to sqrt(2)
+/// pixels. And the most pixels that such an edge moves towards the eye: as far as a surface that
+/// leans by 70 degrees, such as the ground, rises over that distance.
 constexpr double edge_side = 0.7072;
 constexpr double edge_move = 4;
 constexpr double unlimited = 1e6;
 
-/// Hidden lines: alpha of faint ones; of dashed ones pixels of a dash, and with the gap after it.
+/// Hidden lines: alpha of faint ones; length of a dash and its period, pixels.
 constexpr double faint_alpha = 0.25;
 constexpr double dash_pixels = 5;
 constexpr double dash_period = 9;
-/// How much deeper than a line that is left out one has to lie to be drawn as hidden: otherwise
-/// pieces of lines along an outline would be.
+/// How many clearances behind the surface a hidden line has to be; otherwise pieces along outlines
+/// would be drawn.
 constexpr double hidden_depth = 4;
 
-/// A value of the looks of all kinds of lines, in their order.
 template <class Value>
 using PerLook = std::array<Value, laplacian_lines::line_kind_count>;
 static_assert(laplacian_lines::line_kind_count <= most_looks, "the shaders need longer arrays");
@@ -69,8 +66,7 @@ void setDepthBiases(const LineProgram& program, const LinePlacement& placement, 
     glUniform1fv(program.depth_biases, GLsizei(biases.size()), biases.data());
 }
 
-/// How far from a line depths may let it be seen. Unless edges are seen exactly, it is as far from
-/// those as from other lines.
+/// How far from a line depths may let it be seen; from mesh edges the same, unless they are exact.
 void setReach(const LineProgram& program, const LinePlacement& placement, bool is_exact) {
     const double pixels = to_side * placement.pixel_scale;
     glUniform1f(program.to_side, float(pixels));
@@ -78,14 +74,14 @@ void setReach(const LineProgram& program, const LinePlacement& placement, bool i
                 float(is_exact ? edge_side : pixels));
 }
 
-/// What is the same for seen and hidden lines.
+/// For both seen and hidden lines.
 void setPlacement(const LineProgram& program, const LinePlacement& placement, double radius) {
     const Eigen::Matrix4f to_eye = placement.to_eye.cast<float>();
     const Eigen::Matrix4f projection = placement.projection.cast<float>();
     glUniformMatrix4fv(program.to_eye, 1, GL_FALSE, to_eye.data());
     glUniformMatrix4fv(program.projection, 1, GL_FALSE, projection.data());
     glUniform2fv(program.half_viewport, 1, halfViewport().data());
-    // a mark's corner at the far side of a line
+    // A mark's corner at the far side of a line.
     const double to_horizon = placement.mark_pixels > 0 ? 0.71 * placement.mark_pixels + radius : 0;
     glUniform1f(program.mark_reach,
                 float(placement.diagonal * meanScale(placement.to_eye) * to_horizon));
@@ -115,7 +111,6 @@ LineRenderer::Objects LineRenderer::makeObjects() {
     return Objects();
 }
 
-/// Some of the lines, in some way.
 struct LineRenderer::Pass {
     GLenum depth_function = GL_LEQUAL;
     float surface_side = 1;

@@ -3,26 +3,23 @@
 
 namespace line_renderer {
 
-// Joints: neighbouring segments meet at the line that halves the angle between them, and each is
-// cut off there. Every pixel of a line is so painted once; overlapping soft edges would add up to
-// hard ones. Where a line turns by more than a right angle, such a cut runs along it for more than
-// its width, and what it leaves to the neighbour is missing where that one is shorter or hidden: of
-// a line that turns back, as contours do at a cusp, one half. There both segments have round ends.
+// Joints: neighbouring segments are cut where they meet, along the bisector, so that every pixel is
+// painted once; overlapping soft edges would add up to hard ones. Where a line turns by more than a
+// right angle, both segments have round ends instead: the cut would be longer than the line is
+// wide, and half of the cusp would be missing where the neighbour is shorter or hidden.
 //
-// Depth: a pixel is seen if the middle of its line beside it is, moved towards the eye by a fixed
-// length in eye coordinates, and compared with the depths there and a little to either side. So a
-// line is drawn in its full width or not at all, at any zoom, also along an outline, where the
-// surface would hide its inner half; it comes out in front of the very surface it lies on, but
-// stays behind what is clearly in front of it. Where a contour follows an edge of the mesh, nothing
-// of the surface it lies on is beyond it on the screen, so that it needs no such favour: the move
-// is a few pixels long, for surfaces that it stands on, and to the side it is as far as to a pixel
-// whose middle is beyond. What lies just behind the edge, such as a fold of coarse triangles, stays
-// hidden.
+// Depth: a pixel is seen if the middle of its line is, moved towards the eye by a fixed length in
+// eye coordinates and compared with the depths there and a little to either side. So a line is
+// drawn in full width or not at all, even along an outline, where the surface would hide its inner
+// half; it passes in front of the surface it lies on, but not of what is clearly in front. Where a
+// contour follows a mesh edge its surface is not beyond it on the screen: the move is a few pixels
+// long, for surfaces that it stands on, and to the side it reaches to a pixel whose middle is
+// beyond. So a fold just behind the edge stays hidden.
 //
-// Where MeshLab draws points or wires, the depths are those of surfaces alone, since such marks are
-// flat on the screen and stand out of a surface that falls away: at d pixels from the horizon of a
-// ball of radius R by sqrt(2 R d). The depth buffer is then asked as well, but only after a move as
-// long as that, which leaves the things that hide lines from well before the surface.
+// Where MeshLab draws points or wires, depths are those of surfaces alone: such marks are flat on
+// the screen and stand out of a surface that falls away, by sqrt(2 R d) at d pixels from the
+// horizon of a ball of radius R. The depth buffer counts as well, but after a move as long as that,
+// which leaves what is well in front.
 const char* const line_vertex_shader = R"(#version 120
 attribute vec2 corner;  // x: 0 at the start, 1 at the end; y: -1 or 1, side
 attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark
@@ -55,7 +52,7 @@ vec4 toEye(vec4 point)
     return eye / eye.w;
 }
 
-// Distance from the near plane in clip coordinates, negative behind it.
+// Negative behind the near plane; clip coordinates.
 float beforeNear(vec4 eye)
 {
     vec4 clip = projection * eye;
@@ -68,19 +65,19 @@ vec2 toScreen(vec4 eye)
     return clip.xy / clip.w * half_viewport;
 }
 
-// Length of a pixel in eye coordinates.
+// In eye coordinates.
 float pixelAt(vec4 eye)
 {
     return (projection * eye).w / (projection[1][1] * half_viewport.y);
 }
 
-// How far marks stand out of the surface at most, length in eye coordinates.
+// How far marks stand out of the surface at most, eye coordinates.
 float markHeight(vec4 eye)
 {
     return sqrt(max(mark_reach * pixelAt(eye), 0.0));
 }
 
-// Depth in -1..1 of an eye-space point moved towards the viewer.
+// In -1..1, of a point moved towards the viewer in eye space.
 float depthMoved(vec4 eye, float bias)
 {
     bool orthographic = projection[2][3] == 0.0;
@@ -89,7 +86,7 @@ float depthMoved(vec4 eye, float bias)
     return clip.w > 0.0 ? max(clip.z / clip.w, -1.0) : -1.0;
 }
 
-// Normal of the cut between two segments with a common point, along the line; zero: none.
+// Normal of the cut between two segments, along the line; zero: none.
 vec2 cutBetween(vec2 direction, vec2 other)
 {
     float pixels = length(other);
@@ -121,7 +118,7 @@ void main()
     float b_front = beforeNear(b);
     if (a_front <= 0.0 && b_front <= 0.0)
         return;
-    // cut off what is behind the near plane
+    // clip at the near plane
     vec4 visible_a = a_front < 0.0 ? mix(a, b, a_front / (a_front - b_front)) : a;
     vec4 visible_b = b_front < 0.0 ? mix(b, a, b_front / (b_front - a_front)) : b;
 
@@ -179,7 +176,7 @@ float depthAt(vec2 pixel)
     return texture2D(surface_depth, clamp(pixel, pixels.xy, pixels.zw) * texel).r;
 }
 
-// Whether the line is not on the side that is wanted, `along` pixels from the segment's start.
+// Whether the line is on the unwanted side, `along` pixels from the segment's start.
 bool isOnOtherSide(float along, float part)
 {
     vec2 across = vec2(-middle.y, middle.x);
@@ -189,7 +186,7 @@ bool isOnOtherSide(float along, float part)
     return surface_side * (farthest - mix(middle.z, middle.w, part)) < 0.0;
 }
 
-// Share of a pixel at this distance from the start of the line that a dash covers.
+// How much of a pixel a dash covers.
 float dashCoverage(float pixels)
 {
     if (dash.y <= 0.0)
@@ -209,7 +206,7 @@ void main()
     float radius = mix(shape.y, shape.z, part);
     vec2 look = mix(starts, ends, part);
     float distance_to_segment = length(place - vec2(along, 0.0));
-    // lines thinner than a pixel fade instead of breaking up
+    // thinner lines fade instead of breaking up
     float coverage = clamp(radius + 0.5 - distance_to_segment, 0.0, 1.0) * min(1.0, 2.0 * radius);
     coverage *= look.x * dashCoverage(look.y);
     if (coverage <= 0.0 || isOnOtherSide(along, part))

@@ -27,7 +27,6 @@ float taperedRadius(float full, float least_share, float weight) {
     return full * (least_share + (1 - least_share) * std::clamp(weight, 0.0f, 1.0f));
 }
 
-/// Points of one line as they are seen.
 class LineOnScreen {
 public:
     LineOnScreen(const StreamSettings& settings, LineKind kind)
@@ -62,7 +61,7 @@ float lengthBetween(const SeenPoint& a, const SeenPoint& b) {
     return a.is_before_eye && b.is_before_eye ? (b.pixel - a.pixel).norm() : 0;
 }
 
-/// Writes the points of lines that are needed.
+/// Writes the points that are needed.
 class StreamWriter {
 public:
     StreamWriter(const StreamSettings& settings, StreamPoint* stream)
@@ -73,7 +72,7 @@ public:
         written_ = 0;
         writePoints(first, last, line);
         StreamPoint* const after = next_++;
-        // a closed line ends with a copy of its first point, so its neighbours are one further in
+        // A closed line repeats its first point, so its neighbours are one further in.
         *before = before_last_;
         *after = second_;
         before->radius = after->radius = line.closed ? neighbour_only : nothing_here;
@@ -89,7 +88,6 @@ private:
         last_ = point;
     }
 
-    /// Begins a piece at the candidate.
     void putStart(StreamPoint candidate, bool is_edge) {
         if (is_edge) candidate.look += edge_mark;
         put(candidate);
@@ -139,14 +137,14 @@ std::size_t lengthOf(const Polyline& line) {
     return isDrawn(line) ? line.count + 2 : 0;
 }
 
-/// Successive lines, of which the outlines, or the others, are a part of a stream.
+/// Successive lines whose outlines, or others, are a part of a stream.
 struct Run {
     std::size_t first_line = 0, last_line = 0;
     std::size_t lengths[2] = {};  ///< most points of others and of outlines
 };
 using Runs = std::array<Run, most_runs>;
 
-/// Of about the same number of points, the last ones of none if there are few.
+/// Of about the same number of points; the last are empty if there are few.
 Runs cutInRuns(const LineSet& lines) {
     const std::size_t size = std::max(points_of_run, streamLength(lines) / most_runs + 1);
     Runs runs;

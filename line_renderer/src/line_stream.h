@@ -2,39 +2,42 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "laplacian_lines/line_set.h"
+#include "line_renderer/line_renderer.h"
 
 namespace line_renderer {
 
-/// Half widths of lines in pixels.
+/// Half widths, pixels.
 struct LineRadii {
-    /// For lines of full weight, by the number of their kind.
+    /// At full weight, by kind.
     std::array<float, laplacian_lines::line_kind_count> full{};
     float least_share = 0.35f;  ///< share of the radius that is left at weight 0
 };
 
-/// From mesh to screen, for lengths in pixels. Where the middle of the screen is does not matter.
+/// Mesh to screen, for lengths in pixels: the middle of the screen may be anywhere.
 struct ScreenTransform {
     Eigen::Matrix4f to_clip = Eigen::Matrix4f::Identity();
     Eigen::Vector2f half_viewport = Eigen::Vector2f::Zero();
 };
 
-/// How far what is drawn may be from the lines, see StraightPiece.
+/// How far off drawn lines may be, see StraightPiece.
 struct LineTolerance {
     /// Pixels; 0: every point is written.
     float distance = 0.25f;
     float radius = 0.1f;  ///< pixels
     float opacity = 1.0f / 16;
-    /// By the number of the kind, as a difference of depths in -1..1 times the square of w.
+    /// By kind: a difference of depths in -1..1 times w².
     std::array<float, laplacian_lines::line_kind_count> depth{};
 };
 
-/// A point as the vertex shader sees it. Every four consecutive points are one call of the shader:
-/// it draws the segment between the middle two, joined to the outer two.
+/// Input of the vertex shader, four consecutive points a call: it draws the segment between the
+/// middle two, joined to the outer two.
 struct StreamPoint {
     float position[3];  ///< mesh coordinates
     float radius;       ///< pixels, or one of the marks
@@ -43,35 +46,47 @@ struct StreamPoint {
     float along;  ///< pixels along the line from its start; 0 unless they were asked for
 };
 
-/// Marks instead of a radius. A segment with a marked end is not drawn.
+/// In place of a radius. Segments with a marked end are not drawn.
 constexpr float nothing_here = -1;    ///< before and after a line: its ends are round
 constexpr float neighbour_only = -2;  ///< around a closed line: a point to join to
 
-/// Added to the look of a point from which on a contour follows an edge of the mesh.
+/// Added to the look of a point where a contour begins to follow a mesh edge.
 constexpr float edge_mark = 0.25f;
 
-/// How many points a line set has as a stream at most: each line stands between two marks.
+/// The most points of a set: each line stands between two marks.
 std::size_t streamLength(const laplacian_lines::LineSet& lines);
 
-/// How a stream is written.
 struct StreamSettings {
     LineRadii radii;
     ScreenTransform screen;
     LineTolerance tolerance;
-    /// Whether points have their `along`. What lies behind the eye counts as no length.
+    /// Whether points have their `along`, which does not count what is behind the eye.
     bool is_measured = false;
 };
 
-/// Points of a stream that belong together.
 struct StreamPart {
     std::size_t first, length;
 };
 
-/// Writes into streamLength() points, reading none, so that `stream` may be memory of the graphics
-/// card: parts with points between them that nobody has written, on several threads. Points that
-/// are not needed within the tolerance are left out, but no end of a line. Outlines come last,
-/// above the others. Allocates nothing while there are no more parts, of which there are few.
+/// Writes up to streamLength() points, on several threads, as parts with unwritten gaps between
+/// them; never reads `stream`, which may be graphics memory. Drops points within the tolerance, but
+/// no ends. Outlines come last, above the others. Does not allocate unless there are more parts
+/// than before.
 void writeStream(const laplacian_lines::LineSet& lines, const StreamSettings& settings,
                  StreamPoint* stream, std::vector<StreamPart>& parts);
+
+/// From mesh to eye lengths, averaged over directions.
+inline double meanScale(const Eigen::Matrix4d& to_eye) {
+    return std::cbrt(std::abs(to_eye.topLeftCorner<3, 3>().determinant()));
+}
+
+LineRadii lineRadii(const LineAppearance& appearance, double pixel_scale);
+
+/// How far lines of a look move towards the eye before the surface can hide them, eye coordinates.
+double lineClearance(std::size_t look, const LinePlacement& placement);
+
+/// `half_viewport` in pixels.
+StreamSettings streamSettings(const LineAppearance& appearance, const LinePlacement& placement,
+                              const Eigen::Vector2f& half_viewport);
 
 }  // namespace line_renderer

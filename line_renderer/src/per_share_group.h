@@ -10,19 +10,17 @@
 
 namespace line_renderer {
 
-/// Names the set of OpenGL contexts that share objects with the current one: all views of one
-/// document. Null if no context is current. The name is only good for comparing.
+/// The contexts that share objects with the current one: all views of a document. Null without a
+/// current context. Only for comparing.
 using ShareGroup = const QOpenGLContextGroup*;
 
-/// An Object for each share group of OpenGL contexts, made when it is first asked for there. It is
-/// forgotten, not deleted in OpenGL, when the group dies, which takes all OpenGL objects with it.
-/// GUI thread only.
+/// An Object per share group, made on demand. When the group dies, taking its OpenGL objects along,
+/// it is forgotten, not deleted. GUI thread only.
 template <class Object>
 class PerShareGroup {
 public:
-    /// That of the current context's group, made by `make()` if there is none. A
-    /// std::runtime_error of `make` is thrown again by each later call for this group, without
-    /// another try; other exceptions pass through.
+    /// For the current group, made by `make()`, whose std::runtime_error every later call for the
+    /// group throws again without another try; other exceptions pass through.
     template <class Make>
     Object& current(Make make) {
         const ShareGroup group = QOpenGLContextGroup::currentContextGroup();
@@ -35,12 +33,11 @@ public:
         if (!entry.object) fill(entry, make);
         return *entry.object;
     }
-    /// The same, made by its default constructor.
+    /// By the default constructor.
     Object& current() {
         return current([] { return Object(); });
     }
 
-    /// visit(Object&) for those of all groups.
     template <class Visit>
     void forEach(Visit visit) {
         for (auto& entry : entries_)

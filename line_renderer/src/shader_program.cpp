@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shader_program.h"
+#include "shaders.h"
 
 #include <stdexcept>
 #include <string>
@@ -7,7 +7,6 @@
 namespace line_renderer {
 namespace {
 
-/// What the driver says about a shader or program.
 template <class GetParameter, class GetLog>
 std::string infoLog(GLuint object, GetParameter get_parameter, GetLog get_log) {
     GLint length = 0;
@@ -17,7 +16,7 @@ std::string infoLog(GLuint object, GetParameter get_parameter, GetLog get_log) {
     return text.data();
 }
 
-/// A shader until it goes out of scope; a linked program keeps it as long as it needs.
+/// Scoped; a linked program keeps what it needs.
 class Shader {
 public:
     explicit Shader(GLenum kind) : id_(glCreateShader(kind)) {}
@@ -27,7 +26,7 @@ public:
 
     GLuint id() const { return id_; }
 
-    /// Throws the compiler's words.
+    /// @throws std::runtime_error with the compiler's message
     void compile(const char* source) const {
         glShaderSource(id_, 1, &source, nullptr);
         glCompileShader(id_);

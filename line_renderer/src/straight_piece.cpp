@@ -8,9 +8,9 @@
 namespace line_renderer {
 namespace {
 
-/// Share of the tolerance for points that lie behind those before them.
+/// Share of the tolerance for points behind those before them.
 constexpr float fallback_share = 0.2f;
-/// Below this distance values have to stay, instead of having a slope; pixels.
+/// Pixels; nearer than this values have to stay, instead of having a slope.
 constexpr float least_reach = 1e-3f;
 
 float cross(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
@@ -59,8 +59,8 @@ void StraightPiece::narrow(const SeenPoint& point, const Vector& offset, float d
     narrowSlopes(point);
 }
 
-/// Two points at the same distance from the start, of which the directions differ by an angle, are
-/// 2 sin(angle / 2) times that distance apart. Cones are at most as wide as a half plane.
+/// Two points at the same distance from the start are 2 sin(angle / 2) times that apart. Cones are
+/// at most as wide as a half plane.
 void StraightPiece::narrowDirections(const Vector& offset, float distance) {
     if (distance <= aside_ / 2) return;
     const float ratio = aside_ / distance;

@@ -6,11 +6,10 @@
 
 namespace line_renderer {
 
-/// What a segment has at its ends and interpolates between them, along the screen.
+/// What a segment interpolates on the screen.
 enum SeenValue { SeenDepth, SeenRadius, SeenOpacity, seen_value_count };
 using SeenValues = std::array<float, seen_value_count>;
 
-/// A point of a line as it is seen.
 struct SeenPoint {
     Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
     SeenValues values{};
@@ -18,25 +17,23 @@ struct SeenPoint {
     bool is_before_eye = false;
 };
 
-/// Successive points of a line that one straight segment can stand for, found in one pass without
-/// looking back.
+/// Successive points of a line that one straight segment can stand for, found in one pass.
 ///
-/// For each point p_i that is left out between the ends of such a segment, there is a point q_i of
-/// the segment at most `tolerance` pixels away, with all values within p_i's own tolerance; and the
-/// q_i come in the order of the p_i, so that the segment does not only lie near the line but runs
-/// along with it. Method: with s_i the greatest distance from the start up to p_i, and s that up to
-/// the end, q_i is at s_i / s of the segment. Distances that fall by little, directions within a
-/// cone (J. Sklansky, V. Gonzalez, "Fast polygonal approximation of digitized curves", 1980) and
-/// slopes within an interval (H. Elmeleegy et al., "Online piece-wise linear approximation of
-/// numerical streams with precision guarantees", 2009) ensure the rest.
+/// For each point p_i that is left out, the segment has a point q_i at most `tolerance` pixels
+/// away, with values within p_i's own tolerances, in the same order: the segment runs along the
+/// line. With s_i the greatest distance from the start up to p_i, and s that up to the end, q_i is
+/// at s_i / s of the segment. Distances that fall by little, directions within a cone (J. Sklansky,
+/// V. Gonzalez, "Fast polygonal approximation of digitized curves", 1980) and slopes within an
+/// interval (H. Elmeleegy et al., "Online piece-wise linear approximation of numerical streams with
+/// precision guarantees", 2009) ensure the rest.
 class StraightPiece {
 public:
-    /// Largest distance of a point that is left out from the segment, pixels.
+    /// In pixels.
     explicit StraightPiece(float tolerance);
 
     void begin(const SeenPoint& start);
-    /// Whether a segment to `point` can stand for all points since begin(), which then has this one
-    /// too. True for the first one, whatever it is; for none after one behind the eye.
+    /// Whether a segment to `point` can stand for all points since begin(); if so, it is added.
+    /// Always true for the first point, never after one behind the eye.
     bool takes(const SeenPoint& point);
 
 private:

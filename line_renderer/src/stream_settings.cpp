@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stream_settings.h"
-
-#include <cmath>
+#include "line_stream.h"
 
 #include "laplacian_lines/line_visibility.h"
 
 namespace line_renderer {
 namespace {
 
-/// By how much of its clearance the depth of what is drawn may differ from that of a line.
+/// Share of a line's clearance by which its drawn depth may differ.
 constexpr double depth_share = 0.25;
 
 LineTolerance toleranceOf(const LinePlacement& placement) {
     LineTolerance result;
     result.distance = float(placement.tolerance);
     const Eigen::Matrix4d& p = placement.projection;
-    // change of the depth in -1..1 with the distance from the eye, times w squared
+    // Change of depth in -1..1 with the distance from the eye, times w².
     const double slope = std::abs(p(2, 2) * p(3, 3) - p(2, 3) * p(3, 2));
     for (std::size_t look = 0; look < result.depth.size(); ++look)
         result.depth[look] = float(depth_share * slope * lineClearance(look, placement));

@@ -14,7 +14,7 @@ struct Buffers {
     GLuint triangles = 0;
 };
 
-/// Fills a new buffer and leaves it bound.
+/// Leaves the buffer bound.
 template <class T>
 GLuint makeBuffer(GLenum target, const std::vector<T>& content) {
     GLuint buffer = 0;
@@ -32,7 +32,6 @@ const void* offset(std::size_t bytes) {
 
 class SurfaceBuffers::Group {
 public:
-    /// Those of a surface, made if there are none yet.
     void bind(const SurfacePointer& surface) {
         const auto [entry, is_new] = buffers_.try_emplace(surface);
         Buffers& buffers = entry->second;

@@ -19,7 +19,7 @@ Viewport currentViewport() {
     return viewport;
 }
 
-/// What a picture of some layers depends on.
+/// All that a picture of some layers depends on.
 struct DrawnScene {
     std::vector<SurfaceLayer> layers;
     Eigen::Matrix4d modelview;
@@ -41,7 +41,7 @@ DrawnScene currentScene(const std::vector<SurfaceLayer>& layers) {
     return scene;
 }
 
-/// By the fixed pipeline, as MeshLab's own drawing and ours, so that depths are the same.
+/// By the fixed pipeline, as MeshLab draws, for equal depths.
 void render(GLuint texture, const std::vector<SurfaceLayer>& layers, SurfaceBuffers& buffers) {
     const GlState state;
     const DepthFramebuffer framebuffer(texture);
@@ -91,7 +91,6 @@ private:
         rendered_.reset();
     }
 
-    /// Makes room for a viewport.
     void enlarge(const Viewport& viewport) {
         const GLint width = viewport[0] + viewport[2], height = viewport[1] + viewport[3];
         if (id_ && width <= width_ && height <= height_) return;
@@ -111,7 +110,7 @@ private:
 
     GLuint id_ = 0;
     GLint width_ = 0, height_ = 0;
-    // what it holds: a copy of this part of the depth buffer, or these layers, or neither
+    // Content: a copy of this part of the depth buffer, these layers, or nothing.
     std::optional<Viewport> copied_;
     std::optional<DrawnScene> rendered_;
 };

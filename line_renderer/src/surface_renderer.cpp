@@ -2,15 +2,14 @@
 #include "line_renderer/surface_renderer.h"
 
 #include "gl_state.h"
+#include "line_stream.h"
 #include "per_share_group.h"
-#include "shader_program.h"
 #include "shaders.h"
-#include "stream_settings.h"
 
 namespace line_renderer {
 namespace {
 
-/// How far paint may come before the surface to cover wires and points, in diagonals.
+/// How far paint may move to cover wires and points, in diagonals.
 constexpr double least_move = 0.0005;
 constexpr double greatest_move = 0.03;
 

@@ -16,9 +16,9 @@ void main()
 }
 )";
 
-// Depth: wires and points that MeshLab has drawn are flat on the screen, so on a slope they stand
-// out of the surface, by as much as it falls in half their width; and at a fold, out of the part in
-// front over the one behind. Only the depth that is compared is moved, and no depth is written.
+// Depth: MeshLab's wires and points are flat on the screen, so on a slope they stand out by what it
+// falls in half their width, and at a fold over the part behind. Only the compared depth is moved;
+// none is written.
 const char* const surface_fragment_shader = R"(#version 120
 uniform vec4 paper;
 uniform vec4 shade;
@@ -45,7 +45,7 @@ float depthMoved(float distance)
     return (gl_DepthRange.diff * clip.z / clip.w + gl_DepthRange.near + gl_DepthRange.far) * 0.5;
 }
 
-// 0 in the shade, 1 on bare paper; steps are one pixel wide.
+// 0 in the shade, 1 on bare paper, with steps one pixel wide.
 float tone()
 {
     if (tones < 2.0)
@@ -65,7 +65,7 @@ bool isHidden(float slope)
     return texel.x > 0.0 && gl_FragCoord.z > nearest + 0.5 * slope + 1e-6;
 }
 
-// The nearest depth of the faces within half the width of points and wires.
+// Within half the width of points and wires.
 float nearestAround()
 {
     float nearest = 1.0;

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cstring>
 
 namespace mesh_files {
 
-/// A number of these bytes, wherever they lie. On the machines that MeshLab runs on, integers and
-/// floats have the same order, least byte first.
+/// A number at any address. MeshLab's machines all are little-endian.
 template <class Number>
 Number little_endian(const char* bytes) {
     Number number;

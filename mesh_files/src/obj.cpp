@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront's OBJ: vertices and faces; of all else that it may hold, whether the format has it.
+// Wavefront's OBJ: vertices and faces; other statements only have to be the format's.
 #include <algorithm>
 #include <iterator>
 
@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    /// A backslash at the end of a line says that it goes on with the next one.
+    /// A backslash at the end continues the line.
     bool next(std::string_view& line) {
         if (!text_.next_line(line)) return false;
         if (!goes_on(line)) return true;
@@ -56,7 +56,7 @@ private:
                std::end(kOtherStatements);
     }
 
-    /// Behind the coordinates may be a weight, or a colour of three or four numbers.
+    /// A weight, or a colour of three or four numbers, may follow.
     void read_vertex(std::string_view line) {
         mesh_.add(coordinates_in(line));
         const std::size_t more = words_in(line);
@@ -68,7 +68,7 @@ private:
         corners_.clear();
         for (std::string_view word; !(word = take_word(line)).empty() && word[0] != '#';) {
             const std::int64_t number = integer_in(word.substr(0, word.find('/')));
-            // from 1, or back from the last vertex
+            // From 1, or back from the last vertex.
             const std::int64_t vertex =
                 number < 0 ? std::int64_t(mesh_.vertex_count()) + number : number - 1;
             if (number == 0 || vertex < 0) throw Defect{"a face names vertex " + quoted(word)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF as Geomview has it: a vertex or a face a line, colours and normals behind them.
+// Geomview's OFF: a vertex or a face per line, colours and normals behind.
 #include "readers.h"
 #include "text.h"
 
@@ -21,7 +21,7 @@ public:
     }
 
 private:
-    /// The next line with anything on it but a comment.
+    /// The next line that is not blank or a comment.
     bool next(std::string_view& line) {
         while (text_.next_line(line)) {
             std::string_view rest = line;
@@ -39,7 +39,7 @@ private:
         return line;
     }
 
-    /// The head may lack its first word, or have the numbers on the line of that word.
+    /// The word OFF may lack, or share its line with the numbers.
     void read_head() {
         std::string_view line;
         if (!next(line)) throw Defect{"it holds nothing"};
@@ -74,7 +74,7 @@ private:
     void read_vertex(std::uint64_t i) {
         std::string_view line = demanded_line("vertex", i, vertices_);
         mesh_.add(coordinates_in(line));
-        // a number that is missing would make one of the next a coordinate
+        // A missing number would make one of the next line a coordinate.
         const std::size_t more = words_in(line);
         if (i > 0 && more != more_words_)
             throw Defect{"a vertex has " + std::to_string(3 + more) + " numbers, others have " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY of Stanford (Turk 1994): vertices with faces or with strips of triangles.
+// Stanford's PLY (Turk 1994): vertices with faces or triangle strips.
 #include <algorithm>
 #include <cmath>
 
@@ -73,7 +73,6 @@ private:
     std::string_view bytes_;
 };
 
-/// What a property is read for.
 enum class Role { X, Y, Z, Corners, Strips, Nothing };
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
@@ -136,12 +135,12 @@ private:
         list_.clear();
         for (double k = 0; k < count; ++k) {
             const double value = values_.next(property.type);
-            // what is not an index is found when it is used as one
+            // Found not to be an index when used as one.
             list_.push_back(std::abs(value) < 1e18 ? std::int64_t(value) : -2);
         }
     }
 
-    /// -1 ends a strip; every second triangle of a strip is turned round.
+    /// -1 ends a strip; every second triangle is reversed.
     void add_strips() {
         std::size_t first = 0;
         for (std::size_t k = 0; k < list_.size(); ++k) {
@@ -165,7 +164,7 @@ void expect_coordinates(const PlyElement& vertices) {
             throw Defect{std::string("its vertices have no ") + name};
 }
 
-/// Not more than the bytes can hold.
+/// At most what the bytes can hold.
 void reserve(const PlyHeader& header, std::size_t bytes, MeshBuilder& mesh) {
     const bool is_text = header.encoding == PlyHeader::Encoding::Text;
     for (const PlyElement& element : header.elements) {

@@ -24,7 +24,7 @@ struct PlyElement {
     std::uint64_t count = 0;
     std::vector<PlyProperty> properties;
 
-    /// Bytes that an item takes at least.
+    /// The least bytes of an item.
     std::size_t least_size(bool is_text) const;
 };
 
@@ -34,7 +34,7 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
 };
 
-/// Up to and with the line end_header. @throws Defect
+/// Through the line end_header. @throws Defect
 PlyHeader read_ply_header(Text& text);
 
 }  // namespace mesh_files

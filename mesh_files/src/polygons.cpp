@@ -23,7 +23,7 @@ std::uint32_t vertex(std::int64_t number) {
     return std::uint32_t(number);
 }
 
-/// Newell's: the sum over a polygon's edges, twice its area long.
+/// Newell's: summed over the edges, twice the area long.
 Vector3d normal_of(const std::vector<Vector3d>& polygon) {
     Vector3d sum = Vector3d::Zero();
     for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -31,7 +31,7 @@ Vector3d normal_of(const std::vector<Vector3d>& polygon) {
     return sum;
 }
 
-/// Counter-clockwise in the plane of the polygon. None without an area that is a number.
+/// Counter-clockwise, projected. Empty without an area that is a number.
 std::vector<Vector2d> in_plane(const std::vector<Vector3d>& polygon) {
     Vector3d sides = Vector3d::Zero();
     for (const Vector3d& p : polygon)
@@ -50,7 +50,7 @@ std::vector<Vector2d> in_plane(const std::vector<Vector3d>& polygon) {
     return flat;
 }
 
-/// Twice the area of a triangle, positive if it is counter-clockwise.
+/// Twice the area, positive if counter-clockwise.
 double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
@@ -67,14 +67,14 @@ public:
             if (turn_at(i) <= 0) reflex_.push_back(i);
     }
 
-    /// Calls add(a, b, c) for each triangle. Whether there was work enough.
+    /// Calls add(a, b, c) for each triangle. False if `work` ran out.
     template <class Add>
     bool clip(std::size_t& work, Add add) {
         std::size_t left = flat_.size(), at = 0, tried = 0;
         while (left > 3) {
             if (work < reflex_.size() + 1) return false;
             work -= reflex_.size() + 1;
-            // where nothing is an ear the polygon crosses itself
+            // Without an ear the polygon crosses itself.
             if (is_ear(at) || tried > left) {
                 add(before_[at], at, next_[at]);
                 at = cut_off(at);
@@ -104,7 +104,6 @@ private:
         });
     }
 
-    /// The corner after.
     std::size_t cut_off(std::size_t i) {
         const std::size_t a = before_[i], c = next_[i];
         next_[a] = c;

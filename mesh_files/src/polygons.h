@@ -7,21 +7,19 @@
 
 namespace mesh_files {
 
-/// Makes a mesh of vertices and of faces that name them, in whichever order they come.
+/// Takes vertices and faces in any order.
 class MeshBuilder {
 public:
     void add(const Eigen::Vector3d& position) { mesh_.positions.push_back(position); }
-    /// Adds one of three or more corners. @throws Defect if there are fewer, or if a number cannot
-    /// be that of a vertex.
+    /// @throws Defect for fewer than three corners, or a number that no vertex can have
     void add(const std::vector<std::int64_t>& corners);
     void add_triangle(std::int64_t a, std::int64_t b, std::int64_t c);
-    /// As many more are to be expected.
     void reserve_vertices(std::size_t count) { mesh_.positions.reserve(count); }
     void reserve_triangles(std::size_t count) { mesh_.triangles.reserve(count); }
     std::size_t vertex_count() const { return mesh_.positions.size(); }
 
-    /// With triangles of all faces whose vertices are there. `defect` says which is the first that
-    /// is not, unless it says something already.
+    /// Triangulates all faces whose vertices exist. `defect`, unless set, names the first that does
+    /// not.
     laplacian_lines::TriangleMesh finish(std::string& defect);
 
 private:
@@ -30,9 +28,8 @@ private:
     std::vector<std::size_t> ends_;       // in corners_, by face
 };
 
-/// Cuts off ears (Meisters 1975) of a polygon as it is in its plane, so that triangles of concave
-/// ones stay inside; a polygon that crosses itself is cut up somehow. `work` is what may be done
-/// yet, in looks at a corner. Whether that was enough.
+/// Cuts ears (Meisters 1975) off a polygon in its plane; one that crosses itself is cut up somehow.
+/// `work`, in looks at a corner, is what may still be spent; false if it ran out.
 bool triangulate(const std::vector<Eigen::Vector3d>& positions, const std::uint32_t* corners,
                  std::size_t count, std::size_t& work,
                  std::vector<laplacian_lines::Triangle>& triangles);

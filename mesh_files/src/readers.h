@@ -7,8 +7,7 @@
 
 namespace mesh_files {
 
-// Each puts what it reads into the builder until it has read all. @throws Defect where the bytes
-// are not as the format has them.
+// Feed the builder. @throws Defect where the bytes are malformed
 void read_ply(std::string_view bytes, MeshBuilder& mesh);
 void read_stl(std::string_view bytes, MeshBuilder& mesh);
 void read_obj(std::string_view bytes, MeshBuilder& mesh);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL of 3D Systems: text, or 50 bytes a triangle behind a head of 84.
+// 3D Systems' STL: text, or 50 bytes per triangle after a header of 84.
 #include <algorithm>
-#include <cstring>
 
 #include "binary.h"
 #include "readers.h"
@@ -17,7 +16,7 @@ bool equals(std::string_view word, std::string_view small_letters) {
                       [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
 }
 
-/// Heads of the binary kind may begin with "solid" as well.
+/// Binary headers may begin with "solid" as well.
 bool is_text(std::string_view bytes) {
     std::string_view rest = bytes;
     if (!equals(take_word(rest).substr(0, 5), "solid")) return false;

@@ -10,8 +10,8 @@
 
 namespace meshlab_host {
 
-/// Typed access to a mesh's attributes. vcglib's own functions check the size of the type alone,
-/// some of them create what they were to find, and they need a mesh that is not const.
+// Typed access to attributes: vcglib's own functions check only the type's size, some create what
+// they look for, and they need a mesh that is not const.
 
 using Attributes = std::set<vcg::PointerToAttribute>;
 template <class T>
@@ -35,8 +35,7 @@ inline bool hasVertexAttribute(const CMeshO& mesh, const char* name) {
     return findAttribute(mesh.vert_attr, name) != nullptr;
 }
 
-/// The values by slot (see mesh_conversion.h), or null if there is no attribute of this name, type
-/// and length.
+/// By slot (see mesh_conversion.h); null if there is none of this name, type and length.
 template <class T>
 const std::vector<T>* findVertexValues(const CMeshO& mesh, const char* name) {
     const vcg::PointerToAttribute* attribute = findAttribute(mesh.vert_attr, name);
@@ -45,12 +44,11 @@ const std::vector<T>* findVertexValues(const CMeshO& mesh, const char* name) {
     return values->data.size() == mesh.vert.size() ? &values->data : nullptr;
 }
 
-/// One that is not there does not matter.
 inline void removeVertexAttribute(CMeshO& mesh, const char* name) {
     vcg::tri::Allocator<CMeshO>::DeletePerVertexAttribute(mesh, std::string(name));
 }
 
-/// findVertexValues(), created or replaced where needed.
+/// As findVertexValues(), created or replaced if need be.
 template <class T>
 std::vector<T>& demandVertexValues(CMeshO& mesh, const char* name) {
     if (!findVertexValues<T>(mesh, name)) {
@@ -71,7 +69,6 @@ inline void removeMeshValue(CMeshO& mesh, const char* name) {
     vcg::tri::Allocator<CMeshO>::DeletePerMeshAttribute(mesh, std::string(name));
 }
 
-/// Adds a value or replaces the one of this name.
 template <class T>
 void setMeshValue(CMeshO& mesh, const char* name, const T& value) {
     removeMeshValue(mesh, name);

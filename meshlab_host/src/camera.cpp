@@ -15,7 +15,7 @@ Eigen::Matrix4d layerTransform(const CMeshO& mesh) {
 }
 
 bool isOrthographic(const Eigen::Matrix4d& projection) {
-    // The last row makes the clip coordinate w: (0, 0, 0, 1) or, in perspective, (0, 0, -1, 0).
+    // The last row makes w: (0, 0, 0, 1), or (0, 0, -1, 0) in perspective.
     return projection(3, 2) == 0;
 }
 
@@ -24,7 +24,7 @@ std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& mod
                                                       const Eigen::Matrix4d& layer) {
     const Eigen::Matrix4d to_mesh = (modelview * layer).inverse();
     if (!to_mesh.allFinite()) return std::nullopt;
-    // In eye coordinates the eye is the origin; an infinitely far one lies along +z.
+    // The eye is the origin of eye coordinates, or infinitely far along +z.
     if (isOrthographic(projection)) {
         const Eigen::Vector3d towards_viewer = to_mesh.col(2).head<3>();
         if (!(towards_viewer.norm() > 0)) return std::nullopt;

@@ -5,7 +5,7 @@ namespace meshlab_host {
 
 CameraMatrices cameraFromGl() {
     CameraMatrices camera;
-    // OpenGL and Eigen both store columns.
+    // Both OpenGL and Eigen store columns.
     glGetDoublev(GL_MODELVIEW_MATRIX, camera.modelview.data());
     glGetDoublev(GL_PROJECTION_MATRIX, camera.projection.data());
     return camera;

@@ -15,7 +15,7 @@ using laplacian_lines::FieldColumn;
 
 namespace {
 
-/// How floats become an attribute's value and come back.
+/// Conversion between floats and attribute values.
 template <class Value>
 struct Stored;
 template <>
@@ -36,7 +36,7 @@ struct Stored<Scalarm> {
     static std::uint64_t word(Scalarm value) { return bits(value); }
 };
 
-/// Calls visit(column, attribute, number of its first float, Stored<its type>()) for each.
+/// Calls visit(column, attribute, number of its first float, Stored<its type>()).
 template <class Visit>
 void visitAttributes(const ColumnList& columns, Visit visit) {
     for (const FieldColumn& column : columns) {
@@ -49,8 +49,7 @@ void visitAttributes(const ColumnList& columns, Visit visit) {
     }
 }
 
-/// The vertices that are not deleted. Attributes are gone through one by one, and the vertices
-/// themselves, which are much larger, at most once.
+/// Not deleted. Attributes are read one by one, the much larger vertices at most once.
 class LiveVertices {
 public:
     explicit LiveVertices(const CMeshO& mesh)
@@ -63,7 +62,6 @@ public:
 
     bool all() const { return all_; }
 
-    /// Calls visit(slot, live index) for each.
     template <class Visit>
     void visit(Visit visit) const {
         for (std::size_t live = 0; live < count_; ++live)

@@ -10,7 +10,7 @@
 namespace meshlab_host {
 namespace {
 
-// Nobody else's name for a view, since all who have asked it hear each answer.
+// A name of our own: all who have asked a view hear each answer.
 const char* const request = "laplacian_lines_current_view";
 
 /// The window of the current document, null without one.
@@ -26,8 +26,7 @@ bool isView(const QWidget* widget) {
     return widget && widget->inherits("GLArea");
 }
 
-/// The view that had the focus last, which is what makes it MeshLab's current one; the last one
-/// made if none ever had it.
+/// MeshLab's current view: the one that had the focus last, or else the newest.
 QWidget* viewIn(QWidget& window) {
     QWidget* last = nullptr;
     for (QWidget* child : window.findChildren<QWidget*>()) {
@@ -63,7 +62,7 @@ std::optional<CurrentView> currentView() {
     QWidget* view = window ? viewIn(*window) : nullptr;
     const std::optional<Shotm> shot = view ? ShotReceiver::ask(*view) : std::nullopt;
     if (!shot) return std::nullopt;
-    // "orthographic" is the camera's type 1, as in the views that MeshLab copies as text
+    // Type 1 is orthographic, as in views that MeshLab copies as text.
     return CurrentView{shot->Intrinsics.cameraType == 1, vector(shot->GetViewPoint()),
                        vector(shot->Axis(2)).normalized(), vector(shot->Axis(1)).normalized()};
 }

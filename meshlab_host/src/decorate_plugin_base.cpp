@@ -8,8 +8,8 @@
 namespace meshlab_host {
 namespace {
 
-/// MeshLab keeps the decorations of a deleted layer and later passes "*null" for it. The detour by
-/// a volatile pointer is needed because a compiler may take a reference's address as never null.
+/// For deleted layers MeshLab passes "*null". Volatile: a compiler may assume that a reference's
+/// address is never null.
 bool exists(MeshModel& mesh) {
     MeshModel* volatile address = std::addressof(mesh);
     return address != nullptr;

@@ -16,7 +16,7 @@ const char* const azimuth = "light_azimuth";
 const char* const elevation = "light_elevation";
 const char* const hidden = "hidden_lines";
 
-// The switches of kinds have the kinds' keys.
+// The kinds' own keys are those of their switches.
 QString colorKey(const laplacian_lines::LineKindDescription& kind) {
     return QString("color_of_") + kind.key;
 }

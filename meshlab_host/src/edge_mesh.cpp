@@ -21,7 +21,7 @@ std::uint32_t vertexCount(const Polyline& line) {
     return line.closed ? line.count - 1 : line.count;
 }
 
-/// Calls visit(vertex, point, line, number of the line) for each vertex in its order.
+/// Calls visit(vertex, point, line, number of the line), in order.
 template <class Visit>
 void visitVertices(const LineSet& lines, Visit visit) {
     std::size_t vertex = 0;
@@ -66,7 +66,6 @@ void addEdges(const LineSet& lines, CMeshO& mesh) {
     }
 }
 
-/// The vertices of a surface that have a normal.
 struct OrientedPoints {
     OrientedPoints(const TriangleMesh& surface, const Field& field) {
         for (std::size_t i = 0; i < surface.positions.size(); ++i) {

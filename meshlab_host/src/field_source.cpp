@@ -14,7 +14,7 @@ using laplacian_lines::Field;
 
 namespace {
 
-/// Without that of the derivatives, which change nothing else.
+/// Without the derivatives, which change nothing else.
 std::vector<double> optionValues(laplacian_lines::PrecomputeOptions options) {
     options.curvature_derivatives = false;
     std::vector<double> values;
@@ -23,7 +23,7 @@ std::vector<double> optionValues(laplacian_lines::PrecomputeOptions options) {
     return values;
 }
 
-/// What the mesh made the defaults do besides, each part after a comma; empty on most meshes.
+/// What the defaults did specially for this mesh, each after a comma; mostly empty.
 QString specialsOf(const Field& field) {
     QString specials;
     if (field.report.welded_vertices)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "column_attributes.h"
 #include "meshlab_host/field_attributes.h"
 
@@ -10,14 +8,14 @@ namespace meshlab_host {
 
 constexpr const char* record_attribute = "ll_record";
 
-/// What field_attributes.h declares, for any table of up to 32 columns.
+/// Behind field_attributes.h, for any table of up to 32 columns.
 class FieldStore {
 public:
     explicit FieldStore(ColumnList table) : table_(std::move(table)) {}
 
     FieldStatus status(const CMeshO& mesh, const GeometryStamp& now) const;
 
-    /// Fills `field`, or leaves it alone and returns false unless status() is Current.
+    /// Returns false and leaves `field` alone unless status() is Current.
     bool read(const CMeshO& mesh, const GeometryStamp& now, laplacian_lines::Field& field) const;
 
     /// @throws laplacian_lines::Error(FieldMismatch), std::bad_alloc

@@ -29,7 +29,6 @@ Editor* editorIn(QLayoutItem* item) {
     return nullptr;
 }
 
-/// The one of a field, if it is of this kind.
 template <class Editor>
 Editor* editorOf(const QWidget& frame, const QString& label) {
     const GridField field = findField(frame, label);
@@ -50,7 +49,7 @@ QWidget* dialogOf(QWidget* frame) {
     return frame;
 }
 
-/// On screens of 768 pixels there is room for frame and bars; fields beyond are scrolled to.
+/// Leaves room for frame and bars on screens of 768 pixels; fields beyond are scrolled to.
 constexpr int most_height = 680;
 
 void growBy(QWidget& dialog, int height) {
@@ -61,7 +60,6 @@ void growBy(QWidget& dialog, int height) {
 
 }  // namespace
 
-/// The frame of the fields in the dialog.
 QWidget* FilterDialog::find(const QString& filter) {
     for (QWidget* dialog : QApplication::allWidgets()) {
         if (!isDialog(*dialog)) continue;
@@ -157,7 +155,6 @@ void FilterDialog::tighten() {
     fit();
 }
 
-/// The dialog around the fields as MeshLab made it for them.
 void FilterDialog::fit() {
     QLayout* layout = frame_->layout();
     layout->activate();
@@ -174,7 +171,7 @@ void FilterDialog::fit() {
     growBy(*dialog, missingHeight());
 }
 
-/// What the frame around the fields lacks: its description takes more lines than MeshLab expects.
+/// MeshLab expects fewer lines of description than there are.
 int FilterDialog::missingHeight() const {
     const QWidget* content = frame_->parentWidget();
     if (!content->layout() || !content->layout()->hasHeightForWidth()) return 0;

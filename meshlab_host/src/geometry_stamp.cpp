@@ -11,8 +11,7 @@
 namespace meshlab_host {
 namespace {
 
-/// Hashes the elements that are not deleted: blocks of them, and then the results in their order.
-/// `add(element, hash)` adds one.
+/// Hashes live elements by add(element, hash): blocks, then their results in order.
 template <class Elements, class Add>
 std::uint64_t hashInBlocks(const Elements& elements, std::size_t live, std::uint64_t seed,
                            Add add) {
@@ -48,7 +47,6 @@ std::uint64_t hashVertices(const CMeshO& mesh) {
                         [](const CVertexO& vertex, Hash& hash) { hash.add(pack(vertex.cP())); });
 }
 
-/// `index(slot)` gives a vertex's number among the live ones.
 template <class Index>
 std::uint64_t hashFaces(const CMeshO& mesh, Index index) {
     const CVertexO* first = mesh.vert.data();

@@ -8,8 +8,8 @@
 
 namespace meshlab_host {
 
-/// A sum over 64-bit words, each mixed with its place, so that no word has to wait for the one
-/// before. Not for adversaries; one bit changed anywhere in a mesh is all it has to notice.
+/// A sum of 64-bit words, each mixed with its place, so that none waits for the one before. Not
+/// cryptographic: any changed bit of a mesh has to show.
 class Hash {
 public:
     explicit Hash(std::uint64_t seed) : place_(seed) {}
@@ -33,8 +33,7 @@ std::uint64_t bits(Scalar value) {
     return result;
 }
 
-/// Three words in one. Each is spread by its own odd factor, so that swapping two of them or
-/// shifting a value from one to another shows.
+/// Each word has its own odd factor, so that swaps and shifts between them show.
 inline std::uint64_t pack(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
     return a * 0xd6e8feb86659fd93u + b * 0xa0761d6478bd642fu + c * 0xe7037ed1a0b428dbu;
 }

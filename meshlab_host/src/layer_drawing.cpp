@@ -13,8 +13,8 @@ namespace {
 
 const LayerDrawing unknown = {false, false, 6};
 
-/// Some of MeshLab's shaders draw faces that leave no depth; their settings stay on until all
-/// decorations are drawn.
+/// Some of MeshLab's shaders draw faces without depth; their settings last until decorations are
+/// drawn.
 bool facesLeaveDepth() {
     GLboolean writes_depth = GL_FALSE;
     glGetBooleanv(GL_DEPTH_WRITEMASK, &writes_depth);
@@ -22,7 +22,7 @@ bool facesLeaveDepth() {
 }
 
 double largestMark(const MLRenderingData& data, const MLPerViewGLOptions& options) {
-    // with attenuation this is the size at the middle of the mesh; what is nearer is larger
+    // With attenuation this is the size at the mesh's middle; nearer points are larger.
     constexpr double most_growth = 2;
     double pixels = 0;
     if (data.isPrimitiveActive(MLRenderingData::PR_POINTS))
@@ -73,7 +73,7 @@ MLRenderingData linesOnly(MeshModel& mesh) {
     return look;
 }
 
-/// MeshLab's toolbar shows how the current layer is drawn; it looks when its window is told to.
+/// MeshLab's toolbar shows how the current layer is drawn, and looks again when told.
 void refreshWindow() {
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (widget->inherits("MainWindow"))
@@ -87,7 +87,7 @@ void refreshWindow() {
 void showAsLines(const MeshDocument& document, int mesh_id) {
     MLSceneGLSharedDataContext* scene = sceneOf(document);
     if (!scene) return;
-    // as the scene's own timer: it goes with its document
+    // A timer of the scene, so it dies with its document.
     QTimer::singleShot(0, scene, [scene, mesh_id] {
         MeshModel* mesh = scene->meshDoc().getMesh(mesh_id);
         if (!mesh || mesh->cm.fn > 0 || mesh->cm.en == 0) return;

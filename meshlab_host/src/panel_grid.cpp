@@ -18,9 +18,8 @@ bool isNumber(const QString& text) {
     return is_number;
 }
 
-/// Corrects text in MeshLab's fields for numbers, which read as 0 what is not a number: a decimal
-/// comma becomes a point, and what is not a number "nan", which is refused wherever it is read.
-/// Anything can be typed; this is when the field is left.
+/// MeshLab reads as 0 what is not a number: when a field is left, a decimal comma becomes a point,
+/// and other text "nan", which is refused wherever it is read.
 class NumberValidator : public QValidator {
 public:
     using QValidator::QValidator;
@@ -60,7 +59,6 @@ GridField findIn(QGridLayout& grid, const QString& label) {
     return {};
 }
 
-/// By line; empty if the grid lacks one.
 std::vector<std::vector<GridField>> findAll(QGridLayout& grid,
                                             const std::vector<PanelLine>& lines) {
     std::vector<std::vector<GridField>> found;
@@ -74,7 +72,6 @@ std::vector<std::vector<GridField>> findAll(QGridLayout& grid,
     return found;
 }
 
-/// The same item at another place.
 void move(QGridLayout& grid, QLayoutItem* item, int row, int column, int spanned) {
     const Qt::Alignment alignment = item->alignment();
     grid.takeAt(grid.indexOf(item));
@@ -84,7 +81,7 @@ void move(QGridLayout& grid, QLayoutItem* item, int row, int column, int spanned
         grid.addItem(item, row, column, 1, spanned, alignment);
 }
 
-/// What MeshLab keeps hidden beside the fields makes room.
+/// What MeshLab hides beside the fields makes room.
 void moveHelpAside(QGridLayout& grid) {
     for (int i = grid.count() - 1; i >= 0; --i) {
         int row, column, rows, spanned;
@@ -93,7 +90,7 @@ void moveHelpAside(QGridLayout& grid) {
     }
 }
 
-/// How many of `width` columns a label takes: long ones would widen the column of the short ones.
+/// Columns of `width` that a label takes: long ones would widen the column of short ones.
 int labelColumns(QLayoutItem& label, int width) {
     return textOf(label).size() <= longest_short_label ? 1 : width / 2;
 }
@@ -115,7 +112,7 @@ void moveAll(QGridLayout& grid, const std::vector<std::vector<GridField>>& found
     grid.setVerticalSpacing(line_spacing);
 }
 
-/// Red text where a value is wrong. Others keep their palette: MeshLab shows colors by it.
+/// Red text if wrong. Others keep their palette, which shows colors.
 void mark(QWidget& widget, bool is_wrong) {
     if (widget.property(wrong_mark).toBool() == is_wrong) return;
     widget.setProperty(wrong_mark, is_wrong);

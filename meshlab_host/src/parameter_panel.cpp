@@ -14,14 +14,14 @@
 namespace meshlab_host {
 namespace {
 
-/// The part of the layer dialog that holds the panels of all decorations, one an item.
+/// Holds the panels of all decorations, one an item.
 QTreeWidget* findTree() {
     for (QWidget* window : QApplication::topLevelWidgets())
         if (auto* tree = window->findChild<QTreeWidget*>("decParsTree")) return tree;
     return nullptr;
 }
 
-/// At least so high, and of what is left `stretch` parts; whatever it would like to have.
+/// At least this high, plus `stretch` parts of what is left, whatever its size hint.
 void setHeight(QWidget& widget, int least, int stretch) {
     QSizePolicy policy = widget.sizePolicy();
     policy.setVerticalPolicy(QSizePolicy::Ignored);
@@ -30,7 +30,6 @@ void setHeight(QWidget& widget, int least, int stretch) {
     widget.setMinimumHeight(least);
 }
 
-/// Gives the layout with this widget so many parts of the height that is left.
 void stretchLayoutOf(QWidget& widget, int stretch) {
     for (QBoxLayout* box : widget.parentWidget()->findChildren<QBoxLayout*>())
         for (int i = 0; i < box->count(); ++i)
@@ -38,8 +37,8 @@ void stretchLayoutOf(QWidget& widget, int stretch) {
                 if (inner->indexOf(&widget) >= 0) box->setStretch(i, stretch);
 }
 
-/// MeshLab gives the lists of layers and of panels no less height than they would like to have:
-/// with panels, the window outgrows small screens. Now panels come first, and all can be low.
+/// MeshLab's lists of layers and panels insist on their size hints, so the window outgrows small
+/// screens. Here panels come first, and all can be low.
 void fitIntoDialog(QTreeWidget& panels) {
     QWidget* const dialog = panels.parentWidget();
     if (!dialog) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "meshlab_host/parameter_text.h"
+#include "meshlab_host/parameters.h"
 
 #include <cmath>
 #include <limits>

@@ -2,10 +2,8 @@
 #include "meshlab_host/parameters.h"
 
 #include <cmath>
-#include <optional>
 
 #include "laplacian_lines/error.h"
-#include "meshlab_host/parameter_text.h"
 
 namespace meshlab_host {
 
@@ -13,7 +11,6 @@ using laplacian_lines::OptionKind;
 
 namespace {
 
-/// The shortest decimal that means this float.
 double asWritten(float value) {
     if (!std::isfinite(value)) return value;
     for (int digits = 6; digits < 9; ++digits) {
@@ -23,8 +20,7 @@ double asWritten(float value) {
     return value;
 }
 
-/// The number in a parameter of any type; empty for types that hold none. Asking a value for
-/// another type than it has ends MeshLab by an assertion.
+/// Empty for types without a number: asking a value for another type trips an assertion in MeshLab.
 std::optional<double> number(const Value& value) {
     if (value.isBool()) return value.getBool() ? 1 : 0;
     if (value.isInt()) return value.getInt();
@@ -37,7 +33,6 @@ std::optional<double> number(const Value& value) {
     return std::nullopt;
 }
 
-/// Adds a parameter of this type to the list.
 template <class Rich, class Description, class... Value>
 void add(const Description& d, RichParameterList& list, const Value&... value) {
 #if MESHLAB_API < 2022
@@ -54,9 +49,9 @@ QString underHeading(const QString& heading, const QString& label) {
 }
 
 QString toolTip(const QString& help) {
-    // Qt wraps rich text only
+    // Qt wraps only rich text.
 #if MESHLAB_API < 2022
-    // a dialog shows it beside the field as well, two lines of it
+    // Dialogs also show two lines of it beside the field.
     return "<table width=\"430\"><tr><td>" + help + "</td></tr></table>";
 #else
     return "<span>" + help + "</span>";
@@ -86,7 +81,7 @@ double readParameter(const ParameterDescription& d, double fallback,
     if (!list.hasParameter(d.name)) return fallback;
     const std::optional<double> value = number(list.getParameterByName(d.name).value());
     if (!value) refuseValue("not a number", d);
-    // written so that NaN is refused as well
+    // NaN fails, too.
     if (!(*value >= d.minimum && *value <= d.maximum))
         refuseValue(std::isnan(*value) ? "not a number" : QString::number(*value), d);
     return *value;

@@ -10,8 +10,8 @@
 namespace meshlab_host {
 namespace {
 
-/// The documents of scenes. Closing a project can destroy a document before its scene, which keeps
-/// a reference to it, so each is watched from when its scene is first seen.
+/// Closing a project can destroy a document before its scene, which keeps a reference, so each
+/// document is watched from when its scene is first seen.
 class WatchedDocuments {
 public:
     /// Null if it is gone.
@@ -44,7 +44,7 @@ bool holds(const MeshDocument* document, const MeshModel& mesh) {
 MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh) {
     static WatchedDocuments documents;
     MLSceneGLSharedDataContext* found = nullptr;
-    // a widget that is never shown and has no parent to be found by; all are visited, to watch them
+    // A widget that is never shown and has no parent; all are visited, to watch them.
     for (QWidget* widget : QApplication::allWidgets()) {
         auto* scene = qobject_cast<MLSceneGLSharedDataContext*>(widget);
         if (scene && holds(documents.of(scene), mesh)) found = scene;

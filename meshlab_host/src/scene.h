@@ -11,11 +11,11 @@
 
 namespace meshlab_host {
 
-/// What MeshLab's GUI keeps for the document of `mesh`: the document and the render settings of its
-/// layers. Null in programs without a GUI. Decorations are not handed it.
+/// MeshLab's GUI state for the document of `mesh`: the document and its layers' render settings.
+/// Null without a GUI. Decorations are not handed it.
 MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh);
 
-/// The same of a document that is there.
+/// For a document that exists.
 MLSceneGLSharedDataContext* sceneOf(const MeshDocument& document);
 
 }  // namespace meshlab_host

@@ -7,12 +7,12 @@
 
 namespace meshlab_host {
 
-/// Takes the camera that a GL view sends. The signal's signature is the same in all versions.
+/// Receives the camera that a GL view sends. The signal is the same in all versions.
 class ShotReceiver : public QObject {
     Q_OBJECT
 
 public:
-    /// Asks a GL view; empty if it does not answer.
+    /// Empty if the view does not answer.
     static std::optional<Shotm> ask(QObject& view);
 
 public slots:

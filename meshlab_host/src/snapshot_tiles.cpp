@@ -6,10 +6,10 @@
 namespace meshlab_host {
 namespace {
 
-/// Where the middle of the frustum lies, in half widths and half heights of it to the left of and
-/// below the axis of sight. Tile c of n has n - 1 - 2c, an integer.
+/// How far the frustum's middle is left of and below the axis of sight, in half widths and heights.
+/// Tile c of n has n - 1 - 2c, an integer.
 Eigen::Vector2d offset(const Eigen::Matrix4d& projection) {
-    // the sign of perspective's third column comes from dividing by -z
+    // Perspective divides by -z, hence the sign.
     return isOrthographic(projection) ? Eigen::Vector2d(projection.col(3).head<2>())
                                       : Eigen::Vector2d(-projection.col(2).head<2>());
 }
@@ -22,7 +22,7 @@ bool isWhole(double number) {
     return std::abs(number - std::round(number)) < 1e-3;
 }
 
-/// Tiles are drawn from the lower left one on.
+/// Tiles start at the lower left.
 bool isFirstTile(const Eigen::Vector2d& offset) {
     return offset.x() > 0.5 && std::abs(offset.x() - offset.y()) < 1e-3 && isWhole(offset.x());
 }
@@ -30,7 +30,7 @@ bool isFirstTile(const Eigen::Vector2d& offset) {
 }  // namespace
 
 double SnapshotTiles::scale(const CameraMatrices& camera) {
-    // first, because an inner tile can look like the first one of fewer
+    // Asked first: an inner tile can look like the first one of fewer.
     const bool is_next = scale_ > 1 && camera.modelview.isApprox(camera_.modelview, 1e-6) &&
                          std::abs(camera.projection(1, 1) / camera_.projection(1, 1) - 1) < 1e-5;
     if (is_next) return scale_;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr qint64 milliseconds_between = 100;
 
-/// That of the main window which has a progress bar in it.
 QStatusBar* statusBarWithProgress() {
     if (!qobject_cast<QApplication*>(QCoreApplication::instance())) return nullptr;
     for (QWidget* widget : QApplication::topLevelWidgets())
@@ -36,9 +35,9 @@ WindowProgress::~WindowProgress() {
     if (views_) views_->setUpdatesEnabled(true);
 }
 
-/// Whatever is painted at once, as progress bars are when their value changes, takes along all that
-/// waits for it in the window, views of the mesh that is worked on among it. These are painted
-/// later, and panels now: what waits while others are painted is blank until its turn comes.
+/// Painting at once, as progress bars do, also paints all that waits in the window, even views of
+/// the mesh being worked on. These are painted later, and panels now: they would stay blank until
+/// their turn.
 void WindowProgress::letViewsWait() {
     const auto* window = qobject_cast<QMainWindow*>(status_->window());
     QWidget* const views = window ? window->centralWidget() : nullptr;

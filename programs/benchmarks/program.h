@@ -8,14 +8,13 @@
 
 namespace benchmarks {
 
-/// An option of a program's command line.
 struct Option {
     std::string name;  ///< "--noise 0,10,20": with what stands for its value, if it has one
     std::string help;
     std::function<void(const std::string&)> set;  ///< std::invalid_argument for a wrong value
 };
 
-/// Options that set a variable, which has to outlive them.
+/// The variable outlives the option.
 Option flag(const std::string& name, const std::string& help, bool& value);
 Option text(const std::string& name, const std::string& help, std::string& value);
 Option number(const std::string& name, const std::string& help, double& value, double least = 0,
@@ -28,14 +27,14 @@ Option numbers(const std::string& name, const std::string& help, std::vector<dou
 double parse_number(const std::string& text);
 std::vector<std::string> split(const std::string& text, char by);
 
-/// Sets what the words ask for and returns the others, the names of files.
-/// @throws std::invalid_argument for an unknown option, and for one without its value.
+/// Sets what the words ask for; returns the other words, file names.
+/// @throws std::invalid_argument for unknown options and missing values
 std::vector<std::string> parse_words(const std::vector<std::string>& words,
                                      const std::vector<Option>& options);
 
-/// All that a program does: `work` of the files that its words name; returns the exit code: 2 for
-/// wrong words, with the options, 1 if `work` returns false or throws. `files` is what the usage
-/// says of them; one is needed unless it begins with "[".
+/// A whole program: `work` gets the files. Returns the exit code: 2 for wrong words, with the
+/// usage; 1 if `work` returns false or throws. `files` is the usage's text for them; one is needed
+/// unless it begins with "[".
 int run_program(int argc, char** argv, const char* files, const std::vector<Option>& options,
                 const std::function<bool(const std::vector<std::string>&)>& work);
 

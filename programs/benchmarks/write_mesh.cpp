@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_mesh stone|vessel|part|FILE [--subdivide N] FILE.ply: a mesh to draw, as binary PLY: a flaked
-// stone of 100 mm, a vessel of 200 mm or a machined part of 100 mm whose rounded edges are as wide as
-// its triangles, in metres as scans come, or a mesh whose triangles are cut in four, N times.
+// write_mesh stone|vessel|part|FILE [--subdivide N] FILE.ply: writes as binary PLY a flaked stone of
+// 100 mm, a vessel of 200 mm or a machined part of 100 mm with rounded edges as wide as its
+// triangles, in metres like scans, or a mesh with its triangles cut in four, N times.
 
 #include <cstdio>
 #include <cstdlib>

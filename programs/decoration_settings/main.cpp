@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks parameters of the decoration and prints the driver's commands that set them:
 //   decoration_settings NAME=VALUE...
-// or those of the pictures of a comparison, a line each: label, detector of edges or -, commands
-// before and after the picture, with tabs between these four and " ; " between commands:
+// or, a line each, those of the pictures of a comparison: label, edge detector or -, commands before
+// and after the picture, separated by tabs, commands by " ; ":
 //   decoration_settings --kinds NAMES NAME=VALUE...
 #include <cstdio>
 #include <exception>

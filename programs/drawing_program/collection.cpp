@@ -7,7 +7,7 @@
 
 #include "collection_items.h"
 #include "file_names.h"
-#include "line_drawing/contact_sheet.h"
+#include "line_drawing/make_sheet.h"
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 
@@ -20,7 +20,7 @@ void makeFolders(const CollectionFolder& folder) {
         refuse(QString("the folder \"%1\" cannot be written.").arg(folder.path));
 }
 
-/// What is left to be drawn; an old record must not outlive a failure.
+/// Old records must not outlive a failure.
 std::vector<Job> jobsFor(const std::vector<CollectionItem>& items, const CollectionFolder& folder,
                          const CommandLine& commands) {
     std::vector<Job> jobs;

@@ -10,7 +10,7 @@
 #include <QMap>
 
 #include "file_names.h"
-#include "line_drawing/contact_sheet.h"
+#include "line_drawing/make_sheet.h"
 #include "line_drawing/whole_file.h"
 #include "mesh_reading.h"
 

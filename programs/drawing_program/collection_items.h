@@ -6,7 +6,6 @@
 
 #include "line_drawing/sheet.h"
 
-/// A mesh of a collection.
 struct CollectionItem {
     QString mesh;     ///< its file
     QString name;     ///< of its drawing, without ending; no two have the same
@@ -14,13 +13,12 @@ struct CollectionItem {
     QByteArray key;   ///< tells mesh, options and program from others
 };
 
-/// The meshes that are named, and those in the folders that are named, by their names. Where two
-/// would have drawings of the same name, it is that of the mesh with its ending.
-/// @throws laplacian_lines::Error(InvalidOption) if there are none, or two with the same name.
+/// The named meshes and those in named folders. Equal names of drawings get the mesh's extension.
+/// @throws laplacian_lines::Error(InvalidOption) if there are none, or names stay equal
 std::vector<CollectionItem> itemsOf(const QStringList& named, const QStringList& options,
                                     const QStringList& taken_names);
 
-/// Where the drawings of a collection are, and the records of what they show.
+/// Drawings of a collection with the records of what they show.
 struct CollectionFolder {
     QString path, format;
 
@@ -28,7 +26,7 @@ struct CollectionFolder {
     QString drawingOf(const CollectionItem& item) const;
     QString viewOf(const CollectionItem& item) const;  ///< for the contact sheet
 
-    /// Whether the drawing is there and is of this key.
+    /// Whether there is a drawing with this key.
     bool isUpToDate(const CollectionItem& item) const;
     void remember(const CollectionItem& item) const;
     void forget(const CollectionItem& item) const;

@@ -11,7 +11,7 @@ namespace {
 const char* const format = "--format";              // of a collection
 const char* const contact_view = "--contact-view";  // of the processes of a collection
 
-/// A folder of drawings is one that is there, or whose name ends like one.
+/// A folder of drawings exists, or is named like one.
 void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
     if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
     result.drawing = names[0];
@@ -29,7 +29,7 @@ QString takeValue(QStringList& rest, const QString& option) {
     return rest.takeFirst();
 }
 
-/// Takes a word, and its value with it. False if it is the name of a file.
+/// Consumes an option with its value. False for the name of a file.
 bool takeOption(const QString& word, QStringList& rest, CommandLine& result) {
     if (word == "-h" || word == "--help") {
         result.help = true;

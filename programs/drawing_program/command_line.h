@@ -4,8 +4,8 @@
 #include <QStringList>
 #include <optional>
 
-#include "line_drawing/provenance.h"
 #include "line_drawing/sheet_choices.h"
+#include "line_drawing/sheet_file.h"
 
 /// What a drawing says of how it was made, see line_drawing::provenanceText().
 struct Provenance {

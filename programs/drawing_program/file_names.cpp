@@ -15,7 +15,7 @@ bool isOdd(QChar c) {
     return c.unicode() >= first_odd && c.unicode() <= last_odd;
 }
 
-/// Calls `take(place, length)` for each odd byte, length 1, and for what is between them.
+/// Calls `take(place, length)` for each odd byte, length 1, and for the runs between.
 template <class Take>
 void cutAtOddBytes(const QChar* text, int length, Take take) {
     int begin = 0;

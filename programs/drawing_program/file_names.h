@@ -9,29 +9,28 @@
 
 #include "laplacian_lines/error.h"
 
-/// From now on, Qt takes names of files for UTF-8, also in the locale C, and keeps what is none: a
-/// byte that belongs to no character is half a surrogate pair, U+DC80 to U+DCFF, as in Python.
-/// Other locales have their own characters, and nothing changes there.
+/// Makes Qt take file names for UTF-8, also in the locale C, and keep other bytes as in Python:
+/// half a surrogate pair, U+DC80 to U+DCFF. Does nothing in other locales, which have their own
+/// characters.
 void keepFileNames();
 
-/// The name as people can read it, with a replacement character for each such byte.
+/// With a replacement character for each such byte.
 QString readable(const QString& name);
 
 inline QString inQt(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-/// The name of a file as the system has it.
+/// As the system has it.
 inline std::string fileName(const QString& name) {
     return QFile::encodeName(name).toStdString();
 }
 
-/// @throws laplacian_lines::Error(InvalidOption), always
 [[noreturn]] inline void refuse(const QString& sentence) {
     laplacian_lines::refuse(sentence.toStdString());
 }
 
-/// For the drawing, as UTF-8.
+/// For texts on the drawing.
 inline std::vector<std::string> inUtf8(const QStringList& words) {
     std::vector<std::string> texts;
     for (const QString& word : words)

@@ -14,12 +14,12 @@ using line_drawing::SourceMesh;
 
 namespace {
 
-/// Files come from anywhere: what they say must not name others.
+/// Files come from anywhere: they must not name other files.
 bool isOption(const QString& word) {
     return word.startsWith("--") && word != "--" && word != "--like" && word != "--contact-view";
 }
 
-/// The object at the beginning of these bytes.
+/// Parses the object that these bytes begin with.
 QJsonObject objectIn(const QByteArray& bytes) {
     QJsonParseError error;
     QJsonDocument::fromJson(bytes, &error);  // tells where it ends

@@ -6,18 +6,17 @@
 
 #include "laplacian_lines/triangle_mesh.h"
 
-/// The meshes that are named, and those in the folders that are named, by their names.
-/// @throws laplacian_lines::Error(InvalidOption) if there is none in a folder.
+/// The named meshes and those in named folders. @throws laplacian_lines::Error(InvalidOption) if a
+/// folder has none
 QStringList meshesOf(const QStringList& named);
 
 struct ReadMesh {
     laplacian_lines::TriangleMesh mesh;
     QString defect;  ///< of a damaged file: why the mesh is not whole
-    /// Of the file's bytes, in hexadecimal; computed while the mesh is drawn.
+    /// Of the file, in hexadecimal; computed while the mesh is drawn.
     std::shared_future<std::string> sha256;
 };
 
-/// Reads a mesh of a PLY, OBJ, STL or OFF file. Polygons become triangles. A file that is not as
-/// its format has it is refused, or what comes before that is drawn.
-/// @throws laplacian_lines::Error(InvalidMesh) with a sentence that names the file.
+/// Reads a PLY, OBJ, STL or OFF file, triangulated. A malformed file is refused, or drawn as far as
+/// it goes. @throws laplacian_lines::Error(InvalidMesh) with a sentence that names the file
 ReadMesh readMesh(const QString& name, bool draws_damaged);

@@ -6,9 +6,8 @@
 
 #include "command_line.h"
 #include "file_names.h"
-#include "line_drawing/bounds.h"
-#include "line_drawing/contact_sheet.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/object.h"
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 #include "mesh_reading.h"
@@ -17,7 +16,7 @@ namespace {
 
 using line_drawing::SourceMesh;
 
-/// Scans come in metres, too, and nothing in a file tells.
+/// Scans come in metres, too, and files do not tell.
 void saySize(const std::vector<ReadMesh>& meshes, double unit) {
     Eigen::AlignedBox3d box;
     for (const ReadMesh& read : meshes)
@@ -42,7 +41,7 @@ std::vector<ReadMesh> readMeshes(const CommandLine& commands) {
     return meshes;
 }
 
-/// What is not drawn of an object; empty: nothing.
+/// What is missing of an object, if anything.
 QString lackOf(const ReadMesh& read) {
     if (!read.defect.isEmpty()) return read.defect;
     const auto& all = read.mesh.positions;
@@ -53,8 +52,7 @@ QString lackOf(const ReadMesh& read) {
     return {};
 }
 
-/// The names of the files, with a word before those that are not drawn whole: notes may be cut off
-/// at their end.
+/// File names, those not drawn whole marked by a word before: notes may be cut off at the end.
 QString sourcesOf(const QStringList& files, const std::vector<ReadMesh>& meshes) {
     QStringList sources;
     for (int i = 0; i < files.size(); ++i) {

@@ -10,7 +10,7 @@
 
 namespace {
 
-// Measured with meshes of up to 14 million triangles; docs/drawing_sheets.md has the figures.
+// Measured with up to 14 million triangles, see docs/drawing_sheets.md.
 constexpr double bytes_per_byte_of_file = 30, least_bytes = 200e6;
 constexpr double share_of_free_memory = 0.8;
 constexpr int wait_ms = 20;
@@ -30,7 +30,7 @@ struct Running {
     std::unique_ptr<QProcess> process;
 };
 
-/// The last line of what it said, without the names of the program and of the mesh.
+/// Its last line, without the names of program and mesh.
 QString complaintOf(QProcess& process, const QString& mesh) {
     if (process.error() == QProcess::FailedToStart) return process.errorString();
     if (process.exitStatus() == QProcess::CrashExit)

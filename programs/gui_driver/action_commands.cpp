@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands are described in README.md.
 #include <QApplication>
 #include <QMenu>
 #include <QTreeWidget>
@@ -36,7 +35,7 @@ void expectAction(const Command& command) {
         throw CommandError(QString("it is %1").arg(action->isChecked() ? "checked" : "unchecked"));
 }
 
-// MeshLab's search box lists actions in a menu below it.
+// MeshLab's search box lists actions in a menu.
 void searchAndTrigger(const Command& command) {
     QMenu* menu = nullptr;
     for (QWidget* widget : QApplication::allWidgets())

@@ -10,7 +10,7 @@
 namespace driver {
 namespace {
 
-// MeshLab's way to hand views in and out of a GL view is the clipboard.
+// MeshLab passes views in and out of a GL view by the clipboard.
 QString cameraText() {
     QMetaObject::invokeMethod(requireView(), "copyToClip", Qt::DirectConnection);
     return QApplication::clipboard()->text();
@@ -51,8 +51,8 @@ QString row(const QVector3D& v, int last) {
         .arg(last);
 }
 
-// MeshLab's camera stands where one with this angle shows a ball of radius 1.75, in units of the
-// view's scale, around what it turns about.
+// MeshLab's camera, at this angle, shows a ball of radius 1.75, in units of the view's scale,
+// around its pivot.
 constexpr double ball_radius = 1.75;
 
 double viewingDistance(const QDomDocument& document, double angle) {
@@ -81,8 +81,7 @@ void look(QDomDocument& document, QVector3D eye, const QVector3D& target, const 
     if (cameraIn(document).attribute("CameraType") == "1")
         eye = target + back * float(viewingDistance(document, orthographic_angle));
     setPlace(cameraIn(document), eye, {right, QVector3D::crossProduct(back, right), back});
-    // from 2022.02 on, MeshLab keeps the far plane of the text, which was right for the old
-    // distance
+    // From 2022.02 on, MeshLab keeps the text's far plane, which suits the old distance.
     settingsIn(document).setAttribute("FarPlane", 10000);
     setCameraText(document.toString());
 }
@@ -119,8 +118,8 @@ CameraAxes axesFrom(double azimuth, double elevation, const QString& up) {
             turned(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e))};
 }
 
-// MeshLab measures depths in units of the view's scale: it goes with the distance, so that as much
-// is clipped as with MeshLab's own camera when it zooms.
+// MeshLab measures depths in the view's scale: it has to grow with the distance, for the same
+// clipping as when its own camera zooms.
 void placeCamera(const CameraPlace& place) {
     QDomDocument document = parseCamera(cameraText());
     QDomElement camera = cameraIn(document), settings = settingsIn(document);

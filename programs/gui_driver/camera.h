@@ -10,22 +10,21 @@ void loadCamera(
     const QString& file_name);  // XML, as MeshLab's "Save camera settings to file" writes it
 void saveCamera(const QString& file_name);
 
-// look EX EY EZ  TX TY TZ  [UX UY UZ]: the eye, a point it looks at, the upward direction (y by
-// default), all in the coordinates of the scene. Field of view, projection and scale stay; with an
-// orthographic camera only the direction counts.
+// look EX EY EZ  TX TY TZ  [UX UY UZ]: eye, target, up (default y), scene coordinates. Keeps field
+// of view, projection and scale; of an orthographic camera only the direction counts.
 void lookFrom(const Command& command);
 
-// The camera's axes in the scene: to the right of the picture, up, and to the viewer.
+// In the scene: right, up, and towards the viewer.
 struct CameraAxes {
     QVector3D right, up, back;
 };
 
-// Degrees to the right around the scene and up, up to 90 each way; 0 0 looks against the z axis
-// with y up. With another axis up ("x", "z"), the scene is first turned by the least angle that
-// brings that one up: with z up, 0 0 looks along the y axis.
+// Degrees to the right around the scene and up, at most 90; 0 0 looks against z with y up. Another
+// axis `up` ("x", "z") first turns the scene by the least angle that brings it up: for z, 0 0 looks
+// along y.
 CameraAxes axesFrom(double azimuth, double elevation, const QString& up);
 
-// Where a camera is, apart from what else MeshLab keeps of it.
+// The place alone; MeshLab keeps more of a camera.
 struct CameraPlace {
     CameraAxes axes;
     QVector3D target;        // any point in the middle of the picture
@@ -37,11 +36,11 @@ constexpr double perspective_angle = 60, orthographic_angle = 5;  // degrees, as
 
 void placeCamera(const CameraPlace& place);
 
-// The share of the distance from eye to target within which placeCamera shows nothing, and how far
-// in front of the target an orthographic camera does, in halves of the picture's height.
+// The share of the distance from eye to target that placeCamera clips, and how far before the
+// target an orthographic camera clips, in half heights of the picture.
 constexpr double nearest_shown = 0.1, orthographic_depth = 4;
 
-// Puts the camera on a circle around what it turns about.
+// Around the camera's pivot.
 class Orbit {
 public:
     Orbit();                                             // where MeshLab's camera stands at first

@@ -129,7 +129,7 @@ void writeFile(const QString& file_name, const QByteArray& content) {
 CommandTable allCommands() {
     CommandTable table;
     for (const auto add : {addWindowCommands, addActionCommands, addDialogCommands,
-                           addModalCommands, addDrawingCommands, addMouseCommands, addLogCommands,
+                           addModalCommands, addDrawingCommands, addMouseCommands,
                            addMemoryCommands, addProbeCommands, addWatchCommands, addFrameCommands})
         add(table);
     return table;

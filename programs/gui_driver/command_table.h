@@ -10,8 +10,7 @@
 
 namespace driver {
 
-// One line of the driver's script: NAME REST, where REST is also cut into words ("double quotes"
-// keep blanks).
+// A line of a script: NAME REST; REST also comes as words ("double quotes" keep blanks).
 struct Command {
     int line = 0;
     QString name;
@@ -24,17 +23,16 @@ struct Command {
     QString wordOr(int index, const QString& otherwise) const;
 };
 
-// `text`: a line without blanks around it.
+// `text` has no blanks around it.
 Command parseLine(const QString& text);
 
-// One command a line; empty lines and lines that start with # are skipped. CommandError when
-// unreadable.
+// One command a line; skips empty lines and those that start with #. CommandError if unreadable.
 QVector<Command> readScript(const QString& file_name);
 
-// CommandError when it cannot be written.
+// CommandError if it fails.
 void writeFile(const QString& file_name, const QByteArray& content);
 
-// Ends the run: the process exits with code 3 and says which line failed and why.
+// Ends the run with exit code 3, line and reason.
 struct CommandError : std::runtime_error {
     explicit CommandError(const QString& why) : std::runtime_error(why.toStdString()) {}
 };
@@ -44,7 +42,7 @@ enum class Outcome {
     Retry  // not yet: run the command again soon, until the time limit of a line is over
 };
 
-// Retry for up to five seconds after the command began, then CommandError.
+// Retry for up to five seconds, then CommandError.
 Outcome retryAWhile(const Command& command, const QString& why);
 
 enum class Place {
@@ -62,7 +60,7 @@ public:
     };
 
     void add(const QString& name, Handler handler, Place place = Place::MainWindow);
-    // for commands that are done as soon as they return
+    // For commands that are done when they return.
     void addSimple(const QString& name, std::function<void(const Command&)> handler,
                    Place place = Place::MainWindow);
 
@@ -72,14 +70,13 @@ private:
     std::map<QString, Entry> entries_;
 };
 
-// Each file of commands adds them to the table.
+// Each file of commands registers its own; README.md describes them.
 void addWindowCommands(CommandTable& table);
 void addActionCommands(CommandTable& table);
 void addDialogCommands(CommandTable& table);
 void addModalCommands(CommandTable& table);
 void addDrawingCommands(CommandTable& table);
 void addMouseCommands(CommandTable& table);
-void addLogCommands(CommandTable& table);
 void addMemoryCommands(CommandTable& table);
 void addProbeCommands(CommandTable& table);
 void addWatchCommands(CommandTable& table);

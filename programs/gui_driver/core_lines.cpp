@@ -22,14 +22,14 @@ namespace {
 
 constexpr std::size_t most_known = 8;
 
-// Not a number equals itself here.
+// NaN equals itself here.
 template <class T>
 bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() &&
            (a.empty() || !std::memcmp(a.data(), b.data(), a.size() * sizeof(T)));
 }
 
-/// Those of the filter while its results belong to the mesh, otherwise the default ones.
+/// The filter's options while its results belong to the mesh, else the defaults.
 PrecomputeOptions optionsFor(const CMeshO& mesh) {
     using namespace meshlab_host;
     if (fieldStatus(mesh, geometryStamp(mesh)) != FieldStatus::Current) return {};

@@ -11,16 +11,14 @@
 
 namespace driver {
 
-/// The faces and vertices of a mesh that are not deleted.
+/// Without deleted faces and vertices.
 laplacian_lines::TriangleMesh liveTriangles(const CMeshO& mesh);
 
-/// The lines that a layer has to show, by a computation of its own from the geometry as it is: no
-/// attribute's content, nothing that was kept by the decoration. Geometries that were seen lately
-/// are kept.
+/// The lines that a layer should show, computed afresh from its geometry: independent of attributes
+/// and of what the decoration keeps. Caches recent geometries.
 class CoreLines {
 public:
-    /// For the camera of the current GL context, with kernels of these sizes and shares. Valid
-    /// until the next call.
+    /// For the current GL context's camera and these kernels. Valid until the next call.
     /// @throws std::exception if the layer can have no lines
     const laplacian_lines::LineSet& of(const MeshModel& mesh, const DecorationParameters& chosen,
                                        const std::vector<laplacian_lines::DrawnKernel>& kernels);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands are described in README.md.
 #include <QCheckBox>
 #include <QLabel>
 #include <QMainWindow>
@@ -14,7 +13,7 @@
 namespace driver {
 namespace {
 
-/// As if a window manager had maximized it on a screen of this size.
+/// As if maximized on a screen of this size.
 Outcome setWindowSize(const Command& command) {
     QMainWindow* window = requireMainWindow();
     if (window->isMaximized() || window->isFullScreen()) window->showNormal();
@@ -44,7 +43,6 @@ QTreeWidget* decorationTree() {
     throw CommandError("the layer dialog shows no decoration parameters");
 }
 
-/// Shows a decoration's parameters in the layer dialog.
 void unfoldDecoration(const Command& command) {
     const auto items = decorationTree()->findItems(command.rest, Qt::MatchExactly);
     if (items.isEmpty()) throw CommandError("the decoration has no parameters there");
@@ -57,7 +55,7 @@ void expectDecorationField(const Command& command) {
     if (state != wanted) throw CommandError("it is " + state);
 }
 
-/// A label in red whose tool tip matches, or neither.
+/// A label in red with a matching tool tip, or no label in red.
 void expectFault(const Command& command) {
     const QString name = command.rest.section('=', 0, 0).trimmed();
     const QRegularExpression wanted(command.rest.section('=', 1).trimmed());
@@ -71,7 +69,7 @@ void expectFault(const Command& command) {
     throw CommandError("there is no such parameter");
 }
 
-/// The fields that the decorations show are seen without scrolling on a screen of this height.
+/// The decorations' fields show without scrolling on a screen of this height.
 void expectFieldsAbove(const Command& command) {
     const QTreeWidget* tree = decorationTree();
     const auto bottom = [](const QWidget* widget) {
@@ -90,7 +88,7 @@ void expectFieldsAbove(const Command& command) {
         throw CommandError(words);
 }
 
-/// Qt breaks the lines of a tool tip only if it is rich text.
+/// Qt wraps tool tips only if they are rich text.
 void expectWrappedToolTips(const Command&) {
     int tool_tips = 0;
     for (QWidget* widget : decorationTree()->findChildren<QWidget*>()) {
@@ -108,7 +106,7 @@ void expectField(const Command& command) {
     if (shown != wanted) throw CommandError(QString("it shows '%1'").arg(shown));
 }
 
-/// Some texts follow what is typed after a pause.
+/// Some texts follow the typing after a pause.
 Outcome expectInDialog(const Command& command) {
     QStringList texts;
     for (const QLabel* label : filterDialog()->findChildren<QLabel*>())

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands are described in README.md.
 #include <GL/glew.h>  // before any other GL header
 
 #include <QTextStream>
@@ -18,8 +17,8 @@ namespace {
 
 const QString decoration = "Laplacian Lines";
 
-/// What MeshLab's boxes say is only an error if there is no mesh afterwards. The place of the file
-/// is known to the caller.
+/// MeshLab's message boxes are an error only if there is no mesh afterwards. The caller reports the
+/// file.
 Outcome load(const Command& command) {
     const std::size_t layers = presentSituation().layers.size();
     BoxAnswerer boxes;
@@ -34,7 +33,7 @@ Outcome load(const Command& command) {
     return Outcome::Done;
 }
 
-/// A project that is not whole is refused with what MeshLab says of it.
+/// Fails on an incomplete project, with MeshLab's message.
 void openProject(const Command& command) {
     BoxAnswerer boxes;
     bool opened = false;
@@ -45,7 +44,7 @@ void openProject(const Command& command) {
     throw CommandError("MeshLab cannot open the project" + (said.isEmpty() ? "" : ": " + said));
 }
 
-/// Why the decoration has not been drawn, as it says in the log; empty if it does not.
+/// From the log; empty if it gives no reason.
 QString refusal() {
     const MeshModel* layer = presentSituation().current;
     const QString beginning = decoration + ": " + (layer ? layer->label() + ": " : QString());
@@ -62,8 +61,7 @@ void drawLines(const Command&) {
     throw CommandError(reason.isEmpty() ? "MeshLab does not draw the lines" : reason);
 }
 
-/// MeshLab switches decorations on for one layer at a time. The log says of which there are no
-/// lines.
+/// MeshLab switches decorations on layer by layer; the log tells which have no lines.
 void drawAllLines(const Command&) {
     for (const MeshModel* layer : presentSituation().layers) {
         makeLayerCurrent(layer);
@@ -72,7 +70,7 @@ void drawAllLines(const Command&) {
     }
 }
 
-/// Lines narrower than a pixel would have gaps: small views have those of a window.
+/// Lines thinner than a pixel would have gaps: small views use a window's widths.
 void scaleLines(const Command& command) {
     QGLWidget* area = requireView();
     const double scale = std::min(area->width(), area->height()) / command.number(0);
@@ -97,7 +95,7 @@ void writePly(const TriangleMesh& mesh, const QString& name) {
     writeFile(name, content);
 }
 
-// SHARE SEED FILE: each vertex moved by SHARE of the mean edge in a random direction.
+// SHARE SEED FILE: moves each vertex by SHARE of the mean edge in a random direction.
 void writeNoisy(const Command& command) {
     const MeshModel* layer = presentSituation().current;
     if (!layer) throw CommandError("there is no layer");
@@ -106,7 +104,7 @@ void writeNoisy(const Command& command) {
              command.word(2));
 }
 
-/// For pictures that do not depend on the time.
+/// So that pictures do not depend on timing.
 void waitForLevels(const Command&) {
     requireView()->setProperty(waits_property, true);
 }

@@ -21,7 +21,7 @@ QString contextText() {
     return QString("context 0x%1\n").arg(quintptr(QGLContext::currentContext()), 0, 16);
 }
 
-/// The geometry, and which attributes there are: drawing must change neither.
+/// Geometry and attribute names: drawing must change neither.
 QString meshText(const MeshModel& mesh) {
     const meshlab_host::GeometryStamp stamp = meshlab_host::geometryStamp(mesh.cm);
     QString text = QString("%1 %2 %3").arg(stamp.vertices).arg(stamp.faces).arg(stamp.hash);

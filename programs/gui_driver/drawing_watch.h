@@ -9,24 +9,23 @@
 
 namespace driver {
 
-/// Looks at every drawing of the decoration Laplacian Lines: it must leave OpenGL's state and the
-/// mesh as they were, and draw the lines that CoreLines says, or none where there can be none. The
-/// driver is a plugin beside the decoration, so its signals reach it.
+/// Checks every drawing of the decoration by its signals: it must leave OpenGL's state and the mesh
+/// alone, and draw the lines of CoreLines, or none where there can be none.
 class DrawingWatch : public QObject {
     Q_OBJECT
 public:
-    /// @throws CommandError if the decoration is not there or has no such signals
+    /// @throws CommandError if there is no decoration with such signals
     DrawingWatch();
 
-    /// What was wrong since the last call.
+    /// Problems since the last call.
     QStringList takeProblems();
-    /// Whether there was a drawing since takeDrawn(), and nothing wrong in the latest one.
+    /// Whether something was drawn since takeDrawn(), the last time without problems.
     bool endsWell() const { return !drawn_.empty() && latest_problems_.isEmpty(); }
-    /// Meshes drawn since the last call, by id; with label and reason if drawn without lines.
+    /// Meshes drawn since the last call, by id; with label and reason where there were no lines.
     std::map<int, QString> takeDrawn();
-    /// The kernels of the latest drawing; empty if there was none.
+    /// Of the last drawing; empty if there was none.
     const std::vector<laplacian_lines::DrawnKernel>& kernels() const { return kernels_; }
-    /// For people: how much has been watched since the start.
+    /// For people: how much was watched.
     QString summary() const;
     int comparisons() const { return comparisons_; }
 

@@ -3,9 +3,9 @@
 
 #include <meshlab_host/decorate_plugin_base.h>
 
-/// Drives MeshLab from a script, for tests and pictures: see README.md. It does nothing unless the
-/// environment variable LAPLACIAN_LINES_DRIVER names a script, and has its one decoration, the
-/// probe of expect-lines, only if LAPLACIAN_LINES_PROBE is set as well.
+/// Drives MeshLab from a script, for tests and pictures: see README.md. Does nothing unless
+/// LAPLACIAN_LINES_DRIVER names a script; its decoration, the probe of expect-lines, also needs
+/// LAPLACIAN_LINES_PROBE.
 class DriverPlugin : public meshlab_host::DecoratePluginBase {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)

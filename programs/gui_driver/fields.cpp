@@ -37,7 +37,7 @@ bool isLabel(QLayoutItem* item) {
     return item && qobject_cast<QLabel*>(item->widget());
 }
 
-// A label and its editors share a row of a grid, perhaps with another label and its editors.
+// A label and its editors share a grid row, perhaps with another label.
 QList<QWidget*> editorsBeside(QWidget* container, QLabel* label) {
     QList<QWidget*> editors;
     QGridLayout* grid = gridOf(container, label);
@@ -108,8 +108,7 @@ void setLineEdits(const QList<QLineEdit*>& edits, const QString& value) {
         setLineEdit(edits[i], parts[i]);
 }
 
-// MeshLab's percentage field: the absolute value first, then the percentage; each follows the
-// other.
+// MeshLab's percentage field: absolute value, then percentage; each follows the other.
 void setSpinBoxes(const QList<QDoubleSpinBox*>& boxes, QString value) {
     QDoubleSpinBox* box = boxes.first();
     if (value.endsWith('%')) {
@@ -119,7 +118,7 @@ void setSpinBoxes(const QList<QDoubleSpinBox*>& boxes, QString value) {
     box->setValue(toNumber(value));
 }
 
-// The colour button opens a modal box: prepare its answer, then click.
+// The colour button opens a modal box: arm the answer, then click.
 void setColour(QPushButton* button, const QString& value) {
     const QColor colour(value);
     if (!colour.isValid()) throw CommandError(QString("'%1' is not a colour").arg(value));
@@ -132,7 +131,7 @@ void setColour(QPushButton* button, const QString& value) {
     button->click();
 }
 
-// A point has a box that says where to get it from and a button that does so.
+// A point has a box for its source and a button that takes it from there.
 bool getPoint(const QList<QWidget*>& editors, const QString& from) {
     const auto boxes = only<QComboBox>(editors);
     const auto buttons = only<QPushButton>(editors);
@@ -161,7 +160,7 @@ bool setEditors(const QList<QWidget*>& editors, const QString& value) {
     return true;
 }
 
-// A label may have a heading above it, in rich text.
+// Labels may have a heading above, in rich text.
 QString lastLine(const QString& label) {
     if (!Qt::mightBeRichText(label)) return label;
     return QTextDocumentFragment::fromHtml(label).toPlainText().section('\n', -1);
@@ -231,7 +230,7 @@ QString stateOfField(QWidget* container, const QString& label) {
 
 void setFieldFromCommand(QWidget* container, const Command& command) {
     if (!command.rest.contains('=')) throw CommandError("say LABEL = VALUE");
-    // labels may hold a '=', values do not
+    // Labels may contain '=', values do not.
     setField(container, command.rest.section('=', 0, -2).trimmed(),
              command.rest.section('=', -1).trimmed());
 }

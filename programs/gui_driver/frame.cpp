@@ -24,7 +24,7 @@ constexpr double line_pixels = 2;      // an outline lies half outside the form
 constexpr std::size_t few_points = 8;  // each of which may be at a side
 constexpr double least_share = 1e-4;   // of the box of all, of what is in its middle
 
-/// Appends the corners of the layer's faces, in the coordinates of the scene.
+/// Corners of a layer's faces, in the scene.
 void appendCorners(const CMeshO& mesh, Points& points) {
     std::vector<bool> is_corner(mesh.vert.size());
     for (const CFaceO& face : mesh.face)
@@ -53,7 +53,7 @@ Eigen::AlignedBox3d boxOf(const Points& points) {
     return box;
 }
 
-/// The diagonal of the box of most points, without a hundredth of them to each side.
+/// Of the points' box, without a hundredth of them on each side.
 double diagonalOfMost(const Points& points) {
     const std::size_t aside = points.size() / 100 + 1;
     if (points.size() < few_points) return boxOf(points).diagonal().norm();
@@ -71,7 +71,7 @@ double diagonalOfMost(const Points& points) {
     return sizes.norm();
 }
 
-/// The points in coordinates of the camera's axes around `origin`.
+/// Into the camera's axes around `origin`.
 void turn(Points& points, const Eigen::Vector3d& origin, const CameraAxes& axes) {
     Eigen::Matrix3d rotation;
     rotation << axes.right.x(), axes.right.y(), axes.right.z(),  //
@@ -81,22 +81,21 @@ void turn(Points& points, const Eigen::Vector3d& origin, const CameraAxes& axes)
         p = rotation * (p - origin);
 }
 
-/// What the points may fill of a picture whose height is 2.
+/// The part to fill of a picture of height 2.
 Window windowWithinMargin(const QSize& view) {
     const double width = view.width(), height = view.height();
     const double border = margin * std::min(width, height) + line_pixels;
     return {(width - 2 * border) / height, (height - 2 * border) / height};
 }
 
-/// The next distance that is not smaller of those that a user gets to who zooms by the mouse wheel
-/// in steps of a quarter of a notch, from where MeshLab's camera stands at first.
+/// The next distance that the mouse wheel reaches from MeshLab's first camera, in quarter notches.
 double wheelDistance(double least, double diagonal) {
     const double first = diagonal * 1.75 / 3 / std::tan(qDegreesToRadians(perspective_angle / 2));
     const double step = std::pow(1.2, 0.25);
     return first * std::pow(step, std::ceil(std::log(least / first) / std::log(step)));
 }
 
-/// Its target is in the points' coordinates: the box's centre, moved across the picture.
+/// The target, in the points' coordinates, is the box's centre moved across the picture.
 CameraPlace perspectivePlace(const Points& points, Window window, double zoom, double diagonal) {
     const double tangent = std::tan(qDegreesToRadians(perspective_angle / 2));
     window.half_width *= tangent;
@@ -122,7 +121,7 @@ CameraPlace orthographicPlace(const Points& points, const Window& window, double
 
 double noted_pixels_to_unit = 0;
 
-/// Where the camera's target is.
+/// At the camera's target.
 double pixelsToUnit(const CameraPlace& place, bool is_orthographic, int height) {
     const double tangent = is_orthographic ? 1 : std::tan(qDegreesToRadians(place.angle / 2));
     return height / (2 * place.distance * tangent);
@@ -134,9 +133,8 @@ double zoomIn(const Command& command) {
     return zoom;
 }
 
-// AZIMUTH ELEVATION [UP [ZOOM [orthographic]]]: has the surfaces of all layers fill the view up to
-// a margin, as seen from there. The place of the camera is computed from the vertices: the view
-// need not be drawn.
+// AZIMUTH ELEVATION [UP [ZOOM [orthographic]]]: fits the surfaces of all layers into the view up to
+// a margin. Computed from the vertices: the view need not be drawn.
 void frame(const Command& command) {
     const CameraAxes axes = axesFrom(command.number(0), command.number(1), command.wordOr(2, "y"));
     const bool is_orthographic = command.wordOr(4, "") == "orthographic";
@@ -164,8 +162,7 @@ void frame(const Command& command) {
     placeCamera(place);
 }
 
-// FILE: the kernel size of the current layer, as the decoration has it by default, in pixels of the
-// latest frame.
+// FILE: the current layer's default kernel size in the decoration, pixels of the last frame.
 void writeKernel(const Command& command) {
     const MeshModel* mesh = presentSituation().current;
     if (!mesh || noted_pixels_to_unit == 0) throw CommandError("nothing has been framed");

@@ -7,8 +7,8 @@
 namespace driver {
 namespace {
 
-/// What one axis of the picture, 0 or 1, asks of the eye: a point p is within the window's half
-/// size t at a distance of 1 if |p[axis] - eye[axis]| <= t (eye.z - p.z).
+/// An axis of the picture, 0 or 1: p is within half the window's size t at a distance of 1 if
+/// |p[axis] - eye[axis]| <= t (eye.z - p.z).
 class Axis {
 public:
     Axis(const std::vector<Eigen::Vector3d>& points, int axis) : points_(points), axis_(axis) {}
@@ -23,8 +23,8 @@ public:
         return (left + right) / (2 * half_size);
     }
 
-    /// Where the eye sees the outermost points on both sides at the same angle. A point nearer to
-    /// the eye shifts faster, so which ones they are changes with it, until they do no more.
+    /// Where the eye sees the outermost points on both sides at the same angle. Which these are
+    /// changes as the eye moves, since near ones shift faster: iterate until they stay.
     double middle(double depth) const {
         constexpr int most_rounds = 20;
         double eye = 0;

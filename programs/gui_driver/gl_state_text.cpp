@@ -84,7 +84,7 @@ constexpr Name values[] = {NAME(GL_ACTIVE_TEXTURE),
                            NAME(GL_VERTEX_ARRAY_BINDING),
                            NAME(GL_VIEWPORT)};
 
-/// Values of the generic attributes: OpenGL promises 16.
+/// OpenGL guarantees 16.
 constexpr Name attribute_values[] = {NAME(GL_VERTEX_ATTRIB_ARRAY_ENABLED),
                                      NAME(GL_VERTEX_ATTRIB_ARRAY_DIVISOR)};
 #undef NAME

@@ -5,8 +5,7 @@
 
 namespace driver {
 
-/// The state of the current OpenGL context as far as drawing depends on it, one line a name, with
-/// the errors that are pending (and are cleared by this).
+/// OpenGL state that drawing depends on, a line per name, and pending errors, which this clears.
 QString glStateText();
 
 }  // namespace driver

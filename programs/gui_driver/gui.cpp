@@ -114,8 +114,7 @@ QAction* searchAction(const QString& text) {
 }  // namespace
 
 QAction* findAction(const QString& text) {
-    // MeshLab enables actions as if by chance: a resized window can be split only after its menus
-    // were updated
+    // MeshLab enables actions late: a resized window can be split only after a menu update.
     QMetaObject::invokeMethod(requireMainWindow(), "updateMenus", Qt::DirectConnection);
     static QHash<QString, QPointer<QAction>> known;
     QPointer<QAction>& action = known[text];
@@ -159,7 +158,7 @@ bool acceptOptionsBox(QWidget* modal) {
 
 namespace {
 
-/// MeshLab hides it when a document is closed, and writes no log while it is hidden.
+/// MeshLab hides it with the last document, and writes no log while it is hidden.
 void showLayerDialog(QMainWindow* window) {
     if (!childOfClass("LayerDialog"))
         QMetaObject::invokeMethod(window, "showLayerDlg", Qt::DirectConnection, Q_ARG(bool, true));
@@ -191,7 +190,7 @@ QStringList BoxAnswerer::takeTexts() {
     return taken;
 }
 
-// Always a fresh single shot, armed before the answer, which may bring up the next box.
+// Armed before the answer, which may open the next box.
 void BoxAnswerer::lookAgain() {
     QTimer::singleShot(between_looks, this, [this] {
         lookAgain();

@@ -10,7 +10,7 @@
 #include <QStringList>
 #include <QWidget>
 
-// MeshLab's widgets, found by their class names: the executable exports no symbols to link with.
+// MeshLab's widgets by class name: the executable exports no symbols.
 namespace driver {
 
 QMainWindow* mainWindow();         // null before it exists
@@ -19,7 +19,7 @@ QMainWindow* requireMainWindow();  // CommandError when there is none
 QList<QMdiSubWindow*> documentWindows();
 QMdiSubWindow* currentDocumentWindow();  // null when there is none
 
-// the GL views of the current document, from the upper left to the lower right
+// GL views of the current document, from upper left to lower right.
 QList<QGLWidget*> visibleViews();
 QGLWidget* view();  // the chosen one (the first by default); null when there is none
 QGLWidget* requireView();
@@ -38,8 +38,7 @@ bool acceptOptionsBox(
 
 QString logText();  // all of MeshLab's log panel; CommandError when there is none
 
-/// While it lives, modal boxes are answered as soon as they appear: options accepted, questions
-/// answered with yes, other dialogs closed.
+/// Answers modal boxes as they appear: accepts options, says yes, closes other dialogs.
 class BoxAnswerer : public QObject {
 public:
     BoxAnswerer();

@@ -22,23 +22,21 @@ using laplacian_lines::LineSet;
 using laplacian_lines::TriangleMesh;
 using laplacian_lines::View;
 
-// In box diagonals. A line this far behind everything around it must be hidden, and one that
-// nothing covers by more than a quarter of it must be seen; in between it may be drawn or not.
+// In box diagonals: lines this far behind all around them must be hidden, those that nothing covers
+// by more than a quarter of it must be seen; others may be either.
 constexpr double depth_tolerance = 0.01;
 
-// What is fainter or, in shares of the full width, thinner than this may leave no pixel that
-// counts as ink.
+// Fainter lines, or thinner in shares of full width, may leave no pixel that counts as ink.
 constexpr float least_opacity = 0.9f, least_weight = 0.25f;
 
-// Pixels along the edge of the view where no samples are taken.
+// Pixels along the view's edge without samples.
 constexpr double edge = 3;
 
 bool nearEdge(double x, double y, int width, int height, double distance) {
     return x < distance || y < distance || x > width - 1 - distance || y > height - 1 - distance;
 }
 
-/// Puts the faces into the depth buffer, whatever MeshLab shows of them: they hide lines in any
-/// render mode.
+/// Fills the depth buffer with faces, whatever MeshLab shows: they hide lines in any render mode.
 void drawDepth(const CMeshO& mesh, const Eigen::Matrix4d& modelview) {
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glMatrixMode(GL_MODELVIEW);
@@ -58,7 +56,7 @@ void drawDepth(const CMeshO& mesh, const Eigen::Matrix4d& modelview) {
     glPopAttrib();
 }
 
-/// The camera and the depths of the redraw that is going on.
+/// Camera and depths of the current redraw.
 class Screen {
 public:
     explicit Screen(const CMeshO& mesh) {
@@ -80,8 +78,8 @@ public:
     }
 
     View view() const {
-        // The eye is the point whose image by M = projection·modelview has x = y = w = 0, also for
-        // orthographic cameras, where it is a direction.
+        // The eye is what M = projection·modelview maps to x = y = w = 0; a direction if
+        // orthographic.
         const Eigen::Matrix4d m = projection_ * modelview_;
         Eigen::Matrix<double, 3, 4> rows;
         rows << m.row(0), m.row(1), m.row(3);
@@ -93,12 +91,12 @@ public:
         return View::orthographic(modelview_.row(2).head<3>().dot(d) > 0 ? d : Eigen::Vector3d(-d));
     }
 
-    // What the matrix moves to the direction in the picture.
+    // What the matrix maps to the direction in the picture.
     Eigen::Vector3d fromPicture(const Eigen::Vector3d& direction) const {
         return modelview_.topLeftCorner<3, 3>().fullPivLu().solve(direction);
     }
 
-    /// `tolerance`: how far behind the surface the line may be and still be seen, in D.
+    /// `tolerance`: how far behind the surface a line may be and still show, in D.
     void add(const LinePoint& a, const LinePoint& b, double tolerance,
              ProjectedLines& lines) const {
         const Eigen::Vector4d eye_a = modelview_ * a.position.cast<double>().homogeneous(),
@@ -183,7 +181,7 @@ ProjectedLines probeLayer(const MeshModel& mesh, const ProbeOptions& options) {
 
 namespace {
 
-/// For each pixel, whether `mark` was called within `reach` of it.
+/// Pixels within `reach` of a marked one.
 class PixelMask {
 public:
     PixelMask(int width, int height) : width_(width), height_(height), set_(width * height, 0) {}
@@ -203,7 +201,7 @@ private:
     std::vector<char> set_;
 };
 
-/// Near enough to the ink's colour that blending with paper or surface keeps it recognizable.
+/// Near the ink's colour, so that blends with paper or surface count.
 bool hasInk(QRgb pixel, const QColor& ink) {
     const int off =
         std::max({std::abs(qRed(pixel) - ink.red()), std::abs(qGreen(pixel) - ink.green()),

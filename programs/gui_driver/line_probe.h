@@ -12,20 +12,18 @@
 class GLLogStream;
 class MeshModel;
 
-// Compares what MeshLab shows with the lines that the core extracts for the camera, by a way of its
-// own from the GL matrices to the picture: nothing of the decoration plugin is used.
+// Compares MeshLab's picture with the core's lines by an independent path from GL matrices to
+// pixels: no code of the decoration.
 namespace driver {
 
 struct ProbeOptions {
     laplacian_lines::PrecomputeOptions field;
     laplacian_lines::LineStyle style;
-    /// Towards a distant light, x to the right of the picture, y up, z to the viewer; zero: the
-    /// light is at the eye.
+    /// Towards a distant light: x right, y up, z to the viewer; zero: at the eye.
     Eigen::Vector3d light = Eigen::Vector3d::Zero();
 };
 
-/// Whether the depth buffer leaves a point of a line to be seen. Points within the plugin's depth
-/// tolerance of a surface may be drawn or not.
+/// By the depth buffer. Unsure: within the plugin's depth tolerance.
 enum class Sight { Visible, Unsure, Hidden };
 
 struct ProjectedSample {
@@ -33,14 +31,13 @@ struct ProjectedSample {
     Sight sight;
 };
 
-/// The lines of one layer on the screen, sampled at every half pixel.
+/// Sampled at every half pixel.
 struct ProjectedLines {
     std::vector<ProjectedSample> samples;
     int lines = 0;
 };
 
-/// What is drawn in one layer at one redraw: called by the probe's decoration while MeshLab's
-/// matrices and depth buffer are those of the layer.
+/// One layer in one redraw: call it while MeshLab's matrices and depth buffer are the layer's.
 ProjectedLines probeLayer(const MeshModel& mesh, const ProbeOptions& options);
 
 struct ProbeResult {
@@ -50,12 +47,11 @@ struct ProbeResult {
     int unexplained = 0;  ///< those with no line beside them
 };
 
-/// Ink is what has this colour more than the background; `reach` in pixels.
+/// Ink has this colour rather than the background's; `reach` in pixels.
 ProbeResult compareWithPicture(const std::vector<ProjectedLines>& layers, const QImage& picture,
                                const QColor& ink, double reach);
 
-/// To be called by the probe's decoration when it is drawn: hands the layer to the command that
-/// looks at the redraw.
+/// The probe's decoration calls this when drawn; hands the layer to the waiting command.
 void layerIsDrawn(const MeshModel& mesh, const GLLogStream& log);
 
 }  // namespace driver

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands are described in README.md.
 #include <malloc.h>
 #include <QDir>
 
@@ -12,7 +11,7 @@ namespace {
 constexpr double megabyte = 1 << 20;
 double noted = 0, allowed = 0;
 
-/// Megabytes that were allocated and not freed again.
+/// Megabytes.
 double heapInUse() {
     const struct mallinfo2 info = mallinfo2();
     return double(info.uordblks + info.hblkhd) / megabyte;
@@ -29,7 +28,7 @@ void noteMemory(const Command&) {
     allowed = 0;
 }
 
-// MeshLab itself keeps some memory at each filter.
+// MeshLab itself keeps memory at each filter.
 void allowMemoryGrowth(const Command&) {
     allowed = grownBy();
     noted = heapInUse();

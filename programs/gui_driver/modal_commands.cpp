@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands are described in README.md.
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -85,7 +84,7 @@ void takeSnapshot(const Command& command) {
     });
     QMetaObject::invokeMethod(requireMainWindow(), "saveSnapshot", Qt::DirectConnection);
     if (!error.isEmpty()) throw CommandError(error);
-    // MeshLab draws the tiles later, one a repaint. Ends by the time limit when it never does.
+    // MeshLab draws tiles later, one per repaint. The time limit ends this otherwise.
     while (!QFileInfo(written).size())
         QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
     QFile::remove(target.absoluteFilePath());

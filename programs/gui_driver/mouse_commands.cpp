@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands are described in README.md.
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands are described in README.md.
 #include <GL/glew.h>  // before any other GL header
 
 #include <QColor>
@@ -42,7 +41,7 @@ bool setLight(const QString& key, double value, Eigen::Vector3d& light) {
     return axis >= 0;
 }
 
-// Set while a redraw is recorded; everything happens on the GUI's thread.
+// Set while a redraw is recorded, on the GUI thread.
 using Recorder = std::function<void(const MeshModel&, const GLLogStream&)>;
 Recorder record;
 int recorded_layers = 0;
@@ -148,7 +147,7 @@ void writeGlState(const Command& command) {
     writeFile(command.rest, recordGlState(requireView()).toUtf8());
 }
 
-// Each camera is new to whatever keeps results for the next redraw.
+// New cameras defeat whatever is kept for the next redraw.
 void turn(const Command& command) {
     const int steps = int(command.number(0));
     const Orbit orbit;

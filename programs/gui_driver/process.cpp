@@ -3,7 +3,7 @@
 #include <unistd.h>
 #include <cstdio>
 
-// From the leak sanitizer, which is only there in a MeshLab with sanitized plugins.
+// The leak sanitizer's, only with sanitized plugins.
 extern "C" int __lsan_do_recoverable_leak_check() __attribute__((weak));
 
 namespace driver {

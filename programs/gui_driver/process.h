@@ -14,16 +14,15 @@ void say(const std::string& text);                       // one line on stderr
 [[noreturn]] void endWithError(const std::string& why);  // from any thread
 [[noreturn]] void endProcess(int exitCode);  // at once: no "save changes?" box, no teardown
 
-// Ends the process with a clear line when one script line takes too long. A thread of its own,
-// because a timer of the GUI thread never fires while a filter or a drawing hangs there. Time
-// during which the whole process stands still, as in a suspended machine, does not count.
+// Ends the process when a script line takes too long. On its own thread: a GUI timer never fires
+// while a filter or drawing hangs. Time while the machine is suspended does not count.
 class Watchdog {
 public:
     explicit Watchdog(std::chrono::milliseconds limit);
     ~Watchdog();
 
     void setLimit(std::chrono::milliseconds limit);
-    void watch(const std::string& what);  // starts the clock anew
+    void watch(const std::string& what);  // restarts the clock
     void rest();                          // nothing to watch
 
 private:

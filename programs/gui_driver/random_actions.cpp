@@ -8,7 +8,7 @@ namespace driver {
 // The first redraws of a project's window may show nothing.
 constexpr int most_checks = 100;
 
-// A line that fails as often tests nothing.
+// A line that fails this often tests nothing.
 constexpr int enough_tries = 6;
 
 RandomActions::RandomActions(unsigned seed, int count, const QStringList& meshes,
@@ -37,8 +37,7 @@ bool RandomActions::step() {
     return true;
 }
 
-// MeshLab disables actions, and fields are not in all its versions: that ends an action, as it
-// ends a user's.
+// MeshLab may have disabled an action or lack a field: that ends an action, as it ends a user's.
 void RandomActions::run(const QString& line) {
     ++lines_;
     ++tries_[line].all;

@@ -10,18 +10,17 @@
 
 namespace driver {
 
-/// Does what users do, in random order, and looks after each action whether the view still shows
-/// what it has to. The lines that are said, without their beginnings, are a script that does the
-/// same again.
+/// Random user actions; checks after each that the view shows what it has to. The lines it says,
+/// without their beginnings, are a script that repeats the run.
 class RandomActions {
 public:
     using Announce = std::function<void(const QString& line)>;
 
-    /// `announce` is told each line before it is run.
+    /// `announce` gets each line first.
     RandomActions(unsigned seed, int count, const QStringList& meshes, const CommandTable& table,
                   Announce announce);
 
-    /// One line. Returns false when all is done. CommandError when something is wrong.
+    /// One line. False at the end. CommandError if something is wrong.
     bool step();
 
 private:

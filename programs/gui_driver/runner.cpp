@@ -52,7 +52,7 @@ void Runner::addOwnCommands() {
         "random-actions", [this](const Command& c) { return randomActions(c); }, Place::Everywhere);
 }
 
-// A misspelt command fails at once, not after minutes.
+// Misspelt commands fail at once, not after minutes.
 void Runner::checkNames() const {
     for (const Command& command : script_) {
         try {
@@ -63,8 +63,8 @@ void Runner::checkNames() const {
     }
 }
 
-// Always a fresh single shot: a repeating timer does not fire again inside the event loop of a
-// modal box that its own slot has opened, so it could never answer that box.
+// A single shot: a repeating timer would not fire inside the event loop of a modal box that its own
+// slot has opened.
 void Runner::scheduleStep(int milliseconds) {
     QTimer::singleShot(milliseconds, this, &Runner::step);
 }
@@ -106,7 +106,7 @@ void Runner::watch(const Command& command) {
 void Runner::run(const Command& command, const CommandTable::Entry& entry) {
     const int position = next_++;
     const bool alone = entry.place == Place::Everywhere;
-    // before the command, which may block in a modal box
+    // Before the command, which may block in a modal box.
     if (!alone) scheduleStep(between_commands);
     in_progress_ << describe(command);
     const Outcome outcome = entry.handler(command);

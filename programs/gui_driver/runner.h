@@ -9,7 +9,7 @@
 
 namespace driver {
 
-// Runs the script's commands one after the other in MeshLab's own event loop.
+// Runs the script's commands in MeshLab's event loop.
 class Runner : public QObject {
     Q_OBJECT
 public:

@@ -12,8 +12,7 @@
 namespace driver {
 namespace {
 
-/// The one whose contexts share objects with that of the view: while the view lives, so does the
-/// scene's document.
+/// The scene that shares objects with the view; it lives as long.
 MLSceneGLSharedDataContext* sceneOfView() {
     QGLWidget* shown = view();
     for (QWidget* widget : QApplication::allWidgets())

@@ -7,7 +7,6 @@
 
 namespace driver {
 
-/// What the user has before him.
 struct Situation {
     int documents = 0;
     int views = 0;                         ///< of the current document

@@ -25,7 +25,7 @@ std::array<double, 3> milliseconds() {
     return result;
 }
 
-/// What is drawn by software is drawn in threads that go on after a redraw.
+/// Software renderers draw in threads that outlast the redraw.
 void finishDrawing() {
     requireView()->makeCurrent();
     glFinish();

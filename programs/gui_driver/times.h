@@ -5,8 +5,8 @@
 
 namespace driver {
 
-/// Appends a line to the file: milliseconds that `action` takes until the view's OpenGL has drawn
-/// all, by the clock, and in processor time of this thread and of all.
+/// Appends to the file the milliseconds until the view's OpenGL has drawn all of `action`: by the
+/// clock, and processor time of this thread and of all.
 void appendTimes(const QString& file_name, const std::function<void()>& action);
 
 }  // namespace driver

@@ -17,7 +17,7 @@ using laplacian_lines::OptionKind;
 constexpr std::size_t most_layers = 4;
 constexpr int most_views = 3, most_documents = 3, most_faces = 4000;
 
-/// What has to be there for an action.
+/// What an action needs.
 enum Need : unsigned {
     Layers = 1,
     Mesh = 2,      ///< a current layer
@@ -39,9 +39,9 @@ enum Need : unsigned {
     NoPreview = 65536       ///< is offered
 };
 
-/// Something that users do: lines of a driver's script. {1..3} stands for a number between, {a|b}
-/// for one of these, {NAME} for what valueOf() says; a line that begins with 1/4 comes in one of
-/// four cases. "filter NAME; SETTING; ..." applies a filter from its dialog, which may stay open.
+/// Lines of a driver's script. {1..3} is a number between, {a|b} one of these, {NAME} a value of
+/// valueOf(); a line that begins with 1/4 comes in one of four cases. "filter NAME; SETTING; ..."
+/// applies a filter from its dialog, which may stay open.
 struct UserAction {
     int weight;  ///< how often
     unsigned needs;
@@ -53,10 +53,10 @@ constexpr UserAction choose_layer = {6, Layers, "{select-layer|show-layer} {laye
 constexpr UserAction switch_on = {3, Mesh | NoLines,
                                   "check Laplacian Lines {on|on|on|on|on|on|off}"};
 
-// Where a need looks odd, MeshLab does not survive it, whatever its plugins: previews while a mesh
-// is opened (2020.09); all faces deleted in several views (from 2022.02 on); the view closed from
-// which the last dialog was opened (2020.09); the only project closed once more (up to 2022.02); a
-// layer deleted that a dialog may have changed, which restores it then.
+// Odd needs are what MeshLab itself does not survive: previews while a mesh is opened (2020.09);
+// all faces deleted in several views (from 2022.02 on); the view closed from which the last dialog
+// was opened (2020.09); the only project closed once more (up to 2022.02); a layer deleted that a
+// dialog may have changed and then restores.
 constexpr UserAction all_actions[] = {
     open_mesh,
     choose_layer,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands are described in README.md.
 #include <GL/glew.h>  // before any other GL header
 
 #include <memory>

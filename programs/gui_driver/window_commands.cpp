@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands are described in README.md.
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFocusEvent>
 #include <QGuiApplication>
 #include <QMdiArea>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QTreeWidget>
 #include "camera.h"
@@ -176,6 +176,23 @@ void grabScreen(const Command& command) {
     save(QGuiApplication::primaryScreen()->grabWindow(0).toImage(), command.rest);
 }
 
+bool logHas(const QString& pattern) {
+    const QRegularExpression expression(pattern);
+    if (!expression.isValid())
+        throw CommandError("this is not a regular expression: " + expression.errorString());
+    return logText().contains(expression);
+}
+
+/// Some lines come with a redraw, late on a busy machine.
+Outcome expectLog(const Command& command) {
+    if (logHas(command.rest)) return Outcome::Done;
+    return retryAWhile(command, "the log does not say so; it says:\n" + logText());
+}
+
+void expectNoLog(const Command& command) {
+    if (logHas(command.rest)) throw CommandError("the log says so:\n" + logText());
+}
+
 }  // namespace
 
 void addWindowCommands(CommandTable& table) {
@@ -195,6 +212,9 @@ void addWindowCommands(CommandTable& table) {
     table.addSimple("select-layer", [](const Command& c) { clickLayer(c, Name); });
     table.addSimple("show-layer", [](const Command& c) { clickLayer(c, Eye); });
     table.addSimple("delete-layer", deleteLayer);
+    table.addSimple("log", [](const Command& c) { writeFile(c.rest, logText().toUtf8()); });
+    table.add("expect-log", expectLog);
+    table.addSimple("expect-no-log", expectNoLog);
 }
 
 }  // namespace driver

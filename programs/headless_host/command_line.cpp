@@ -12,7 +12,7 @@ using vcg::tri::io::Mask;
 
 namespace {
 
-/// The letters after -m that stand for bits of the mask.
+/// Letters after -m, for bits of the mask.
 const std::map<QString, int>& maskLetters() {
     static const std::map<QString, int> letters = {
         {"vc", Mask::IOM_VERTCOLOR},    {"vf", Mask::IOM_VERTFLAGS},

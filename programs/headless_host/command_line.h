@@ -8,7 +8,6 @@
 
 namespace server {
 
-/// Arguments that make no sense; what() says which and why.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -48,8 +47,8 @@ struct CommandLine {
     std::vector<OutputMesh> meshes;
 };
 
-/// Reads the arguments of meshlabserver 2020.09; `arguments` come without the program's name.
-/// Names of files are made absolute. @throws UsageError
+/// Takes the arguments of meshlabserver 2020.09, without the program's name; makes file names
+/// absolute. @throws UsageError
 CommandLine parseCommandLine(const QStringList& arguments);
 
 const char* usage();

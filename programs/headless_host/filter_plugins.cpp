@@ -26,7 +26,7 @@ QStringList filterNames() {
     return names;
 }
 
-/// How many words of four letters or more of `name` are in `candidate`.
+/// Words of four letters or more that `candidate` shares with `name`.
 int wordsShared(const QString& name, const QString& candidate) {
     int shared = 0;
     for (const QString& word : name.split(' '))
@@ -34,7 +34,7 @@ int wordsShared(const QString& name, const QString& candidate) {
     return shared;
 }
 
-/// The nearest first.
+/// Nearest first.
 QStringList namesLike(const QString& name) {
     QStringList found;
     for (const QString& candidate : filterNames())
@@ -45,7 +45,7 @@ QStringList namesLike(const QString& name) {
     return found.mid(0, 5);
 }
 
-/// Filters make their parameters' defaults from a mesh; many trust that there is one.
+/// Many filters rely on a mesh for their defaults.
 void addTetrahedron(MeshDocument& document) {
     MeshModel* mesh = document.addNewMesh(QString(), "tetrahedron");
     vcg::tri::Tetrahedron(mesh->cm);

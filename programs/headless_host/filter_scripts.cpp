@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filter_scripts.h"
+#include "filter_plugins.h"
 
 #include <GL/glew.h>
 
@@ -9,8 +9,6 @@
 
 #include <QDomDocument>
 #include <QFile>
-
-#include "filter_plugins.h"
 
 namespace server {
 
@@ -39,8 +37,7 @@ bool isNumberType(const QString& type) {
            type == "RichAbsPerc" || type == "RichDynamicFloat" || type == "RichMesh";
 }
 
-/// MeshLab reads text that is not a number as 0 and leaves out parameters of types that it does not
-/// know.
+/// MeshLab reads other text than numbers as 0 and skips parameters of unknown types.
 void checkParameter(const QDomElement& element, const RichParameterList& read) {
     const QString name = element.attribute("name"), type = element.attribute("type"),
                   value = element.attribute("value");
@@ -69,7 +66,6 @@ void checkChoice(const RichEnum& parameter, int value) {
                           .arg(choices.join(", ")));
 }
 
-/// Gives a filter's parameter the value from the script.
 void setParameter(const RichParameter& given, const MeshDocument& document,
                   RichParameterList& list) {
     if (!list.hasParameter(given.name()))
@@ -121,7 +117,6 @@ void runFilter(const LoadedFilter& filter, const RichParameterList& given, MeshD
     afterFilter(document);
 }
 
-/// One <filter> of a script.
 void runFilter(const QDomElement& element, MeshDocument& document) {
     const LoadedFilter filter = filterNamed(element.attribute("name"));
     try {

@@ -14,7 +14,6 @@
 
 #include "command_line.h"
 #include "filter_plugins.h"
-#include "filter_scripts.h"
 #include "mesh_files.h"
 #include "report.h"
 
@@ -58,7 +57,6 @@ void run(const CommandLine& commands, Report& report) {
     }
 }
 
-/// The exit code.
 int runCatchingAll(const QStringList& arguments) {
     Report report;
     try {
@@ -87,7 +85,7 @@ int runCatchingAll(const QStringList& arguments) {
 
 namespace {
 
-/// Qt's and MeshLab's own talk is of no use on a command line, warnings apart.
+/// Of Qt's and MeshLab's messages only warnings are of use on a command line.
 void passWarnings(QtMsgType type, const QMessageLogContext&, const QString& message) {
     const bool is_talk = type == QtDebugMsg || type == QtInfoMsg;
     if (is_talk || message.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) return;

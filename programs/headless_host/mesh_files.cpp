@@ -22,7 +22,7 @@ void checkReadable(const QString& file) {
         throw MLException(file + " cannot be read: " + input.errorString());
 }
 
-/// Before anything is computed into a file that cannot be written. Leaves no empty file behind.
+/// Asked before computing. Leaves no empty file behind.
 void checkWritable(const QString& file) {
     const bool existed = QFileInfo::exists(file);
     QFile output(file);
@@ -45,7 +45,7 @@ MeshModel& layerOf(const OutputMesh& output, MeshDocument& document) {
                           .arg(QString::number(wanted), output.file, QString::number(layers - 1)));
 }
 
-/// Attributes of vertices are offered as boxes that begin with V(f) or V(3f).
+/// Vertex attributes are offered as boxes that begin with V(f) or V(3f).
 void chooseParameters(const OutputMesh& output, RichParameterList& parameters) {
     for (RichParameter& parameter : parameters) {
         if (!parameter.value().isBool()) continue;
@@ -56,7 +56,7 @@ void chooseParameters(const OutputMesh& output, RichParameterList& parameters) {
     }
 }
 
-/// MeshLab's writer of edges as DXF returns an error's number when all went well.
+/// MeshLab's DXF writer returns an error's number on success.
 bool isCompleteDxfOfEdges(const QString& type, const MeshModel& mesh, const QString& file) {
     if (type != "dxf" || mesh.cm.fn > 0 || mesh.cm.en == 0) return false;
     const QByteArray end = "ENDSEC\n0\nEOF\n";

@@ -7,11 +7,10 @@ class MeshDocument;
 
 namespace server {
 
-/// Adds the meshes of a file or a project as layers; the last one becomes current.
-/// @throws MLException
+/// Adds the meshes of a file or project as layers; the last becomes current. @throws MLException
 void open(const Input& input, MeshDocument& document);
 
-/// @throws MLException if the layer does not exist or the file cannot be written
+/// @throws MLException if there is no such layer or the file cannot be written
 void save(const OutputMesh& output, MeshDocument& document);
 void save(const OutputProject& output, MeshDocument& document);
 

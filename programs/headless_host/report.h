@@ -8,16 +8,15 @@ class GLLogStream;
 
 namespace server {
 
-/// What the program tells: lines on stdout and, if there is one, in a log file; errors on stderr
-/// and in the log file.
+/// Lines on stdout and in the log file, if any; errors on stderr and in the log file.
 class Report {
 public:
-    /// Lines are added to the file from now on. @throws MLException
+    /// Appends to the file from now on. @throws MLException
     void openLog(const QString& file);
 
     void say(const QString& line);
     void error(const QString& line);
-    /// The lines that filters have written to MeshLab's log since the last call.
+    /// What filters have added to MeshLab's log since the last call.
     void sayNewLines(const GLLogStream& log);
 
 private:

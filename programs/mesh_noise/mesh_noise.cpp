@@ -6,7 +6,7 @@
 namespace mesh_noise {
 namespace {
 
-/// All directions are as likely: a point of the cube that is not inside the ball is drawn anew.
+/// Uniform: points of the cube outside the ball are drawn again.
 Eigen::Vector3d random_direction(std::mt19937& random) {
     while (true) {
         const double x = signed_unit(random), y = signed_unit(random), z = signed_unit(random);

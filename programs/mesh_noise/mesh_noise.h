@@ -7,12 +7,12 @@
 
 namespace mesh_noise {
 
-/// −1..1; the standard's distributions differ between libraries, its engines do not.
+/// −1..1. The standard's distributions, unlike its engines, differ between libraries.
 inline double signed_unit(std::mt19937& random) {
     return double(random()) / double(std::mt19937::max()) * 2 - 1;
 }
 
-/// Each vertex moved by `share` mean edges in a random direction, the same ones for the same seed.
+/// Each vertex moved by `share` mean edges in a random direction, determined by the seed.
 laplacian_lines::TriangleMesh with_noise(const laplacian_lines::TriangleMesh& mesh, double share,
                                          unsigned seed = 1);
 

@@ -12,9 +12,8 @@ namespace vcg {
 namespace tri {
 namespace io {
 
-/// Whether an index that was read and made to count from 0 is one of `count` elements; those from
-/// the end, which were -1 and less in the file, are made to count from the beginning. As in the
-/// reader of later versions, but for what leads nowhere: there it has faces vanish, or reads
+/// Whether a zero-based index is one of `count` elements; negative ones in the file count from the
+/// end. As in the reader of later versions, which for other indices makes faces vanish or reads
 /// beyond the vertices. Files without texture coordinates may have faces with indices of some.
 template <>
 inline bool ImporterOBJ<CMeshO>::GoodObjIndex(int& index, const int count) {
@@ -36,7 +35,7 @@ namespace {
 
 using Reader = vcg::tri::io::ImporterOBJ<CMeshO>;
 
-/// The reader believes the file.
+/// The reader trusts the file.
 void checkEdges(CMeshO& mesh) {
     const auto is_vertex = [&](const CVertexO* vertex) {
         return vertex >= mesh.vert.data() && vertex < mesh.vert.data() + mesh.vert.size();
@@ -46,7 +45,7 @@ void checkEdges(CMeshO& mesh) {
             throw std::runtime_error("A line refers to a vertex that the file does not have.");
 }
 
-/// What is wrong though the mesh could be read, else nothing.
+/// Returns what is wrong with a mesh that could be read, if anything.
 QString read(const QString& file_name, MeshModel& mesh, int& mask, vcg::CallBackPos* progress) {
     const QByteArray name = QFile::encodeName(file_name);
     Reader::Info info;

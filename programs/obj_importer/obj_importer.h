@@ -5,10 +5,9 @@
 
 #include <common/interfaces.h>
 
-/// Reads OBJ files by the reader in MeshLab's own headers (VCGlib), with one function mended. The
-/// reader that MeshLab 2020.09 was compiled with takes the first vertex of a file for none at all:
-/// faces there get lost, and an assertion then ends the program, for practically every file.
-/// MeshLab 2022.02 and later have no need of this.
+/// MeshLab's own reader (VCGlib's headers) with one function mended: in MeshLab 2020.09 it takes a
+/// file's first vertex for none, loses its faces and then trips an assertion, for nearly every
+/// file. MeshLab 2022.02 and later do not need this.
 class ObjImporter : public QObject, public MeshIOInterface {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(MESH_IO_INTERFACE_IID)
@@ -20,8 +19,8 @@ public:
     QList<Format> exportFormats() const override { return {}; }
     void GetExportMaskCapability(QString&, int&, int&) const override {}
 
-    /// False, with the reason in errorMessage, if the file cannot be read. The working folder has
-    /// to be the file's, where its materials are looked for.
+    /// On failure errorMessage has the reason. The working folder has to be the file's, for its
+    /// materials.
     bool open(const QString& format, const QString& file_name, MeshModel& mesh, int& mask,
               const RichParameterList& parameters, vcg::CallBackPos* progress,
               QWidget* parent) override;

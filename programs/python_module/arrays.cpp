@@ -12,7 +12,7 @@ using namespace laplacian_lines;
 
 namespace {
 
-/// An array that owns its numbers; one column makes it flat.
+/// Owns its numbers; flat if it has one column.
 template <class Number>
 nb::object array(std::vector<Number>&& numbers, std::size_t columns = 1) {
     auto* kept = new std::vector<Number>(std::move(numbers));

@@ -26,7 +26,7 @@ nb::list list_of(const Words& words) {
     return list;
 }
 
-/// The names of the files, and {name} for those without folder and ending.
+/// File names, and {name} without folder and extension.
 void name_sources(const std::vector<SourceMesh>& sources, SheetOptions& options) {
     Words files, names;
     for (const SourceMesh& source : sources) {

@@ -8,14 +8,14 @@
 
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
-#include "line_drawing/provenance.h"
+#include "line_drawing/sheet_file.h"
 
 namespace python_module {
 
-/// The options of measured drawings that are not about files, for laplacian_lines/options.py.
+/// Options of measured drawings that do not concern files, for laplacian_lines/options.py.
 nanobind::list sheet_options();
 
-/// What is drawn together, as the command draws files.
+/// Meshes drawn together, like files by the command.
 struct DrawnMeshes {
     std::vector<laplacian_lines::TriangleMesh> meshes;
     std::vector<line_drawing::SourceMesh> sources;
@@ -27,7 +27,7 @@ struct Drawing {
     std::vector<std::string> remarks;
 };
 
-/// With options in the words of the command, and without a name with a dot: "svg".
+/// Options are in the command's words; a name without a dot, "svg", is a format.
 /// @throws laplacian_lines::Error
 Drawing draw(const DrawnMeshes& drawn, const line_drawing::Words& words, const std::string& ending,
              const laplacian_lines::Progress& progress);

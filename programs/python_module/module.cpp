@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// _core: the core for the Python package laplacian_lines, which documents it. Not for others.
+// _core: internals of the Python package laplacian_lines, which documents them.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
@@ -57,7 +57,7 @@ nb::list rows_of(const std::vector<OptionDescription<Options>>& table) {
     return rows;
 }
 
-/// Keys that the table does not have are the package's mistake: it looks them up before.
+/// Unknown keys are a bug of the package: it looks them up before.
 template <class Options>
 Options options_of(const std::vector<OptionDescription<Options>>& table, const Values& values,
                    Options options = {}) {
@@ -112,7 +112,7 @@ nb::list keys_of_kinds(const std::string& names) {
     return keys;
 }
 
-/// What the core does goes on without Python's lock, and ends where Python has been told to stop.
+/// Runs the core without Python's lock, and stops when Python is interrupted.
 template <class Work>
 auto unlocked(const Work& work) {
     const Progress until_interrupted = [](double, const char*) {
@@ -194,7 +194,7 @@ nb::object read_mesh(const std::string& ending, const nb::bytes& bytes) {
     return arrays_of(read.mesh) + nb::make_tuple(read.defect);
 }
 
-/// `meshes`: of each the positions, the triangles, the name of its file and the file's hash.
+/// `meshes`: positions, triangles, file name and file hash of each.
 nb::dict draw_meshes(const nb::list& meshes, const std::vector<std::string>& words,
                      const std::string& ending) {
     DrawnMeshes drawn;

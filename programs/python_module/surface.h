@@ -14,30 +14,29 @@
 
 namespace python_module {
 
-/// A mesh, its field, and what lines need of both, made when it is first needed. Several threads
-/// may ask at once.
+/// A mesh, its field, and what lines need of them, made on demand. Thread-safe.
 class Surface {
 public:
-    /// @throws laplacian_lines::Error as precompute().
+    /// @throws laplacian_lines::Error as precompute()
     Surface(laplacian_lines::TriangleMesh mesh, const laplacian_lines::PrecomputeOptions& options,
             const laplacian_lines::Progress& progress);
 
-    /// Without the optional columns, unless the options have asked for them.
+    /// Optional columns only if the options asked for them.
     laplacian_lines::Field field() const;
     const laplacian_lines::FieldScale& scale() const { return field_.scale; }
     const laplacian_lines::MeshReport& report() const { return field_.report; }
-    /// All lines of a view, as LineExtractor::extract() has them, whatever hides them.
+    /// All lines of a view, hidden or not, as LineExtractor::extract().
     laplacian_lines::LineSet lines(const laplacian_lines::View& view,
                                    const laplacian_lines::LineStyle& style,
                                    const laplacian_lines::Progress& progress);
-    /// What is seen of them, and what is hidden if that is asked for, see LineVisibility::look().
-    /// The style says which kinds and how smooth they are.
+    /// The visible lines, and the hidden ones if asked for, see LineVisibility::look(). The style
+    /// has the kinds and the smoothing.
     std::vector<laplacian_lines::SightLine> visible_lines(
         const laplacian_lines::View& view, const laplacian_lines::LineStyle& style,
         laplacian_lines::SightOptions options, const laplacian_lines::Progress& progress);
 
 private:
-    /// What `read` makes of the extractor, which has derivatives if the style needs them.
+    /// Passes the extractor to `read`, with derivatives if the style needs them.
     template <class Read>
     auto with_extractor(const laplacian_lines::LineStyle& style,
                         const laplacian_lines::Progress& progress, const Read& read);

@@ -14,8 +14,7 @@ from environment.files import cache_folder
 from environment.messages import Failure, quietly, run, run_together, say, show_end
 
 LEAST_COVERAGE = 97  # percent of the core's lines
-# Tests of accuracy, of many meshes, triangles or options, and of many threads take minutes under sanitizers. Others run
-# the same code.
+# Under sanitizers these take minutes: accuracy, many meshes, triangles, options or threads. Others run the same code.
 SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Guarantee* RealModel* Models/* Meshes/PlainComparison* *TorusLines*
     *Monotone* *Large* *KindsOnSurface* *ClosedOutlines* PlainSight.* ExactPointLight.* EndlessSum.* Determinism.*
     SummationChoice.FollowsThePredictedCost Borders.CorrectionHelpsMoreOnFinerMeshes
@@ -30,7 +29,7 @@ CPP_FOLDERS = """laplacian_lines line_drawing line_renderer filter_laplacian_lin
 
 
 def run_checks(results, nightly):
-    """By night, clang builds all rooms and not only what runs here, and slow checks run."""
+    """By night, clang builds all rooms, not only what runs here, and slow checks run."""
     results.stage("static analysis", check_statically)
     if not results.stage("clang's warnings", build_checks, *([] if nightly else CHECKED)):
         return
@@ -47,8 +46,7 @@ def is_shell(file):
 
 
 def check_statically():
-    """All C++ sources by cppcheck, whose suppressions say why, all scripts of shells by shellcheck, and that those of
-    Python compile."""
+    """cppcheck of all C++, with reasons for suppressions; shellcheck of all shell scripts; that Python's compile."""
     say("static analysis")
     packages.ensure_packages(*PACKAGES)
     kept = cache_folder() / "cppcheck"  # what has not changed is not analysed again
@@ -120,7 +118,7 @@ def check_coverage():
 
 
 def fuzz_job(part, seconds, corpus):
-    """Inputs made up by libFuzzer; new ones of interest go to CORPUS/PART."""
+    """Inputs made up by libFuzzer; interesting new ones go to CORPUS/PART."""
     folder = checks_folder()
     work = folder / "fuzz" / part
     for place in (work, corpus / part):
@@ -147,7 +145,7 @@ def found_by(part, log, succeeded):
 
 
 def fuzz(seconds, corpus):
-    """All parts at once, from seeds that are always the same and from the corpus."""
+    """All parts at once, from fixed seeds and the corpus."""
     seeds = checks_folder() / "fuzz/seeds"
     shutil.rmtree(seeds, ignore_errors=True)
     if run([checks_folder() / "tests/fuzz/write_seeds", seeds], env={**os.environ, "LLVM_PROFILE_FILE": "/dev/null"}):
@@ -161,14 +159,14 @@ def fuzz(seconds, corpus):
 
 
 def check_by_fuzzing(seconds):
-    """Forgets what it has learnt, so that it does much the same each time."""
+    """Forgets what it learnt, so that runs are alike."""
     corpus = checks_folder() / "fuzz/new"
     shutil.rmtree(corpus, ignore_errors=True)
     return fuzz(seconds, corpus)
 
 
 def fuzz_alone(seconds):
-    """What it learns is kept in the build folder for the next time."""
+    """Keeps what it learnt in the build folder."""
     build_checks(*(f"fuzz_{part}" for group in FUZZ_GROUPS for part in group), "write_seeds")
     print(fuzz(seconds, checks_folder() / "fuzz/corpus"))
 

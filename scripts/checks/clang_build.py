@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Builds by clang, with its warnings as errors and with sanitizers. Other checks run what is built."""
+"""Builds by clang, with warnings as errors and with sanitizers, for other checks to run."""
 
 import contextlib
 import os
@@ -17,7 +17,7 @@ def checks_folder():
 
 @contextlib.contextmanager
 def environment(**values):
-    """These variables, within the block."""
+    """Sets variables for the block."""
     before = dict(os.environ)
     os.environ.update(values)
     try:
@@ -28,8 +28,8 @@ def environment(**values):
 
 
 def build_with_clang(folder, preset, *targets):
-    """All targets when none is named. Warnings are errors."""
-    # for ccache, which would take the name of this file for a part of what is compiled: its contents are
+    """All targets if none is named. Warnings are errors."""
+    # for ccache, which would otherwise hash this file's name instead of its contents
     ignored = CHECKOUT / "scripts/cmake/sanitizer_ignorelist.txt"
     with environment(LAPLACIAN_LINES_BUILD=str(folder), CCACHE_IGNOREOPTIONS="-fsanitize-ignorelist=*",
                      CCACHE_EXTRAFILES=str(ignored)):

@@ -21,9 +21,7 @@ UNTHREADED_TESTS = "*InAForkedProcess"  # the sanitizer refuses to start threads
 
 
 def test_gui(regexes):
-    """malloc_context_size: what allocates, and who calls it. MeshLab and Qt are compiled without frame pointers, so
-    whatever seems to be farther up is not; the sanitizer would search all libraries for each of thousands of such
-    addresses."""
+    """malloc_context_size: the allocating function and its caller; MeshLab and Qt lack frame pointers for more."""
     folder = checks_folder()
     reports = folder / "reports"
     packages.ensure_packages(*packages.DISPLAY)
@@ -43,7 +41,7 @@ def test_gui(regexes):
     for text in texts:
         if re.search("ERROR: AddressSanitizer|runtime error", text):
             os.write(2, "\n".join(text.splitlines()[:40]).encode())
-    # a leak of MeshLab, Qt or OpenGL is not ours: only those count that a function of our plugins has allocated
+    # leaks of MeshLab, Qt and OpenGL are not ours: only those count that our plugins have allocated
     leaks = [part for text in texts for part in text.split("\n\n")
              if "leak of" in part and re.search(r"lib(filter|decorate)_laplacian_lines\.so", part)]
     (folder / "leaks.txt").write_text("\n".join(leaks))

@@ -2,8 +2,7 @@
 
 add_custom_target(meshlab_plugins COMMENT "All that MeshLab is to load")
 
-# add_meshlab_plugin(NAME SOURCES...)
-# A plugin that MeshLab can load: built into <build>/plugins, installed to MeshLab's own plugin folder.
+# add_meshlab_plugin(NAME SOURCES...): built into <build>/plugins, installed to MeshLab's plugin folder.
 function(add_meshlab_plugin name)
   add_loadable_plugin(${name} ${ARGN})
   set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/plugins")
@@ -11,7 +10,7 @@ function(add_meshlab_plugin name)
   install(TARGETS ${name} LIBRARY DESTINATION . COMPONENT loose EXCLUDE_FROM_ALL) # see Packaging.cmake
 endfunction()
 
-# add_loadable_plugin(NAME SOURCES...): the same, but neither placed among the plugins nor installed.
+# add_loadable_plugin(NAME SOURCES...): neither placed among the plugins nor installed.
 function(add_loadable_plugin name)
   add_library(${name} MODULE ${ARGN})
   target_link_libraries(${name} PRIVATE MeshLab::common)

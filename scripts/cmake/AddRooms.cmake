@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# add_room(FOLDER): if it is in this checkout.
+# add_room(FOLDER): if this checkout has it.
 function(add_room folder)
   if(EXISTS "${PROJECT_SOURCE_DIR}/${folder}/CMakeLists.txt")
     add_subdirectory("${PROJECT_SOURCE_DIR}/${folder}" "${PROJECT_BINARY_DIR}/${folder}")
   endif()
 endfunction()
 
-# add_room_library(NAME [SOURCES...]): a static library of all sources in src/, or of those named, for the plugins.
+# add_room_library(NAME [SOURCES...]): a static library of these sources, or of all in src/, for the plugins.
 function(add_room_library name)
   set(sources ${ARGN})
   if(NOT sources)
@@ -22,8 +22,8 @@ function(add_room_library name)
   set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
-# precompile(TARGET HEADERS...): compiles the headers that most of compiling goes into once for a target. Sources include
-# what they need all the same, since not every build does this.
+# precompile(TARGET HEADERS...): compiles expensive headers once per target. Not every build does: sources include all
+# they need.
 function(precompile target)
   if(LAPLACIAN_LINES_PRECOMPILE)
     target_precompile_headers(${target} PRIVATE ${ARGN})

@@ -15,13 +15,13 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def ensure_toolchain(*extra_packages):
-    """All that building takes, MeshLab itself included."""
+    """All that building takes, MeshLab included."""
     packages.ensure_packages(*packages.BUILD, *extra_packages)
     packages.ensure_meshlab_recommends()
     ensure_headers()
 
 
-# Not presets of CMake: ctest takes the folder of logs from a preset, whatever folder it is told.
+# No CMake presets: with one, ctest ignores the folder of logs that it is told.
 SETS_OF_TESTS = {"all": [], "tests": ["--label-exclude", "^reach$"], "meshlab": ["--label-regex", "meshlab"],
                  "versions": ["--label-regex", "versions"], "pymeshlab": ["--label-regex", "pymeshlab"]}
 
@@ -37,8 +37,8 @@ def build_folder(checkout=CHECKOUT):
 
 
 def build_targets(*targets, preset=None, options=(), extra_packages=None, checkout=CHECKOUT):
-    """Configures by a preset of CMakePresets.json and compiles, all targets when none is named. With extra_packages, these
-    and all that building takes are installed before."""
+    """Configures by a preset of CMakePresets.json and compiles all targets, or those named. With extra_packages,
+    installs these and all that building takes first."""
     build = build_folder(checkout)
     with turn(build):
         words = [*(["--preset", preset] if preset else []), *options]
@@ -62,8 +62,8 @@ def description(*words):
 
 
 def is_built(checkout, build, described):
-    """Whether that was the latest build, and nothing has been touched since that CMake or make would look at. They take
-    seconds to find that out: here are folders of sources, packages, and folders of what was made."""
+    """Whether the latest build was the same and nothing that CMake or make look at was touched since: folders of
+    sources, packages, and what was made. CMake and make take seconds to find that out."""
     try:
         if (build / ".built").read_text() != described:
             return False
@@ -77,7 +77,7 @@ def is_built(checkout, build, described):
 
 
 def all_in(*folders):
-    """And the folders themselves. os.walk() takes a fifth of the time of pathlib."""
+    """With the folders themselves; os.walk() takes a fifth of pathlib's time."""
     for folder in folders:
         for place, _, files in os.walk(folder):
             yield place
@@ -94,20 +94,20 @@ def newer(file, *others):
 
 
 def cached(build, name):
-    """A value of CMake's cache there."""
+    """A value of its CMake cache."""
     found = re.search(rf"^{name}:[A-Z]*=(.*)$", (build / "CMakeCache.txt").read_text(errors="surrogateescape"), re.M)
     return found[1] if found else ""
 
 
 def forget_moved_build(checkout, build):
-    """CMake refuses a build that was made in another place or of another checkout, and what it has compiled may belong
-    to the sources there. Builds in folders of this one look after themselves."""
+    """Removes a build that was made elsewhere or of another checkout: CMake refuses it, and its objects may be of other
+    sources. Builds in folders inside it look after themselves."""
     if not (build / "CMakeCache.txt").exists():
         return
     places = ((cached(build, "CMAKE_HOME_DIRECTORY"), checkout), (cached(build, "CMAKE_CACHEFILE_DIR"), build))
     if all(os.path.exists(was) and os.path.samefile(was, now) for was, now in places):
         return
-    say("this checkout was moved or copied with its build: building anew")
+    say("this checkout was moved or copied with its build: rebuilding")
     (build / "CMakeCache.txt").unlink()
     for folder, below, files in os.walk(build):
         if "CMakeCache.txt" in files:
@@ -118,7 +118,7 @@ def forget_moved_build(checkout, build):
 
 
 def configure(checkout, build, words):
-    """Without MESHLAB_SOURCE_DIR, as it was configured before or the core alone."""
+    """Without MESHLAB_SOURCE_DIR: as configured before, or the core alone."""
     forget_moved_build(checkout, build)
     words = list(words)
     if not os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER") and shutil.which("ccache"):
@@ -130,8 +130,8 @@ def configure(checkout, build, words):
 
 
 def compile_targets(checkout, build, targets):
-    """Where there is ccache, nothing is compiled twice, in another checkout either. The sloppiness lets it keep
-    precompiled headers; no source of ours uses times."""
+    """With ccache nothing is compiled twice, not even in another checkout. The sloppiness is for precompiled
+    headers."""
     ccache = {"CCACHE_DIR": str(compiled_folder()), "CCACHE_MAXSIZE": "4G", **os.environ,
               "CCACHE_BASEDIR": str(checkout),
               "CCACHE_NOHASHDIR": "1", "CCACHE_SLOPPINESS": "pch_defines,time_macros"}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files and folders that are there whole or not at all, and turns at changing a folder."""
+"""Files and folders that are written whole or not at all, and locks on folders."""
 
 import contextlib
 import fcntl
@@ -13,7 +13,7 @@ from environment.messages import Failure, say
 
 
 def cache_folder():
-    """Holds all that is downloaded or generated; deleting it is always safe."""
+    """For all that is downloaded or generated; safe to delete."""
     home = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.environ["HOME"], ".cache")
     return pathlib.Path(os.environ.get("LAPLACIAN_LINES_CACHE") or os.path.join(home, "laplacian-lines"))
 
@@ -24,8 +24,8 @@ def compiled_folder():
 
 
 def publish_into(folder, fill):
-    """Has fill(SCRATCH) fill a folder, which is renamed to `folder` if that returns true, so that an interrupted run
-    never leaves half a folder that later runs would trust. Returns whether it did."""
+    """Has fill(SCRATCH) fill a folder, renamed to `folder` if that returns true, so that an interrupted run leaves
+    nothing half done that later runs would trust. Returns whether it did."""
     scratch = None
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
@@ -89,8 +89,8 @@ def umask():
 
 @contextlib.contextmanager
 def turn(folder):
-    """One script at a time changes a folder: ./run and ./test may be called at once in the same checkout. A turn also
-    ends with the script that has it, when the last of its programs has ended."""
+    """Locks a folder against other scripts: ./run and ./test may be called at once in one checkout. The lock also ends
+    with its script, when the last of its programs ends."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         lock = (folder / ".lock").open("ab")

@@ -19,7 +19,7 @@ HEADERS = "*/ML_VERSION", "*/src/common", "*/vcglib/vcg", "*/vcglib/wrap"  # bes
 
 
 def debian_mirror():
-    """The mirror that this machine's own release comes from, None if it is no Debian."""
+    """The mirror of this machine's release; None if it is not Debian."""
     release = platform.freedesktop_os_release()
     if release.get("ID") != "debian":
         return None
@@ -34,8 +34,8 @@ def readable(pattern, folder=pathlib.Path("/etc/apt")):
 
 
 def write_source_list(folder, suite=None, kind="deb-src"):
-    """Entries for apt's sourceparts folder: the machine's sources rewritten to source packages, or those of another
-    release of Debian, which may be of another kind. Returns whether there are any."""
+    """Entries for apt's sourceparts folder: the machine's sources as source packages, or those of another release of
+    Debian. Returns whether there are any."""
     folder.mkdir(parents=True, exist_ok=True)
     if suite:
         mirror = debian_mirror()
@@ -55,10 +55,9 @@ def write_source_list(folder, suite=None, kind="deb-src"):
 
 
 def source_apt_get(folder, *words, **options):
-    """Whether apt-get succeeds with its sources, lists and cache in the folder. The user's own stay untouched."""
-    # -c is read after the system's configuration, the only place where its hooks can be cleared. Lists of a release in
-    # the making run out while a mirror lags behind; source packages are none the worse. Never without all of its lines,
-    # or it would be the machine's own lists that apt-get writes.
+    """Whether apt-get succeeds with sources, lists and cache in the folder. Leaves the user's own alone."""
+    # -c is read last, so that it can clear the system's hooks. Lists may be out of date on a mirror that lags behind:
+    # source packages do not mind. All lines are needed, or apt-get would write the machine's own lists.
     (folder / "apt.conf").write_text(f"""#clear APT::Update::Post-Invoke;
 #clear APT::Update::Post-Invoke-Success;
 Dir::Etc::sourcelist "/dev/null";
@@ -72,8 +71,8 @@ Acquire::Check-Valid-Until "false";
 
 
 def unpack_source(package, folder, suite=None, parts=HEADERS):
-    """Of the tarball only; some mirrors lack the other files of a source package. The package may be NAME=VERSION, of
-    this machine's sources, or of another release of Debian."""
+    """The tarball alone; some mirrors lack a source package's other files. The package may be NAME=VERSION, of this
+    machine's sources or of another release of Debian."""
     with tempfile.TemporaryDirectory() as name:
         apt = pathlib.Path(name)
         if not write_source_list(apt / "sources", suite):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the scripts tell the user: one line a step, on stderr so that stdout stays the program's own. The output of
-other programs is kept in logs. And how scripts end: with what they have begun, when a signal comes."""
+"""What scripts print: one line a step, on stderr, since stdout is the program's; other programs' output goes to logs.
+And how scripts end on a signal: with what they have started."""
 
 import contextlib
 import os
@@ -11,11 +11,11 @@ import sys
 
 
 class Failure(Exception):
-    """What the user is told before the script ends with code 1."""
+    """Printed before the script ends with code 1."""
 
 
 class Obstacle(Exception):
-    """Why something cannot be had here, where that is no error of the script: the caller decides what follows."""
+    """Something cannot be had here, which is no error of the script: the caller decides."""
 
 
 def say(text):
@@ -29,12 +29,12 @@ def say(text):
 
 
 def exit_code(returncode):
-    """As shells tell it: 128 and the signal."""
+    """As in shells: 128 plus the signal."""
     return returncode if returncode >= 0 else 128 - returncode
 
 
 class Signals:
-    """A signal ends the script at once; one that comes while a process is begun, as soon as that can be ended, too."""
+    """A signal ends the script at once, or as soon as a process that is being started can be ended, too."""
 
     def __init__(self):
         self.held, self.others, self.code = False, False, 0
@@ -72,8 +72,7 @@ def run_main(main):
 
 
 def run(command, interactive=False, **options):
-    """The exit code of a command in the foreground, which ends with this script; of an interactive one, Ctrl+C is its
-    own affair."""
+    """The exit code of a command in the foreground, which ends with this script; an interactive one handles Ctrl+C."""
     process, signals.others = None, interactive
     try:
         with signals:
@@ -87,7 +86,7 @@ def run(command, interactive=False, **options):
 
 @contextlib.contextmanager
 def started(command, **options):
-    """A process, which ends at the end of the block with all that it has begun."""
+    """A process that ends with the block, with all that it has started."""
     process = None
     try:
         with signals:
@@ -99,8 +98,8 @@ def started(command, **options):
 
 
 def run_together(jobs):
-    """Runs jobs at once, each a log, a command and options of Popen; whether each succeeds. What they begin keeps the
-    turns of this script (see files.py)."""
+    """Runs jobs at once, each a log, a command and options of Popen; whether each succeeds. What they start keeps this
+    script's locks (see files.py)."""
     with contextlib.ExitStack() as stack:
         processes = []
         for log, command, options in jobs:
@@ -116,7 +115,7 @@ def show_end(log):
 
 
 def quietly(log, command, **options):
-    """Whether the command succeeds. Its output goes to the log, its end to the user when the command fails."""
+    """Whether the command succeeds. Its output goes to the log; on failure the user sees the end."""
     (succeeded,) = run_together([(log, command, options)])
     if not succeeded:
         show_end(log)
@@ -125,7 +124,7 @@ def quietly(log, command, **options):
 
 @contextlib.contextmanager
 def logged(log):
-    """What is printed in the block goes to the log."""
+    """Sends the block's output to the log."""
     kept = os.dup(1), os.dup(2)
     with open(log, "wb") as file:
         for number in (1, 2):
@@ -140,7 +139,7 @@ def logged(log):
 
 
 def output(*command, **options):
-    """What a command prints, without the last line's end; None if it fails or is not there."""
+    """What a command prints, without the last newline; None if it fails or is not there."""
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, **options)
     except OSError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Debian packages: install what is missing, and only that."""
+"""Debian packages: installs what is missing, and only that."""
 
 import os
 import re
@@ -15,13 +15,13 @@ CORE = "g++ make cmake libeigen3-dev".split()  # enough for the core alone
 PACKAGING = ["file"]  # CPack asks it what is a library
 TEST = "python3 libgtest-dev imagemagick ccache librsvg2-bin locales poppler-utils".split() + PACKAGING
 # meshlab 2022 and later show a modal box at start when a bundled plugin misses one of these Recommends; 2020.09 depends
-# on all it needs. Names that this distribution does not know are skipped.
+# on all it needs. Unknown names are skipped.
 MESHLAB_RECOMMENDS = """lib3ds-1-3 libgomp1 libmuparser2v5 libopenctm1 libqhull-r8.0 libxerces-c3.2t64 libmpfr6
     libgmp10""".split()
 
 
 def missing(packages):
-    """One question for all, since each takes a while."""
+    """All in one question, since each takes a while."""
     done = subprocess.run(["dpkg-query", "-W", "-f=${db:Status-Abbrev}${Package}\n", *packages],
                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     return sorted(set(packages) - set(re.findall(r"^ii (.*)$", done.stdout, re.M)))
@@ -53,11 +53,11 @@ def ensure_packages(*packages):
 
 
 def meshlab_version():
-    """That of the package, "" where there is none."""
+    """The package's version, "" if there is none."""
     return output("dpkg-query", "-W", "-f=${Version}", "meshlab") or ""
 
 
 def ensure_meshlab_recommends():
-    """They matter from 2022 on only; asking apt-cache keeps this free of distribution names."""
+    """Only from 2022 on; asking apt-cache keeps distributions' names out of this."""
     if not meshlab_version().startswith("2020."):
         ensure_packages(*(name for name in MESHLAB_RECOMMENDS if output("apt-cache", "show", name) is not None))

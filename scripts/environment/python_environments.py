@@ -10,7 +10,7 @@ from environment.packages import ensure_packages
 
 
 def ensure_python(name, version, size, *packages):
-    """The Python of the environment of this name, for the user's Python, of about that size. Other packages need another
+    """The Python of this environment, of about that size, made with the user's Python. Other packages need another
     version. Raises Obstacle."""
     users = shutil.which("python3")
     if output(users, "-c", "import ensurepip, venv") is None:

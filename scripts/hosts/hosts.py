@@ -17,13 +17,13 @@ NAMES = [*SUITES, "pymeshlab"]
 
 
 def is_here(host):
-    """Whether it is the MeshLab that is installed on this machine."""
+    """Whether it is the MeshLab installed here."""
     return packages.meshlab_version().startswith(f"{host}.")
 
 
 def run_ctest(build, regexes, tests):
-    """Several tests at once, since those of MeshLab's windows wait half of their time: those of a set whose names match
-    one of the regexes."""
+    """Several tests at once, since those with windows mostly wait: those of a set whose names match one of the
+    regexes."""
     words = ["--tests-regex", "|".join(regexes)] if regexes else []
     with started(ctest(build, tests, "--parallel", str(2 * processors()), *words)) as running:
         if running.wait() != 0:
@@ -31,7 +31,7 @@ def run_ctest(build, regexes, tests):
 
 
 def test_here(regexes, tests=None):
-    """Builds and runs the tests with the MeshLab installed here; without a set also the core's."""
+    """Builds and tests with the MeshLab installed here; without a set also the core."""
     began = time.monotonic()
     build_targets(*(["meshlab_tests"] if tests else []), preset="tests",
                   extra_packages=[*packages.DISPLAY, *packages.TEST])

@@ -38,8 +38,7 @@ picture.Pictures(stage, work, options, picture.columns_of(stage.parent, options.
 
 
 def build():
-    """The plugins that are tested are those of the .zip, stripped; the driver and the tests' programs are built here,
-    too."""
+    """Tests the plugins of the .zip, stripped; driver and test programs are built here, too."""
     packages.ensure_packages(*packages.BUILD, *packages.DISPLAY, *packages.TEST)
     environment = dict(os.environ)
     try:
@@ -69,7 +68,7 @@ def run_in_root(command, settings, ensure):
 
 
 def test_in_root(tests, name, settings=(), ensure=lambda: ensure_root(portable.SUITE)):
-    """Runs tests of the build in the root, which has nothing else of this machine, and draws the dragon there."""
+    """Runs the build's tests in the root, which has nothing else of this machine, and draws the dragon."""
     run_in_root(ctest(BUILD, "meshlab", "--parallel", str(processors()), "--tests-regex", tests), settings, ensure)
     run_in_root(["python3", "-B", "-c", PICTURE, BUILD / "stage", BUILD / f"dragon_{name}.png", default_mesh()], settings,
                 ensure)
@@ -92,7 +91,7 @@ def test_in_bundle():
 
 
 def check_packages():
-    """Those that the tests in all hosts have made."""
+    """Those made by the tests in all hosts."""
     packages.ensure_packages("lintian")
     made = list((CHECKOUT / "build").glob("**/Testing/meshlab/package/packages/*.deb"))
     if run(["lintian", "--allow-root", "--fail-on", "error", *made]) != 0 or len(made) < len(SUITES):

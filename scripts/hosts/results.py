@@ -8,19 +8,18 @@ from environment.messages import Failure, Obstacle, duration, say
 
 
 def times():
-    """Seconds by the clock, and of processors by this process and all that it has waited for."""
+    """Seconds by the clock, and of processor time by this process and all that it has waited for."""
     spent = os.times()
     return time.monotonic(), sum(spent[:4])
 
 
 class Results:
     def __init__(self, required):
-        """Skipped is what an Obstacle has kept from running, a failure if `required`."""
+        """Skipped means kept from running by an Obstacle; a failure if `required`."""
         self.required, self.rows, self.failed, self.began = required, [], False, times()
 
     def stage(self, name, function, *words):
-        """Runs it. It returns a remark on its success, None or "" if there is none. Returns whether it has
-        succeeded."""
+        """Runs it; a remark that it returns is printed. Returns whether it succeeded."""
         began, succeeded = times(), False
         try:
             remark = function(*words)

@@ -74,14 +74,14 @@ def install_toolchain(root, kept):
 
 def can_make_roots():
     if os.geteuid() != 0:
-        raise Obstacle("making a root takes root's rights")
+        raise Obstacle("making a root needs root's rights")
     try:
         packages.ensure_packages("debootstrap")
     except Failure as reason:
         say(reason)
         raise Obstacle("debootstrap could not be installed") from None
     if output("unshare", "--mount", "--pid", "--fork", "--net", "--ipc", "true") is None:
-        raise Obstacle("this machine does not allow mounts of one's own (unshare)")
+        raise Obstacle("this machine does not allow private mounts (unshare)")
 
 
 def recipe_of(root):
@@ -104,7 +104,7 @@ def ensure_root(suite, kind="", install=install_toolchain):
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            say(f"{root} has to be made anew: waiting until no other tests use it")
+            say(f"{root} has to be made again: waiting until no other tests use it")
             fcntl.flock(lock, fcntl.LOCK_EX)
         if recipe_of(root) != wanted:
             make_root(suite, mirror, root, wanted, install)

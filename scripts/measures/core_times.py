@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Times of the core: which meshes, and how the programs in programs/benchmarks are built and run."""
+"""Times of the core: the meshes, and building and running of programs/benchmarks."""
 
 import json
 import pathlib
@@ -21,7 +21,7 @@ def build_benchmarks(target, *extra_packages):
 
 
 def table_models(*names, checkout=CHECKOUT):
-    """Those that can be had, or one of our own making."""
+    """Those available, or one of our own."""
     found = []
     for name in names:
         is_dragon = name.startswith("dragon")
@@ -48,7 +48,7 @@ def measure(program, *words):
 
 
 def measure_busy(meshes):
-    """Prints tables of the main figures beside other work, and of commands for the last mesh."""
+    """Prints tables of the main figures under load, and of commands for the last mesh."""
     program, write_mesh = build_benchmarks("busy_table"), build_benchmarks("write_mesh")
     with tempfile.TemporaryDirectory() as work:
         large = f"{work}/large.ply"
@@ -64,7 +64,7 @@ def measure_busy(meshes):
 
 
 def measure_in_meshlab(mesh):
-    """Prints a table of what the plugins take there; the figures, "null" if they are left out."""
+    """Prints a table of the plugins' times; returns the figures, "null" if left out."""
     for package in ("meshlab", "xvfb"):
         if packages.missing([package]):
             say(f"left out: times in MeshLab, for the package {package} is not installed")
@@ -82,8 +82,8 @@ def measure_in_meshlab(mesh):
 
 
 def count_instructions(program, mesh):
-    """Prints a table of the instructions of redraws, and of the memory that they read. Each redraw begins with an empty
-    cache, in which all that it reads has room: what is missed is read for the first time."""
+    """Prints instructions of redraws, and the memory they read: each begins with an empty cache that holds all it
+    reads, so that misses are first reads."""
     with tempfile.TemporaryDirectory() as name:
         work = pathlib.Path(name)
         say("counting instructions and memory in callgrind: some minutes")

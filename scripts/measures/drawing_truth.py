@@ -15,7 +15,7 @@ TRUTH = CHECKOUT / "programs/benchmarks/truth"
 
 
 def part_files(names):
-    """The parts of these names, all without any; they are made at the first time, which takes some minutes."""
+    """These parts, or all; made the first time, in some minutes."""
     recipe = "".join(file.read_text() for file in sorted(TRUTH.glob("*.py"))) + " ".join(TOOLS)
     folder = cache_folder() / "cad_parts" / hashlib.sha256(recipe.encode()).hexdigest()[:12]
     try:
@@ -56,7 +56,7 @@ def compare_with_parts(words):
 
 
 def compare_with_silhouettes(words):
-    """Names are files of scans, without them those that lie beside the checkout, and the dragon if it was fetched."""
+    """`names` are scans; default: those beside the checkout, and the dragon if it was fetched."""
     options, names = split(words)
     program = build_truth() / "drawing_silhouettes"
     if not names:

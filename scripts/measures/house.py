@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""house.py [CHECKOUT]: how large the house is, a table in Markdown: lines of C++, Python, CMake, shell and the driver's
-scripts by kind, options that users have, and what makes a house hard to find one's way in."""
+"""house.py [CHECKOUT]: the size of the project, as a Markdown table: lines of C++, Python, CMake, shell and the
+driver's scripts by kind, options that users have, small files and crowded folders."""
 
 import collections
 import pathlib
@@ -37,8 +37,8 @@ def kind_of(file):
 
 
 def options():
-    """Parameters that docs/parameters.md has; words with -- in the usages of the programs and in the table of drawings;
-    and all that users have, once each, without what is for developers."""
+    """Parameters in docs/parameters.md; words with -- in the usages of the programs and in the table of drawings; and
+    all that users have, once each, without developers' ones."""
     text = text_of("docs/parameters.md")
     rows = re.findall(r"^\| (?!parameter|---|\|)(?:\*\*[^*]*\*\* )?([^|]+) \|", text, re.M)
     labels = {label for row in rows for label in row.split(", ")}

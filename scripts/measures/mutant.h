@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the sources call where mutants.py has changed them. LAPLACIAN_LINES_MUTANT is the number of the mutant that is
-// on, LAPLACIAN_LINES_MUTANTS_SEEN a file that gets a 1 at the number of each place that ran and would have mattered.
+// What mutants.py puts into sources calls. LAPLACIAN_LINES_MUTANT is the number of the active
+// mutant; the file LAPLACIAN_LINES_MUTANTS_SEEN gets a 1 at the number of each place that ran and
+// would have mattered.
 #pragma once
 #pragma GCC system_header
 #pragma GCC diagnostic ignored "-Wuninitialized"  // in what is inlined into a changed function
@@ -47,7 +48,7 @@ inline bool is_on(int place) {
     return place == active;
 }
 
-/// One of two comparisons of the same things: seen only if they differ.
+/// One of two comparisons: seen only if they differ.
 template <typename Result>
 Result either(int place, const Result& was, const Result& mutated) {
     if (std::memcmp(&was, &mutated, sizeof(Result)) != 0) {

@@ -52,7 +52,7 @@ def places_in(root, command, folders):
         name = cursor.location.file and cursor.location.file.name
         if name not in wanted:
             file = os.path.relpath(os.path.realpath(name or "/"), root)
-            # public headers: a change there would have all tests compiled anew
+            # public headers: changing one would recompile all tests
             wanted[name] = file.startswith(folders) and "/include/" not in file and file not in read
             read.add(file)
         if wanted[name]:
@@ -124,7 +124,7 @@ class Search:
             self.condition(children[0])
         if parent.kind == Kind.COMPOUND_STMT and kind in STATEMENTS:
             end = cursor.extent.end.offset
-            # room made early is speed
+            # reserving is for speed
             if self.text(cursor, end, end + 1) == ";" and "reserve" not in self.text(cursor):
                 self.add(cursor, "statement", f"without {self.text(cursor)[:70]}",
                          (cursor.extent.start.offset, cursor.extent.start.offset,
@@ -147,7 +147,7 @@ class Search:
             for operand in (first, second):
                 self.condition(operand)
         elif sign in NEGATED:
-            # whether numbers that are measured are less or equal makes no difference that can be seen
+            # less or equal makes no visible difference for measured numbers
             is_float = {first.type.get_canonical().kind, second.type.get_canonical().kind} & FLOATS
             other, name = (SHIFTED if sign in SHIFTED and not is_float else NEGATED)[sign]
             self.add(cursor, "comparison", f"{text}: {other}", (begin, begin, f"mutant::{name}(@, "),

@@ -24,7 +24,7 @@ ROOMS = {"laplacian_lines": ["core_tests"], "mesh_files": ["mesh_files_tests"], 
          "meshlab_host": ["host_tests", "decoration_tests"], "filter_laplacian_lines": ["host_tests"],
          "decorate_laplacian_lines": ["decoration_tests", "host_tests"],
          "programs/drawing_program": ["laplacian_lines_drawing"]}  # and targets whose tests see it
-# They build, need a display or the network, or look at the sources.
+# These build, need a display or the network, or look at sources.
 NOT_RUN = r"meshlab\.|Installed|OutOfMemory|Rooms|benchmarks|wheel|scripts|line_renderer\.o|line_drawing\.(others|dask)"
 ORDER = ["statement", "condition", "return", "sign", "constant", "comparison"]  # from outside to inside, at one place
 OVERTIME = -24, -9, 124, 137, 152  # of the processor, killed, by the clock, and as shells tell it
@@ -34,7 +34,7 @@ LEAST_NOTICED = 0.6  # of those that a test reaches: about 85 % are, and most ot
 
 
 def run(rooms, count, seed, most):
-    """How many mutants had which fate. Tests of one take together no more than so many seconds of the processor."""
+    """Counts mutants by fate. A mutant's tests together take at most this much processor time."""
     rooms = rooms or list(ROOMS)
     if unknown := [room for room in rooms if room not in ROOMS]:
         raise Failure(f"{unknown[0]} is no room with mutants: {' '.join(ROOMS)}")
@@ -58,7 +58,7 @@ def run(rooms, count, seed, most):
 
 
 def run_nightly():
-    """A few mutants of all rooms, other ones each night."""
+    """A few mutants of all rooms, others each night."""
     fates = run([], NIGHTLY_COUNT, datetime.date.today().isoformat(), NIGHTLY_MOST)
     noticed, survived = fates["killed"] + fates["timed out"], fates["survived"]
     if noticed < LEAST_NOTICED * (noticed + survived) or not noticed:
@@ -73,7 +73,7 @@ def copy_sources(tree):
 
 
 def copy(target, data, like):
-    """What has not changed is not compiled again."""
+    """Does not recompile what has not changed."""
     if not target.exists() or target.read_bytes() != data:
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes(data)
@@ -81,7 +81,7 @@ def copy(target, data, like):
 
 
 def find_places(folder, rooms):
-    # as ./test has it, so that ccache knows what no mutant is in
+    # like ./test, so that ccache has what holds no mutant
     configure(folder / "tree", folder / "tree/build", ["--preset", "tests", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"])
     database = folder / "commands.json"  # of the sources as they are
     database.write_text((folder / "tree/build/compile_commands.json").read_text().replace(
@@ -95,7 +95,7 @@ def find_places(folder, rooms):
 
 
 def choose(places, count, seed):
-    """As many from each file, and in a file of each kind. A file's depend on that file alone."""
+    """Equally many per file, and per kind within a file. A file's depend on that file alone."""
     files = {}
     for place in sorted(places, key=lambda place: (place.file, place.edits)):
         files.setdefault(place.file, {}).setdefault(place.kind, []).append(place)
@@ -114,7 +114,7 @@ def choose(places, count, seed):
 
 
 def build(folder, places, targets):
-    """Leaves out, as None, what cannot be compiled."""
+    """Leaves out, as None, what does not compile."""
     os.environ["MAKEFLAGS"] = "k"  # all errors at once
     files = {place.file for place in places if place}
     while True:
@@ -149,13 +149,13 @@ def mutated(file, places):
     for _, begin, end, text in sorted(edits):
         done += data[place:begin] + text.encode()
         place = end
-    # as a header of the system, of which there are no warnings
+    # like a system header, which gives no warnings
     return f'#include "{CHECKOUT}/scripts/measures/mutant.h"\n# 1 "/tree/{file}" 3\n'.encode() + done + data[place:]
 
 
 class Tests:
     def __init__(self, folder, count):
-        """Runs all once, without a mutant: what each takes, and which places it sees."""
+        """Runs all once without a mutant: the time of each test, and the places it sees."""
         self.folder = folder
         for name in ("logs", "seen"):
             (folder / name).mkdir(exist_ok=True)
@@ -180,7 +180,7 @@ class Tests:
         return {**test, "seconds": seconds, "seen": seen.read_bytes()[:count]} if code == 0 else None
 
     def execute(self, command, seconds, environment, **more):
-        """The exit code, the processor's time, and what was printed. Ends what waits for ever or takes all memory."""
+        """Exit code, processor time and output. Ends what hangs or takes all memory."""
         log = self.folder / "logs" / str(threading.get_ident())
         with log.open("wb") as file:
             limits = ["timeout", "-k", "9", str(int(30 * seconds) + 60),
@@ -193,8 +193,8 @@ class Tests:
         return process.returncode, usage.ru_utime + usage.ru_stime, log.read_text(errors="replace")
 
     def fate(self, number, most):
-        """What becomes of a mutant, the test that noticed it, and the processor's time of all that were tried: those
-        that see it and take together no more than so many seconds."""
+        """A mutant's fate, the test that noticed it, and the processor time of the tests tried: those that see it, up
+        to a limit in seconds."""
         seeing, spent = [test for test in self.all if test["seen"][number]], 0
         for group in groups(list(seeing), most):
             program, *words = group[0]["command"]
@@ -211,7 +211,7 @@ class Tests:
 
 
 def groups(tests, most):
-    """Tests that run in one process each, those that take least first."""
+    """Single-process tests, quickest first."""
     for longest in BATCHES:
         batch, taken = {}, 0
         while tests and tests[0]["seconds"] <= most and (not taken or taken + tests[0]["seconds"] <= longest):

@@ -72,7 +72,7 @@ def run_server(words, begun):
     begun.touch()
     with contextlib.ExitStack() as shown:
         if not os.environ.get("DISPLAY") and not has_extra_plugins():
-            # MeshLab 2020.09's needs an X display with OpenGL even to run filters
+            # MeshLab 2020.09's meshlabserver needs an X display with OpenGL even for filters
             packages.ensure_packages(*packages.DISPLAY)
             shown.enter_context(display(1280, 900))
         code = run([server, *words])
@@ -101,7 +101,7 @@ class Command:
             raise Failure(f"{self.options_given[0]} goes with --picture")
 
     def take(self, words):
-        """The first of the words, and what belongs to it."""
+        """The first word, and what belongs to it."""
         word = words[0]
         if word in picture.Options.OPTIONS:
             self.options_given.append(word)
@@ -135,7 +135,7 @@ class Command:
             self.meshes.append(word)
 
     def run(self, work):
-        """The exit code; the folder is for what is needed meanwhile."""
+        """The exit code; the folder is for temporary files."""
         return getattr(self, f"run_{self.mode}")(work)
 
     def run_drawing(self, work):

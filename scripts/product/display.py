@@ -9,7 +9,7 @@ import subprocess
 
 from environment.messages import Failure
 
-# What a distribution's MeshLab does not ask: whether statistics may be sent.
+# Keeps MeshLab from asking whether it may send statistics.
 SETTINGS = "[General]\ninformativeShown=true\n"
 QT_LOOKS = """QT_STYLE_OVERRIDE QT_QPA_PLATFORMTHEME QT_SCALE_FACTOR QT_AUTO_SCREEN_SCALE_FACTOR
     QT_SCREEN_SCALE_FACTORS""".split()
@@ -18,7 +18,7 @@ QT_LOOKS = """QT_STYLE_OVERRIDE QT_QPA_PLATFORMTHEME QT_SCALE_FACTOR QT_AUTO_SCR
 def start_display(width, height):
     """The process of an Xvfb of this size; DISPLAY names it."""
     told, tells = os.pipe()
-    # Xvfb picks a free display itself and tells it through the file descriptor, once it accepts clients.
+    # Xvfb picks a free display itself and writes it to the descriptor once it accepts clients.
     process = subprocess.Popen(
         ["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{width}x{height}x24", "+extension", "GLX", "-nolisten",
          "tcp",
@@ -56,8 +56,7 @@ def display(width, height):
 
 
 def private_home(home):
-    """The environment of a program with this home folder, which is made, so that the user's settings neither matter nor
-    change."""
+    """The environment for a program with this home folder, made here: the user's settings neither matter nor change."""
     (home / ".config/VCG").mkdir(parents=True, exist_ok=True)
     settings = home / ".config/VCG/MeshLab_64bit_fp.conf"
     if not settings.exists():

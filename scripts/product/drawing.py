@@ -9,7 +9,7 @@ from product.models import check_mesh, prepare_mesh
 
 
 def unpack_mesh(name, folder):
-    """A file, unpacked into the folder if need be, or a folder."""
+    """A folder, or a file, unpacked into the folder if need be."""
     if os.path.isdir(name):
         return name
     if name:
@@ -19,8 +19,8 @@ def unpack_mesh(name, folder):
 
 
 def run_drawing(folder, words):
-    """The words are as the program takes them, but that MESH may be missing or gzipped; the folder takes unpacked
-    copies, each in one of its own, since their names may be the same."""
+    """The program's words, but MESH may be missing or gzipped; each is unpacked into a folder of its own, since names
+    may be equal."""
     program = build_folder() / "bin/laplacian-lines"
     build_targets("laplacian_lines_drawing", preset="product", extra_packages=())
     options, names = [], []

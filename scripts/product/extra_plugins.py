@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The folder from which MeshLab 2022.02 and later load plugins that a user has added."""
+"""The folder from which MeshLab 2022.02 and later load plugins added by the user."""
 
 import hashlib
 import os
@@ -17,7 +17,7 @@ def has_extra_plugins():
 
 
 def expect_extra_plugins(folder):
-    """`folder` is where ./run --package puts what is for all users."""
+    """`folder` is that of ./run --package, for all users."""
     if not has_extra_plugins():
         raise Failure(f"MeshLab {packages.meshlab_version()} loads no plugins from a user's folder; to have them for all users, "
                       f"run ./run --package and, as root, apt install {folder}/*.deb")
@@ -28,7 +28,7 @@ def user_data_folder():
 
 
 def extra_plugins_folder():
-    """MeshLab's, which goes by the first two parts of its version."""
+    """MeshLab's folder is named after the first two parts of its version."""
     version = re.match(r"\d+\.\d+", packages.meshlab_version())[0]
     return user_data_folder() / "VCG/MeshLab_64bit_fp/MeshLabExtraPlugins" / version
 
@@ -62,7 +62,7 @@ def write_record(lines):
 
 
 def make_folders(folder):
-    """Makes it and what is missing above it; the lines of those for the record."""
+    """Makes it and its missing parents; returns their lines for the record."""
     if folder.is_dir():
         return []
     made = make_folders(folder.parent)
@@ -76,13 +76,13 @@ def is_installed(file):
 
 
 def install_plugins(plugins):
-    """Into the user's own folder, in place of those installed before. The record has the old and the new ones until all
-    are there."""
+    """Into the user's own folder, replacing what was installed before. The record has old and new until all are
+    there."""
     refuse_installed_plugins(plugins)
     folder = extra_plugins_folder()
     for target in (folder / plugin.name for plugin in plugins):
         if target.exists() and not is_installed(target):
-            raise Failure(f"{target} is there already, but ./run has not installed it; remove it first")
+            raise Failure(f"{target} already exists, but ./run has not installed it; remove it first")
     make_folders(record_file().parent)
     old = [line for line in record() if line.startswith("file ")]
     folders = [line for line in record() if line.startswith("folder ")] + make_folders(folder)

@@ -14,8 +14,8 @@ DRIVER_ERROR = 3  # the exit code of MeshLab when the driver ends it
 
 
 def is_odd_name(name):
-    """It would mean something else to the driver, whose lines are UTF-8, or to MeshLab, whose names are of the user's
-    locale."""
+    """Refuses what means something else to the driver, whose lines are UTF-8, or to MeshLab, whose names are in the
+    user's locale."""
     try:
         locale.setlocale(locale.LC_CTYPE, "")
         charmap = locale.nl_langinfo(locale.CODESET)
@@ -35,8 +35,8 @@ def drivable_mesh(name, folder):
 
 
 def settings_commands(build, settings):
-    """The driver's commands that set parameters of the decoration, NAME=VALUE. What they are called and which values
-    they take, a program knows that is built from the decoration's own table."""
+    """The driver's commands for parameters of the decoration, NAME=VALUE, from a program built on the decoration's
+    table."""
     done = subprocess.run([build / "bin/decoration_settings", *settings], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE)
     if done.returncode != 0:
@@ -45,7 +45,7 @@ def settings_commands(build, settings):
 
 
 def run_meshlab(stage, folder, lines, **options):
-    """The exit code of MeshLab after this script of the driver; its chatter goes to FOLDER/log."""
+    """MeshLab's exit code after this driver script; its output goes to FOLDER/log."""
     (folder / "script").write_text("".join(f"{line}\n" for line in lines), errors="surrogateescape")
     environment = {**options.pop("env", os.environ), "LAPLACIAN_LINES_DRIVER": str(folder / "script")}
     with (folder / "log").open("wb") as log:
@@ -57,16 +57,16 @@ def log_lines(folder):
 
 
 def explain_failure(folder, code):
-    """Why MeshLab has ended, in a line."""
+    """Why MeshLab ended, in a line."""
     log = "\n".join(log_lines(folder))
     for kind in ("reason", "error"):
         if found := re.findall(f"^meshlab_driver: {kind}: (.*)$", log, re.M):
             return found[-1]
     doing = re.findall(r"^meshlab_driver: line \d+: (.*)$", log, re.M)
     if doing and doing[-1].startswith("load "):
-        return (f"MeshLab's own reader of .{doing[-1].rsplit('.', 1)[-1]} files has ended MeshLab (exit code {code}); the file may be "
+        return (f"MeshLab's own reader of .{doing[-1].rsplit('.', 1)[-1]} files crashed MeshLab (exit code {code}); the file may be "
                 "damaged")
-    return f"MeshLab has ended with code {code}; the last it said: {log.splitlines()[-1] if log else ''}"
+    return f"MeshLab ended with code {code}; its last output: {log.splitlines()[-1] if log else ''}"
 
 
 def is_project(name):
@@ -85,7 +85,7 @@ def opening(name, folder):
 
 
 def open_window(stage, folder, names, settings=()):
-    """Meshes and projects, in one window. MeshLab keeps what was set in its dialogs only if it is told to."""
+    """Meshes and projects in one window. MeshLab only keeps its dialogs' settings if told to."""
     openings = [opening(name, folder / str(number)) for number, name in enumerate(names)]
     say("opening MeshLab; Laplacian Lines is under Render")
     code = run_meshlab(stage, folder, [f"time-limit {MINUTES * 60}", "wait", *openings, "draw-all-lines", *settings])

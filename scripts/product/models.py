@@ -48,7 +48,7 @@ def is_there(file):
 
 
 def stanford_dragon(size=""):
-    """Its file, None if it cannot be fetched."""
+    """The file, None if it cannot be fetched."""
     file = dragon_file(size)
     if is_there(file):
         return file
@@ -68,7 +68,7 @@ def model_beside(checkout, name):
 
 
 def bumpy_torus(rings, sides):
-    """A torus of the radii 1 and about 0.4 with bumps, 2 rings sides triangles, as PLY text."""
+    """A bumpy torus of the radii 1 and about 0.4, 2 rings sides triangles, as PLY text."""
     lines = ["ply", "format ascii 1.0", f"element vertex {rings * sides}", *(f"property float {c}" for c in "xyz"),
              f"element face {2 * rings * sides}", "property list uchar int vertex_indices", "end_header"]
     for i in range(rings):

@@ -23,13 +23,13 @@ def packages_in(folder):
 
 
 def make_packages(build, folder, kinds=tuple(KINDS)):
-    """Of the plugins that are built there, in place of those in the folder, which stay if they cannot be made."""
+    """Of the plugins built there, replacing those in the folder, which stay on failure."""
     scratch, log = build / "packages.new", build / "packages.new.log"
     say("making the packages")
     with turn(build):
         shutil.rmtree(scratch, ignore_errors=True)
         try:
-            # CPack would first build all that can be built; it does not for generators without a target "preinstall"
+            # CPack would build everything first, but not for generators without a target "preinstall"
             command = ["cpack", "--config", build / "CPackConfig.cmake", "-G", ";".join(kinds), "-D",
                        "CPACK_CMAKE_GENERATOR=Ninja", "-D", f"CPACK_OUTPUT_FILE_PREFIX={scratch}", "-B", scratch]
             if not (quietly(log, command) and are_whole(scratch, kinds)):

@@ -28,8 +28,7 @@ NUMBER = r"[0-9]+(\.[0-9]+)?"
 
 @dataclasses.dataclass
 class Column:
-    """Of a sheet: what is written over it, the detector of edges or -, the driver's commands before and after a
-    picture."""
+    """A column of a sheet: its title, an edge detector or -, the driver's commands before and after a picture."""
 
     label: str = ""
     detector: str = "-"
@@ -42,7 +41,7 @@ class Column:
 
 @dataclasses.dataclass
 class Row:
-    """What MeshLab is to draw: a mesh, and how far its vertices are moved, "" if they are not."""
+    """A mesh for MeshLab to draw, and how far to move its vertices, "" for not at all."""
 
     file: pathlib.Path
     name: str
@@ -110,8 +109,8 @@ def check_picture(name):
 
 
 def columns_of(build, kinds, settings=()):
-    """Those of kinds of lines by their names, with what the user sets besides: a program knows them that is built from
-    the decoration's own table, and what the driver has to do for each."""
+    """Columns for kinds of lines by their names, with the user's settings, from a program built on the decoration's
+    table."""
     if not kinds:
         return [Column()]
     done = subprocess.run([build / "bin/decoration_settings", "--kinds", kinds, *settings], stdout=subprocess.PIPE,
@@ -140,12 +139,12 @@ class Pictures:
         self.python = image_python() if any(map(Column.has_edges, self.columns)) else None
 
     def take(self, picture, meshes):
-        """Writes one picture, or a sheet of one for each mesh, view and column. A sheet goes on without the meshes that
-        fail, and then ends with an error."""
+        """Writes one picture, or a sheet of one per mesh, view and column. Meshes that fail are left out of the sheet,
+        which then ends with an error."""
         target = os.path.join(os.path.realpath(os.path.dirname(picture) or "."), os.path.basename(picture))
         self.add_rows(meshes)
         width, height = self.options.size
-        # room for the window around the view and for the dialogs beside it
+        # room for the window around the view and dialogs beside it
         with display(width + 600, height + 300):
             say(f"drawing {len(self.rows) * len(self.views) * len(self.columns)} times {width}x{height} in MeshLab")
             self.draw_rows()
@@ -165,7 +164,7 @@ class Pictures:
             self.rows += [Row(file, mesh or file.name, noise) for noise in dict.fromkeys(("", self.options.noise))]
 
     def drawing(self, row, view, column):
-        """The file of this drawing, by the numbers of the three."""
+        """By the numbers of the three."""
         return self.folder / f"drawing_{row}_{view}_{column}.png"
 
     def kernel_file(self, row, view):
@@ -195,7 +194,7 @@ class Pictures:
         yield "together " + " ; ".join([*commands, "trigger Delete Current Mesh"])
 
     def script(self, first):
-        """Draws the rows from the first-th on by one MeshLab, on white paper."""
+        """Draws the rows from the first-th on in one MeshLab, on white paper."""
         yield from (f"time-limit {MINUTES * 60}", "wait", "check Show Layer Dialog on", "check Show Info Panel off",
                     "check Show Trackball off",
                     f"size {self.options.size[0]}x{self.options.size[1]}", f"scale-lines {LINE_SIDE}",
@@ -205,7 +204,7 @@ class Pictures:
         yield "quit"
 
     def draw_rows(self):
-        """By as few MeshLabs as their failures allow."""
+        """In as few MeshLabs as failures allow."""
         first = 0
         while first < len(self.rows):
             code = run_meshlab(self.stage, self.folder, self.script(first), env=private_home(self.folder / "home"))
@@ -213,7 +212,7 @@ class Pictures:
             while undrawn < len(self.rows) and self.drawing(undrawn, len(self.views) - 1,
                                                             len(self.columns) - 1).exists():
                 undrawn += 1
-            # It may have been brought down by what was drawn before: only a mesh that comes first is to blame.
+            # Earlier drawings may have brought it down: blame only a mesh that comes first.
             if undrawn < len(self.rows) and (code == DRIVER_ERROR or undrawn == first):
                 name = self.rows[undrawn].full_name()
                 say(f"{name}: {explain_failure(self.folder, code)}")
@@ -222,8 +221,7 @@ class Pictures:
             first = undrawn
 
     def blur(self, row, view):
-        """The standard deviation of the kernel, whose size in pixels was written: exp(-r² / 4h) has the square root of
-        2h."""
+        """The kernel's standard deviation, from its size in pixels: exp(-r² / 4h) has the square root of 2h."""
         return f"{math.sqrt(2) * float(self.kernel_file(row, view).read_text()):.1f}"
 
     def label(self, row, view, column):
@@ -240,7 +238,7 @@ class Pictures:
         return "\\n".join(parts)
 
     def find_edges(self, row, view, column):
-        """Puts the edges of the picture in its place, with lines that are wider where those of surfaces are."""
+        """Replaces the picture by its edges, with wider lines where those of surfaces are."""
         picture = self.drawing(row, view, column)
         part = picture.with_suffix(".part.png")
         width = LINE_WIDTH * max(1, min(self.options.size) / LINE_SIDE)
@@ -251,8 +249,7 @@ class Pictures:
         part.rename(picture)
 
     def put_together(self, target):
-        """The one drawing that there is, or a sheet of all; there, the kinds of a drawing are together, or the views of
-        a mesh."""
+        """The only drawing, or a sheet that keeps a drawing's kinds, or a mesh's views, together."""
         cells = []
         numbers = range(len(self.columns))
         for row, view in ((row, view) for row in range(len(self.rows)) for view in range(len(self.views))):

@@ -20,7 +20,7 @@ SOBEL = 8  # what scikit-image's Sobel filter makes of a slope of 1 a pixel
 
 
 def zero_crossings(shading, sigma):
-    """Pixels beside one to the right or below with the other sign, where the shading is steep enough."""
+    """Pixels whose right or lower neighbour has the other sign, where the shading is steep enough."""
     laplacian = ndimage.gaussian_laplace(shading, sigma, mode="nearest")
     slope = sigma * ndimage.gaussian_gradient_magnitude(shading, sigma, mode="nearest")
     positive = laplacian > 0
@@ -39,7 +39,7 @@ DETECTORS = {"log": zero_crossings, "canny": canny_edges}
 
 
 def strokes(edges, width):
-    """Paper, 255, with ink within half of the width of an edge's pixel."""
+    """Paper, 255, with ink within half an edge's width of an edge's pixel."""
     if not edges.any():
         return numpy.full(edges.shape, 255, numpy.uint8)
     distance = ndimage.distance_transform_edt(~edges)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """plugin_needs.py [--here] PLUGIN...: what plugins need of the system that loads them, and what they show to it; fails
-where that is more than upstream's MeshLab 2025.07 and the systems that it runs on have. With --here, versions of symbols
-may be as new as they are on this system."""
+where that is more than upstream's MeshLab 2025.07 and the systems that it runs on have. With --here, versions of
+symbols may be as new as they are on this system."""
 import re
 import subprocess
 import sys
@@ -23,7 +23,7 @@ def needed_libraries(plugin):
 
 
 def needed_versions(plugin):
-    """The highest of each family, such as GLIBC, with those that have no number as they are."""
+    """The highest of each family, such as GLIBC; those without a number as they are."""
     highest = {}
     for family, digits in re.findall(r"\(([A-Za-z_0-9]*?)_(\d[\d.]*|PRIVATE\w*)\)", output("objdump", "-T", plugin)):
         number = tuple(map(int, digits.split("."))) if digits[0].isdigit() else (sys.maxsize,)
@@ -36,7 +36,7 @@ def exports(plugin):
 
 
 def excess(plugin, any_version):
-    """Prints what the plugin needs and exports, and returns what is too much of it, a sentence each."""
+    """Prints what the plugin needs and exports; returns what is too much, a sentence each."""
     libraries, versions, names = needed_libraries(plugin), needed_versions(plugin), exports(plugin)
     numbers = {family: ".".join(map(str, number)) for family, number in versions.items()}
     print(f"{plugin.split('/')[-1]}\n  needs {' '.join(sorted(libraries))}"

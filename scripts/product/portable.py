@@ -26,7 +26,7 @@ NEEDS = pathlib.Path(__file__).with_name("plugin_needs.py")
 
 
 def unpack_library(folder):
-    """Out of the package of MeshLab, of which nothing else is taken."""
+    """From the package of MeshLab, of which nothing else is taken."""
     with tempfile.TemporaryDirectory() as name:
         apt = pathlib.Path(name)
         (apt / "lists/partial").mkdir(parents=True)
@@ -40,7 +40,7 @@ def unpack_library(folder):
 
 
 def build_portable(*targets, options=()):
-    """In build/portable, for this process."""
+    """Into build/portable, for this process."""
     try:
         pymeshlab.ensure_meshlab_headers()
     except Obstacle as reason:

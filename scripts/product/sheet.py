@@ -11,7 +11,7 @@ GAP, LABEL_HEIGHT = 8, 60  # around a cell; two lines
 
 
 def plain_label(text):
-    """For ImageMagick, which reads UTF-8, and to which %, \\ and a first @ say something."""
+    """For ImageMagick, which reads UTF-8 and interprets %, \\ and a first @."""
     text = "".join(character if character.isprintable() or "\udc80" <= character <= "\udcff" else "?"
                    for character in text)
     try:
@@ -28,8 +28,8 @@ def whole_share(n, parts):
 
 
 def sheet_columns(cell_width, count, together):
-    """Of `count` cells, of which `together` stand together: side by side if they fit, in rows of nearly the same length
-    if not. With nothing else, as many rows as columns."""
+    """For `count` cells, of which `together` belong together: in one row if they fit, else in rows of about equal
+    length. Otherwise as many rows as columns."""
     most = max(1, WIDTH // (cell_width + 2 * GAP))
     if 1 < together < count:
         return whole_share(together, whole_share(together, most))
@@ -37,13 +37,13 @@ def sheet_columns(cell_width, count, together):
 
 
 def sheet_rows(columns, count, together):
-    """Those that stand together begin a row."""
+    """Cells that belong together begin a row."""
     return whole_share(count, columns) if together == 1 else whole_share(count, together) * whole_share(together,
                                                                                                         columns)
 
 
 def lay_out(size, count, together):
-    """The columns, and the size at which cells are shown, smaller than the pictures if the sheet would be too high."""
+    """The columns, and the size of cells, smaller than the pictures if the sheet would be too high."""
     width, height = size
     while True:
         columns = sheet_columns(width, count, together)
@@ -53,7 +53,7 @@ def lay_out(size, count, together):
 
 
 def make_sheet(file, size, together, cells):
-    """Of pairs of a label and a picture."""
+    """From pairs of label and picture."""
     columns, (width, height) = lay_out(size, len(cells), together)
     words = []
     for number, (label, picture) in enumerate(cells, 1):

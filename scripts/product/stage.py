@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""STAGE/bin/meshlab and meshlabserver: the installed MeshLab with our plugins beside its own, and with nothing written
-outside STAGE. Nothing that is as it should be is touched: another MeshLab may just be starting from there."""
+"""STAGE/bin/meshlab and meshlabserver: the installed MeshLab with our plugins beside its own; writes nothing outside
+STAGE and leaves alone what is right: another MeshLab may just be starting there."""
 
 import filecmp
 import os
@@ -39,27 +39,27 @@ def stage_meshlab(stage, plugins):
 
 
 def copy_meshlab(folder, plugins):
-    """MeshLab finds its libraries, plugins and shaders from the place of its executable, if that one's folder is called
-    "bin". Executables have to be copies, because Qt follows links."""
+    """MeshLab looks beside its executable for libraries, plugins and shaders if that folder is called "bin". Qt follows
+    links, so executables are copied."""
     installed = installed_meshlab()
     libraries = folder / "lib" / multiarch() / "meshlab"
     for name in ("bin", "share"):
         (folder / name).mkdir(parents=True, exist_ok=True)
     for name in ("meshlab", "meshlabserver"):
         program, copy = pathlib.Path("/usr/bin", name), folder / "bin" / name
-        # a running MeshLab may hold the old copy: it is replaced instead of written into
+        # a running MeshLab may hold the old copy: replace it, do not write into it
         if program.exists() and not (copy.exists() and filecmp.cmp(program, copy, shallow=False)):
             put_file(program, copy, 0o755)
     link_all(libraries, installed.glob("*.so"))
-    # MeshLab loads both of two plugins with the same decorations and stops at their parameters: ours replaces an
-    # installed one of the same name
+    # MeshLab stops at parameters of two plugins with the same decorations: ours replaces an installed one of the same
+    # name
     link_all(libraries / "plugins", [*installed.glob("plugins/*.so"), *plugins])
     link_all(folder / "lib", [libraries])  # where MeshLab looks that was not built by a distribution
     link_all(folder / "share", [pathlib.Path("/usr/share/meshlab")])
 
 
 def link_all(folder, files):
-    """The links in the folder are to these files; of two with the same name, to the last one."""
+    """Links in the folder to these files; of equal names, the last one counts."""
     files = {file.name: file for file in files}
     folder.mkdir(parents=True, exist_ok=True)
     for link in folder.iterdir():
@@ -87,7 +87,7 @@ def write_program(commands, file):
 
 
 def words_after(option, words):
-    """Those between it and the next option."""
+    """The words up to the next option."""
     result, reading = [], False
     for word in words:
         if word.startswith("-"):
@@ -98,8 +98,8 @@ def words_after(option, words):
 
 
 def outputs_are_there(begun, words):
-    """MeshLab 2020.09's meshlabserver ends with 0, too, when it cannot write; says what is older than the file `begun`,
-    or not there, of what the words name for writing."""
+    """MeshLab 2020.09's meshlabserver ends with 0 even if it cannot write: names outputs older than the file `begun`,
+    or missing."""
     names = [name for option, name in zip(words, words[1:]) if option == "-o"]
     missing = [name for name in names if not os.path.exists(name)
                or os.stat(name).st_mtime_ns <= begun.stat().st_mtime_ns]
@@ -109,12 +109,12 @@ def outputs_are_there(begun, words):
 
 
 def blame_reader(server, words):
-    """MeshLab 2020.09's meshlabserver has ended by a signal, which loses what it has said: says which of the meshes to
-    read does that alone."""
+    """MeshLab 2020.09's meshlabserver died by a signal, which loses its output: says which mesh does that on its
+    own."""
     for mesh in words_after("-i", words):
         done = subprocess.run([server, "-i", mesh], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         if is_signal(exit_code(done.returncode)):
-            say(f"{mesh}: MeshLab's own reader of .{mesh.rsplit('.')[-1]} files ends meshlabserver; the file may be damaged")
+            say(f"{mesh}: MeshLab's own reader of .{mesh.rsplit('.')[-1]} files crashes meshlabserver; the file may be damaged")
 
 
 def is_signal(code):

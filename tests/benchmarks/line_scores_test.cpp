@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recall, precision and F1 of lines against arrises, the options of line_truth, and the default
-// drawing of a head from a volume of labels against that of the smooth head.
+// Scores of lines against arrises, options of line_truth, and a head's drawing from a label volume
+// against the smooth one.
 #include "line_scores.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,6 @@ using namespace laplacian_lines;
 using Eigen::Vector3d;
 using test_meshes::ArrisPiece;
 
-/// Each piece a line.
 LineSet drawn(const std::vector<ArrisPiece>& pieces, LineKind kind, float opacity = 1) {
     LineSet lines;
     for (const ArrisPiece& piece : pieces) {
@@ -41,7 +40,7 @@ LineKindSet only(LineKind kind) {
 const LineKindSet kRidges = only(LineKind::Ridge);
 constexpr Matching kMatching = {0.01, 0.1};
 
-/// On the x axis from one place to another, in pieces of 0.01.
+/// Pieces of 0.01 on the x axis.
 std::vector<ArrisPiece> along_x(double from, double to, double angle = 90) {
     std::vector<ArrisPiece> pieces;
     for (double x = from; x < to - 1e-9; x += 0.01)
@@ -141,7 +140,7 @@ TEST(LineScores, CompareDrawingsBothWays) {
 
 constexpr int kVoxels = 80;
 
-/// All kinds of lines, from an eye in front and to one side.
+/// All kinds, from the front and one side.
 CurvePoints drawing_of(const TriangleMesh& mesh, const PrecomputeOptions& options, double step) {
     const Field field = precompute(mesh, options);
     ExtractionScratch scratch;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace benchmarks;
 
-/// Clock ticks that each child of this process has had.
+/// Clock ticks of this process's children.
 std::map<int, long> times_of_children() {
     std::map<int, long> times;
     std::ifstream children("/proc/thread-self/children");
@@ -31,7 +31,7 @@ std::map<int, long> times_of_children() {
     return times;
 }
 
-/// Of some, that much time goes by until they have had some.
+/// Waits until some have run.
 std::size_t count_of_working() {
     const std::map<int, long> before = times_of_children();
     std::this_thread::sleep_for(std::chrono::milliseconds(600));

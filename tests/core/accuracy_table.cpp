@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints the tables of docs/accuracy.md: how far the field and lines are from the truth. With an
-// argument, those of lines alone.
+// Prints the tables of docs/accuracy.md: errors of the field and of lines. With an argument, those
+// of lines alone.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -59,7 +59,7 @@ double laplacian_error(const AnalyticMesh& surface, const PrecomputeOptions& opt
     return helpers::laplacian_error(precompute(surface.mesh, options), surface.truth);
 }
 
-/// `size`: the option that sets √h, a kernel's or that of a level of drawings.
+/// `size`: the option for √h.
 void print_kernel_sizes(const char* title, double PrecomputeOptions::*size) {
     std::printf("\nError of Δn by kernel size, %s\n\n| surface |", title);
     const double factors[] = {1, 2, 3, 5, 10};
@@ -101,19 +101,6 @@ void print_sums() {
     }
 }
 
-/// Of a kind on a surface, over all views: mean and largest distance, and how much was looked at.
-reference::LineDistance over_views(const reference::KindTruth& truth, LineKind kind) {
-    reference::LineDistance sum;
-    for (const reference::NamedView& view : reference::views_of(truth.scale())) {
-        const reference::LineDistance one = truth.distance(kind, view.view);
-        sum.largest = std::max(sum.largest, one.largest);
-        sum.mean += one.mean * one.length;
-        sum.length += one.length;
-    }
-    if (sum.length > 0) sum.mean /= sum.length;
-    return sum;
-}
-
 void print_kinds() {
     constexpr int levels = 3;
     std::printf(
@@ -129,7 +116,7 @@ void print_kinds() {
             double first = 0, last = 0;
             std::string cells;
             for (const reference::KindTruth& truth : truths) {
-                const reference::LineDistance found = over_views(truth, kind);
+                const reference::LineDistance found = truth.over_views(kind);
                 char cell[60];
                 std::snprintf(cell, sizeof cell, " %.2g (%.2g) |", 100 * found.mean,
                               100 * found.largest);

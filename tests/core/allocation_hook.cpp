@@ -60,7 +60,7 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
     const std::size_t step = static_cast<std::size_t>(alignment);
     return checked(std::aligned_alloc(step, (size + step - 1) / step * step));
 }
-// Whoever calls this one goes on without memory, so that nobody could tell whether it has failed.
+// Callers of this one go on without memory, so a failure would not show.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     ++calls;
     return allocate(size);

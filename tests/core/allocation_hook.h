@@ -3,17 +3,17 @@
 
 #include <cstddef>
 
-/// Linking allocation_hook.cpp into a program replaces its operator new. Any thread may call these.
+/// allocation_hook.cpp replaces a program's operator new. Thread-safe.
 namespace allocation_hook {
 
-/// How often operator new has been called.
+/// Calls of operator new.
 std::size_t count();
 
-/// Lets `left` calls succeed, then throws std::bad_alloc: once, or each time if `for_good`. Never
-/// of operator new(std::nothrow).
+/// After `left` more calls throws std::bad_alloc, once or `for_good`, but never from operator
+/// new(std::nothrow).
 void fail_after(long left, bool for_good);
 
-/// From now on none fails. Returns whether one has failed since fail_after().
+/// Whether one has failed since fail_after().
 bool stop_failing();
 
 }  // namespace allocation_hook

@@ -64,8 +64,8 @@ TEST(Borders, CorrectionLeavesTheInsideAlone) {
     EXPECT_LT(a, 1.1 * b);
 }
 
-/// A kernel much larger than the surface finds next to no mass; making up for all that is missing
-/// would leave numbers without meaning.
+/// A kernel much larger than the surface finds hardly any mass; full compensation would be
+/// meaningless.
 TEST(Borders, CorrectionMakesUpForNoMoreThanFourFifths) {
     const test_meshes::TestMesh& hills = test_meshes::mesh_named("hills");
     PrecomputeOptions options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is built before lines can be extracted and hidden: progress that rises from 0 to 1 in small
-// steps, and a callback that ends it.
+// Building what lines are extracted and hidden by: progress rises from 0 to 1 in small steps, and
+// the callback can cancel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ TEST_P(BuildingProgress, RisesFromZeroToOne) {
     }
 }
 
-/// On one thread, since of several the one that reports may get little of the work.
+/// On one thread: of several, the one that reports may get little of the work.
 TEST_P(BuildingProgress, MovesInSmallSteps) {
     const test_meshes::WithThreads scope(1);
     double last = 0, largest_step = 0;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tables of rooms in docs/architecture.md hold: every folder of code is a room of theirs, files include what its row
 allows and nothing else, none of Qt where the row says "no Qt"; and each room in the first table has a README.md that says
-what goes in and what does not."""
+what is in scope and what is not."""
 
 import pathlib
 import re
@@ -80,8 +80,8 @@ def check_top(rooms):
                 if owner and owner not in allowed:
                     complaints.append(f"{file.relative_to(root)} includes {name} of {owner}, which its room may not")
         readme = root / room / "README.md"
-        if not readme.is_file() or not {"Goes in:", "Does not:"} <= set(re.findall(r"Goes in:|Does not:", readme.read_text())):
-            complaints.append(f"{room}/README.md does not say what \"Goes in:\" and what \"Does not:\"")
+        if not readme.is_file() or not {"In scope:", "Out of scope:"} <= set(re.findall(r"In scope:|Out of scope:", readme.read_text())):
+            complaints.append(f"{room}/README.md does not say what is in scope and what is out of scope")
     return count
 
 

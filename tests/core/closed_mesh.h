@@ -9,8 +9,7 @@
 
 namespace helpers {
 
-/// Directed edges that are there twice, or whose opposite is not there: 0 of closed, oriented
-/// meshes.
+/// Directed edges that occur twice or lack their opposite: 0 for closed, oriented meshes.
 inline std::size_t edges_without_partner(const laplacian_lines::TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> times;
     for (const laplacian_lines::Triangle& t : mesh.triangles)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outlines of a drawing are closed, and what they enclose is what the mesh covers: of any mesh,
-// from any eye, also from where edges and faces lie one behind the other.
+// A drawing's outlines are closed and enclose what the mesh covers: for any mesh and eye, even if
+// edges and faces line up.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -22,10 +22,6 @@ using namespace plain_sight;
 using Eigen::Vector3d;
 using test_meshes::MeshEntry;
 
-double random_unit(std::mt19937& random) {
-    return double(random()) / double(std::mt19937::max());
-}
-
 Vector3d random_vector(std::mt19937& random) {
     const double x = random_unit(random), y = random_unit(random);
     return {x, y, random_unit(random)};
@@ -37,7 +33,7 @@ std::size_t open_outlines(const std::vector<SightLine>& lines) {
     }));
 }
 
-/// Whether the mesh covers random places of the picture just where it says.
+/// At random places of the picture.
 void expect_covered_within(const std::vector<SightLine>& lines, const TriangleMesh& mesh,
                            const View& view, const Box& box) {
     std::mt19937 random(11);
@@ -63,7 +59,7 @@ void expect_closed_outlines(const TriangleMesh& mesh, const std::vector<Vector3d
     }
 }
 
-/// Each direction is another seed's.
+/// By seed.
 std::vector<Vector3d> some_directions(unsigned seed) {
     const std::vector<Vector3d> all = special_directions();
     std::vector<Vector3d> some;
@@ -83,7 +79,7 @@ std::vector<const MeshEntry*> drawable_meshes() {
     std::vector<const MeshEntry*> entries = test_meshes::meshes_with(0);
     for (const MeshEntry& entry : test_meshes::wild_entries())
         if (!entry.has(test_meshes::kUnusable)) entries.push_back(&entry);
-    // not yet: slivers have open outlines, the others take minutes
+    // Not yet: slivers have open outlines, the others take minutes.
     const std::set<std::string> left_out = {"slivers", "triangle_soup", "book"};
     entries.erase(
         std::remove_if(entries.begin(), entries.end(),
@@ -100,7 +96,7 @@ TEST(ClosedOutlines, OfANoisyMesh) {
                            special_directions());
 }
 
-/// Triangles of any winding, of which some are there twice.
+/// Of any winding, some twice.
 TriangleMesh soup(unsigned seed, int triangles,
                   const std::function<Vector3d(std::mt19937&)>& corner) {
     std::mt19937 random(seed);
@@ -127,8 +123,8 @@ Vector3d grid_corner(std::mt19937& random) {
     return {x, y, double(random() % 4)};
 }
 
-/// Corners on a grid: triangles lie in one plane, share parts of edges, have corners on others'
-/// edges and faces.
+/// Corners on a grid: triangles are coplanar, share parts of edges, have corners on others' edges
+/// and faces.
 TEST(ClosedOutlines, OfTriangleSoupsOnAGrid) {
     for (unsigned seed = 0; seed < 120; ++seed) {
         SCOPED_TRACE(seed);
@@ -136,7 +132,7 @@ TEST(ClosedOutlines, OfTriangleSoupsOnAGrid) {
     }
 }
 
-/// Several triangles cut each other along one line: ends of cuts lie on cuts.
+/// Ends of cuts lie on cuts.
 TEST(ClosedOutlines, OfTriangleSoupsWithCutsInOneLine) {
     for (unsigned seed = 0; seed < 24; ++seed) {
         if (seed == 1) continue;  // not yet: one is open, from one eye
@@ -145,7 +141,7 @@ TEST(ClosedOutlines, OfTriangleSoupsWithCutsInOneLine) {
     }
 }
 
-/// A cube of loose triangles, of which some are halved, whatever their neighbours are: T-junctions.
+/// A cube of loose triangles, some halved regardless of their neighbours: T-junctions.
 TriangleMesh cube_with_junctions(unsigned seed) {
     std::mt19937 random(seed);
     const TriangleMesh cube = test_meshes::cut_apart(test_meshes::cube(2));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Δn against the smooth surfaces that the meshes sample, under refinement. Figures and the
-// program that prints them: docs/accuracy.md.
+// Δn under refinement against the smooth surfaces that meshes sample. Figures: docs/accuracy.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,8 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
                    [](int l) { return test_meshes::torus(40 << l, 20 << l, 0.25); }, 0.05}),
     [](const auto& info) { return info.param.name; });
 
-/// With N. Max's weights, which are exact on a sphere, only the operator's error is left. Weights
-/// that fade as the normals turn would add about 12 h² / R⁴.
+/// N. Max's weights are exact on a sphere, so only the operator's error is left. Weights that fade
+/// with the turn of normals would add about 12 h² / R⁴.
 TEST(SphereLaplacian, ExactNormalsLeaveLessThanAThousandth) {
     for (int level : {3, 4, 5}) {
         const AnalyticMesh sphere = test_meshes::sphere(level);

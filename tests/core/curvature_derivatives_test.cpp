@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// C = ∇S, its symmetries, and what it must not depend on; smooth_curvatures_test.cpp has how it
-// comes near the truth, for both are of the same fields.
+// C = ∇S, its symmetries, and what it must not depend on. For accuracy see
+// smooth_curvatures_test.cpp, which has the same fields.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -53,7 +53,7 @@ TEST(CurvatureDerivatives, OfTheTruthAreThoseOfClosedFormulas) {
         }
 }
 
-/// Codazzi: the truth is symmetric in all three places, so that four numbers hold it.
+/// Codazzi: four numbers hold it.
 TEST(CurvatureDerivatives, OfTheTruthAreSymmetric) {
     for (const AnalyticMesh& surface : {test_meshes::bumpy_sphere(2), test_meshes::hills(8)})
         for (const auto& point : surface.truth)
@@ -90,8 +90,8 @@ TEST(CurvatureDerivatives, AreThoseOfPlainSums) {
         }
 }
 
-/// Of an S that is linear in the place, up to the borders, and on a lone triangle far smaller than
-/// what is fitted, where differences are taken within it.
+/// For S linear in the place, up to borders, and on a lone triangle far smaller than the fit, with
+/// differences within it.
 TEST(CurvatureDerivatives, AreExactOfLinearShapeOperators) {
     TriangleMesh mesh = test_meshes::plane(20, 0.3);
     TriangleMesh small;
@@ -128,7 +128,6 @@ TEST(CurvatureDerivatives, AreNoneOnPlanesAndSpheres) {
     EXPECT_LT(std::sqrt(sum / double(sphere.normals.size())), 0.05);
 }
 
-/// The field of the turned and scaled mesh against the turned and scaled field.
 TEST(CurvatureDerivatives, MoveAndScaleWithTheMesh) {
     const TriangleMesh& mesh = test_meshes::mesh_named("bumpy_sphere").mesh;
     const Field field = compute(mesh);

@@ -55,7 +55,6 @@ TEST(DemarcatingCurves, FollowTheMiddleOfFlanks) {
     }
 }
 
-/// A hollow has them as well.
 TEST(DemarcatingCurves, AreThoseOfHollowsToo) {
     const LineSet bulge = curves(relief(0.05)), hollow = curves(relief(-0.05));
     ASSERT_FALSE(bulge.lines.empty());
@@ -91,8 +90,7 @@ TEST(DemarcatingCurves, NeedTheDerivatives) {
                     .lines.empty());
 }
 
-/// With all thresholds off: the pieces that a loop over all triangles finds, but for those of
-/// short lines.
+/// With all thresholds off: the pieces of a loop over all triangles, but those of short lines.
 TEST(DemarcatingCurves, AreThoseOfAPlainLoop) {
     LineStyle style = only_demarcating_curves();
     style.demarcation = style.shortest_line = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real files hold vertices that are not numbers and triangles without area: they are left out,
-// counted, and change nothing else.
+// Vertices that are not numbers and triangles without area are left out, counted, and change
+// nothing else.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -106,7 +106,7 @@ TEST_P(FiniteFields, WithAnyOptions) {
 INSTANTIATE_TEST_SUITE_P(Meshes, FiniteFields, testing::ValuesIn(test_meshes::meshes_with(0)),
                          [](const auto& info) { return info.param->name; });
 
-/// A kernel that reaches no neighbour and one that holds everything.
+/// Kernels that reach no neighbour, and all vertices.
 TEST(ExtremeKernels, StayFinite) {
     for (const char* name : {"torus", "hills", "scattered_spheres"})
         for (double size : {1e-300, 1e-9, 1e-4, 10.0, 1e6, 1e300}) {

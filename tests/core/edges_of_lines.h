@@ -15,7 +15,7 @@ namespace helpers {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The edges that a line set goes along. Every pair of its points must be an edge.
+/// Every pair of a set's points has to be an edge.
 inline std::multiset<Edge> edges_of(const laplacian_lines::TriangleMesh& mesh,
                                     const laplacian_lines::LineSet& lines) {
     std::map<std::array<float, 3>, std::uint32_t> vertex;

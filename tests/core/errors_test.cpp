@@ -28,7 +28,7 @@ const TriangleMesh& small_mesh() {
     return test_meshes::mesh_named("single_triangle").mesh;
 }
 
-/// Expects the error and returns its sentence.
+/// Returns the error's sentence.
 std::string expect_error(ErrorCode code, const std::function<void()>& call) {
     try {
         call();
@@ -43,7 +43,7 @@ std::string expect_error(ErrorCode code, const std::function<void()>& call) {
     return {};
 }
 
-/// Values outside the limits of a row, as far as its type can hold them.
+/// As far as the row's type can hold them.
 template <class Options>
 std::vector<double> bad_values(const OptionDescription<Options>& row) {
     if (row.kind == OptionKind::Boolean) return {};
@@ -169,7 +169,7 @@ TEST(Progress, NeverFallsAndCoversEverything) {
     }
 }
 
-/// On one thread, since of several the one that reports may get little of the work.
+/// On one thread: of several, the one that reports may get little of the work.
 TEST(Progress, MovesThroughAllStepsOfALargerMesh) {
     const TriangleMesh mesh = test_meshes::torus(240, 120, 0.2).mesh;
     const test_meshes::WithThreads scope(1);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The clusters of a mesh: the same bits with any number of threads, and neighbours as a plain count
-// of the triangles at each edge finds them.
+// Clusters: the same bits with any number of threads, and the neighbours that a plain count finds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,11 +53,11 @@ TEST(ExtractorBuilding, DoesNotDependOnTheNumberOfThreads) {
     for (const char* name : {"hills", "five_sheets", "flipped_torus", "dirty_torus",
                              "triangle_soup", "single_triangle"})
         expect_same_data(test_meshes::mesh_named(name).mesh, name);
-    // enough triangles for several threads to cut at a time
+    // Enough triangles for several threads.
     expect_same_data(test_meshes::bumpy_sphere(6, 0.15).mesh, "bumpy sphere");
 }
 
-/// And nothing of the large page in which they end.
+/// Nor the rest of the large page they end in.
 TEST(ExtractorBuilding, HoldsWhatClustersNeed) {
     const TriangleMesh mesh = test_meshes::bumpy_sphere(6, 0.15).mesh;
     const ExtractorData data = build(mesh, precompute(mesh), 2);
@@ -67,7 +66,7 @@ TEST(ExtractorBuilding, HoldsWhatClustersNeed) {
               last.first_unit * std::size_t(kCacheUnit) + cluster_layout(last).end);
 }
 
-/// The same lines of all kinds as if the field had had them from the beginning.
+/// As if the field had had them from the start.
 TEST(ExtractorBuilding, DerivativesCanBeAddedLater) {
     for (const char* name : {"hills", "dirty_torus", "torus"}) {
         const TriangleMesh mesh = test_meshes::mesh_named(name).mesh;
@@ -100,7 +99,6 @@ Edge undirected(Edge edge) {
     return std::minmax(edge.first, edge.second);
 }
 
-/// What clusters say of the sides of triangles.
 struct Neighbours {
     std::map<Edge, int> ends;                           ///< sides where lines end
     std::map<Edge, int> inner;                          ///< sides with a neighbour in the cluster

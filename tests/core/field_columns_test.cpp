@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 
-#include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_extractor.h"
@@ -20,7 +19,7 @@ namespace {
 
 using namespace laplacian_lines;
 
-/// As README and docs/ have it: "`ll_normal`" or "`ll_shape_diagonal`, `ll_shape_off_diagonal`".
+/// As in docs: "`ll_normal`" or "`ll_shape_diagonal`, `ll_shape_off_diagonal`".
 std::string documented_names(const FieldColumn& column) {
     std::string names;
     for (const FieldAttribute& attribute : column.attributes)
@@ -44,7 +43,7 @@ std::vector<std::string> documentation_lines() {
     return lines;
 }
 
-/// The rows, without heading, of the table in which the attributes of the first column are.
+/// Of the table with the first column's attributes, without its heading.
 std::vector<std::string> attribute_rows() {
     const std::string first = "| " + documented_names(field_columns[0]) + " |";
     const auto is_row = [](const std::string& line) { return line.rfind("| `", 0) == 0; };

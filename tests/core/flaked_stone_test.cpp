@@ -43,7 +43,7 @@ TEST_P(Stones, AreTheSameSurfaceAtAllResolutions) {
             ASSERT_NEAR(stone_.wall(p).distance, 0, 1e-9) << "level " << level;
 }
 
-/// The smooth normals on both sides of it, beyond the rounding and amid it.
+/// Smooth normals on both sides of an arris, beyond its rounding and amid it.
 struct ArrisSides {
     double turn, turn_amid;  ///< degrees
     bool same_face;
@@ -63,7 +63,7 @@ struct ArrisSides {
     }
 };
 
-/// With a small radius, since faces are bent; at corners a third face may be on one of the sides.
+/// Faces are bent, hence the small radius; at corners a third face may interfere.
 TEST_P(Stones, TurnByTheAngleAcrossTheirArrises) {
     const FlakedStone stone({GetParam(), 0.002});
     double right = 0, all = 0;
@@ -82,7 +82,6 @@ TEST_P(Stones, TurnByTheAngleAcrossTheirArrises) {
     EXPECT_GT(right, 0.8 * all);
 }
 
-/// Between two planes at an angle, the surface turns along an arc of the radius.
 TEST(RoundedIntersection, HasTheRadiusAtAnyAngle) {
     const double radius = 0.1;
     for (const double degrees : {20., 60., 90., 130.}) {

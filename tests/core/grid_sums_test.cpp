@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Both ways of summing the kernel against plain sums in double precision, and the choice between
-// them. Uses the core's inner headers, since the choice is not an option of precompute().
+// them, by internal headers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,7 +56,7 @@ TriangleMesh mesh_for(const std::string& name) {
     return test_meshes::mesh_named(name).mesh;
 }
 
-/// What belkin_laplacian() takes, in the mesh's own order up to the sorting in space.
+/// Inputs of belkin_laplacian(), in the mesh's order up to the sorting in space.
 struct Prepared {
     Prepared(const TriangleMesh& mesh, double size_in_edges, KernelMode mode)
         : prepared(prepare_mesh(mesh, Cuts::Left)), tree(sort_in_space(prepared)) {
@@ -95,7 +95,7 @@ double facing(double cosine) {
     return s * s * (3 - 2 * s);
 }
 
-/// Δn as belkin_laplacian() documents it, pair by pair.
+/// As belkin_laplacian() documents it, pair by pair.
 Eigen::Vector3d plain_laplacian(const Prepared& m, std::size_t p, const BelkinOptions& options) {
     const double h = double(m.kernel_sizes[p]) * m.kernel_sizes[p], pi = std::acos(-1.0);
     const Eigen::Vector3d& n = m.normals[p];
@@ -126,7 +126,7 @@ Vectors plain_sample(const Prepared& m, const BelkinOptions& options) {
     return sample;
 }
 
-/// Relative error over the sample.
+/// Over the sample.
 double error(const Vectors& laplacian, const Vectors& sample) {
     double difference = 0, size = 0;
     for (std::size_t i = 0; i < sample.size(); ++i) {
@@ -157,8 +157,8 @@ protected:
             for (Summation summation : {Summation::Grid, Summation::Direct})
                 for (double accuracy : {1e-2, 1e-3, 1e-5}) {
                     const BelkinOptions options = {accuracy, corrections, corrections, summation};
-                    // 4e-6: rounding of the direct sum. 2 %: what it makes up for twice where the
-                    // kernel holds the whole mesh.
+                    // 4e-6: rounding of the direct sum. 2 %: compensated twice where the kernel
+                    // holds the whole mesh.
                     EXPECT_LT(error(m.laplacian(options), sample), 1.02 * accuracy + 4e-6)
                         << name_of(summation) << ", accuracy " << accuracy
                         << (corrections ? ", corrected" : "");
@@ -190,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, AdaptiveGuarantee,
                          case_name);
 
 TEST(SummationChoice, FollowsThePredictedCost) {
-    // Fine enough that both ways win somewhere.
+    // Fine enough for each way to win somewhere.
     const TriangleMesh mesh = test_meshes::torus(300, 150, 0.2).mesh;
     double last_direct = 0;
     for (double size : {1.0, 2.0, 5.0, 10.0, 20.0}) {
@@ -199,7 +199,7 @@ TEST(SummationChoice, FollowsThePredictedCost) {
         EXPECT_GT(costs.direct, 1.5 * last_direct) << size;  // the sources grow with h
         last_direct = costs.direct;
         EXPECT_EQ(costs.fastest(), size < 3 ? Summation::Direct : Summation::Grid) << size;
-        // The same bits as the method named, which are not those of the other.
+        // The bits of the method named, and not of the other.
         BelkinOptions options;
         const Vectors chosen = m.laplacian(options);
         options.summation = costs.fastest();
@@ -217,7 +217,7 @@ TEST(SummationChoice, GridGetsDearerWithAccuracy) {
 }
 
 TEST(SummationChoice, AGridFarLargerThanTheMeshIsNotBuilt) {
-    // 27 balls of which each is a few thousand kernels from the others.
+    // 27 balls, a few thousand kernels apart.
     const Prepared m(test_meshes::mesh_named("scattered_spheres").mesh, 0.001, KernelMode::Uniform);
     EXPECT_EQ(m.costs(1e-3).grid, std::numeric_limits<double>::infinity());
 }

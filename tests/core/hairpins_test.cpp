@@ -27,7 +27,7 @@ public:
         columns_.y = y_;
         columns_.z = z_;
     }
-    /// Where the line is not clear by itself.
+    /// Makes a part of it unclear.
     void weaken(std::uint32_t begin, std::uint32_t end) {
         std::fill(starts_ + begin, starts_ + end, 0.f);
     }
@@ -87,7 +87,7 @@ TEST(Hairpins, HideWhatGoesOnWithoutStartingBeyondThem) {
     }
 }
 
-/// From no hairpin to a sharp one, nothing changes by much at once.
+/// Small changes of the angle change little.
 TEST(Hairpins, ComeEvenly) {
     float before = 1;
     for (double degrees = 80; degrees < 130; degrees += 0.5) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contours where triangles are coarse: edges of the mesh, joined to the smooth ones elsewhere.
+// Contours where triangles are coarse: mesh edges, joined to the smooth contours elsewhere.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -17,14 +17,13 @@ namespace {
 
 using namespace laplacian_lines;
 
-/// Contours alone, all of them.
 LineStyle outlines(bool exact = true) {
     LineStyle style = helpers::all_contours();
     style.exact_outlines = exact;
     return style;
 }
 
-/// 1 or 0 by triangle of a mesh whose triangles all have an area.
+/// By triangle; all have an area.
 std::vector<std::uint8_t> coarse_triangles(const TriangleMesh& mesh, const Field& field) {
     return find_coarse_triangles(prepare_geometry(mesh, Cuts::Left), field);
 }
@@ -32,7 +31,7 @@ std::vector<std::uint8_t> coarse_triangles(const TriangleMesh& mesh, const Field
 using Place = std::array<long, 3>;
 using Segment = std::pair<Place, Place>;
 
-/// Positions of lines are rounded.
+/// Rounded.
 Place place(const Eigen::Vector3f& p) {
     const auto rounded = [](float x) { return std::lround(1e4f * x); };
     return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
@@ -42,7 +41,6 @@ Segment segment(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     return std::minmax(place(a), place(b));
 }
 
-/// Every step from a point to the next one.
 std::multiset<Segment> segments_of(const LineSet& lines) {
     std::multiset<Segment> segments;
     for (const Polyline& line : lines.lines)
@@ -57,7 +55,7 @@ struct Face {
     bool coarse;
 };
 
-/// The two triangles at each edge that has two.
+/// For edges with two triangles.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Face>> faces_of_edges(
     const TriangleMesh& mesh, const std::vector<std::uint8_t>& coarse, const View& view) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Face>> faces;
@@ -68,14 +66,14 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Face>> faces_of_ed
         const bool faces_eye = n.dot(view.eye - view.w * p[t[0]]) >= 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-            // Counted in the direction from the smaller vertex to the larger one.
+            // In the direction from the smaller vertex to the larger one.
             faces[std::minmax(a, b)].push_back({i, faces_eye == (a < b), coarse[i] != 0});
         }
     }
     return faces;
 }
 
-/// Edges between coarse triangles: there if what is seen changes from front to back.
+/// Edges between coarse triangles are drawn just where front meets back.
 void expect_edges_of_horizon(const TriangleMesh& mesh) {
     const Field field = precompute(mesh);
     const LineExtractor extractor(mesh, field);
@@ -86,7 +84,7 @@ void expect_edges_of_horizon(const TriangleMesh& mesh) {
             segments_of(helpers::extract(extractor, view, outlines()));
         for (const auto& [edge, faces] : faces_of_edges(mesh, coarse, view)) {
             if (faces.size() != 2 || !faces[0].coarse || !faces[1].coarse) continue;
-            // Both faces lie on their own side of the edge, so equal entries are front and back.
+            // Both faces are on their own side of the edge, so equal entries mean front and back.
             const bool is_horizon = faces[0].faces == faces[1].faces;
             const std::size_t times =
                 found.count(segment(mesh.positions[edge.first].cast<float>(),
@@ -116,7 +114,7 @@ TEST(Horizon, DoesNotMindOrientation) {
     EXPECT_NEAR(helpers::total_length(lines) * std::sqrt(12.), 6 * 2, 1e-4);
 }
 
-/// Some triangles at the edges are coarse, those of the faces are not.
+/// Coarse at some edges, fine on the faces.
 TriangleMesh half_fine_cube() {
     return test_meshes::cube(40);
 }
@@ -178,7 +176,6 @@ TEST(Horizon, IsNotMovedBySmoothing) {
     }
 }
 
-/// A cube has no other outline, however fine it is.
 TEST(Horizon, StaysAtTheEdges) {
     const TriangleMesh cube = half_fine_cube();
     const LineExtractor extractor(cube, precompute(cube));
@@ -192,14 +189,14 @@ TEST(Horizon, StaysAtTheEdges) {
                 inside[std::size_t(k)] = 1 - std::abs(p.position[k]);
             std::sort(inside.begin(), inside.end());
             const Eigen::Vector3d towards = (view.eye - view.w * p.position.cast<double>());
-            // The second smallest is the distance to an edge, on a face; foreshortened.
+            // The second smallest is the distance from an edge, on a face; foreshortened.
             const double least_cosine = towards.normalized().cwiseAbs().minCoeff();
             EXPECT_LE(inside[1] * std::min(1., 2 * least_cosine), largest);
         }
     }
 }
 
-/// Triangles that are only bad, as scans have some.
+/// Merely bad triangles, as in scans.
 TEST(Coarseness, LeavesOutSmallPatches) {
     TriangleMesh mesh = test_meshes::sphere(6).mesh;
     const auto coarse_count = [&] {
@@ -213,7 +210,7 @@ TEST(Coarseness, LeavesOutSmallPatches) {
     EXPECT_GT(coarse_count(), 0);
 }
 
-/// Where some triangles of such a mesh are fine, contours would go to smooth ones and back.
+/// Contours would alternate with smooth ones where a few triangles are fine.
 TEST(Coarseness, IsOfAllTrianglesWhereMostAreCoarse) {
     for (const TriangleMesh& mesh :
          {test_meshes::rounded_cube(24, 0.3), test_meshes::rounded_cube(24, 0.4)}) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The field moves with the mesh, scales with it, and does not care where it is or how its
-// vertices are numbered.
+// The field moves and scales with the mesh, wherever it is and however its vertices are numbered.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -36,8 +35,7 @@ std::vector<Eigen::Vector3d> applied(const Eigen::Matrix3d& a,
     return result;
 }
 
-/// The field of the transformed mesh against the transformed field. `scale`: lengths are
-/// multiplied by it. `tolerance` allows for what rounding the coordinates does.
+/// `scale` multiplies lengths; `tolerance` allows for rounded coordinates.
 void expect_equivariant(const Eigen::Matrix3d& rotation, double scale,
                         const Eigen::Vector3d& offset, double tolerance) {
     const Eigen::Affine3d transform =
@@ -66,8 +64,7 @@ const Eigen::Matrix3d kTurn =
     Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
 
 TEST(Invariance, Rotation) {
-    // The box of a turned mesh has another diagonal; √h is given, so nothing else changes but
-    // the sources at the edge of the cutoff.
+    // A turned mesh has another diagonal; √h is given, so only sources at the cutoff differ.
     expect_equivariant(kTurn, 1, Eigen::Vector3d::Zero(), 3e-5);
 }
 
@@ -121,7 +118,6 @@ TEST(Invariance, NumberingOfVerticesAndTriangles) {
     }
 }
 
-/// Lines of a scaled and moved mesh: same lines point by point, in the new place.
 void expect_same_lines(double scale, const Eigen::Vector3d& offset) {
     const Eigen::Affine3d transform = Eigen::Translation3d(offset) * Eigen::Scaling(scale);
     const TriangleMesh mesh = transformed(transform);
@@ -145,7 +141,7 @@ void expect_same_lines(double scale, const Eigen::Vector3d& offset) {
     }
 }
 
-/// The share of the length of lines that others have within a distance.
+/// The share of `lines` within a distance of `others`.
 double share_near(const LineSet& lines, const LineSet& others, double distance) {
     double near = 0, all = 0;
     for (const Polyline& line : lines.lines)
@@ -164,8 +160,8 @@ LineSet brought_back(LineSet lines, const Eigen::Affine3d& transform) {
     return lines;
 }
 
-/// The box of a turned mesh has another diagonal, which thresholds depend on; a quarter turn keeps
-/// it. C is given in other frames, clusters and sums are others.
+/// A quarter turn keeps the box's diagonal, on which thresholds depend. Frames of C, clusters and
+/// sums differ.
 TEST(Invariance, LinesOfAllKindsMoveWithTheMesh) {
     Eigen::Matrix3d turn;
     turn << 0, -1, 0, 0, 0, -1, 1, 0, 0;
@@ -198,7 +194,7 @@ TEST(Invariance, LinesScaleWithTheMesh) {
 }
 
 TEST(Invariance, LinesAreTheSameFarFromTheOrigin) {
-    // As far as the floats of their points can tell.
+    // To the precision of float points.
     expect_same_lines(1, {1e6, -1e6, 1e6});
     expect_same_lines(1e-8, {0, 0, 1});
     expect_same_lines(1e8, {1e6, 1e6, 0});

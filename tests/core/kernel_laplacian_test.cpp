@@ -25,7 +25,7 @@ struct Kernels {
         options.normal_sigma = 1.2;
         coarse = precompute(mesh, options);
     }
-    /// What an extractor of its own would be built of.
+    /// What another extractor would be built from.
     Field mixed() const {
         Field field = fine;
         field.laplacian_normals = coarse.laplacian_normals;
@@ -50,7 +50,7 @@ std::vector<LineStyle> styles() {
     return {usual, whole};
 }
 
-/// The same but for rounding.
+/// But for rounding.
 void expect_alike(const LineSet& a, const LineSet& b) {
     ASSERT_EQ(a.lines.size(), b.lines.size());
     ASSERT_EQ(a.points.size(), b.points.size());

@@ -63,8 +63,8 @@ KindTruth::KindTruth(const TriangleMesh& mesh, const AnalyticMesh& fine, double 
       found_(mesh, field_),
       truth_(fine.mesh, true_field(fine, field_.scale)) {}
 
-/// Without what makes lines fade, end or move. Slopes are measured by the scale at which normals
-/// are seen; thresholds are multiplied by the same, so that they mean the same on finer meshes.
+/// Nothing makes lines fade, end or move. Slopes and thresholds scale with what normals are seen
+/// at, so that they mean the same on finer meshes.
 LineStyle KindTruth::style(LineKind kind, double factor) const {
     constexpr double usual = 0.1;  // D, the kernel for which thresholds are the default ones
     const double size = field_.scale.kernel_size / field_.scale.diagonal / usual;
@@ -83,7 +83,6 @@ LineStyle KindTruth::style(LineKind kind, double factor) const {
     return style;
 }
 
-/// Distances of points of lines to others, added to what is known.
 void KindTruth::add_distances(const LineSet& lines, const LineSet& others,
                               LineDistance& distance) const {
     for (const Polyline& line : lines.lines)
@@ -110,6 +109,18 @@ LineDistance KindTruth::distance(LineKind kind, const View& view) const {
     add_distances(lines(truth_, kClear), lines(found_, 1 / kClear), distance);
     if (distance.length > 0) distance.mean /= distance.length;
     return distance;
+}
+
+LineDistance KindTruth::over_views(LineKind kind) const {
+    LineDistance sum;
+    for (const NamedView& view : views_of(scale())) {
+        const LineDistance one = distance(kind, view.view);
+        sum.largest = std::max(sum.largest, one.largest);
+        sum.mean += one.mean * one.length;
+        sum.length += one.length;
+    }
+    if (sum.length > 0) sum.mean /= sum.length;
+    return sum;
 }
 
 }  // namespace reference

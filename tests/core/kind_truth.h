@@ -8,7 +8,7 @@
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_extractor.h"
 
-/// Where lines of a kind should be on smooth surfaces, from a fine mesh with the true field.
+/// The right lines on smooth surfaces: from a fine mesh with the true field.
 namespace reference {
 
 struct Refinement {
@@ -19,8 +19,7 @@ struct Refinement {
 /// Torus, ellipsoid, bumpy sphere, hills, with 1,280 to 5,120 triangles at level 0.
 const std::vector<Refinement>& refinements();
 
-/// The kinds that are compared: those that are zeros of functions of the view, and demarcating
-/// curves. All but contours need C.
+/// Zeros of functions of the view, and demarcating curves. All but contours need C.
 extern const std::vector<laplacian_lines::LineKind> true_kinds;
 
 struct NamedView {
@@ -30,18 +29,18 @@ struct NamedView {
 /// Perspective from near and from far, and orthographic.
 std::vector<NamedView> views_of(const laplacian_lines::FieldScale& scale);
 
-/// The field without error; lengths are `scale`, so that thresholds mean the same.
+/// Lengths are `scale`, so that thresholds mean the same.
 laplacian_lines::Field true_field(const test_meshes::AnalyticMesh& surface,
                                   const laplacian_lines::FieldScale& scale);
 
-/// Of what is clearly above the thresholds in one drawing, the farthest from anything in the other
-/// one, even if it is clearly below them; both ways.
+/// The largest distance, both ways, from what is clearly above the thresholds to anything in the
+/// other drawing, even below them.
 struct LineDistance {
     double largest = 0, mean = 0;  ///< D
     double length = 0;             ///< that was looked at, D
 };
 
-/// Lines that are found on a mesh, and those of the surface that it samples.
+/// Lines of a mesh and of the surface that it samples.
 class KindTruth {
 public:
     /// `fine` is of the same surface.
@@ -50,6 +49,8 @@ public:
 
     const laplacian_lines::FieldScale& scale() const { return field_.scale; }
     LineDistance distance(laplacian_lines::LineKind kind, const laplacian_lines::View& view) const;
+    /// Of all views_of(): the mean is by length, 0 without anything to compare.
+    LineDistance over_views(laplacian_lines::LineKind kind) const;
 
 private:
     laplacian_lines::LineStyle style(laplacian_lines::LineKind kind, double factor) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the lines of each kind are: against those of the smooth surface, under refinement. Figures:
+// Lines of each kind under refinement against those of the smooth surface. Figures:
 // docs/accuracy.md.
 #include <gtest/gtest.h>
 
@@ -28,25 +28,13 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, KindsOnSurface, testing::ValuesIn(reference::
                              return name;
                          });
 
-/// Mean distance over views, by length; 0 where there is nothing to compare.
-LineDistance over_views(const KindTruth& truth, LineKind kind) {
-    LineDistance sum;
-    for (const reference::NamedView& view : reference::views_of(truth.scale())) {
-        const LineDistance one = truth.distance(kind, view.view);
-        sum.mean += one.mean * one.length;
-        sum.length += one.length;
-    }
-    if (sum.length > 0) sum.mean /= sum.length;
-    return sum;
-}
-
 TEST_P(KindsOnSurface, AreNearerTheTrueLinesTheFinerTheMesh) {
     const auto fine = GetParam().generate(2);
     const KindTruth coarse(GetParam().generate(0).mesh, fine, GetParam().border),
         finer(GetParam().generate(1).mesh, fine, GetParam().border);
     int compared = 0;
     for (const LineKind kind : reference::true_kinds) {
-        const LineDistance before = over_views(coarse, kind), now = over_views(finer, kind);
+        const LineDistance before = coarse.over_views(kind), now = finer.over_views(kind);
         if (before.length < 1) continue;
         // Hess I(g, g) grows with the cube of ∇I, and changes sign late where that is small.
         const double least_gain = kind == LineKind::PhoticExtremum ? 0.95 : 0.65;
@@ -57,7 +45,7 @@ TEST_P(KindsOnSurface, AreNearerTheTrueLinesTheFinerTheMesh) {
     EXPECT_GT(compared, 0);
 }
 
-/// On a tube's middle the true lines are known; the true field draws them.
+/// On a torus seen from above the true lines are known.
 TEST(TrueField, GivesTheContoursOfATorusFromAbove) {
     const auto torus = test_meshes::torus(96, 48);
     const Field field = reference::true_field(torus, measure_scale(torus.mesh));
@@ -73,7 +61,7 @@ TEST(TrueField, GivesTheContoursOfATorusFromAbove) {
 
 /// The largest curvature of an ellipsoid is largest across the rim of its shortest axis.
 TEST(Ridges, OfAnEllipsoidConvergeToItsRim) {
-    // So that no edges of the mesh lie in a plane of symmetry, where errors cancel.
+    // Keeps mesh edges off planes of symmetry, where errors cancel.
     const auto turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
     double before = 1;
     for (const int level : {4, 5, 6}) {

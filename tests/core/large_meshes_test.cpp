@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes on which a careless step would take the square of their size. What takes more than a
-// second or two runs only with LAPLACIAN_LINES_LARGE=1, and prints its times.
+// Meshes on which a careless step is quadratic. What takes more than a second or two only runs with
+// LAPLACIAN_LINES_LARGE=1, and prints its times.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -24,7 +24,7 @@ struct LargeMesh {
     bool refused = false;
 };
 
-/// A million vertices at so many places of a line, all of them corners of triangles.
+/// A million vertices at this many places on a line, all corners of triangles.
 TriangleMesh million_at(unsigned places) {
     TriangleMesh mesh;
     for (unsigned v = 0; v < 1000000; ++v)
@@ -45,7 +45,7 @@ TriangleMesh tetrahedra(int count) {
     return mesh;
 }
 
-/// A bumpy torus; test_meshes::torus() would take longer to know the truth than we to compute it.
+/// A bumpy torus; test_meshes::torus() would spend longer on its truth.
 TriangleMesh ring(int columns, int rows) {
     return test_meshes::grid_mesh({columns, rows, true, true}, [](double u, double v) {
         const double a = 2 * std::acos(-1) * u, b = 2 * std::acos(-1) * v;
@@ -135,7 +135,7 @@ std::string refusal(const TriangleMesh& mesh, const PrecomputeOptions& options) 
 }
 
 TEST(EndlessSum, IsRefusedWithWhatToDo) {
-    // All vertices are within a few mean edges of each other.
+    // All vertices are near each other.
     const TriangleMesh star = test_meshes::star(800000, false);
     PrecomputeOptions bilateral, balls;
     bilateral.normal_smoothing = NormalSmoothing::Bilateral;

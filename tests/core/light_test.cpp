@@ -15,8 +15,7 @@ using helpers::total_length;
 
 const Eigen::Vector3d kDirection = Eigen::Vector3d(1, 2, 3).normalized();
 
-/// With a light of its own, ΔI = Δn·d vanishes on a sphere where n·d does, whatever the eye; the
-/// contours stay the eye's.
+/// On a sphere ΔI = Δn·d vanishes where n·d does, whatever the eye; contours stay the eye's.
 TEST(Light, DirectionalLightDrawsItsOwnTerminator) {
     const auto sphere = test_meshes::sphere(5);
     PrecomputeOptions options;  // the sphere's normals exact, so that only the lines are looked at
@@ -51,7 +50,7 @@ TEST(Light, AlongTheViewDirectionChangesNothingInOrthographicViews) {
     EXPECT_FALSE(helpers::same_lines(at_the_eye, extract(extractor, view, style)));
 }
 
-/// Run through the other way, and so a light from behind needs no elevation of its own.
+/// Reversed: a light from behind needs no elevation of its own.
 TEST(Light, OppositeDirectionsDrawTheSameLines) {
     const auto bumps = test_meshes::mesh_named("bumpy_sphere");
     const LineExtractor extractor(bumps.mesh, precompute(bumps.mesh));

@@ -18,7 +18,6 @@ namespace {
 using namespace laplacian_lines;
 using helpers::MadeUp;
 
-/// A style under which nothing fades.
 LineStyle all_opaque() {
     LineStyle style = helpers::all_laplacian_lines();
     style.fading = style.end_length = style.contour_clearance = 0;
@@ -40,7 +39,6 @@ float middle_opacity(const LineSet& set) {
     return set.points.at(set.points.size() / 2).opacity;
 }
 
-/// Half-way between the threshold and (1 + fading) times it, a line is half opaque.
 TEST(Fading, RisesAboveTheThresholds) {
     const MadeUp made_up;
     const Polyline line = made_up.lines(all_opaque()).lines.at(0);
@@ -117,7 +115,6 @@ TEST(Fading, ContoursThinOutWhereTheSurfaceIsConcaveAlongTheView) {
     EXPECT_GT(full, set.points.size() / 2);
 }
 
-/// Half-way to a contour's clearance, a line has faded already.
 TEST(Fading, LinesThatEndAtAContourDoNotFadeAgain) {
     const auto surface = test_meshes::bumpy_sphere(5, 0.15);
     const Field field = precompute(surface.mesh);

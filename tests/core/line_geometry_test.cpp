@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where lines are, against curves that are known: circles on a sphere, the zero set on a torus.
+// Lines against known curves: circles on a sphere, the zero set on a torus.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using helpers::extract;
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Normals without error, so that only the lines are looked at.
+/// Exact normals: only lines are tested.
 PrecomputeOptions sphere_options() {
     PrecomputeOptions options;
     options.normal_weighting = NormalWeighting::Max;
@@ -72,8 +72,7 @@ TEST(Sphere, LaplacianLinesCoincideWithTheSilhouette) {
 
 using ZeroFunction = std::function<double(const test_meshes::SurfacePoint&)>;
 
-/// Points of the zero set of f on the torus, from a grid in the parameters that is much finer
-/// than the meshes.
+/// From a grid much finer than the meshes.
 std::vector<Eigen::Vector3d> zero_set(const ZeroFunction& f) {
     constexpr int kColumns = 2000, kRows = 1000;
     std::vector<double> values(std::size_t(kColumns) * kRows);
@@ -99,7 +98,7 @@ std::vector<Eigen::Vector3d> zero_set(const ZeroFunction& f) {
     return zeros;
 }
 
-/// Hausdorff distance, which is also printed: docs/accuracy.md quotes it.
+/// Hausdorff distance; printed for docs/accuracy.md.
 double hausdorff(const std::vector<Eigen::Vector3d>& truth, const LineSet& lines) {
     double truth_to_lines = 0, lines_to_truth = 0;
     for (const Eigen::Vector3d& p : truth)
@@ -180,7 +179,6 @@ TEST(ExactPointLight, IsTheTrueLaplacianOfTheIllumination) {
         }
 }
 
-/// Perspective views tend to the orthographic one.
 TEST(EyeAtInfinity, IsTheLimitOfFarEyes) {
     const auto torus = test_meshes::torus(120, 60);
     const Field field = precompute(torus.mesh);
@@ -227,8 +225,8 @@ LineSet lines_of(const Field& scales, const std::function<double(double x, doubl
                    style);
 }
 
-/// Where an adaptive kernel is half as large as elsewhere, normals were smoothed half as far:
-/// slope = ‖∇ΔI‖ (h + σ²/2)^1.5 with both at that place.
+/// Where an adaptive kernel is half as large, so is the smoothing: slope = ‖∇ΔI‖ (h + σ²/2)^1.5
+/// with both of that place.
 TEST(Slope, FollowsTheAdaptiveKernelAndItsSmoothing) {
     Field scales;
     scales.scale = {std::sqrt(8.0), 0.1, 1.0, 0.8};  // √h = 1 and σ = 0.8, before adaptation
@@ -238,7 +236,6 @@ TEST(Slope, FollowsTheAdaptiveKernelAndItsSmoothing) {
     EXPECT_NEAR(set.lines[0].slope, 3 * std::pow(0.25 + 0.16 / 2, 1.5), 1e-3);
 }
 
-/// The point at which a closed line starts is like all others.
 TEST(ClosedLines, HaveTheSameWeightAllRound) {
     Field scales;
     scales.scale = {std::sqrt(8.0), 0.1, 0.5, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of kinds, and what everything made from it has to do for each of them.
+// The table of kinds, and what has to hold for each.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -15,7 +15,7 @@
 
 namespace laplacian_lines {
 
-/// How GoogleTest shows the kind that a test runs on.
+/// For GoogleTest's output.
 void PrintTo(const LineKindDescription& row, std::ostream* out) {
     *out << row.key;
 }

@@ -10,7 +10,7 @@ namespace {
 
 using namespace laplacian_lines;
 
-/// "contours+borders" and so on, in the order of their numbers; "?" for names that are not known.
+/// "contours+borders" in the order of numbers; "?" if the name is not known.
 std::string kinds(const std::string& names) {
     const std::optional<LineKindSet> set = kinds_named(names);
     if (!set) return "?";
@@ -35,7 +35,6 @@ TEST(LineMixtures, HaveTheOutlinesAndNamesOfTheirOwn) {
     }
 }
 
-/// A name that is a mixture's and a kind's means the same.
 TEST(LineMixtures, OfOneKindAreThatKind) {
     for (const LineKindDescription& kind : line_kinds) {
         const LineMixture* mixture = mixture_named(kind.key);

@@ -32,7 +32,7 @@ LineRules whole_rules() {
 
 constexpr float kStep = 0.1f * kKernel;
 
-/// A line of pieces of equal length; clear everywhere, unless it is changed.
+/// Pieces of equal length, clear unless changed.
 struct MadeLine {
     std::vector<float> slope, gradient, concavity;
     bool closed = false;
@@ -121,7 +121,7 @@ TEST(LineParts, PhantomsConvexAndFlatPlacesAreNotDrawn) {
     EXPECT_EQ(found_in(convex, both_sides).parts().size(), 1u);
 }
 
-/// A line that is joined to another one when the view turns is as it was but near the joint.
+/// Joining another line as the view turns changes it near the joint only.
 TEST(LineParts, DoNotDependOnWhatIsSomeKernelsAway) {
     MadeLine alone = open_line(400), joined = open_line(400);
     for (std::size_t i = 0; i < 400; ++i)
@@ -146,7 +146,7 @@ TEST(LineParts, OfARingMayGoOnAcrossItsBeginning) {
     EXPECT_LT(part.begin + part.count, 400u + 200u);
 }
 
-/// A line that fades while something changes evenly never changes by much at once.
+/// Even changes fade a line evenly.
 TEST(LineParts, ComeAndGoEvenly) {
     std::vector<float> before;
     for (int step = 0; step <= 400; ++step) {
@@ -200,7 +200,7 @@ Drawn drawn_of(const TriangleMesh& mesh, LineKind kind, bool whole) {
     return drawn;
 }
 
-/// What texture cuts into dashes is fewer and longer lines when it is traced whole.
+/// Tracing whole mends the dashes that texture cuts.
 TEST(WholeLines, AreFewerAndLongerOnANoisySurface) {
     const TriangleMesh mesh = mesh_noise::with_noise(test_meshes::bumpy_sphere(5).mesh, 0.2, 3);
     for (const LineKind kind :

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smoothing of the lines' course.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +21,7 @@ LineSet noisy_torus_lines(double smoothing) {
     return helpers::extract(extractor, View::perspective({3, 2, 4}), style);
 }
 
-/// Sum of the squares of second differences, which smoothing makes smaller.
+/// Squares of second differences.
 double roughness(const LineSet& set) {
     double sum = 0;
     for (const Polyline& line : set.lines)
@@ -62,7 +61,7 @@ TEST(LineSmoothing, KeepsTheLinesAndTheirEnds) {
     EXPECT_TRUE(has_closed);
 }
 
-/// What stands out at one point is spread like a Gaussian of this deviation, in points.
+/// A spike becomes a Gaussian of this deviation, in points.
 TEST(LineSmoothing, HasTheDeviationAskedFor) {
     constexpr int kMiddle = 50;
     for (const double deviation : {1., 2., 3.}) {

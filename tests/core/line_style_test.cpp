@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each threshold of a style keeps and drops. Most tests use a plane with a made-up field,
-// for which gradient, slope, facing, length and strength of the only line are known.
+// What each threshold keeps and drops, mostly on a plane with a made-up field, whose only line has
+// known gradient, slope, facing, length and strength.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ TEST(MadeUpLine, HasTheMeasuresThatItWasMadeWith) {
     }
 }
 
-/// A threshold just below the line's value keeps it, just above drops it.
+/// Just below the line's value a threshold keeps it, just above it drops it.
 void expect_threshold(const MadeUp& made_up, double LineStyle::*threshold, double value) {
     LineStyle style = helpers::all_laplacian_lines();
     style.*threshold = 0.999 * value;
@@ -126,8 +126,7 @@ TEST(Weights, OfContoursAreFull) {
         EXPECT_EQ(line.slope, 0.f);
 }
 
-/// On a cylinder around z seen from the side: two straight lines, ‖∇I‖ = 1/R, whose ΔI changes
-/// sign with the slope 1/R³.
+/// Around z, from the side: two straight lines with ‖∇I‖ = 1/R, across which ΔI has the slope 1/R³.
 TEST(Cylinder, StrengthAndSlopeAreAsComputedByHand) {
     const test_meshes::TestMesh& cylinder = test_meshes::mesh_named("cylinder");
     PrecomputeOptions options;
@@ -147,7 +146,6 @@ TEST(Cylinder, StrengthAndSlopeAreAsComputedByHand) {
 
 class Monotone : public testing::TestWithParam<double LineStyle::*> {};
 
-/// With no other threshold, a higher one never gives more.
 TEST_P(Monotone, HigherThresholdsNeverGiveMoreLines) {
     const auto surface = test_meshes::bumpy_sphere(5, 0.15);
     const LineExtractor extractor(surface.mesh, precompute(surface.mesh));
@@ -193,7 +191,6 @@ TEST(Kinds, AreDrawnAsAsked) {
               0u);
 }
 
-/// The thresholds of Laplacian lines do not touch contours.
 TEST(Kinds, ContoursAskOnlyForTheirLength) {
     const auto& torus = test_meshes::mesh_named("torus").mesh;
     const LineExtractor extractor(torus, precompute(torus));

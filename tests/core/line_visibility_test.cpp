@@ -27,7 +27,6 @@ using test_meshes::moved;
 const double kPi = std::acos(-1.0);
 const View kAslant = View::orthographic({0.45, -0.68, -0.35});
 
-/// A mesh with all that looking at its lines takes.
 struct Scene {
     TriangleMesh mesh;
     Field field = precompute(mesh);
@@ -44,7 +43,7 @@ struct Scene {
     }
 };
 
-/// Two unit spheres: one at the origin, seen from +z, one well behind it and a radius to the right.
+/// Unit spheres: at the origin, seen from +z, and well behind it, a radius to the right.
 TriangleMesh two_balls() {
     const TriangleMesh ball = test_meshes::sphere(5).mesh;
     TriangleMesh mesh = ball;
@@ -60,7 +59,7 @@ bool is_in_front(const LineSet& lines, const Polyline& line) {
     return lines.points[line.first].position.z() > -2;
 }
 
-/// The far outline is hidden where it is within the near one: 120 degrees of it.
+/// 120 degrees of the far outline are within the near one.
 TEST(LineVisibility, NearBallHidesAThirdOfTheFarOnesOutline) {
     const LineParts parts = contours_of(two_balls(), View::orthographic(Vector3d::UnitZ()));
     ASSERT_EQ(parts.seen.lines.size(), 2u);
@@ -80,7 +79,7 @@ TEST(LineVisibility, NearBallHidesAThirdOfTheFarOnesOutline) {
     EXPECT_NEAR(double(parts.hidden.lines[0].length) * d, 2 * kPi / 3, 0.03);
 }
 
-/// From where no line is hidden all stay just as they are, closed ones closed.
+/// Unhidden lines stay as they are, closed ones closed.
 TEST(LineVisibility, KeepsWhatNothingHides) {
     const Scene scene{test_meshes::hills(40).mesh};
     const View view = View::orthographic(Vector3d::UnitZ());
@@ -109,8 +108,7 @@ TEST(LineVisibility, KeepsWhatNothingHides) {
 
 constexpr test_meshes::Torus kTorus;
 
-/// Whether the straight line from p to the eye is anywhere this deep inside the solid torus, by
-/// walking along it.
+/// Whether the ray from p to the eye gets this deep into the solid torus, by marching.
 bool torus_hides(const Vector3d& p, const View& view, double clearance, double depth) {
     const Vector3d to_eye = view.eye - view.w * p;
     const double step = 2e-3, reach = view.w == 0 ? 12 : std::min(12.0, to_eye.norm());
@@ -122,8 +120,8 @@ bool torus_hides(const Vector3d& p, const View& view, double clearance, double d
     return false;
 }
 
-/// Of points of lines: whether they are seen where one of tori at `places`, the surfaces of which
-/// they are on, surely hides them, or surely none.
+/// Points of lines on tori at `places` are seen where surely none hides them, hidden where one
+/// surely does.
 void expect_true_visibility(const LineSet& all, const LineSet& seen, const View& view, double d,
                             const std::vector<Vector3d>& places) {
     const auto is_hidden = [&](const Vector3d& p, double clearance, double depth) {
@@ -155,7 +153,6 @@ TEST(LineVisibility, AgreesWithTheExactTorus) {
                                scene.field.scale.diagonal, {Vector3d::Zero()});
 }
 
-/// Two objects with lines of their own, a set each.
 TEST(LineVisibility, SurfacesHideEachOther) {
     const Vector3d behind(-0.3, 2, -0.9);
     const Scene near{test_meshes::torus(160, 80).mesh}, far{moved(near.mesh, behind)};
@@ -177,7 +174,7 @@ TEST(LineVisibility, SurfacesHideEachOther) {
     }
 }
 
-/// Beyond a cusp a contour is behind its own form, however thin the fold is there.
+/// Beyond a cusp a contour is behind its own form, however thin the fold.
 TEST(LineVisibility, ContoursEndAtCusps) {
     const LineSet seen = contours_of(test_meshes::torus(288, 144).mesh, kAslant).seen;
     const Vector3d v = kAslant.eye.normalized();
@@ -195,7 +192,7 @@ TEST(LineVisibility, ContoursEndAtCusps) {
 
 // --- lines of few points
 
-/// A triangle strip of one quadrangle, a × b around a centre, facing +z.
+/// Two triangles, a × b, facing +z.
 void add_rectangle(TriangleMesh& mesh, const Vector3d& centre, double a, double b) {
     const auto first = std::uint32_t(mesh.positions.size());
     for (const auto& corner :
@@ -205,7 +202,7 @@ void add_rectangle(TriangleMesh& mesh, const Vector3d& centre, double a, double 
     mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// A bar across the middle of a long segment, whose ends are seen.
+/// A bar across the middle of a segment whose ends are seen.
 TEST(LineVisibility, HidesTheMiddleOfALongSegment) {
     TriangleMesh mesh;
     add_rectangle(mesh, {0, 0, 0}, 4, 1);
@@ -231,14 +228,13 @@ TEST(LineVisibility, HidesTheMiddleOfALongSegment) {
         EXPECT_EQ(part.slope, 5);
         EXPECT_NEAR(part.length * d, 1.25, 1e-3 * d);
     }
-    // from the other side nothing is before it, but the rectangle that it lies in
+    // From the other side nothing is before it but the rectangle it lies in.
     EXPECT_EQ(seen_from(View::orthographic({0, 0.01, -1})).lines.size(), 1u);
     const LineSet from_near = seen_from(View::perspective({0, 0.25, 1.5}));
     ASSERT_EQ(from_near.lines.size(), 2u);
     EXPECT_NEAR(from_near.points[1].position.x(), -0.75, 1e-4 * d);
 }
 
-/// The mesh's coordinates may lie anywhere.
 TEST(LineVisibility, FarFromTheOrigin) {
     const Vector3d offset(4096.1, -2048.2, 8192.3);
     const LineParts balls =
@@ -322,7 +318,7 @@ TEST(LineVisibility, DoesNotDependOnWhichSideTrianglesFace) {
     }
 }
 
-/// A Laplacian line around the origin. Weights say which point is where: i / points.
+/// A Laplacian line around the origin; weights number the points: i / points.
 LineSet ring(double radius, double begin, int points) {
     LineSet lines;
     for (int i = 0; i <= points; ++i) {
@@ -356,8 +352,7 @@ TEST(LineVisibility, ClosedLinesEndExactlyWhereTheyBegin) {
     }
 }
 
-/// A ring on a sphere from within: what is abreast of the eye is left out of it, and the ring is
-/// open there.
+/// On a sphere from within: the part abreast of the eye is missing, and the ring is open there.
 TEST(LineVisibility, RingsAroundTheEyeAreOpenAbreastOfIt) {
     constexpr double kRadius = 0.99, kBegin = 0.04;
     const LineSet all = ring(kRadius, kBegin, 80);
@@ -375,7 +370,7 @@ TEST(LineVisibility, RingsAroundTheEyeAreOpenAbreastOfIt) {
     EXPECT_NEAR(total_length(seen), total_length(all), 0.1f * total_length(all));
 }
 
-/// An eye within a sphere, before it a small ball at a distance of six of its radii.
+/// Within a sphere, a small ball six of its radii before the eye.
 TEST(LineVisibility, WhatIsBeforeAnEyeAmongTheMeshHidesWhatIsBehind) {
     constexpr double kRadius = 0.99, kEye = -0.2;
     TriangleMesh mesh = test_meshes::sphere(3).mesh, ball = test_meshes::sphere(4).mesh;
@@ -391,7 +386,7 @@ TEST(LineVisibility, WhatIsBeforeAnEyeAmongTheMeshHidesWhatIsBehind) {
     EXPECT_NEAR(hidden / total_length(all), angle / kPi, 0.002);
 }
 
-/// From behind, a half of a torus shows its inside and its contours there.
+/// From behind, half a torus shows its inside with contours.
 TEST(LineVisibility, ContoursOfOpenSurfacesAreSeenFromInside) {
     const LineParts parts = contours_of(test_meshes::half_torus(144, 72).mesh,
                                         View::orthographic({0, -1, 0}));  // into the open ends
@@ -399,7 +394,7 @@ TEST(LineVisibility, ContoursOfOpenSurfacesAreSeenFromInside) {
     EXPECT_GT(total_length(parts.seen), 0.3f * total_length(parts.hidden));
 }
 
-/// The edges between triangles that the eye sees from different sides, and their length in D.
+/// Edges between front and back, in D.
 float plain_contour_length(const TriangleMesh& mesh, const View& view, double d) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> facing;
     for (const Triangle& t : mesh.triangles) {
@@ -415,7 +410,7 @@ float plain_contour_length(const TriangleMesh& mesh, const View& view, double d)
     return float(length / d);
 }
 
-/// Rectangles of these half sides and heights, one on the other.
+/// Half sides and heights, one on the other.
 TriangleMesh stacked(const std::vector<Vector3d>& rectangles) {
     TriangleMesh mesh;
     for (const Vector3d& r : rectangles)
@@ -445,7 +440,7 @@ double length_from_above(const LineSet& lines) {
     return length;
 }
 
-/// Whichever way the eye misses the walls' planes.
+/// However the eye misses the walls' planes.
 TEST(LineVisibility, WallsSeenAlongTheirPlanesHaveContours) {
     const TriangleMesh mesh = block_on_plate();
     for (const double aside : {0., 1e-6, -1e-6}) {
@@ -456,7 +451,7 @@ TEST(LineVisibility, WallsSeenAlongTheirPlanesHaveContours) {
     }
 }
 
-/// Walls between fillets, one of which has a contour along a part of it.
+/// One has a contour along a part of it.
 TEST(LineVisibility, WallsBetweenFilletsHaveContoursOnBothSides) {
     std::vector<Vector3d> rings = {{8, 6, -1}, {8, 6, 0}};
     for (int i = 0; i <= 8; ++i) {
@@ -499,7 +494,7 @@ TEST(LineVisibility, SeenAndHiddenContoursAreAllThereAre) {
     }
 }
 
-/// Of a unit ball seen from +z, with a small one before its middle or its outline.
+/// A unit ball from +z, with a small one before its middle or its outline.
 float length_with_small_ball(double radius, double x, double shortest_contour) {
     const TriangleMesh ball = test_meshes::sphere(4).mesh;
     TriangleMesh mesh = ball, small = ball;
@@ -519,7 +514,7 @@ TEST(LineVisibility, SpecksAreLeftOutWhereNothingMeetsThem) {
     EXPECT_EQ(length_with_small_ball(small, 1, 0.005), length_with_small_ball(small, 1, 0));
 }
 
-/// Those of the last look are kept.
+/// The last look's creases are kept.
 TEST(LineVisibility, DrawsTheCreasesOfEachLook) {
     const Scene scene{test_meshes::cube(3)};
     LineStyle style;

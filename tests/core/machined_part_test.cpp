@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts whose fillets are known.
 #include "machined_part.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +14,7 @@ namespace {
 using namespace test_meshes;
 using Eigen::Vector3d;
 
-/// Of the block without the step, the slot and the hole.
+/// The block less step, slot and hole.
 constexpr double kSharpVolume = 2 * 1.2 * 0.8 - 0.6 * 1.2 * 0.4 - 0.3 * 1.2 * 0.3;
 constexpr double kHoleArea = 0.2 * 0.2 * 3.14159265358979;
 
@@ -32,7 +31,7 @@ TEST(MachinedParts, AreClosedAndOnTheSurfaceAtAllResolutions) {
     }
 }
 
-/// As long as its sharp edges are: 10 corners of the profile across, the profile twice, two rims.
+/// The length of its sharp edges: 10 corners of the profile across, the profile twice, two rims.
 TEST(MachinedParts, HaveAllEdgesAtRightAngles) {
     const double across = 10 * 1.2, profiles = 2 * (2 * (2 + 0.8) + 2 * 0.3),
                  rims = 4 * kHoleArea / 0.2;
@@ -49,8 +48,7 @@ TEST(MachinedParts, HaveAllEdgesAtRightAngles) {
     }
 }
 
-/// From one side of a fillet to the other, the normal turns by the length of the way over the
-/// radius, outwards or inwards.
+/// Across a fillet, the normal turns by the distance over the radius, outwards or inwards.
 TEST(MachinedParts, HaveFilletsOfTheRadius) {
     const double share = 0.01, radius = share * MachinedPart::diagonal();
     const MachinedPart part(share);

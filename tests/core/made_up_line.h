@@ -10,8 +10,8 @@ namespace helpers {
 
 using namespace laplacian_lines;
 
-/// On the square [−1, 1]², seen from +z: ΔI = slope · (x − offset), ∇I = (gradient, 0, 0). The
-/// line x = offset has the length 2 and no end but the borders.
+/// On [−1, 1]² from +z: ΔI = slope · (x − offset), ∇I = (gradient, 0, 0). The line x = offset has
+/// length 2 and ends at borders.
 struct MadeUp {
     double gradient = -1;  ///< negative: an edge; positive: a phantom
     double slope = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines along edges of the mesh: borders and creases, against plain counts of edges.
+// Borders and creases against plain counts of edges.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -103,13 +103,13 @@ TEST(MeshEdgeLines, CreasesNeedTheirAngle) {
                        std::cos(angle * 3.14159265358979 / 180);
         });
         const auto found = edges_of(mesh, lines_of(mesh, creases(angle)));
-        // a line goes on to a vertex where it is sharp enough, so none may be missing
+        // Lines continue to a vertex where they are sharp enough, so none may be missing.
         for (const Edge& edge : wanted)
             EXPECT_EQ(found.count(edge), 1u) << angle;
     }
 }
 
-/// They are found when they are first asked for, even by several threads at once.
+/// Found on first use, even by several threads at once.
 TEST(MeshEdgeLines, CanBeAskedForByManyThreads) {
     const TriangleMesh& mesh = test_meshes::mesh_named("half_torus").mesh;
     LineStyle style = creases(20);

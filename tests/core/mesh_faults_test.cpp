@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said about meshes whose drawing will disappoint, and that nothing is said about others.
+// What is said about meshes that draw badly, and nothing about others.
 #include "laplacian_lines/mesh_faults.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TriangleMesh flipped(TriangleMesh mesh, int every) {
     return mesh;
 }
 
-/// Each triangle with corners of its own, a little smaller than it was.
+/// Separate triangles, slightly shrunk.
 TriangleMesh shrunk_triangles(const TriangleMesh& whole) {
     TriangleMesh mesh = cut_apart(whole);
     for (const Triangle& t : mesh.triangles) {
@@ -38,7 +38,7 @@ TriangleMesh shrunk_triangles(const TriangleMesh& whole) {
 
 class EachTestMesh : public testing::TestWithParam<const MeshEntry*> {};
 
-/// What is wrong with the registry's meshes is by design; all others are sound.
+/// By design; all others are sound.
 TEST_P(EachTestMesh, HasTheFaultsItIsMadeWith) {
     static const std::map<std::string, Faults> faulty = {
         {"flipped_torus", {MeshFault::Disagreeing}},
@@ -61,7 +61,7 @@ TEST(MeshFaults, OfSurfacesTurnedInsideOut) {
         const TriangleMesh& mesh = mesh_named(name).mesh;
         EXPECT_EQ(faults_found(flipped(mesh, 1)), Faults{MeshFault::InsideOut}) << name;
     }
-    // with a hole, as scans have them; but an open surface has no inside
+    // A hole, as in scans; an open surface has no inside.
     TriangleMesh holed = mesh_named("sphere").mesh;
     holed.triangles.resize(holed.triangles.size() * 98 / 100);
     EXPECT_EQ(faults_found(holed), Faults());
@@ -81,7 +81,7 @@ TEST(MeshFaults, OfTrianglesTurnedHereAndThere) {
 TEST(MeshFaults, OfPiecesThatDoNotHangTogether) {
     const TriangleMesh& torus = mesh_named("torus").mesh;
     EXPECT_EQ(faults_found(shrunk_triangles(torus)), Faults{MeshFault::Torn});
-    // cuts that are closed by themselves are none
+    // Cuts that close by themselves.
     EXPECT_EQ(faults_found(cut_apart(torus)), Faults());
     PrecomputeOptions unwelded;
     unwelded.weld_duplicates = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which points have a line nearby, against looking at all pieces of all lines.
+// Against a search through all pieces of all lines.
 #include "fixed/near_lines.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(NearLines, AreThoseThatAPlainSearchFinds) {
         const NearLines near(lines, distance);
         std::size_t found = 0;
         for (int i = 0; i < 2000; ++i) {
-            // half of them beside a line
+            // Half of them near a line.
             Vector3f p(number(random), number(random), number(random));
             if (i % 2)
                 p = lines.points[std::size_t(i) % lines.points.size()].position + distance * p;

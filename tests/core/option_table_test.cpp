@@ -70,7 +70,6 @@ TYPED_TEST(OptionTable, ChoicesHaveOneNameEach) {
     }
 }
 
-/// Setting one option changes it to the value, and changes no other.
 TYPED_TEST(OptionTable, ValuesMakeTheRoundTripAlone) {
     for (const auto& row : table<TypeParam>())
         for (double value : {row.minimum, row.maximum < 1e300 ? row.maximum : 12.5}) {
@@ -84,7 +83,7 @@ TYPED_TEST(OptionTable, ValuesMakeTheRoundTripAlone) {
         }
 }
 
-/// A member without a row could be set by no dialog: count the bytes of the members.
+/// No dialog could set a member without a row: counts the members' bytes.
 TEST(OptionTables, DescribeEveryMember) {
     EXPECT_EQ(precompute_option_table().size(), 14u);
     EXPECT_EQ(line_style_table().size(), 25 + line_kind_count);

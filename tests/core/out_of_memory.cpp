@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When memory runs out, the core throws std::bad_alloc, in whatever thread it happens, and goes on
-// working afterwards.
+// Out of memory, the core throws std::bad_alloc, from any thread, and works afterwards.
 //   out_of_memory allocations    fails one allocation after the other
 //   out_of_memory MEGABYTES      limits the address space
 #include <sys/resource.h>
@@ -19,7 +18,6 @@ namespace {
 
 using namespace laplacian_lines;
 
-/// Everything the core does.
 LineSet all_of_it(const TriangleMesh& mesh, const PrecomputeOptions& options,
                   ExtractionScratch& scratch) {
     const Field field = precompute(mesh, options);
@@ -60,7 +58,6 @@ int fail_every_allocation(const PrecomputeOptions& options) {
     return failed > 50 ? 0 : fail("too few allocations", number);
 }
 
-/// Bytes of the address space that are in use.
 std::size_t address_space() {
     std::size_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;

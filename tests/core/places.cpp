@@ -12,7 +12,7 @@ fs::path folder_in(const char* variable) {
     return value ? value : "";
 }
 
-/// As the scripts' function of this name.
+/// As in the scripts.
 fs::path cache_folder() {
     if (const fs::path own = folder_in("LAPLACIAN_LINES_CACHE"); !own.empty()) return own;
     const fs::path users = folder_in("XDG_CACHE_HOME");

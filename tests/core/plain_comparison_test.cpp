@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The extractor against the plain extraction of plain_extraction.h: the same lines, up to their
-// order, their direction and where closed ones start; and the same bits with all instruction sets
-// and numbers of threads.
+// The extractor against plain_extraction.h: the same lines, up to order, direction and the start of
+// closed ones; and the same bits with all instruction sets and numbers of threads.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +28,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Meshes, PlainComparison, testing::ValuesIn(test_meshes::meshes_with(0)),
                          [](const auto& info) { return info.param->name; });
 
-/// Points of lines whose order is that of the other line, backwards, or from another start on.
+/// Also backwards, or from another start.
 bool same_points(const LinePoint* a, const LinePoint* b, std::uint32_t count, bool closed,
                  double diagonal) {
     const auto same = [&](const LinePoint& p, const LinePoint& q) {
@@ -56,7 +55,7 @@ bool same_sums(const Polyline& a, const Polyline& b) {
            same(a.length, b.length) && same(a.strength, b.strength) && same(a.slope, b.slope);
 }
 
-/// Takes the line that is the same as this from `plain`, if there is one.
+/// Removes an equal line from `plain`, if there is one.
 bool take(std::vector<PlainLine>& plain, const Polyline& line, const LinePoint* points,
           double diagonal) {
     for (PlainLine& other : plain) {
@@ -83,7 +82,7 @@ void expect_plain_lines(const LineSet& lines, std::vector<PlainLine> plain, doub
             << line.polyline.strength << ", slope " << line.polyline.slope;
 }
 
-/// Around the mesh, near its surface and inside it; some with a light elsewhere.
+/// Around the mesh, near and inside it; some with a light elsewhere.
 std::vector<View> many_views(const TriangleMesh& mesh, const Field& field) {
     std::vector<View> views = helpers::random_views(mesh, 34);
     std::mt19937 random(3);
@@ -104,7 +103,6 @@ struct NamedStyle {
     LineStyle style;
 };
 
-/// The kinds of lines that are zeros of functions.
 std::vector<NamedStyle> styles() {
     LineStyle standard;
     standard.shows[LineKind::Ridge] = standard.shows[LineKind::Border] =
@@ -135,8 +133,7 @@ std::vector<NamedStyle> styles() {
             {"other kinds in detail", detailed_others}};
 }
 
-/// Where a closed one starts is a matter of the order of triangles, and hairpins are not looked for
-/// there.
+/// Few differ: closed lines start by the order of triangles, and hairpins are not looked for there.
 TEST_P(PlainComparison, GivesTheSameWholeLinesButForFew) {
     const std::string name = GetParam()->name;
     if (name == "cube") GTEST_SKIP() << "where nothing is curved, rounding decides what is concave";
@@ -185,7 +182,7 @@ TEST_P(PlainComparison, GivesTheSameLinesWhereFunctionsVanishAtVertices) {
             if (field.normals[v].isZero()) continue;
             field.laplacian_normals[v] = {0, 0, float(random() % 5) - 2};
             field.normals[v] = {0, 0, float(random() % 3) - 1};
-            // On a symmetric mesh S l may be exactly along a line, and rounding would decide.
+            // On a symmetric mesh S l may be exactly along a line; rounding would decide.
             field.shape_operators[v].xz += float(random() % 100) / 1e4f;
             field.shape_operators[v].yz += float(random() % 100) / 1e4f;
         }
@@ -207,7 +204,7 @@ std::vector<NamedStyle> styles_and_whole_lines() {
     return all;
 }
 
-/// Runs with an instruction set and puts the best one back.
+/// Restores the best one.
 class WithInstructionSet {
 public:
     explicit WithInstructionSet(InstructionSet set)

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "helpers.h"
 #include "laplacian_lines/tangent_frame.h"
 
 namespace reference {
@@ -21,8 +20,7 @@ double cubic(const Eigen::Vector4d& c, double angle) {
     return c[0] * x * x * x + 3 * c[1] * x * x * y + 3 * c[2] * x * y * y + c[3] * y * y * y;
 }
 
-/// The largest of many directions, made better by halving steps; none if another maximum has 0.9 of
-/// it.
+/// The largest of many directions, refined by halving steps; none if another maximum has 0.9 of it.
 Vertex vertex_of(const Field& field, std::size_t v) {
     constexpr int kCount = 720;
     constexpr double kStep = 2 * 3.14159265358979 / kCount;

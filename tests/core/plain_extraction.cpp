@@ -13,7 +13,6 @@
 #include "plain_kinds.h"
 #include "redraw/kinds/strip_kinds.h"
 #include "rules/convexity.h"
-#include "rules/line_rules.h"
 
 namespace reference {
 
@@ -94,7 +93,7 @@ public:
                 ++triangles_of_edge_[std::minmax(t[k], t[(k + 1) % 3])];
     }
 
-    /// Seen from both sides: its borders are long.
+    /// Has long borders, so it is seen from both sides.
     bool is_sheet() const {
         double borders = 0, area = 0;
         for (const Triangle& t : mesh_.triangles) {
@@ -158,8 +157,7 @@ private:
         return vertex;
     }
 
-    /// Of each triangle its cluster, and whether it is coarse; and which vertices are convex all
-    /// around.
+    /// Each triangle's cluster and whether it is coarse; which vertices are convex all around.
     void find_clusters(const Field& field) {
         const std::vector<std::uint8_t> coarse = find_coarse_triangles(mesh_, field);
         const Partition clusters = partition(mesh_, coarse);
@@ -175,7 +173,7 @@ private:
                         convex_around_[v] && is_convex(vertices_[neighbour].shape_operator);
     }
 
-    /// The least cosine between triangles at a vertex and the first one of them.
+    /// The least cosine between the first triangle at a vertex and the others.
     void find_around() {
         std::vector<Eigen::Vector3d> first(mesh_.size(), Eigen::Vector3d::Zero());
         for (const Triangle& t : mesh_.triangles) {
@@ -207,7 +205,7 @@ private:
 
     float value(std::uint32_t v) const { return vertices_[v].*function_; }
 
-    /// The crossing between a vertex where the function is negative and one where it is not.
+    /// Between a vertex with a negative value and another.
     Crossing compute_crossing(const LineRules& rules, std::uint32_t below,
                               std::uint32_t above) const {
         const Vertex &a = vertices_[below], &b = vertices_[above];
@@ -292,8 +290,7 @@ private:
         return found->second;
     }
 
-    /// The triangle of a negative corner, a positive one next to it in its orientation, and a
-    /// third.
+    /// By corners: a negative one, a positive one next in orientation, and the third.
     void add_segment(const LineRules& rules, std::uint32_t below, std::uint32_t above,
                      std::uint32_t third) {
         const bool third_is_negative = value(third) < 0;
@@ -410,7 +407,7 @@ private:
         for (std::size_t i = 0; i < segments_.size(); ++i)
             for (const auto& edge : segments_[i].edges)
                 at_edge[edge].push_back(i);
-        // The segment that goes on from segment i at one of its edges, or none.
+        // The segment that continues segment i at one of its edges, or none.
         const auto next = [&](std::size_t i, const auto& edge) {
             const auto& here = at_edge[edge];
             if (here.size() != 2 || triangles_of_edge_[edge] != 2) return segments_.size();
@@ -419,7 +416,7 @@ private:
         std::vector<bool> visited(segments_.size(), false);
         for (std::size_t i = 0; i < segments_.size(); ++i) {
             if (visited[i]) continue;
-            // Back to the start of the line, or once round, then along it.
+            // Back to the start, or once round, then along the line.
             std::size_t first = i;
             int side = 0;
             for (std::size_t j;
@@ -476,7 +473,7 @@ private:
         p.kind = rules.kind;
         p.count = std::uint32_t(line.points.size());
         p.slope = p.length > 0 ? p.slope / p.length : 0;
-        // Above or below a threshold, or too near to say.
+        // Above or below, or too near to say.
         bool accepted = true;
         const auto compare = [&](float sum, float threshold) {
             const bool uncertain = std::abs(sum - threshold) <= 1e-4f * std::abs(threshold);

@@ -11,8 +11,7 @@
 #include "rules/line_parts.h"
 #include "rules/line_rules.h"
 
-/// The extraction written down plainly: one loop over all triangles, crossings and chains by maps.
-/// What LineExtractor is compared with.
+/// LineExtractor's reference: one loop over all triangles, crossings and chains by maps.
 
 namespace reference {
 
@@ -22,13 +21,12 @@ struct PlainLine {
     bool uncertain;  ///< a sum is so near to its threshold that rounding decides
 };
 
-/// The lines of a view, those of uncertain acceptance included.
+/// Includes lines of uncertain acceptance.
 std::vector<PlainLine> extract_plainly(const laplacian_lines::TriangleMesh& mesh,
                                        const laplacian_lines::Field& field,
                                        const laplacian_lines::View& view,
                                        const laplacian_lines::LineStyle& style);
 
-/// A line before its parts are found: a segment between each two points.
 struct PlainChain {
     struct Segment {
         laplacian_lines::LinePiece sums;
@@ -40,14 +38,14 @@ struct PlainChain {
     bool closed;
 };
 
-/// Appends the parts that are drawn, finished. What means along lines say is tested by itself; here
-/// is what a redraw makes of it: pieces of four segments at most, that end where clusters do.
+/// Appends the drawn parts, finished, in a redraw's pieces of at most four segments that end where
+/// clusters do. Means along lines have tests of their own.
 void add_parts(const laplacian_lines::LineRules& rules, const PlainChain& chain,
                const Eigen::Vector3d& centre, double diagonal, std::vector<PlainLine>& lines);
 
-/// Weights, opacities and smoothed positions of a traced line, point by point and pass by pass. On
-/// entry weights hold the sums of the slopes of a point's segments, opacities the fading of its
-/// crossing, and positions are local; then they are mesh coordinates.
+/// Weights, opacities and smoothed positions, point by point and pass by pass. On entry weights
+/// hold the sums of slopes at a point, opacities the fading of its crossing, and positions are
+/// local; on return these are mesh coordinates.
 void finish_plainly(const laplacian_lines::LineRules& rules, const laplacian_lines::Polyline& line,
                     const Eigen::Vector3d& centre, double diagonal,
                     laplacian_lines::LinePoint* points);

@@ -9,14 +9,14 @@ using namespace laplacian_lines;
 
 namespace {
 
-/// What stands in for the point beyond an open end.
+/// In place of the point beyond an open end.
 enum class LineEnd {
     Repeated,   ///< the last value again: values change evenly up to the end
     Reflected,  ///< the point before it, mirrored in the end: ends stay where they are
 };
 
-/// One pass of binomial smoothing (1-2-1) of a member of the line's points. `points` are the
-/// line's; a closed line's first point and its copy stay equal.
+/// One binomial pass (1-2-1) over a member of the line's points; a closed line's first and last
+/// stay equal.
 template <class Value>
 void smooth_line(const Polyline& line, LinePoint* points, Value LinePoint::*value, LineEnd end) {
     const std::uint32_t last = line.count - 1;
@@ -37,13 +37,12 @@ void smooth_line(const Polyline& line, LinePoint* points, Value LinePoint::*valu
 
 constexpr int kTaperingPasses = 2;  // slopes of neighbouring triangles differ visibly
 
-/// 0 at the threshold, 1 at (1 + fading) times it; 1 where there is no threshold.
+/// 0 at the threshold, 1 at (1 + fading) times it; 1 without threshold.
 float above(float value, float threshold, float fading) {
     const float range = threshold * fading;
     return range > 0 ? std::clamp((value - threshold) / range, 0.f, 1.f) : 1.f;
 }
 
-/// From sums over a point's segments to their means.
 void slopes_to_means(const Polyline& line, LinePoint* points) {
     const std::uint32_t last = line.count - 1;
     if (line.closed) {  // the first point and its copy share their two segments
@@ -54,7 +53,6 @@ void slopes_to_means(const Polyline& line, LinePoint* points) {
         if (line.closed || (i > 0 && i < last)) points[i].weight /= 2;
 }
 
-/// From the slope of the segment that ends at a point to the means of its segments.
 void segments_to_means(const Polyline& line, LinePoint* points) {
     const std::uint32_t last = line.count - 1;
     points[0].weight = points[line.closed ? last : 1].weight;
@@ -63,7 +61,7 @@ void segments_to_means(const Polyline& line, LinePoint* points) {
         points[i].weight = (points[i].weight + (i < last ? points[i + 1].weight : beyond)) / 2;
 }
 
-/// Lets open ends run out over `length`.
+/// Over `length`.
 void fade_ends(const Polyline& line, float length, const bool ends_unseen[2], LinePoint* points) {
     if (line.closed || !(length > 0)) return;
     const auto fade = [&](LinePoint* from, LinePoint* to, int step) {
@@ -96,8 +94,7 @@ void taper_line(const LineRules& rules, const Polyline& line, LinePoint* points)
     else
         slopes_to_means(line, points);
     const bool ends_unseen[2] = {points[0].opacity == 0, points[line.count - 1].opacity == 0};
-    // A line that only just passes the tests on whole lines is hardly seen, so that it does not
-    // jump into the picture when the view turns a little further.
+    // A line that barely passes is barely seen, so that it does not pop up when the view turns.
     const float by_slope = above(line.slope, rules.line_slope, rules.fading);
     const float whole = std::min({by_slope, above(line.length, rules.least_length, rules.fading),
                                   above(line.strength, rules.least_strength, rules.fading)});

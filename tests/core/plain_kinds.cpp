@@ -19,7 +19,7 @@ float dot(const Vector2f& a, const Vector2f& b) {
     return a.x() * b.x() + a.y() * b.y();
 }
 
-/// The parts of a vector in the frame of S̄ and C.
+/// In the frame of S̄ and C.
 Vector2f tangent(const KindVertex& p, const Vector3f& x) {
     const auto [u, v] = laplacian_lines::tangent_frame(p.normal);
     return {dot(u, x), dot(v, x)};

@@ -5,17 +5,17 @@
 
 #include "laplacian_lines/field.h"
 
-/// The functions of vertices whose zeros are lines, for one vertex at a time. Sums are taken in the
-/// order of a redraw's inner loops, so that signs near zero are the same.
+/// Functions whose zeros are lines, vertex by vertex. Sums are in the order of a redraw's inner
+/// loops, for equal signs near zero.
 namespace reference {
 
-/// A vertex in local coordinates.
+/// Local coordinates.
 struct KindVertex {
     Eigen::Vector3f position, normal;
     Eigen::Vector3f curvature;   ///< S̄·D
     Eigen::Vector4f derivative;  ///< C·D²
 
-    /// Of tangents, by their parts in the frame of S̄ and C.
+    /// Of tangents, in the frame of S̄ and C.
     Eigen::Vector2f S(const Eigen::Vector2f& x) const;
     float C(const Eigen::Vector2f& x, const Eigen::Vector2f& y, const Eigen::Vector2f& z) const;
 };
@@ -26,7 +26,7 @@ float radial(const KindVertex& p, const Eigen::Vector3f& e, float w);
 /// Hess I(g, g), g = ∇I, of the light (e, w).
 float photic(const KindVertex& p, const Eigen::Vector3f& e, float w);
 
-/// The largest curvature as it is seen, its derivative along its direction on the surface.
+/// The largest curvature as seen, and its derivative along its direction on the surface.
 struct ApparentCurvature {
     float q = 0, derivative = 0;  ///< q: 0 where there is none or the surface faces away
     Eigen::Vector3f direction = Eigen::Vector3f::Zero();

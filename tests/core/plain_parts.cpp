@@ -18,7 +18,7 @@ bool goes_on(const PlainChain::Segment& a, const PlainChain::Segment& b) {
     return a.cluster == b.cluster && a.forward == b.forward;
 }
 
-/// A closed chain from where one cluster follows on another.
+/// A closed chain, starting where a cluster does.
 PlainChain from_a_border(const PlainChain& chain) {
     const std::size_t count = chain.segments.size();
     for (std::size_t i = 0; chain.closed && i < count; ++i) {
@@ -34,7 +34,7 @@ PlainChain from_a_border(const PlainChain& chain) {
     return chain;
 }
 
-/// Numbers of segments, piece after piece.
+/// Of segments, piece after piece.
 std::vector<std::size_t> pieces_of(const PlainChain& chain) {
     std::vector<std::size_t> pieces;
     const std::size_t count = chain.segments.size();
@@ -84,7 +84,7 @@ private:
         sum.concave += piece.concave;
     }
 
-    /// The points of a part with mean slopes as weights; `starts_` beside them.
+    /// With mean slopes as weights.
     PlainLine points_of(const LinePart& part) {
         PlainLine line{{}, {}, false};
         starts_.clear();

@@ -40,7 +40,6 @@ TEST(PlainPlaces, AreWholeFlatFaces) {
     EXPECT_EQ(count_plain(test_meshes::sharp_part()), 180u);
 }
 
-/// Where there is no edge, nothing can come from beyond it.
 TEST(PlainPlaces, AreNotOnRoundFormsNorWithoutEdges) {
     for (const char* name : {"plane", "rounded_cube", "sphere", "torus_jittered", "ellipsoid",
                              "bumpy_sphere", "hills"})
@@ -66,7 +65,7 @@ TEST(PlainPlaces, HaveNoLaplacianLinesWhereCreasesAreShown) {
     }
 }
 
-/// Neither do triangles of both orientations make an edge.
+/// Nor do triangles of both orientations make an edge.
 TEST(PlainPlaces, AreNotWhereTrianglesFaceOtherWays) {
     EXPECT_EQ(count_plain(test_meshes::mesh_named("flipped_torus").mesh), 0u);
 }

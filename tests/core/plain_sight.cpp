@@ -11,12 +11,11 @@ namespace plain_sight {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using laplacian_lines::LineKind;
-using laplacian_lines::SightPoint;
 using laplacian_lines::Triangle;
 
 namespace {
 
-/// How far along a ray it meets a triangle; NaN, if it does not.
+/// Along a ray; NaN if it misses.
 double meeting(const TriangleMesh& mesh, const Triangle& t, const Vector3d& origin,
                const Vector3d& direction) {
     const double nowhere = std::numeric_limits<double>::quiet_NaN();
@@ -29,7 +28,7 @@ double meeting(const TriangleMesh& mesh, const Triangle& t, const Vector3d& orig
     return u >= 0 && v >= 0 && u + v <= 1 ? ac.dot(q) / determinant : nowhere;
 }
 
-/// What the eye sees, on a plane through `point`.
+/// What is seen on a plane through `point`.
 class SeenPlane {
 public:
     SeenPlane(const View& view, const Vector3d& point)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -9,13 +10,18 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
 
-/// What is seen, by the plainest means, and views of which ties are to be feared.
+/// Sight by the plainest means, and views with ties.
 namespace plain_sight {
 
 using laplacian_lines::LineKindSet;
 using laplacian_lines::SightLine;
 using laplacian_lines::TriangleMesh;
 using laplacian_lines::View;
+
+/// 0..1.
+inline double random_unit(std::mt19937& random) {
+    return double(random()) / double(std::mt19937::max());
+}
 
 /// Contours, borders and creases.
 LineKindSet edge_kinds();
@@ -24,29 +30,26 @@ struct Box {
     Eigen::Vector3d centre;
     double diagonal;
 };
-/// Of all finite corners of triangles.
 Box box_of(const TriangleMesh& mesh);
 
-/// From the 26 directions of the faces, edges and corners of a cube, just so, and from some in no
-/// special direction.
+/// Exactly towards the 26 faces, edges and corners of a cube, and a few arbitrary ones.
 std::vector<Eigen::Vector3d> special_directions();
-/// From there, without perspective and from `distance` D.
+/// Orthographic and from `distance` D.
 std::vector<View> views_from(const std::vector<Eigen::Vector3d>& directions, const Box& box,
                              double distance = 2);
 std::string words(const View& view);
 
-/// Towards the eye, a unit vector.
+/// Unit.
 Eigen::Vector3d towards_eye(const View& view, const Eigen::Vector3d& point);
 
-/// Whether a ray meets a triangle farther away than `least` (T. Möller, B. Trumbore, "Fast, Minimum
-/// Storage Ray-Triangle Intersection", 1997), before the eye of a perspective view.
+/// Whether a ray meets a triangle farther than `least`, before a perspective eye (T. Möller, B.
+/// Trumbore, "Fast, Minimum Storage Ray-Triangle Intersection", 1997).
 bool is_hidden(const TriangleMesh& mesh, const View& view, const Eigen::Vector3d& point,
                double least);
-/// Whether the line of sight through a point meets the mesh.
 bool is_before_mesh(const TriangleMesh& mesh, const View& view, const Eigen::Vector3d& point);
 
-/// Whether a point is within an odd number of the outlines, as the eye sees it; and how far, in
-/// space, it is from them.
+/// Whether the outlines enclose a point an odd number of times, in the picture, and its distance to
+/// them in space.
 struct OutlinePlace {
     bool is_inside;
     double distance;

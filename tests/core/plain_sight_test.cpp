@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is seen, and the searches behind it, against the plainest ways to find the same.
+// Sight, and the searches behind it, by the plainest means.
 #include "plain_sight.h"
 
 #include <gtest/gtest.h>
@@ -23,11 +23,7 @@ using namespace laplacian_lines;
 using namespace plain_sight;
 using Eigen::Vector3d;
 
-double random_unit(std::mt19937& random) {
-    return double(random()) / double(std::mt19937::max());
-}
-
-/// Straight lines on triangles, in no special direction.
+/// On triangles, in arbitrary directions.
 LineSet random_lines(const TriangleMesh& mesh, int count, double least_length, unsigned seed) {
     std::mt19937 random(seed);
     LineSet lines;
@@ -50,7 +46,7 @@ LineSet random_lines(const TriangleMesh& mesh, int count, double least_length, u
     return lines;
 }
 
-/// Whether a place is hidden, and all those near it on its line from all eyes near this one.
+/// Of a place, and all nearby on its line from all nearby eyes.
 enum class Sight { Seen, Hidden, Unsure };
 
 class PlainSight {
@@ -58,7 +54,7 @@ public:
     PlainSight(const TriangleMesh& mesh, const View& view)
         : mesh_(mesh), view_(view), diagonal_(box_of(mesh).diagonal) {}
 
-    /// Of a place in the middle of a line: parts and gaps shorter than .3 % of D do not count.
+    /// In the middle of a line: parts and gaps below .3 % of D do not count.
     Sight look(const Vector3d& p, const Vector3d& direction) const {
         bool is_first = true, hidden = false;
         for (const double along :
@@ -120,7 +116,7 @@ Counts expect_plain_sight(const TriangleMesh& mesh, const View& view, unsigned s
     return counts;
 }
 
-/// Of few triangles, so that lines on them are long.
+/// Few triangles, long lines.
 struct CoarseMesh {
     const char* name;
     TriangleMesh mesh;
@@ -164,15 +160,14 @@ struct PlainCrossing {
     std::array<double, 2> shares;  ///< of the way
     bool is_sure;                  ///< not only by rounding
 };
-/// Of segments by their numbers, the lower first.
+/// By pairs of segments, the lower number first.
 using Crossings = std::map<std::pair<std::uint32_t, std::uint32_t>, PlainCrossing>;
 
-/// Surely; others may be one behind the other.
+/// Surely; others may be behind one another.
 bool is_within(double share) {
     return share > 1e-6 && share < 1 - 1e-6;
 }
 
-/// All pairs.
 Crossings plain_crossings(const SightSegments& all) {
     Crossings crossings;
     const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -195,11 +190,11 @@ Crossings plain_crossings(const SightSegments& all) {
             const double t = cross(q - p, v) / cross(r, v), u = cross(q - p, r) / cross(r, v);
             const double z = all.place(a).z() + t * (all.place(b).z() - all.place(a).z()),
                          w = all.place(c).z() + u * (all.place(e).z() - all.place(c).z());
-            // lines on the surface, which do not divide, are crossed by what is before them
+            // Lines on the surface do not divide; what is before them crosses them.
             const double before = o.line != SightSegment::kNone   ? w - z
                                   : s.line != SightSegment::kNone ? z - w
                                                                   : 0;
-            // what has surface on both sides hides as much on one as on the other
+            // With surface on both sides it hides as much on one as on the other.
             const bool ends = describe(s.kind).is_outline || describe(o.kind).is_outline;
             if (before < 1e-4 && (ends || std::abs(z - w) < 1e-4))
                 crossings[{i, k}] = {{t, u}, ends && before <= 0 && is_within(t) && is_within(u)};
@@ -207,7 +202,7 @@ Crossings plain_crossings(const SightSegments& all) {
     return crossings;
 }
 
-/// Returns how many there are.
+/// Returns their number.
 std::size_t expect_plain_crossings(const SightSegments& all) {
     const Crossings expected = plain_crossings(all);
     std::set<std::pair<std::uint32_t, std::uint32_t>> found;
@@ -272,7 +267,7 @@ std::vector<std::uint32_t> order_of(const std::vector<typename BoxTree<Dim>::Box
                                   [&](std::uint32_t i) -> Point { return boxes[i].center(); });
 }
 
-/// Of so many boxes, what meets another box, and which pairs meet.
+/// Of this many boxes: what meets another box, and which pairs meet.
 template <int Dim>
 void expect_plain_visits(std::size_t count) {
     using Tree = BoxTree<Dim>;
@@ -320,8 +315,7 @@ TEST(BoxTree, StopsWhereAVisitSaysSo) {
     EXPECT_EQ(visits, 7);
 }
 
-/// The order has each number once, and steps of it are short: in a plane of n points of the order
-/// of 1 / √n.
+/// Every number once, with short steps: in a plane of n points of the order of 1 / √n.
 TEST(OrderAlongCurve, KeepsNeighboursTogether) {
     std::mt19937 random(5);
     std::vector<BoxTree<2>::Box> points;

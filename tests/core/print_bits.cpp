@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints a hash of the bits of each test mesh, of its field and of lines of all kinds, to be
-// compared between processors. print_bits [MESH...]: without names, all that are not refused.
+// print_bits [MESH...]: hashes of test meshes, their fields and lines of all kinds, to compare
+// processors. Without names, all that are not refused.
 #include <cinttypes>
 #include <cstdio>
-#include <string>
-#include <vector>
 
 #include "helpers.h"
 #include "laplacian_lines/field_columns.h"

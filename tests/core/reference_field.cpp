@@ -13,7 +13,7 @@ constexpr double kPi = 3.14159265358979323846;
 using laplacian_lines::NormalWeighting;
 using laplacian_lines::Triangle;
 
-/// visit(corner, next, previous) for all corners of all triangles.
+/// visit(corner, next, previous), for all triangles.
 template <class Visit>
 void for_each_corner(const TriangleMesh& mesh, Visit visit) {
     for (const Triangle& t : mesh.triangles)
@@ -35,7 +35,7 @@ double weight(NormalWeighting weighting, const Eigen::Vector3d& u, const Eigen::
     return u.cross(v).norm();
 }
 
-/// 1 for equal normals, 0 for opposite ones: a smooth step of the cosine between them.
+/// 1 for equal normals, 0 for opposite ones, smooth in the cosine.
 double facing_weight(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const double s = (1 + a.dot(b)) / 2;
     return s * s * (3 - 2 * s);

@@ -7,8 +7,8 @@
 #include "laplacian_lines/precompute_options.h"
 #include "laplacian_lines/triangle_mesh.h"
 
-/// The field's definitions written down plainly: double precision, every pair of vertices, the
-/// mesh's own units. For clean meshes; quadratic in the number of vertices.
+/// The field's definitions, plainly: double precision, mesh units, all pairs of vertices. For clean
+/// meshes.
 namespace reference {
 
 using laplacian_lines::TriangleMesh;
@@ -29,7 +29,7 @@ struct Smoothing {
 };
 Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, const Smoothing& smoothing);
 
-/// Eq. 2 for the normals, over all vertices, without cutoff and corrections.
+/// Eq. 2 over all vertices, without cutoff and corrections.
 Vectors laplacian(const TriangleMesh& mesh, const Vectors& normals,
                   const std::vector<double>& kernel_sizes, bool skip_opposite_sheet);
 

@@ -25,7 +25,7 @@ const TriangleMesh& terraces() {
     return mesh;
 }
 
-/// Standard deviation of the smoothing in mean edges.
+/// In mean edges.
 double sigma_of(const Field& field) {
     return field.scale.normal_sigma / field.scale.mean_edge;
 }
@@ -34,7 +34,7 @@ double sigma_of(const TriangleMesh& mesh) {
     return sigma_of(precompute(mesh));
 }
 
-/// Of all kinds of lines from an eye in front, in D.
+/// All kinds, from the front, in D.
 double drawn_length(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     const Field field = precompute(mesh, options);
     const double d = field.scale.diagonal;
@@ -82,7 +82,7 @@ TEST(Roughness, TellsTerracesAndNoiseOnSmoothForms) {
     EXPECT_GT(sigma_of(mesh_noise::with_noise(test_meshes::sphere(5).mesh, 0.4)), 1.6);
 }
 
-/// Where the scales of the smoothing say too little: fine forms, large triangles.
+/// Where the scales say too little: fine forms, large triangles.
 TEST(Roughness, TellsNoiseOnCoarseMeshes) {
     const auto roughness = [](const TriangleMesh& mesh) {
         return precompute(mesh).report.roughness;
@@ -107,7 +107,7 @@ TEST(Roughness, OfFacetsDoesNotMindOrientation) {
     EXPECT_TRUE(is_noisy(mesh_noise::with_noise(bumps, 0.2)));
 }
 
-/// Forms that are as rough as noise, but not everywhere.
+/// As rough as noise, but not everywhere.
 TEST(Roughness, IsNotThatOfCoarseForms) {
     for (const int level : {3, 4}) {
         const TriangleMesh stone = test_meshes::FlakedStone({1, 0.01, 40, 5}).mesh(level);
@@ -117,7 +117,7 @@ TEST(Roughness, IsNotThatOfCoarseForms) {
         EXPECT_LT(precompute(test_meshes::smooth_head(size)).report.roughness, 0.5) << size;
 }
 
-/// Edges of the mesh that noise has turned are not the form's.
+/// Edges turned by noise are not the form's.
 TEST(Roughness, HasNoisyCoarseMeshesDrawnWithSmoothContours) {
     const TriangleMesh bumps = test_meshes::bumpy_sphere(4).mesh;
     const double clean = drawn_length(bumps, {});
@@ -138,7 +138,7 @@ TEST(Roughness, DoesNotDependOnSizeAndPlace) {
         Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     for (Vector3d& p : moved.positions)
         p = 250 * (turn * p) + Vector3d(10, 20, 30);
-    // Vertices are sampled in an order that follows the axes.
+    // Vertices are sampled along the axes.
     EXPECT_NEAR(precompute(moved).report.roughness, precompute(terraces()).report.roughness, 0.2);
 }
 
@@ -163,7 +163,6 @@ TEST(Roughness, GivesTheFieldOfTheSigmaThatItChooses) {
     EXPECT_TRUE(helpers::same_fields(field, precompute(terraces(), options)));
 }
 
-/// Terraces.AreDrawnLikeTheSmoothForm has where they are drawn.
 TEST(Roughness, HasTerracesDrawnWithAsManyLinesAsTheSmoothForm) {
     PrecomputeOptions little;
     little.normal_sigma = 0.8;

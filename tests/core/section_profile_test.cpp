@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sections of the surface, over the borders of clusters, and what they tell of its turn; stretches
-// of lines.
+// Sections of the surface across clusters' borders, their turn, and stretches of lines.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -70,7 +69,7 @@ TEST(MeshSides, EndAtBorders) {
     EXPECT_EQ(ends, 4 * cells);
 }
 
-/// Sections of a round cylinder, across its axis, from every place that has one.
+/// Across the axis, from every place that has one.
 TEST(SectionProfile, TurnsEvenlyOnACylinder) {
     const Placed mesh(test_meshes::cylinder(96, 24).mesh);
     const float radius = 1 / float(mesh.data.diagonal);
@@ -103,7 +102,6 @@ TEST(SectionProfile, TurnsEvenlyOnACylinder) {
     EXPECT_GT(measured, 1000);
 }
 
-/// Where the surface ends it goes on without a turn.
 TEST(SectionProfile, EndsWithTheSurface) {
     const Placed mesh(test_meshes::plane(10));
     const SectionProbe probe(mesh.placed, mesh.sides);
@@ -155,7 +153,6 @@ TEST(Stretches, AreWhereAllPointsHaveEnough) {
     EXPECT_EQ(stretches({2, 2}, false), (Numbers{{0, 1}}));
 }
 
-/// The last point of a closed line is a copy of the first.
 TEST(Stretches, RunOverTheEndOfClosedLines) {
     EXPECT_EQ(stretches({1, 0, 0, 1, 2, 1}, true), (Numbers{{3, 4, 0}}));
     EXPECT_EQ(stretches({0, 1, 1, 0}, true), (Numbers{{1, 2}}));

@@ -17,7 +17,7 @@ namespace {
 
 using namespace laplacian_lines;
 
-/// A zigzag of which no point is exact; around, if closed.
+/// Without exact points.
 SightLine zigzag(std::size_t count, bool closed) {
     SightLine line{LineKind::Contour, closed, false, false, 0, 0, 0, {}};
     for (std::size_t i = 0; i < count; ++i) {
@@ -99,7 +99,7 @@ TEST(SightSmoothing, MakesContoursInSpaceSmoothAndNotThoseInThePicture) {
     EXPECT_EQ(turn_of(1.2, true), turn_of(0, true));
 }
 
-/// A part's edges stay where they are, also where contours run along them.
+/// Even where contours run along them.
 TEST(SightSmoothing, LeavesEdgesOfTheForm) {
     const TriangleMesh mesh = test_meshes::cube(6);
     const Field field = precompute(mesh);
@@ -123,7 +123,7 @@ TEST(SightSmoothing, LeavesEdgesOfTheForm) {
     EXPECT_NEAR(length, 9 * 2, 1e-9);  // all edges but three
 }
 
-/// A smooth contour that passes behind another one on the way has no point there.
+/// A smooth contour has no point where it merely passes behind another.
 TEST(SightSmoothing, DoesNotDependOnWhatPassesInThePicture) {
     TriangleMesh mesh = test_meshes::sphere(3).mesh, small = test_meshes::sphere(2, 0.4).mesh;
     const View view = View::orthographic(Eigen::Vector3d::UnitZ());

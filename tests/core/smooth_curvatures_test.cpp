@@ -20,7 +20,7 @@ Field compute(const TriangleMesh& mesh) {
     return precompute(mesh, options);
 }
 
-/// Of three entries of tensors, root mean squares over all vertices, relative to the truth's.
+/// RMS over three entries of tensors, relative to the truth.
 template <class Entries>
 double error_of(const AnalyticMesh& surface, const Field& field, const Entries& entries) {
     double error = 0, size = 0;
@@ -93,7 +93,7 @@ TEST(SmoothCurvatures, HaveLessNoiseThanTheOthers) {
     EXPECT_LT(smooth_error(surface, field), 0.85 * raw_error(surface, field));
 }
 
-/// Fields that were stored by versions without S̄ have C alone.
+/// Older versions stored C alone.
 TEST(SmoothCurvatures, AreAddedToFieldsThatHaveDerivativesAlone) {
     const TriangleMesh& mesh = test_meshes::mesh_named("bumpy_sphere").mesh;
     const Field complete = compute(mesh);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces that duplicated vertices cut open have the field and the lines of the whole ones.
+// Surfaces cut open by duplicated vertices have the field and lines of the whole ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using test_meshes::cut_apart;
 using test_meshes::inside_out;
 using test_meshes::mesh_named;
 
-/// Cut along the plane x = `at`: the triangles on each side have vertices of their own.
+/// Along the plane x = `at`, with separate vertices on each side.
 TriangleMesh with_seam(const TriangleMesh& mesh, double at) {
     TriangleMesh cut;
     std::map<std::pair<bool, std::uint32_t>, std::uint32_t> vertices;
@@ -56,7 +56,7 @@ LineStyle borders_only() {
     return style;
 }
 
-/// As the whole mesh's, up to the rounding of sums in another order.
+/// But for rounding in sums of another order.
 void expect_same_field(const TriangleMesh& whole, const TriangleMesh& cut) {
     const Field expected = precompute(whole), field = precompute(cut);
     EXPECT_EQ(field.report.welded_vertices, cut.positions.size() - whole.positions.size());
@@ -151,7 +151,7 @@ TEST(Stitching, LeavesPlacesWhereMoreThanTwoMeet) {
     EXPECT_EQ(sets_in(book), book.positions.size());
 }
 
-/// They have one hash and are no duplicates: looked up as the others, they would take hours.
+/// They share a hash without being equal: a plain look-up would take hours.
 TEST(Stitching, PassesOverVerticesThatAreNotNumbers) {
     TriangleMesh mesh = mesh_named("half_torus").mesh;
     const std::size_t count = mesh.positions.size();
@@ -167,7 +167,7 @@ TEST(Stitching, MinusZeroIsZero) {
     EXPECT_EQ(sets_in(two), 4u);
 }
 
-/// Faces of CAD parts meet where coordinates are 0 but for rounding.
+/// CAD faces meet where coordinates are 0 but for rounding.
 TEST(EqualPositions, AreTheSameButForRoundingOfZero) {
     using Positions = std::vector<Eigen::Vector3d>;
     const auto firsts = [](const Positions& positions) { return first_equal_positions(positions); };

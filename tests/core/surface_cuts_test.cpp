@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines where surfaces run through each other, and none where they only touch.
+// Lines where surfaces run through each other, not where they touch.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -33,7 +33,7 @@ double length_of(const SightLine& line) {
     return length;
 }
 
-/// Without lines from an extractor, creases are the cuts.
+/// Without extracted lines, creases are the cuts.
 std::vector<SightLine> cuts_of(const TriangleMesh& mesh, const View& view, bool has_hidden = true) {
     LineKindSet creases;
     creases[LineKind::Crease] = true;
@@ -63,7 +63,6 @@ TEST(SurfaceCuts, OfTwoBoxesAreAHexagon) {
     }
 }
 
-/// However many triangles there are, and where their edges lie.
 TEST(SurfaceCuts, DoNotDependOnTheTriangles) {
     const View view = View::orthographic({0.31, -0.74, 0.59});
     const Eigen::AngleAxisd turn(0.8, Vector3d(1, 2, 3).normalized());
@@ -77,8 +76,7 @@ TEST(SurfaceCuts, DoNotDependOnTheTriangles) {
         }
 }
 
-/// The plane of a triangle has an edge of the other surface in it, so that neither triangle at that
-/// edge has corners on both sides.
+/// An edge in the plane of a triangle: neither of its triangles has corners on both sides.
 TEST(SurfaceCuts, RunAlongEdges) {
     const auto cuts =
         cuts_of(two_boxes(4, 1, {0.7, 0.6, 0.5}), View::orthographic({0.31, -0.74, 0.59}));
@@ -88,7 +86,7 @@ TEST(SurfaceCuts, RunAlongEdges) {
 TEST(SurfaceCuts, AreHiddenAsOtherEdgesAre) {
     const TriangleMesh mesh = two_boxes(2, 3, kAside);
     EXPECT_NEAR(total_length(cuts_of(mesh, View::orthographic({1, 1.1, 1.2}), false)), 0, 1e-6);
-    // beside the first box, two sides of the second one come out of it
+    // Two sides of the second box emerge beside the first.
     EXPECT_NEAR(total_length(cuts_of(mesh, View::orthographic({-1, 0.2, 0.1}), false)), 1.4 + 1.55,
                 1e-6);
     const auto seen = cuts_of(mesh, View::orthographic({1, -1.1, 1.2}), false);

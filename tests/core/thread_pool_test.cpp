@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pool's threads: they share what there is to do, nobody waits for those that do not come, and
-// errors come back to the caller.
+// Threads share the work, nobody waits for absent ones, and errors reach the caller.
 #include "system/thread_pool.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +8,6 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <cstdlib>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -27,8 +25,7 @@ namespace {
 using namespace laplacian_lines;
 using test_meshes::WithThreads;
 
-/// What a thread waits for until another opens it; a minute at most, so that a test fails where it
-/// would hang.
+/// Blocks until another thread opens it; a minute at most, to fail instead of hanging.
 class Gate {
 public:
     void open() {
@@ -47,7 +44,7 @@ private:
     bool open_ = false;
 };
 
-/// Σ i of [0, count), which it counts by a loop of blocks of one.
+/// Σ i of [0, count), in blocks of one.
 std::size_t shared_sum(std::size_t count) {
     std::vector<std::size_t> done(count, 0);
     in_parallel(count, [&](std::size_t i) { done[i] += i; });
@@ -69,7 +66,7 @@ TEST(ThreadPool, HelpersJoin) {
     Gate others[3];
     std::set<unsigned> workers;
     std::mutex mutex;
-    // Each block waits until all three are being worked on.
+    // Each block waits until all three are in progress.
     share(3, 3, [&](unsigned worker, Blocks& blocks) {
         for (std::size_t block; blocks.take(block);) {
             others[block].open();
@@ -100,7 +97,7 @@ TEST(ThreadPool, UsesNoMoreThreadsThanTheLimit) {
     EXPECT_GE(thread_limit(), 1);
 }
 
-/// A helper that does not get on, in a block of its own, while the caller does all others.
+/// A stuck helper in its own block; the caller does all others.
 TEST(ThreadPool, DoesTheRestWhileAHelperIsHeldUp) {
     const WithThreads scope(2);
     Gate held, rest_done;
@@ -121,7 +118,7 @@ TEST(ThreadPool, DoesTheRestWhileAHelperIsHeldUp) {
     EXPECT_EQ(by_caller, 99u);
 }
 
-/// All helpers are held up in another loop, so that none ever joins this one.
+/// All helpers are stuck elsewhere and never join.
 TEST(ThreadPool, WaitsForNoHelperThatHasNotBegun) {
     const WithThreads scope(2);
     Gate held, other_done;
@@ -256,7 +253,7 @@ TEST(ThreadPool, HalvesMakeAHeapOfTheWhole) {
         }
 }
 
-/// As Python's multiprocessing does: the child has none of its parent's threads.
+/// As Python's multiprocessing does: the child has no threads.
 TEST(ThreadPool, GoesOnInAForkedProcess) {
     const WithThreads scope(3);
     ASSERT_EQ(shared_sum(100), sum(100));

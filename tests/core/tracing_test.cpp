@@ -23,7 +23,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Meshes, Tracing, testing::ValuesIn(test_meshes::meshes_with(0)),
                          [](const auto& info) { return info.param->name; });
 
-/// Views from which functions vanish at whole rows of vertices.
+/// Functions vanish at whole rows of vertices.
 std::vector<View> axis_views(double distance) {
     std::vector<View> views;
     for (int axis = 0; axis < 3; ++axis)
@@ -77,7 +77,7 @@ TEST_P(Tracing, LinesAreSoundFromAllViews) {
             expect_sound(helpers::extract(extractor, view, style), field.scale.diagonal);
 }
 
-/// Edges that do not have exactly two triangles, as a line set.
+/// Without exactly two triangles.
 LineSet irregular_edges(const TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> counts;
     for (const Triangle& t : mesh.triangles) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Suggestive contours, apparent ridges and photic extremum lines: their functions against finite
-// differences on a torus, and where there is nothing to draw.
+// Suggestive contours, apparent ridges and photic extrema: functions against finite differences on
+// a torus, and nothing to draw.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 
 #include "helpers.h"
-#include "laplacian_lines/precompute.h"
 #include "laplacian_lines/tangent_frame.h"
 #include "plain_kinds.h"
 
@@ -42,7 +41,7 @@ KindVertex vertex(const test_meshes::SurfacePoint& truth) {
     return p;
 }
 
-/// Derivative of a function of points of the torus along a tangent, by central differences.
+/// Along a tangent of the torus, central differences.
 template <class Function>
 double difference(const Function& f, double u, double v, const Vector3d& along) {
     constexpr double step = 1e-4;
@@ -119,7 +118,7 @@ TEST(ViewKinds, RadialCurvatureIsThatOfTheSectionTowardsTheEye) {
     });
 }
 
-/// Not by their thresholds, but for those of photic extrema.
+/// Without the help of thresholds, but for photic extrema.
 TEST(ViewKinds, DrawNothingOnASphere) {
     const auto sphere = test_meshes::sphere(5);
     const LineExtractor extractor(sphere.mesh, helpers::complete_field(sphere.mesh));

@@ -18,10 +18,10 @@ using test_meshes::Choices;
 
 namespace {
 
-// Rays meet most of a tangle's triangles: sanitizers take half a minute for 500 of them.
+// Rays meet most of a tangle's triangles: sanitizers take half a minute for 500.
 constexpr std::size_t kMostTrianglesForRays = 100;
 
-/// Mostly in range; each value may be the least, the largest or odd.
+/// Mostly in range, else the least, the largest or odd.
 template <class Options>
 Options wild_options(const std::vector<OptionDescription<Options>>& table, Choices& choices) {
     Options options;
@@ -88,7 +88,7 @@ float wild_float(Choices& choices) {
                               : choices.byte() / 128.f - 1;
 }
 
-/// Any numbers at all, of which few are not finite.
+/// Any numbers, few not finite.
 Field made_up_field(const TriangleMesh& mesh, Choices& choices) {
     Field field;
     for (std::size_t v = 0; v < mesh.positions.size() && !choices.exhausted(); ++v) {
@@ -124,7 +124,7 @@ bool is_positive(const FieldScale& s) {
            s.mean_edge > 0 && std::isfinite(s.kernel_size) && s.kernel_size > 0;
 }
 
-/// Of what is seen and hidden from there, in space and in the picture.
+/// Of what is seen and hidden, in space and in the picture.
 std::string look_complaint(const TriangleMesh& mesh, const LineExtractor& extractor,
                            const View& view, const LineStyle& style) {
     const LineVisibility visibility(mesh);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No mesh, no option and no eye crashes the core or gets anything but finite results, or an error
-// that says what to do.
+// Whatever the mesh, options and eye: no crash, finite results, or an error that says what to do.
 #include <gtest/gtest.h>
 
 #include <filesystem>

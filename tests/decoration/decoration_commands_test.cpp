@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the GUI driver is told to draw: parameters that people name, and pictures of a comparison.
+// The GUI driver's commands for named parameters and pictures of a comparison.
 #include "decoration_settings.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(ComparedPictures, AreMixturesOrSwitchedKinds) {
     EXPECT_TRUE(switched.contains("setdeco Laplacian Lines = off"));
 }
 
-/// And put back what they change for themselves.
+/// And undo their own changes.
 TEST(ComparedPictures, HaveHighlightsOnDarkPaperUnlessItsColorIsSet) {
     const auto lights = pictures("suggestive_contours_and_highlights").front();
     ASSERT_EQ(lights.before.size(), 3);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The decoration's parameters as MeshLab gets them, and what is made of the values that it hands
-// back.
+// The decoration's parameters as MeshLab gets them, and their values read back.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +9,6 @@
 #include <set>
 
 #include "decoration_parameters.h"
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 
 namespace {
@@ -105,7 +103,6 @@ TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
     EXPECT_EQ(read.show_statistics, defaults.show_statistics);
 }
 
-/// A style counts more than the parameters it stands for, and leaves all others.
 TEST(DecorationParameters, DrawingStylesOverrideColorsPaperAndLight) {
     for (int style : {1, 2}) {
         RichParameterList list;
@@ -132,7 +129,7 @@ TEST(DecorationParameters, DrawingStylesOverrideColorsPaperAndLight) {
     }
 }
 
-/// The default is the switches': those that older settings hold go on to count.
+/// Settings of older versions keep counting.
 TEST(DecorationParameters, SwitchesCountByDefault) {
     RichParameterList list;
     list.addParam(RichBool(kPrefix + "laplacian_lines", false, "", ""));
@@ -147,7 +144,6 @@ RichEnum mixture(int value) {
     return {kPrefix + "lines", value, QStringList(), "", ""};
 }
 
-/// A mixture counts more than the switches, and leaves all other parameters.
 TEST(DecorationParameters, MixturesOverrideSwitchesOfKinds) {
     for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
         const laplacian_lines::LineMixture& wanted = laplacian_lines::line_mixtures[i];
@@ -165,7 +161,7 @@ TEST(DecorationParameters, MixturesOverrideSwitchesOfKinds) {
     }
 }
 
-/// In colors, or in those of all other lines.
+/// Colored, or as all other lines.
 TEST(DecorationParameters, MixturesSayWhichKindsHaveTheirOwnColor) {
     for (int style : {0, 1})
         for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
@@ -201,7 +197,6 @@ TEST(DecorationParameters, OutOfRangeStayAsTheyWereAndAreNamed) {
         << "there was no last time";
 }
 
-/// What a mixture stood for is not taken for what was set.
 TEST(DecorationParameters, OutOfRangeStayAsTheyWereSet) {
     for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
         RichParameterList before, list;

@@ -7,21 +7,21 @@
 #include <QTimer>
 #include <QWidget>
 
-/// Lets all happen that is due: control is back in the event loop once.
+/// Processes all pending events once.
 inline void endTurn() {
     QEventLoop loop;
     QTimer::singleShot(0, &loop, &QEventLoop::quit);
     loop.exec();
 }
 
-/// The same for so long.
+/// The same for this long.
 inline void wait(int milliseconds) {
     QEventLoop loop;
     QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
     loop.exec();
 }
 
-/// A shown widget that counts how often it is redrawn.
+/// Shown.
 class CountingWidget : public QWidget {
 public:
     CountingWidget() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When the geometry is looked at: at once after whatever may have changed it, now and then while
-// the camera moves.
+// Geometry is checked at once after anything that may have changed it, now and then while the
+// camera moves.
 #include "geometry_check.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 class GeometryCheckTest : public testing::Test {
 protected:
-    /// A redraw for which the camera has moved.
+    /// Of a redraw after a camera move.
     bool isDueAfterMove(unsigned presses = 0) {
         modelview_(0, 3) += 1;
         return check_.isDue(modelview_, presses, &widget_);
@@ -44,7 +44,7 @@ TEST_F(GeometryCheckTest, IsDueWithoutAWidgetToRedraw) {
     EXPECT_TRUE(check_.isDue(modelview_, 0, nullptr));
 }
 
-/// Turning is smooth, but not for longer than a quarter of a second without a look.
+/// At least every quarter of a second.
 TEST_F(GeometryCheckTest, IsDueNowAndThenWhileTheCameraMoves) {
     isDueWithoutMove();
     QElapsedTimer clock;
@@ -70,7 +70,7 @@ TEST_F(GeometryCheckTest, DoesNotRedrawWhenThereWasALookSince) {
     EXPECT_EQ(widget_.redraws(), 0);
 }
 
-/// Where the widget was is overwritten, so that a redraw of it would crash.
+/// The widget's memory is overwritten: redrawing it would crash.
 TEST_F(GeometryCheckTest, MayOutliveTheWidget) {
     alignas(QWidget) std::byte place[sizeof(QWidget)];
     auto* const widget = new (place) QWidget;
@@ -83,7 +83,6 @@ TEST_F(GeometryCheckTest, MayOutliveTheWidget) {
     wait(400);
 }
 
-/// An event for whatever object there may be.
 void send(QEvent::Type type) {
     QObject receiver;
     QEvent event(type);
@@ -102,7 +101,6 @@ TEST(PressCount, CountsKeysAndButtonsAnywhere) {
     }
 }
 
-/// Turning the camera is none of these.
 TEST(PressCount, DoesNotCountMoves) {
     const PressCount count;
     for (QEvent::Type type : {QEvent::MouseMove, QEvent::Wheel, QEvent::TouchUpdate, QEvent::Paint,

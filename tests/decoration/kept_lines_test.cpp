@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which lines stay in memory for the next time that they are switched on.
 #include "kept_lines.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +9,7 @@ class KeptLinesTest : public testing::Test {
 protected:
     static constexpr std::size_t most = 100;
 
-    /// Keeps new lines of so many bytes and nothing but a watch on them.
+    /// New lines of this size; only a weak pointer is left here.
     std::weak_ptr<PreparedLines> keep(KeptLines::Document document, int mesh, std::size_t bytes) {
         auto lines = std::make_shared<PreparedLines>();
         lines->bytes = bytes;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who uses which lines, and how long they are kept.
 #include "line_cache.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@ meshlab_host::FieldKey keyOf(unsigned number) {
     return key;
 }
 
-/// Lines of the geometry with this number.
+/// The number stands for a geometry.
 PreparedLinesPointer linesOf(unsigned number) {
     auto lines = std::make_shared<PreparedLines>();
     lines->key = keyOf(number);
@@ -23,7 +22,7 @@ PreparedLinesPointer linesOf(unsigned number) {
 
 class LineCacheTest : public testing::Test {
 protected:
-    /// Assigns new lines and keeps nothing but a watch on them.
+    /// Assigns new lines; only a weak pointer is left here.
     std::weak_ptr<PreparedLines> assign(LineCache::View view, int mesh, unsigned number) {
         PreparedLinesPointer lines = linesOf(number);
         cache_.assign(view, mesh, lines);
@@ -59,7 +58,7 @@ TEST_F(LineCacheTest, FindsLinesByTheirContent) {
     EXPECT_EQ(cache_.find(other_options), nullptr);
 }
 
-/// MeshLab ends and starts a decoration at every occasion.
+/// MeshLab restarts decorations all the time.
 TEST_F(LineCacheTest, FindsWhatIsReleasedUntilTheTurnEnds) {
     const auto lines = assign(left_, 0, 1);
     cache_.release(left_, 0);
@@ -110,8 +109,7 @@ TEST_F(LineCacheTest, ReleasesMeshesThatAreGone) {
     EXPECT_FALSE(elsewhere.expired());
 }
 
-/// MeshLab does not say which mesh of a view is gone, but starts all others anew before control is
-/// back in the event loop.
+/// MeshLab does not say which mesh is gone, but restarts all others within the turn.
 TEST_F(LineCacheTest, ReleasesWhatIsNotAssignedAgainInTheSameTurn) {
     const auto gone = assign(left_, 0, 1), kept = assign(left_, 1, 2);
     const auto elsewhere = assign(right_, 0, 3);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user chooses for outlines and for the lines inside them, as looks of all kinds.
 #include "line_choice.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +38,6 @@ TEST(LineChoice, FillsTheLooksByWhatIsAnOutline) {
     }
 }
 
-/// A new row of the table keeps its proportion.
 TEST(LineChoice, KeepsTheWidthsOfKindsInProportion) {
     LineKindDescription inside = describe(LineKind::Ridge);
     inside.width = 0.5;
@@ -50,7 +48,7 @@ TEST(LineChoice, KeepsTheWidthsOfKindsInProportion) {
     EXPECT_EQ(lookOf(outline, colorful()).color, QColor(4, 5, 6));
 }
 
-/// The colored ones, and those that were given another color than the default.
+/// Colored kinds, and those with another than their default color.
 TEST(LineChoice, LeavesKindsTheirOwnColor) {
     LineChoice choice = colorful();
     EXPECT_EQ(lookOf(describe(LineKind::ApparentRidge), choice).color,

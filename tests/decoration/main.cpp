@@ -3,10 +3,10 @@
 
 #include <QApplication>
 
-/// Widgets and timers, but no display.
+/// Widgets and timers without a display.
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
-    // Qt's platforms leak, which sanitizers would hold against a build that only lists the tests.
+    // Qt's platforms leak, which sanitizers would report even when tests are only listed.
     if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QApplication program(argc, argv);

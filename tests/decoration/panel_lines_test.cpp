@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which parameters the layer dialog shows, and which of them are off.
-#include "panel_lines.h"
+#include "decoration_parameters.h"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +53,7 @@ TEST(PanelLines, ShowThoseForExpertsWhenAsked) {
         EXPECT_TRUE(basic.at(key).is_shown) << key;
 }
 
-/// All that is drawn, as far as drawing styles and mixtures say anything about it.
+/// As far as drawing styles and mixtures matter.
 bool drawAlike(const DecorationParameters& a, const DecorationParameters& b) {
     bool looks_alike = true;
     for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind)
@@ -72,7 +71,7 @@ bool drawAlike(const DecorationParameters& a, const DecorationParameters& b) {
                                            a.camera_light.elevation == b.camera_light.elevation));
 }
 
-/// Another value than the default for each parameter of this kind.
+/// Changes each parameter of this kind.
 std::vector<std::pair<std::string, RichParameterList>> changes(int drawing_style, int surface,
                                                                int lines) {
     const std::vector<std::pair<const char*, int>> numbers = {
@@ -113,7 +112,8 @@ void expectOffIsWithoutEffect(int style, int surface, int lines) {
             << lines;
 }
 
-/// Off is what changes nothing, in each style, with each surface and each choice of lines.
+/// In every style, with every surface and choice of lines, a switched-off parameter changes
+/// nothing.
 TEST(PanelLines, SwitchOffWhatHasNoEffect) {
     for (int style : {0, 1, 2})
         for (int surface : {0, 1, 2})
@@ -121,7 +121,6 @@ TEST(PanelLines, SwitchOffWhatHasNoEffect) {
                 expectOffIsWithoutEffect(style, surface, lines);
 }
 
-/// Otherwise nobody could mend it.
 TEST(PanelLines, ShowWhatIsOutOfRange) {
     ValidParameters parameters;
     parameters.refused = {{"tones", "too many"}, {"fading", "too faint"}};

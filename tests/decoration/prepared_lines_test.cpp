@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is made ready of a mesh, and what kinds of lines need that are switched on later.
 #include "prepared_lines.h"
 
 #include <gtest/gtest.h>
@@ -51,10 +50,10 @@ TEST_F(PreparedLinesTest, GetDerivativesWithoutBeingPreparedAgain) {
     EXPECT_EQ(linesOf(*lines).points.size(), linesOf(*whole).points.size());
     EXPECT_EQ(lines->bytes, whole->bytes) << "the field is not kept any longer";
     EXPECT_EQ(said_.filter("default options").size(), 0);
-    EXPECT_EQ(said_.filter("need besides").size(), 1);
+    EXPECT_EQ(said_.filter("also need").size(), 1);
 }
 
-/// Here because the mesh is another one.
+/// Fails because the mesh is another one.
 TEST_F(PreparedLinesTest, StayAsTheyAreWithoutDerivatives) {
     const auto source = fieldSource(mesh_);
     const PreparedLinesPointer lines = prepareLines(mesh_, "sheet", source, say());

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large the pixels of a picture are on a surface.
 #include "surface_samples.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +15,7 @@ namespace {
 
 constexpr double height = 600;
 
-/// A square in the plane z = 0 that faces +z, of side 2, about a place.
+/// Of side 2 around a place, in z = 0, facing +z.
 struct Square {
     TriangleMesh mesh;
     Field field;
@@ -81,7 +80,7 @@ TEST(SurfaceSamples, MeshesFarFromTheirOriginLookTheSame) {
                 pixelSize(Square(), at(3), perspective(0.01)), 1e-5);
 }
 
-/// Zoomed in to a place, what is in the picture counts and not what is beside and behind it.
+/// Zoomed in, only what is in the picture counts.
 TEST(SurfaceSamples, PixelsAreThoseOfWhatIsInThePicture) {
     const Eigen::AngleAxisd tilt(-1.2, Eigen::Vector3d::UnitX());
     for (const double zoom : {1., 10.}) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layers of a view, told one after the other, and what is done when they are not as expected.
 #include "view_layers.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +12,7 @@ using line_renderer::SurfaceLayer;
 
 class ViewLayersTest : public testing::Test {
 protected:
-    /// A layer, moved so far; its surface may come out of the depth buffer.
+    /// Moved; `is_in_depth_buffer`: MeshLab's has the surface.
     SurfaceLayer layer(double shift, bool is_in_depth_buffer = false) const {
         SurfaceLayer result;
         result.surface = surface_;
@@ -22,7 +21,7 @@ protected:
         return result;
     }
 
-    /// Meshes 0, 1, ... in one redraw of the view. Returns of how many the layer was expected.
+    /// One redraw of meshes 0, 1, ...; returns how many layers were as expected.
     int redraw(const std::vector<SurfaceLayer>& layers) {
         int expected = 0;
         for (std::size_t i = 0; i < layers.size(); ++i)
@@ -30,7 +29,6 @@ protected:
         return expected;
     }
 
-    /// How often the view is drawn again after such a redraw.
     int redrawsAfter(const std::vector<SurfaceLayer>& layers) {
         const int before = widget_.redraws();
         redraw(layers);
@@ -85,7 +83,7 @@ TEST_F(ViewLayersTest, AreInTheDepthBufferOnlyTogether) {
     EXPECT_FALSE(layers_.areInDepthBuffer(view_));
 }
 
-/// Lines were drawn as if a layer were where it was before: the view is drawn once more.
+/// Drawn as if a layer were still in its former place.
 TEST_F(ViewLayersTest, RedrawAViewThatWasWrong) {
     EXPECT_EQ(redrawsAfter({layer(1), layer(2)}), 1) << "the second one is new";
     EXPECT_EQ(redrawsAfter({layer(1), layer(2)}), 0);
@@ -95,7 +93,7 @@ TEST_F(ViewLayersTest, RedrawAViewThatWasWrong) {
     EXPECT_EQ(redrawsAfter({layer(4)}), 0) << "the first one is known before any line is drawn";
 }
 
-/// Where the depth buffer hides lines, it does not matter what was expected.
+/// Expectations do not matter there.
 TEST_F(ViewLayersTest, DoNotRedrawWhatTheDepthBufferHides) {
     EXPECT_EQ(redrawsAfter({layer(1, true), layer(2, true)}), 0);
     EXPECT_EQ(redrawsAfter({layer(1, true), layer(3, true)}), 0);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Levels of lines that follow their size in a view: there at once, in the background, or never.
 #include "view_levels.h"
 
 #include <gtest/gtest.h>
@@ -28,9 +27,8 @@ protected:
     std::vector<DrawnKernel> demand(double wanted, bool waits = false) {
         return levels_->demand(lines_, mesh_, wanted, &widget_, waits);
     }
-    /// The size of a level.
     double size(int level) const { return lines_->levels.size(level); }
-    /// Lets the background work until this holds.
+    /// Processes events until the condition holds.
     template <class Condition>
     static bool becomes(Condition condition) {
         QElapsedTimer clock;
@@ -74,7 +72,7 @@ TEST_F(ViewLevelsTest, ComeFromTheBackgroundAndHaveTheViewRedrawn) {
     EXPECT_EQ(grown_, 1);
     EXPECT_TRUE(becomes([&] { return widget_.redraws() > 0; }));
     EXPECT_EQ(demand(size(2))[0].size, size(2));
-    // where it is likely to be asked for, what is next follows
+    // The level that is likely next follows.
     ASSERT_TRUE(becomes([&] { return lines_->kept_levels.has(1); }));
     demand(size(2));
     ASSERT_TRUE(becomes([&] { return lines_->kept_levels.has(3); }));
@@ -102,7 +100,7 @@ TEST_F(ViewLevelsTest, AreGivenUpWithTheirLines) {
     const std::weak_ptr<PreparedLines> watch = lines_;
     lines_.reset();
     EXPECT_TRUE(becomes([&] { return watch.expired(); }));
-    // and others can be computed
+    // Others can still be computed.
     lines_ = prepareLines(mesh_, "sheet", meshlab_host::fieldSource(mesh_), [](const QString&) {});
     demand(size(2));
     EXPECT_TRUE(becomes([&] { return lines_->kept_levels.has(2); }));

@@ -5,7 +5,7 @@
 
 #include "meshlab_host/meshlab_api.h"
 
-/// A wavy sheet of n by n vertices.
+/// n by n vertices.
 inline void makeSheet(CMeshO& mesh, int n) {
     auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(mesh, std::size_t(n) * std::size_t(n));
     for (int i = 0; i < n * n; ++i, ++vertex) {

@@ -16,7 +16,7 @@ namespace {
 
 using meshlab_host::WindowProgress;
 
-/// Counts how often it is painted.
+/// Counts its paint events.
 template <class Widget>
 class Counting : public Widget {
 public:
@@ -29,7 +29,7 @@ protected:
     }
 };
 
-/// A window as MeshLab's.
+/// Like MeshLab's.
 class WindowProgressTest : public testing::Test {
 protected:
     WindowProgressTest() : bar_(new Counting<QProgressBar>) {
@@ -39,7 +39,7 @@ protected:
         wait(50);
         bar_->reset();
     }
-    /// Calls it again and again for so long.
+    /// Repeatedly, for this long.
     static void report(const laplacian_lines::Progress& progress, double done,
                        int milliseconds = 250) {
         QElapsedTimer clock;
@@ -69,7 +69,7 @@ TEST_F(WindowProgressTest, IsGoneAfterwards) {
     EXPECT_EQ(window_.statusBar()->currentMessage(), "");
 }
 
-/// A redraw within the work, or the end of the mesh, would be one.
+/// Such as a redraw within the work, or the end of the mesh.
 TEST_F(WindowProgressTest, LetsNothingElseHappen) {
     bool has_happened = false;
     QTimer::singleShot(0, &window_, [&] { has_happened = true; });
@@ -81,7 +81,7 @@ TEST_F(WindowProgressTest, LetsNothingElseHappen) {
     EXPECT_TRUE(has_happened);
 }
 
-/// A panel would be blank, which waits for its turn while what is below it is painted.
+/// Panels that wait for painting would be blank.
 TEST_F(WindowProgressTest, KeepsPanelsOnTheScreen) {
     auto* const dock = new QDockWidget;
     auto* const panel = new Counting<QWidget>;
@@ -96,7 +96,6 @@ TEST_F(WindowProgressTest, KeepsPanelsOnTheScreen) {
     EXPECT_GT(panel->paints, before);
 }
 
-/// Views that wait to be painted go on waiting.
 TEST_F(WindowProgressTest, DoesNotPaintViews) {
     auto* const view = new Counting<QWidget>;
     window_.setCentralWidget(view);

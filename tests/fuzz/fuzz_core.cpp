@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One of the cases of wild_case.h, that of PART, which CMake names.
+// The case of wild_case.h named by PART.
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bytes of a file of FORMAT, a name of mesh_files::Format, and its measured drawing.
+// A file of FORMAT, as in mesh_files::Format, from bytes, and its measured drawing.
 #include <cstdio>
 #include <cstdlib>
 
@@ -17,7 +17,7 @@ constexpr std::size_t most_triangles = 60;  // rays meet most of those that lie 
     std::abort();
 }
 
-/// What cannot be drawn is refused; what is drawn is of numbers.
+/// Either refused, or drawn with finite numbers.
 void draw(const laplacian_lines::TriangleMesh& mesh) {
     line_drawing::SheetOptions options;
     options.views = line_drawing::parseViews("front 30,20", line_drawing::UpAxis::Y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_seeds FOLDER: files from which the fuzzers start, FOLDER/precompute/* and FOLDER/extract/*:
-// the registered meshes, and random bytes; FOLDER/ply/* and so on: small files of the formats.
+// write_seeds FOLDER: the fuzzers' first inputs. FOLDER/precompute/* and FOLDER/extract/*:
+// registered meshes and random bytes; FOLDER/ply/* and so on: small files.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -9,8 +9,6 @@
 #include <limits>
 #include <random>
 
-#include "pixels/png.h"
-
 using namespace line_drawing;
 
 namespace {
@@ -33,7 +31,7 @@ Canvas stroked(const Polygon& line, double width, double dash = 0) {
     return filled(polygons);
 }
 
-/// Pixels that are covered, in parts too.
+/// Covered pixels, counting parts.
 double ink(const Canvas& canvas) {
     double sum = 0;
     for (int y = 0; y < canvas.height(); ++y)
@@ -100,7 +98,7 @@ TEST(Pens, HaveRoundEndsAndJoins) {
     EXPECT_NEAR(ink(stroked({{3, 4}, {5, 4}, {5, 4}, {7, 4}}, 4)), 16 + pi * 4, 0.15);
 }
 
-/// Of any direction, also where it turns either way.
+/// In any direction, with turns.
 TEST(Pens, AreAsWideAsTheyAre) {
     for (int degrees = 0; degrees < 360; degrees += 7) {
         const Path::Point way(std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)),
@@ -123,7 +121,7 @@ TEST(Pens, OfDashesAreCutOff) {
     EXPECT_EQ(ink(stroked({{0, 4}, {HUGE_VAL, 4}}, 2, 2)), 0);
 }
 
-/// Read by Qt, whose zlib decompresses it.
+/// Read by Qt, through zlib.
 TEST(PngFiles, HoldEachPixel) {
     std::mt19937 random(1);
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{
@@ -144,7 +142,7 @@ TEST(PngFiles, HoldEachPixel) {
         }
 }
 
-/// Each gray half as frequent as the one before, so that codes would be as long as there are grays.
+/// Each gray is half as frequent as the one before: unlimited codes would be too long.
 TEST(PngFiles, HaveNoCodeThatIsTooLong) {
     Canvas canvas(1 << 19, 4);
     double begin = 0;

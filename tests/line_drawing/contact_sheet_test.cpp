@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_drawing/contact_sheet.h"
+#include "line_drawing/make_sheet.h"
 
 #include <gtest/gtest.h>
 

@@ -35,7 +35,6 @@ double distanceTo(const Points& line, const Vector2d& p) {
     return least;
 }
 
-/// Of the points from the curve.
 double largestDistance(const Points& points, const Path& path) {
     const Points line = path.flattened(0.0005).at(0);
     double largest = 0;
@@ -53,7 +52,7 @@ Points circle(int n, double radius) {
     return points;
 }
 
-/// There and back: what is seen from its edge.
+/// There and back: something seen edge-on.
 TEST(CurveFitting, ReachesTheEndsOfFlatLoops) {
     for (const double height : {0.0, 0.001, 0.05}) {
         const Points points = {{0, 0}, {70, 0}, {70, height}, {0, height}, {0, 0}};
@@ -72,7 +71,7 @@ TEST(CurveFitting, OfACircleTakesFewCurvesAndStaysWithinTheTolerance) {
     EXPECT_EQ(path.pieces.front().end, path.pieces.back().end);
 }
 
-/// Between the points, too: a curve with long handles could pass all of them and leap in between.
+/// Between points, too: long handles could leap there.
 TEST(CurveFitting, StaysNearLinesOfAnyShape) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> share(0, 1);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Folds side by side on paper: which of them are drawn.
+// Which of several parallel folds are drawn.
 #include "strokes/families.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "strokes/thinning.h"
+#include "strokes/strokes.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;
@@ -16,9 +16,8 @@ namespace {
 constexpr auto pens = pensOf(Weights::Illustrator);
 constexpr double pen = 0.25;  // mm, of inner lines
 
-/// What is seen of the grooves of a vessel with undulating walls, from 15° above: the bottoms of
-/// z -> r(z) = 30 + 2 cos(z / 20) at even heights, mm, printed so many pens from each other, each
-/// a little stronger or weaker than its neighbours.
+/// Grooves of a vessel with walls r(z) = 30 + 2 cos(z / 20), from 15° above: lines at even heights,
+/// this many pens apart, slightly stronger or weaker than their neighbours.
 std::vector<DrawnLine> rings(int count, double pens_apart) {
     std::vector<DrawnLine> lines;
     for (int ring = 0; ring < count; ++ring) {
@@ -37,7 +36,7 @@ std::vector<DrawnLine> rings(int count, double pens_apart) {
     return lines;
 }
 
-/// The numbers of the lines of a family that are left, all of them whole.
+/// The lines of a family that are left, all whole.
 std::vector<std::size_t> wholeOf(const std::vector<DrawnLine>& family) {
     std::vector<std::size_t> whole;
     const auto thinned = thinOut(family, pens);
@@ -59,7 +58,7 @@ TEST(Families, AreDrawnEvenlyTheSmallerTheFewer) {
     }
 }
 
-/// Straight, from x to x at a height, all in pens.
+/// From x to x at a height, in pens.
 DrawnLine fold(double begin, double end, double y, double rise = 0, double weight = 1) {
     DrawnLine line{LineClass::Inner, false, {}};
     for (double t = 0; t <= 1; t += 0.01)
@@ -68,7 +67,7 @@ DrawnLine fold(double begin, double end, double y, double rise = 0, double weigh
     return line;
 }
 
-/// Whether a line is left among three folds, 12 pens apart, of 100 pens.
+/// Among three folds of 100 pens, 12 pens apart.
 bool isLeft(const DrawnLine& line, int folds = 3, double rise = 0) {
     std::vector<DrawnLine> lines = {line};
     for (int i = 0; i < folds; ++i)

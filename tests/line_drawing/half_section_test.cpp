@@ -29,7 +29,7 @@ laplacian_lines::TriangleMesh smallVessel(double relief = 1) {
     return test_meshes::thrown_vessel(shape);
 }
 
-/// Something at one side of the vessel that moves the middle of its bounding box.
+/// Something on one side that shifts the bounding box.
 void addHandle(laplacian_lines::TriangleMesh& mesh) {
     laplacian_lines::TriangleMesh handle = test_meshes::torus(60, 30).mesh;
     for (Vector3d& p : handle.positions)
@@ -99,7 +99,7 @@ TEST(WallArea, KeepsWhatIsAlongItsEdgeAndWhereALoopBegins) {
             line.points.push_back({p, 1});
         return line;
     };
-    // half of it is inside, edges in common above and below
+    // Half of it is inside, with common edges above and below.
     const auto rest =
         withoutPartsIn(area, {loop({{9, 0}, {9, 5}, {0, 5}, {0, -5}, {9, -5}, {9, 0}})});
     ASSERT_EQ(rest.size(), 1u);
@@ -131,7 +131,6 @@ TriangleMesh turnedAside(TriangleMesh mesh, double degrees) {
     return mesh;
 }
 
-/// What is in a sector around the axis.
 TriangleMesh sherdOf(const TriangleMesh& mesh, double degrees) {
     TriangleMesh part = mesh;
     part.triangles.clear();
@@ -197,7 +196,7 @@ TEST(HalfSection, DrawsTheWallOnTheLeftAndTheOutsideOnTheRight) {
         EXPECT_GE(painterPath(path.path).boundingRect().left(), all.center().x() - 0.05);
 }
 
-/// The share of the way from `left` to `right` along which some line of a view runs at this height.
+/// Along the way from `left` to `right` at this height.
 double shareDrawn(const SheetGroup& view, double height, double left, double right) {
     std::vector<bool> is_drawn(100);
     for (const SheetLayer& layer : view.layers)
@@ -234,7 +233,6 @@ TEST(HalfSection, StandsBesideAFrontView) {
               made_sheets::extentOf(sheet.groups[0]).right());
 }
 
-/// The rim of a cup from the side: what is behind on the left, hidden by the front on the right.
 /// A closed cylinder along y, as large as the cube.
 TriangleMesh drum() {
     constexpr std::uint32_t kSides = 64;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hooks at the ends of inner lines are left out, and ends that head for a line meet it.
-#include "strokes/inner_ends.h"
+// Hooks at ends of inner lines are removed; ends that head for a line meet it.
+#include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pen = 0.25;
 
-/// 10 mm along x, then a piece of `length` at `degrees` to it, in steps of .1 mm.
+/// 10 mm along x, then `length` at `degrees`, in steps of .1 mm.
 DrawnLine hooked(double length, double degrees) {
     DrawnLine line{LineClass::Inner, false, {}};
     const double angle = degrees * 3.141592653589793 / 180;
@@ -49,7 +49,7 @@ TEST(EndHooks, StayWhereTheyMeetALine) {
     EXPECT_NEAR(lengthWithoutHooks({line, met}), 11, 1e-6);
 }
 
-/// Along x to 10 mm, in steps of .1, with an outline across the x axis at `x`.
+/// Along x to 10 mm, in steps of .1, towards an outline across the axis at `x`.
 std::vector<DrawnLine> headingFor(double x, double weight = 1) {
     DrawnLine line = hooked(0, 0);
     for (DrawnPoint& point : line.points)

@@ -48,7 +48,7 @@ TEST(Lettering, HasTheFormsOfLetters) {
     EXPECT_LT(o.boundingRect().height(), 0.6);
 }
 
-/// One that is put together has the parts at their places, and so has an accent behind its letter.
+/// Also an accent that follows its letter.
 TEST(Lettering, PutsAccentsOnLetters) {
     for (const char* text : {"\xc3\xa9", "e\xcc\x81"}) {  // U+00E9; e and U+0301
         const Lettering letters = letteringOf(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines are smoothed within a part of their pen, and specks are left out.
+// Lines are smoothed within a part of their pen; specks go.
 #include "strokes/line_easing.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "strokes/slight_lines.h"
+#include "strokes/strokes.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double reach = 0.12;
 
-/// To and fro across the x axis by `height`, every half millimetre or so.
+/// Across the x axis by `height`, every half millimetre or so.
 DrawnLine zigzag(double height, int points, bool is_exact = false, double spacing = 0.5) {
     DrawnLine line{LineClass::Contour, false, {}};
     for (int i = 0; i < points; ++i)
@@ -56,7 +56,7 @@ TEST(LineEasing, TakesTheTurnsOutAndStaysWithinReach) {
     EXPECT_EQ(lines[0].points.back().position, before.points.back().position);
 }
 
-/// Higher than the reach, they cannot be taken out.
+/// Beyond the reach.
 TEST(LineEasing, KeepsWhatIsLarge) {
     const DrawnLine before = zigzag(3, 41);
     std::vector<DrawnLine> lines = {before};
@@ -74,7 +74,6 @@ TEST(LineEasing, KeepsEdgesOfTheForm) {
         EXPECT_EQ(lines[0].points[i].position, before.points[i].position);
 }
 
-/// A line that ends at a contour ends there still.
 TEST(LineEasing, HasEndsFollow) {
     const DrawnLine contour = zigzag(0.1, 41);
     const DrawnLine edge{
@@ -86,7 +85,7 @@ TEST(LineEasing, HasEndsFollow) {
     EXPECT_EQ(lines[0].points.front().position, edge.points.front().position);
 }
 
-/// The largest turn at a point, in degrees.
+/// Degrees.
 double sharpest(const DrawnLine& line) {
     double largest = 0;
     for (std::size_t i = 2; i < line.points.size(); ++i) {
@@ -99,8 +98,8 @@ double sharpest(const DrawnLine& line) {
     return largest * 180 / 3.141592653589793;
 }
 
-/// Waves that are too high to be taken out, with a corner each: what bends least within reach of
-/// them touches its tube without corners, where what is shortest would have them.
+/// Waves too high to smooth away, with a corner each: what bends least touches its tube smoothly,
+/// what is shortest would not.
 TEST(LineEasing, LeavesNoCorners) {
     const DrawnLine before = zigzag(1.2, 41, false, 2);
     ASSERT_GT(sharpest(before), 60);
@@ -111,7 +110,7 @@ TEST(LineEasing, LeavesNoCorners) {
         EXPECT_LE(distanceTo(before, point.position), reach + 1e-9);
 }
 
-/// Whatever the length of the line is.
+/// Whatever the line's length.
 TEST(LineEasing, TakesPointsOfOnePlaceAtTheEnd) {
     for (int i = 0; i < 1000; ++i) {
         DrawnLine line = zigzag(0.1, 5, false, 0.5 + 0.00123 * i);
@@ -139,7 +138,7 @@ TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
     EXPECT_EQ(lines[0].points.front().position, lines[0].points.back().position);
 }
 
-/// An inner line that goes on as a contour, which stays where it is.
+/// An inner line continues as a contour, which stays.
 TEST(LineEasing, OfInnerLinesKeepsContoursAndWidths) {
     DrawnLine line{LineClass::Contour, false, {}};
     for (int i = 0; i <= 80; ++i) {
@@ -184,7 +183,7 @@ TEST(SlightLines, AreContoursBeforeASmallJumpInDepth) {
     EXPECT_EQ(kept({outline}), 1u);
 }
 
-/// Of curved surfaces three times as long ones: the roughness of scans makes many.
+/// Curved surfaces' may be three times as long: scans are rough.
 TEST(SlightLines, AreShortContoursThatEndInNothing) {
     DrawnLine contour = zigzag(0, 4);  // 1.5 mm
     contour.jump = 5;

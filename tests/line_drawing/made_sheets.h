@@ -20,12 +20,11 @@ inline QRectF inQt(const Eigen::AlignedBox2d& box) {
     return {box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y()};
 }
 
-/// What is on a sheet.
 inline QRectF paperOf(const Eigen::Vector2d& size) {
     return {0, 0, size.x(), size.y()};
 }
 
-/// A cube of 100 mm, whose axes are the views'.
+/// Along the axes of views.
 inline laplacian_lines::TriangleMesh cubeOf100() {
     laplacian_lines::TriangleMesh mesh = test_meshes::cube(4);
     for (Eigen::Vector3d& p : mesh.positions)
@@ -54,7 +53,14 @@ inline const line_drawing::SheetLayer& layerOf(const line_drawing::SheetGroup& g
     throw std::out_of_range(key);
 }
 
-/// What the lines of a view take on the sheet, the widths of pens apart.
+inline double lengthOf(const line_drawing::SheetLayer& layer) {
+    double length = 0;
+    for (const line_drawing::SheetPath& path : layer.paths)
+        length += painterPath(path.path).length();
+    return length;
+}
+
+/// Of a view's lines on the sheet, without pen widths.
 inline QRectF extentOf(const line_drawing::SheetGroup& group) {
     QRectF extent;
     for (const line_drawing::SheetLayer& layer : group.layers)
@@ -63,7 +69,7 @@ inline QRectF extentOf(const line_drawing::SheetGroup& group) {
     return extent;
 }
 
-/// Of closed loops that do not cross, without the holes in them.
+/// Of closed loops that do not cross, without holes.
 inline double areaOf(const line_drawing::SheetPath& path) {
     const auto loops = painterPath(path.path).toSubpathPolygons();
     double sum = 0;

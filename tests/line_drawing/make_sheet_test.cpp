@@ -23,7 +23,7 @@ using made_sheets::sheetOf;
 
 namespace {
 
-/// All texts of the last group, with "|" between.
+/// All texts of the last group, separated by "|".
 std::string furnitureOf(const Sheet& sheet) {
     Words texts;
     for (const SheetLayer& layer : sheet.groups.back().layers)
@@ -32,7 +32,7 @@ std::string furnitureOf(const Sheet& sheet) {
     return joined(texts, "|");
 }
 
-/// Their layers' names in SVG are to be unique.
+/// SVG's layer names have to be unique.
 TEST(MeasuredDrawing, OfOneViewTwiceTellsThemApart) {
     const Sheet sheet = sheetOf(cubeOf100(), plainViews("front,front,front"));
     EXPECT_EQ(sheet.groups.at(0).key, "front");
@@ -40,7 +40,7 @@ TEST(MeasuredDrawing, OfOneViewTwiceTellsThemApart) {
     EXPECT_EQ(sheet.groups.at(2).key, "front-3");
 }
 
-/// Views are looked at by several threads, but windows that show progress belong to one.
+/// Several threads look at views, but progress windows belong to one.
 TEST(MeasuredDrawing, TellsProgressOnTheThreadThatAskedForIt) {
     const laplacian_lines::TriangleMesh vessel = test_meshes::thrown_vessel({150, 180});
     const auto here = std::this_thread::get_id();
@@ -61,7 +61,7 @@ TEST(MeasuredDrawing, TellsProgressOnTheThreadThatAskedForIt) {
     EXPECT_LE(last, 1);
 }
 
-/// Names of files may hold what is not text.
+/// File names may contain anything.
 TEST(MeasuredDrawing, HasTextsOfOneLine) {
     SheetOptions options = plainViews("front");
     options.title = "A\nB\x01";
@@ -156,7 +156,7 @@ TEST(MeasuredDrawing, HiddenEdgesAreDashedIfWanted) {
             EXPECT_GT(path.dash, 0);
             EXPECT_EQ(path.pen_width, options.pens[std::size_t(LineClass::Hidden)]);
         }
-        // three edges: one upright, cos 30 long, the others as the axes of the view have them
+        // Three edges: one upright, cos 30 long, the others along the view's axes.
         const double lying = std::hypot(std::cos(M_PI / 6), std::sin(M_PI / 6) * 0.5) +
                              std::hypot(0.5, std::cos(M_PI / 6) * 0.5);
         EXPECT_NEAR(length, wanted ? 100 * (std::cos(M_PI / 6) + lying) : 0, 1);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outlines are closed and whole, and what is missing of them is found by another way.
-#include "sight/outline_check.h"
+// Outlines are closed and whole; missing parts are found by independent means.
+#include "sight/observer.h"
 
 #include <gtest/gtest.h>
 
 #include "made_sheets.h"
-#include "sight/observer.h"
 #include "thrown_vessel.h"
 
 using namespace line_drawing;
@@ -19,7 +18,7 @@ namespace {
 
 constexpr double pixel = 0.25;
 
-/// The border of the cube's front view, from one corner to the next `sides` times.
+/// The cube's front view, from corner to corner `sides` times.
 DrawnLine squareOutline(int sides) {
     DrawnLine line{LineClass::Outline, sides == 4, {}};
     const Vector2d corners[] = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}, {-50, -50}};
@@ -67,8 +66,7 @@ TEST(OutlineCheck, TakesOfOtherLinesWhatIsThere) {
     EXPECT_TRUE(missingOf(mended).empty());
 }
 
-/// A view that is whole is left as it is; one without lines gets what is missing, if outlines are
-/// wanted.
+/// Whole views stay; views without lines get what is missing, if outlines are wanted.
 TEST(OutlineCheck, AddsOnlyWhatIsMissing) {
     const laplacian_lines::TriangleMesh cube = cubeOf100();
     SheetOptions options = plainViews("front");
@@ -109,7 +107,7 @@ void expectClosedOutlines(const laplacian_lines::TriangleMesh& mesh, const char*
     }
 }
 
-/// Exact side views, in which faces are seen along their planes.
+/// Faces are seen edge-on.
 TEST(Outlines, AreClosedInExactSideViews) {
     expectClosedOutlines(cubeOf100(), "six");
     laplacian_lines::TriangleMesh torus = test_meshes::torus(60, 30).mesh;
@@ -138,7 +136,7 @@ TEST(Outlines, AreAnAreaIfWanted) {
     EXPECT_NEAR(made_sheets::areaOf(path), 100 * 100, 10);
 }
 
-/// A line changes its pen only where it changes what it is.
+/// A line's pen only changes with its class.
 TEST(Weights, OfIsoAreTwoToOne) {
     SheetOptions options = plainViews("30,35");
     options.hidden = HiddenLines::Dashed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/overlaps.h"
+#include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(Overlaps, LinesThatCrossOrEndAtOthersStayWhole) {
         EXPECT_EQ(l.points.size(), 2u);
 }
 
-/// What goes on beyond the end of the line that it doubles meets it.
+/// What goes beyond the end of the line that it doubles meets it.
 TEST(Overlaps, LeaveNoGaps) {
     const auto rest = withoutDoubles({line(LineClass::Contour, {{0, 0}, {20, 0}}),
                                       line(LineClass::Contour, {{15, 0.05}, {30, 0.05}})},
@@ -58,7 +58,7 @@ TEST(Overlaps, OfOneClassTheLongestStays) {
     EXPECT_EQ(rest[0].points.back().position, Eigen::Vector2d(20, 0));
 }
 
-/// The short line between them doubled the outline.
+/// The short line between them has doubled the outline.
 TEST(Overlaps, EndsMeetTheLinesThatTheyAreBeside) {
     const auto rest = withoutDoubles({line(LineClass::Outline, {{0, 0}, {20, 0}}),
                                       line(LineClass::Edge, {{5, 0.8 * reach}, {5, 10}}),
@@ -75,7 +75,7 @@ bool isAt(const Eigen::Vector2d& place, const DrawnLine& line) {
     return lines.nearestOn(place, 1, same_reach * reach).has_value();
 }
 
-/// Moved to each other's places, they would be as far apart as before.
+/// Moving each to the other's place would leave the gap.
 TEST(Overlaps, EndsBesideEachOtherAreJoined) {
     const auto rest = withoutDoubles({line(LineClass::Edge, {{0, 0}, {10, 0}}),
                                       line(LineClass::Edge, {{10.1, 0.1}, {10.1, 12}})},
@@ -87,9 +87,9 @@ TEST(Overlaps, EndsBesideEachOtherAreJoined) {
                 isAt({10, 0}, rest[1]));  // what meets it there does so yet
 }
 
-/// The step between two edges that end on different lines has no white beside it, but joins them.
-/// An edge that has gone past the one that it met, and two that have gone past each other, as where
-/// the upper and the lower rim of a hub are cut into triangles at other places.
+/// A step between two edges that end on different lines has no white beside it, but joins them.
+/// Also an edge that has passed the line it met, and two that have passed each other, as where a
+/// hub's rims are cut into triangles at different places.
 TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
     std::vector<DrawnLine> lines = {line(LineClass::Contour, {{0, 0}, {0, 10.05}}),
                                     line(LineClass::Contour, {{-9, 10}, {0, 10}})};
@@ -134,7 +134,7 @@ TEST(Overlaps, ShortPartsThatLieOnAnotherLineAreLeftOut) {
     EXPECT_NEAR(rest[2].points.front().position.x(), 6, 0.05);
 }
 
-/// Short bumps beside a line have no white between; what is a line of its own has.
+/// Short bumps leave no white beside a line; real lines do.
 TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
     const DrawnLine outline = line(LineClass::Contour, {{0, 0}, {20, 0}});
     const auto rest_of = [&](const DrawnLine& bump) {
@@ -160,7 +160,7 @@ TEST(Overlaps, LinesAtOnePlaceAreOne) {
 }
 
 TEST(Overlaps, LinesEndWhereTheyMeetOthers) {
-    // each ends beside the other one
+    // Each ends beside the other.
     const auto rest = withoutDoubles({line(LineClass::Contour, {{0, 0}, {10, 0}}),
                                       line(LineClass::Contour, {{9.6, 0.01}, {15, 0.01}})},
                                      reach);
@@ -179,7 +179,7 @@ TEST(Overlaps, LinesHaveNoJogs) {
     EXPECT_EQ(points.back().position, Eigen::Vector2d(20, 0));
     for (std::size_t i = 1; i < points.size(); ++i)
         EXPECT_GT(points[i].position.x(), points[i - 1].position.x()) << i;
-    // a spike is not one
+    // A spike is no jog.
     const DrawnLine spike = line(LineClass::Contour, {{0, 0}, {10, 0}, {2, 3}});
     EXPECT_EQ(withoutDoubles({spike}, reach)[0].points.size(), 3u);
 }

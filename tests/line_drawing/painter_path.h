@@ -5,7 +5,7 @@
 
 #include "line_drawing/path.h"
 
-/// A path as Qt has it, which measures it by other means than ours.
+/// Qt's path, which measures independently.
 inline QPainterPath painterPath(const line_drawing::Path& path) {
     using Step = line_drawing::Path::Step;
     const auto in_qt = [](const Eigen::Vector2d& p) { return QPointF(p.x(), p.y()); };

@@ -11,7 +11,7 @@ using namespace line_drawing;
 
 namespace {
 
-/// As the filter LZWDecode is described.
+/// By the specification of LZWDecode.
 std::string decompressed(const std::string& data) {
     std::vector<std::string> known;
     std::string result, before;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Views in perspective.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
 
@@ -13,26 +11,19 @@ using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
 using made_sheets::cubeOf100;
 using made_sheets::layerOf;
-using made_sheets::painterPath;
+using made_sheets::lengthOf;
 using made_sheets::plainViews;
 using made_sheets::sheetOf;
 
 namespace {
 
-/// From above, along -z, with the eye at a height.
+/// Along -z, from a height.
 SheetOptions fromHeight(double z, const char* paper = "a4") {
     SheetOptions options = plainViews("top", paper);
     options.views[0].side = Side::Other;
     options.views[0].name = "View";
     options.views[0].eye = Vector3d(0, 0, z);
     return options;
-}
-
-double lengthOf(const SheetLayer& layer) {
-    double length = 0;
-    for (const SheetPath& path : layer.paths)
-        length += painterPath(path.path).length();
-    return length;
 }
 
 Words textsOf(const Sheet& sheet) {
@@ -44,8 +35,8 @@ Words textsOf(const Sheet& sheet) {
     return texts;
 }
 
-/// From a height of 150 the near face is twice as large as the far one, which is hidden by it like
-/// the four edges between them.
+/// From 150 the near face is twice as large as the far one and hides it with the four edges
+/// between.
 TEST(Perspective, MakesTheNearFaceOfACubeLarger) {
     SheetOptions options = fromHeight(150);
     options.hidden = HiddenLines::Dashed;
@@ -88,7 +79,7 @@ TEST(Perspective, StandsBesideViewsAtScale) {
         EXPECT_EQ(std::count(texts.begin(), texts.end(), name), 1) << name;
 }
 
-/// A plate of 160 x 40 mm from a height of 30 is seen as far as 60 degrees to both sides.
+/// A plate of 160 x 40 mm from 30 above shows 60 degrees to both sides.
 TEST(Perspective, EndsFarAside) {
     TriangleMesh plate = test_meshes::plane(32);
     for (Vector3d& p : plate.positions)

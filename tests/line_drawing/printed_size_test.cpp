@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a drawing's size on paper decides: the kernel of its lines and its pens.
+// Size on paper decides about kernel and pens.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ using namespace line_drawing;
 
 namespace {
 
-/// 100 mm wide, with bumps; mean edges of about 1.3 mm.
+/// 100 mm wide, mean edges of about 1.3 mm.
 laplacian_lines::TriangleMesh bumpySphere() {
     laplacian_lines::TriangleMesh mesh = test_meshes::bumpy_sphere(6).mesh;
     for (Eigen::Vector3d& p : mesh.positions)
@@ -29,7 +29,7 @@ Sheet draw(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& option
     return makeSheets({{mesh}}, {options}).front();
 }
 
-/// √h in mm on paper, as the sheet's note has it.
+/// mm on paper, from the sheet's note.
 double kernelOf(const Sheet& sheet) {
     for (const SheetGroup& group : sheet.groups)
         for (const SheetLayer& layer : group.layers)
@@ -52,7 +52,7 @@ TEST(PrintedSize, DecidesAboutTheKernel) {
     const auto mesh = bumpySphere();
     const double edge = laplacian_lines::measure_scale(mesh, {}).mean_edge;
     EXPECT_NEAR(kernelOf(draw(mesh, optionsAt(0.4))), 1, 0.03);  // four pens of .25 mm
-    // never below two mean edges
+    // At least two mean edges.
     EXPECT_NEAR(kernelOf(draw(mesh, optionsAt(2))), 2 * 2 * edge, 0.05 * 4 * edge);
 }
 
@@ -88,7 +88,7 @@ TEST(PrintedSize, AFieldOfTheUsersIsDrawnAsItIs) {
     EXPECT_NEAR(sheet.kernel, 2, 1e-3);
 }
 
-/// Rings 6 mm apart are half a pen of √h wide at 2:1, and finer than the kernel at 1:10.
+/// Rings 6 mm apart are wider than the kernel at 2:1, finer at 1:10.
 TEST(PrintedSize, LargerDrawingsHaveMoreLines) {
     laplacian_lines::TriangleMesh mesh = test_meshes::sphere(6).mesh;
     for (Eigen::Vector3d& p : mesh.positions)

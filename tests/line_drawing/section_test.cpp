@@ -20,7 +20,6 @@ double lengthOf(const Cut& cut) {
     return length;
 }
 
-/// Each triangle with vertices of its own.
 laplacian_lines::TriangleMesh soupOf(const laplacian_lines::TriangleMesh& mesh) {
     laplacian_lines::TriangleMesh soup;
     for (const auto& t : mesh.triangles) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several objects on one drawing.
 #include <gtest/gtest.h>
 
 #include "formats/sheet_writers.h"
@@ -13,13 +12,14 @@ using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
 using made_sheets::cubeOf100;
 using made_sheets::layerOf;
+using made_sheets::lengthOf;
 using made_sheets::painterPath;
 using made_sheets::plainViews;
 using test_meshes::moved;
 
 namespace {
 
-/// Flat, 160 mm along x and 40 along y, 80 below the middle of the cube.
+/// 160 mm along x, 40 along y, 80 below the cube's middle.
 TriangleMesh plate() {
     TriangleMesh mesh = test_meshes::plane(16);
     for (Vector3d& p : mesh.positions)
@@ -27,7 +27,7 @@ TriangleMesh plate() {
     return mesh;
 }
 
-/// The meshes in one drawing, each with a field of its own.
+/// Each with a field of its own.
 Sheet sheetOfAll(const std::vector<TriangleMesh>& meshes, const SheetOptions& options) {
     std::vector<laplacian_lines::Field> fields;
     for (const TriangleMesh& mesh : meshes)
@@ -38,20 +38,12 @@ Sheet sheetOfAll(const std::vector<TriangleMesh>& meshes, const SheetOptions& op
     return makeSheets(objects, {options}).front();
 }
 
-double lengthOf(const SheetLayer& layer) {
-    double length = 0;
-    for (const SheetPath& path : layer.paths)
-        length += painterPath(path.path).length();
-    return length;
-}
-
-/// Of the plate's border the cube hides 100 mm on both long sides.
+/// 100 mm of both long sides of its border.
 TEST(SeveralObjects, ACubeHidesWhatIsBehindItOfAPlate) {
     SheetOptions options = plainViews("top");
     options.hidden = HiddenLines::Dashed;
     const SheetGroup view = sheetOfAll({cubeOf100(), plate()}, options).groups[0];
-    // the plate's border is the drawing's where it stands out on both sides, and the cube's
-    // elsewhere
+    // The border is the plate's where it stands out on both sides, else the cube's.
     EXPECT_NEAR(lengthOf(layerOf(view, "outline")), 2 * 160 + 2 * 100, 1);
     EXPECT_NEAR(lengthOf(layerOf(view, "contour")), 2 * 40, 1);
     EXPECT_NEAR(lengthOf(layerOf(view, "hidden")), 2 * 100, 1);
@@ -91,14 +83,14 @@ TEST(SeveralObjects, LookAsTheyDoAlone) {
     const Sheet one = sheetOfAll({vessel}, options), other = sheetOfAll({ball}, options);
     for (const char* key : {"outline", "contour", "inner", "fine"}) {
         const double alone = length(one, key) + length(other, key);
-        // crest lines may be beside the surface by a share of all that is drawn, and where a line
-        // ends that doubles another goes by steps from where it begins
+        // Crest lines may be off the surface by a share of the drawing's size, and doubles end in
+        // steps from their start.
         EXPECT_NEAR(length(both, key), alone, 0.025 * alone) << key;
     }
     EXPECT_GT(length(one, "fine") + length(one, "inner"), 100);
 }
 
-/// How many lines of hatching rise to the right, and how many fall.
+/// Rising and falling lines.
 std::pair<int, int> hatchingOf(const SheetGroup& section) {
     int rising = 0, falling = 0;
     for (const SheetPath& path : layerOf(section, "fine").paths) {
@@ -109,7 +101,7 @@ std::pair<int, int> hatchingOf(const SheetGroup& section) {
     return {rising, falling};
 }
 
-/// Cubes that touch: their walls are two, hatched in two ways.
+/// Touching cubes have two walls with different hatching.
 TEST(SeveralObjects, EachHasItsOwnWallInSections) {
     SheetOptions options = plainViews("top");
     options.sections = parseSections("z=0.3");
@@ -127,7 +119,7 @@ TEST(SeveralObjects, EachHasItsOwnWallInSections) {
     EXPECT_EQ(areas, 2);
 }
 
-/// Cubes of which the second begins in the middle of the first: one body, hatched in one way.
+/// Overlapping cubes are one body with one hatching.
 TEST(SeveralObjects, ThatOverlapHaveOneWallInSections) {
     SheetOptions options = plainViews("top");
     options.views.clear();
@@ -135,16 +127,16 @@ TEST(SeveralObjects, ThatOverlapHaveOneWallInSections) {
     const TriangleMesh cube = cubeOf100();
     const TriangleMesh other = moved(cube, {50, 20, 0}), inner = moved(cube, {20, 20, 0}, 0.2);
     const SheetGroup merged = sheetOfAll({cube, other, inner}, options).groups[0];
-    // two squares of 100 mm, less the edges of 50 and 80 of each within the other
+    // Two squares of 100 mm, less 50 and 80 of each within the other.
     EXPECT_NEAR(lengthOf(layerOf(merged, "section")), 2 * 400 - 2 * (50 + 80), 0.1);
     EXPECT_NEAR(lengthOf(layerOf(merged, "fine")) * 1.5, 2 * 100 * 100 - 50 * 80, 200);
     EXPECT_EQ(hatchingOf(merged).second, 0);
-    // what scans of parts that fit have in common is slight
+    // Scans of fitting parts overlap slightly.
     const SheetGroup fitted = sheetOfAll({cube, moved(cube, {99.5, 0, 0})}, options).groups[0];
     EXPECT_NEAR(hatchingOf(fitted).first, hatchingOf(fitted).second, 3);
 }
 
-/// Also of what others hide of it, and of a hole through it.
+/// Also hidden parts, and without a hole.
 TEST(SeveralObjects, EachHasItsOwnAreaIfWanted) {
     SheetOptions options = plainViews("top");
     options.area = OutlineArea::Objects;

@@ -30,7 +30,6 @@ Sheet smallSheet() {
     return sheet;
 }
 
-/// How often a text is in another one.
 int count(const std::string& text, const std::string& part) {
     int found = 0;
     for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1))
@@ -76,7 +75,7 @@ TEST(SheetFiles, DxfPointsUp) {
     EXPECT_TRUE(has(dxf, "1\n30%%d\n"));
 }
 
-/// Whatever is in a text, it is one value of DXF; R12 knows letters of four digits.
+/// Any text is one value of DXF; R12 has letters of four digits.
 TEST(SheetFiles, OfDxfHaveTextsAsData) {
     Sheet sheet = smallSheet();
     SheetText& text = sheet.groups[0].layers[1].texts[0];
@@ -87,7 +86,7 @@ TEST(SheetFiles, OfDxfHaveTextsAsData) {
     EXPECT_EQ(count(dxf, "\n"), count(before, "\n"));
 }
 
-/// The colours of the layers in a file, by name.
+/// Colours of a file's layers by name.
 std::map<std::string, int> layersOf(const std::string& dxf) {
     std::map<std::string, int> colors;
     const QList<QByteArray> lines = QByteArray::fromStdString(dxf).split('\n');

@@ -10,7 +10,7 @@ using namespace line_drawing;
 
 namespace {
 
-/// Of a box of 60 x 40 x 20 (x, y, z) that stands upright in z.
+/// Of an upright box of 60 x 40 x 20 (x, y, z).
 std::vector<DrawnView> viewsOfABox(const char* names) {
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : parseViews(names, UpAxis::Z)) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of options of measured drawings, and what follows from it or is written by hand beside
-// it.
+// The table of sheet options, what is made from it, and documents that follow it.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -27,7 +26,7 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != text.npos;
 }
 
-/// A line that begins so; empty if there is none.
+/// The line that begins with this, or nothing.
 std::string lineWith(const std::string& begin, const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
@@ -86,7 +85,6 @@ TEST(SheetOptions, RefuseWhatIsNotAllowedAndSayWhatIs) {
         }
 }
 
-/// The defaults are what a sheet has by itself.
 TEST(SheetOptions, AreThoseOfASheetByDefault) {
     const SheetOptions read = sheetOptions({}), made;
     EXPECT_EQ(read.paper, made.paper);
@@ -135,7 +133,7 @@ TEST(SheetOptions, OfTheFilterAreDocumented) {
     }
 }
 
-/// As MeshLab writes the parameter.
+/// As in MeshLab's script.
 std::string inScript(const SheetOption& option) {
     const SheetOption::Row& row = option.row;
     const std::string begin = std::string("<Param name=\"") + row.key + "\" type=\"";

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/thinning.h"
+#include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sheet/view_drawing.h"
-#include "strokes/chaining.h"
+#include "sheet/sheet_layout.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;
@@ -16,7 +15,7 @@ namespace {
 constexpr auto pens = pensOf(Weights::Illustrator);
 constexpr double pen = 0.25;  // mm, of inner lines
 
-/// Straight, of points .1 mm apart.
+/// Points .1 mm apart.
 DrawnLine straight(const Vector2d& from, const Vector2d& to, double weight = 1,
                    LineClass line_class = LineClass::Inner) {
     DrawnLine line{line_class, false, {}};
@@ -69,7 +68,7 @@ TEST(Thinning, TakesAwayOnlyThePartBesideAnotherLine) {
     EXPECT_NEAR(lengthOf(thinned[1].points), 10, 0.7);
 }
 
-/// Of a fold that others take most of.
+/// Of a fold mostly taken by others.
 TEST(Thinning, LeavesNoIslands) {
     const auto left = [](double begin, double end) {
         return lengthOfAll(thinOut(
@@ -131,7 +130,7 @@ TEST(Chaining, JoinsLinesOverGaps) {
     EXPECT_EQ(strokes({first, straight({11.5, 0}, {20, 0}), across}), 3u);
 }
 
-/// From (x, 0) on, in degrees to the left.
+/// From (x, 0), degrees to the left.
 DrawnLine towards(double x, double angle, LineClass line_class = LineClass::Inner) {
     const double a = angle * 3.14159265 / 180;
     return straight({x, 0}, Vector2d(x, 0) + 9 * Vector2d(std::cos(a), std::sin(a)), 1, line_class);

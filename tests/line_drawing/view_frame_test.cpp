@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Directions of views, and what becomes of lines in one.
 #include "line_drawing/view_frame.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files where the disk, a quota or a pipe ends, and those that are no regular ones.
+// Full disks, quotas and pipes, and files that are not regular.
 #include "line_drawing/whole_file.h"
 
 #include <fcntl.h>
@@ -26,7 +26,7 @@ std::string fileName(const QString& name) {
     return QFile::encodeName(name).toStdString();
 }
 
-/// Files end after so many bytes, as where the disk is full.
+/// Limits files to this many bytes, like a full disk.
 class FullDisk {
 public:
     explicit FullDisk(std::size_t bytes) {
@@ -47,7 +47,7 @@ QByteArray contentOf(const QString& file) {
     return input.readAll();
 }
 
-/// What is said when a work is refused; empty if it is not.
+/// The refusal's message, or nothing.
 template <class Work>
 std::string complaintOf(Work work) {
     try {
@@ -80,7 +80,7 @@ protected:
 
     QString file() const { return folder_.filePath(QString("sheet.") + GetParam()); }
 
-    /// With room for as many bytes as these.
+    /// With room for this many bytes.
     void expectNothingLost(std::size_t bytes) {
         std::string complaint;
         {

@@ -6,11 +6,10 @@
 
 #include "canvas.h"
 
-/// An OpenGL context without a window, on the display, current until another one is.
+/// Without a window; current until another one is.
 class GlContext {
 public:
-    /// In a share group of its own, or in that of `partner`.
-    /// @throws std::runtime_error if there is no OpenGL
+    /// In its own share group, or `partner`'s. @throws std::runtime_error if there is no OpenGL
     explicit GlContext(const GlContext* partner = nullptr);
     ~GlContext();
 
@@ -21,7 +20,7 @@ private:
     std::unique_ptr<Data> data_;
 };
 
-/// A test with an OpenGL context of its own that draws on a canvas.
+/// Draws on a canvas in its own context.
 class GlTest : public testing::Test {
 protected:
     GlContext context_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever is drawn, OpenGL's state is afterwards what it was before.
+// Drawing restores OpenGL's state.
 #include <map>
 
 #include "gl_functions.h"
@@ -20,7 +20,7 @@ GLuint boundBuffer(GLenum target) {
     return buffer;
 }
 
-/// Everything that drawing sets, to something else than that, and than what is usual.
+/// To what neither drawing nor defaults use.
 void makeStateUnusual() {
     boundBuffer(GL_ELEMENT_ARRAY_BUFFER);
     glEnableVertexAttribArray(1);
@@ -49,7 +49,7 @@ void makeStateUnusual() {
     glColor4f(0.1f, 0.2f, 0.3f, 0.4f);
 }
 
-/// Beyond the text: where arrays lie, and the texture of the first unit.
+/// Not in the text: array pointers, and the first unit's texture.
 std::vector<GLint> arrays() {
     std::vector<GLint> values;
     for (GLenum name : {GL_VERTEX_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY_SIZE, GL_VERTEX_ARRAY_TYPE,
@@ -75,7 +75,7 @@ std::vector<GLint> arrays() {
 
 class GlStateTest : public LineTest {
 protected:
-    /// Calls `draw` twice, the first time with all that is made at first.
+    /// Twice: the first call also creates objects.
     template <class Draw>
     void expectSameState(const char* what, Draw draw) {
         for (const char* time : {"first", "second"}) {
@@ -135,7 +135,6 @@ TEST_F(GlStateTest, IsAsItWasInAnArrayObject) {
     expectSameStateWhateverIsDrawn();
 }
 
-/// Not all drivers save divisors with the arrays.
 TEST_F(GlStateTest, HasDivisorsTakenBackOneByOne) {
     static std::map<GLuint, GLuint> divisors;
     static PFNGLVERTEXATTRIBDIVISORPROC original;
@@ -151,7 +150,7 @@ TEST_F(GlStateTest, HasDivisorsTakenBackOneByOne) {
         EXPECT_EQ(divisor, 0u) << attribute;
 }
 
-/// None of it comes between a line and the picture.
+/// Unusual state does not affect the picture.
 TEST_F(GlStateTest, DoesNotChangeThePicture) {
     const laplacian_lines::LineSet lines = oneLine({{9, 9, 0}, {90, 80, 0}});
     const QImage usual = drawn(lines, blackLines(3));

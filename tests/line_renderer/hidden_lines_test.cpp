@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines behind a surface: left out, faint or dashed, by the depth buffer or by a texture.
+// Hidden lines: left out, faint or dashed, by the depth buffer or a texture.
 #include <cmath>
 
 #include "line_test.h"
@@ -12,7 +12,7 @@ using line_renderer::HiddenLines;
 using line_renderer::LineAppearance;
 using line_renderer::LinePlacement;
 
-/// From left to right through the middle, half way between the ends of what is seen.
+/// Through the middle, half way in depth.
 const LineSet line = oneLine({{10, 60.5f, 0}, {150, 60.5f, 0}});
 
 LineAppearance appearanceOf(HiddenLines hidden) {
@@ -23,7 +23,7 @@ LineAppearance appearanceOf(HiddenLines hidden) {
 
 class HiddenLinesTest : public LineTest {
 protected:
-    /// The line with a surface at this z over the right half of the canvas.
+    /// With a surface at this z over the right half.
     QImage lineWithSurfaceAt(double z, const LineAppearance& appearance,
                              const LinePlacement& placement = Canvas::placement()) {
         canvas_.clear();
@@ -32,7 +32,7 @@ protected:
     }
 };
 
-/// The line's width to the left and to the right of the middle.
+/// On both sides of the middle.
 void expectWidths(const QImage& picture, double left, double right) {
     for (int x : {20, 50, 76})
         EXPECT_NEAR(inkOfColumn(picture, x), left, 0.05) << x;
@@ -47,7 +47,7 @@ TEST_F(HiddenLinesTest, AreLeftOutBehindASurface) {
     expectWidths(lineWithSurfaceAt(0, appearance), 4, 4);
 }
 
-/// By 0.003 diagonals, contours by 1.5 edges if that is more, the surface may come before a line.
+/// The surface may be 0.003 diagonals before a line, for contours at least 1.5 edges.
 TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
     const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
     LinePlacement placement = Canvas::placement();
@@ -71,7 +71,7 @@ TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
     expect_limit(LineKind::Contour, 0.03);
 }
 
-/// Also beside a surface that hides one half of it, as the form does along its outline.
+/// Even if the surface hides one half, as along an outline.
 TEST_F(HiddenLinesTest, HaveTheirFullWidthAlongAnEdge) {
     const auto widthUnder = [&](int y, int rows) {
         canvas_.clear();
@@ -93,8 +93,8 @@ LineSet contour(bool follows_edge) {
     return result;
 }
 
-/// A contour on an edge of the mesh has nothing of its own surface beyond it, so that what comes
-/// before it by more than four pixels hides it, as a fold of coarse triangles does.
+/// Nothing of its own surface is beyond a contour on a mesh edge: what is before it by more than
+/// four pixels, such as a fold, hides it.
 TEST_F(HiddenLinesTest, AreHiddenByALittleWhereTheyFollowEdges) {
     LinePlacement placement = Canvas::placement();
     placement.diagonal = 5000;
@@ -113,7 +113,7 @@ TEST_F(HiddenLinesTest, AreHiddenByALittleWhereTheyFollowEdges) {
     expect_right_half(true, 0.2, 0);
 }
 
-/// Beside what they border they have their full width, but a pixel further in they are hidden.
+/// Full width beside what they border, hidden a pixel further in.
 TEST_F(HiddenLinesTest, AreSeenFromNoFurtherAsideThanAPixelWhereTheyFollowEdges) {
     const auto width_below = [&](int edge, bool follows_edge, double scale) {
         LinePlacement placement = Canvas::placement();
@@ -129,7 +129,7 @@ TEST_F(HiddenLinesTest, AreSeenFromNoFurtherAsideThanAPixelWhereTheyFollowEdges)
     EXPECT_NEAR(width_below(62, false, 2), 8, 0.05);
 }
 
-/// Only those that lie deeper than four times what hides a line: no pieces along outlines.
+/// At four times the clearance and more: no pieces along outlines.
 TEST_F(HiddenLinesTest, AreFaintIfWanted) {
     const LineAppearance appearance = appearanceOf(HiddenLines::Faint);
     expectWidths(lineWithSurfaceAt(0.5, appearance), 4, 1);
@@ -142,7 +142,7 @@ TEST_F(HiddenLinesTest, AreDashedIfWanted) {
     const QImage picture = lineWithSurfaceAt(0.5, appearanceOf(HiddenLines::Dashed));
     for (int x : {20, 50, 76})
         EXPECT_NEAR(inkOfColumn(picture, x), 4, 0.05);
-    // dashes of 5 pixels every 9, from the start of the line on
+    // Dashes of 5 pixels every 9, from the line's start.
     double ink = 0;
     for (int x = 90; x < 90 + 45; ++x) {
         ink += inkOfColumn(picture, x);
@@ -164,8 +164,8 @@ TEST_F(HiddenLinesTest, HaveLongerDashesOnLargerPictures) {
     EXPECT_NEAR(inkOfColumn(picture, dash + 17), 0, 0.1);
 }
 
-/// Where points and wires are drawn, the texture has the surface alone. They come before it by
-/// little, and hide nothing; what comes by more does.
+/// With points and wires drawn, the texture has only the surface. They stand out slightly and hide
+/// nothing; what is well in front does.
 TEST_F(HiddenLinesTest, AreThoseBehindTheTextureAndWellBehindTheDepthBuffer) {
     Rectangles far;
     far.add(80, 0, 80, Canvas::height, -0.5);

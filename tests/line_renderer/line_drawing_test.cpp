@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines that nothing hides: their width, colors, joints and ends, measured in pixels.
+// Visible lines: width, colors, joints and ends, in pixels.
 #include <cmath>
 
 #include "line_program.h"
@@ -16,7 +16,7 @@ using line_renderer::LineAppearance;
 const LineSet horizontal = oneLine({{20, 60.3f, 0}, {70, 60.3f, 0}, {140, 60.3f, 0}});
 const LineSet oblique = oneLine({{20, 20, 0}, {140, 90, 0}});
 
-/// Width of a line that crosses the columns 40 to 120, at this slope.
+/// Across columns 40 to 120, at this slope.
 double widthIn(const QImage& picture, double slope) {
     double ink = 0;
     for (int x = 40; x < 120; ++x)
@@ -39,7 +39,6 @@ TEST_F(LineTest, GrowWithThePixelsOfTheViewport) {
     EXPECT_NEAR(widthIn(drawn(horizontal, blackLines(2), placement), 0), 5, 0.03);
 }
 
-/// Lines thinner than a pixel fade instead of breaking up.
 TEST_F(LineTest, FadeWhereTheyAreThin) {
     const QImage picture = drawn(oblique, blackLines(0.5));
     for (int x = 40; x < 120; ++x) {
@@ -54,7 +53,6 @@ TEST_F(LineTest, HaveRoundEnds) {
                 length * width + std::acos(-1.0) * width * width / 4, 2);
 }
 
-/// Each kind in the color and the width of its own look.
 TEST_F(LineTest, HaveTheLookOfTheirKind) {
     LineSet lines;
     LineAppearance appearance;
@@ -75,7 +73,6 @@ TEST_F(LineTest, HaveTheLookOfTheirKind) {
     }
 }
 
-/// More kinds than there are now can be drawn without a change.
 TEST_F(LineTest, HaveRoomForMoreLooks) {
     const line_renderer::LineProgram program;
     EXPECT_GE(line_renderer::most_looks, 16u);
@@ -106,7 +103,6 @@ TEST_F(LineTest, BlendByOpacityAndTheAlphaOfTheirColor) {
     EXPECT_NEAR(colorAt(picture, 80, 80).greenF(), 0.6, 0.005);
 }
 
-/// On a picture without background, the lines are what is seen.
 TEST_F(LineTest, AreOpaqueWhereThePictureIsNot) {
     canvas_.clear(0);
     const QImage picture = drawn(horizontal, blackLines(5));
@@ -114,8 +110,8 @@ TEST_F(LineTest, AreOpaqueWhereThePictureIsNot) {
     EXPECT_EQ(colorAt(picture, 80, 20).alpha(), 0);
 }
 
-/// No pixel of a line is painted twice, which its color would show, neither at joints of up to a
-/// right angle nor where a closed line begins.
+/// Pixels painted twice would differ in color, at joints up to a right angle and at the start of
+/// closed lines.
 TEST_F(LineTest, AreOfOneTone) {
     LineSet lines;
     addLine(lines, {{20, 20, 0}, {60, 50, 0}, {65, 90, 0}, {95, 95, 0}});
@@ -135,8 +131,7 @@ TEST_F(LineTest, AreOfOneTone) {
             << "a gap at " << point.position.transpose();
 }
 
-/// What turns back beside it takes nothing off a line, as far as it goes: each column has all of
-/// the width.
+/// A line that turns back has its full width in each column, as far as it goes.
 TEST_F(LineTest, KeepTheirWidthWhereTheyTurnBack) {
     for (const float aside : {0.f, 0.4f, 1.f, 3.f}) {
         canvas_.clear();
@@ -149,7 +144,7 @@ TEST_F(LineTest, KeepTheirWidthWhereTheyTurnBack) {
     }
 }
 
-/// Points a tenth of a pixel apart, most of which are not drawn.
+/// Points a tenth of a pixel apart, mostly not drawn.
 TEST_F(LineTest, LookTheSameWithoutThePointsThatAreNotSeen) {
     LineSet lines;
     for (int i = 0; i < 5; ++i) {
@@ -175,7 +170,7 @@ TEST_F(LineTest, LookTheSameWithoutThePointsThatAreNotSeen) {
     EXPECT_LT(greatest, 0.3);
 }
 
-/// The last lines handed over are drawn, whether they are more or fewer, or none.
+/// More, fewer, or none.
 TEST_F(LineTest, AreThoseHandedOverLast) {
     const LineAppearance appearance = blackLines(3);
     const double one = inkOf(drawn(horizontal, appearance));
@@ -192,7 +187,7 @@ TEST_F(LineTest, AreThoseHandedOverLast) {
     EXPECT_EQ(inkOf(drawn(LineSet(), appearance)), 0);
 }
 
-/// With a camera in the scene, what lies behind it is cut off, and no line is turned over.
+/// With the camera inside the scene lines are clipped, not flipped.
 TEST_F(LineTest, EndAtTheNearPlaneOfAPerspectiveView) {
     line_renderer::LinePlacement placement = Canvas::placement();
     placement.projection << 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.02, -0.202, 0, 0, -1, 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is left out of lines because it cannot be seen: a plain search finds, for each point that is
-// not drawn, a place of what is drawn that looks the same.
+// Invisible points are dropped: a plain search finds a place of what is drawn that looks like each
+// dropped point.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -13,7 +13,6 @@
 namespace {
 
 using Eigen::Vector3f;
-using laplacian_lines::LineKind;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 using laplacian_lines::Polyline;
@@ -22,7 +21,7 @@ using line_renderer::StreamSettings;
 
 constexpr float full_radius = 3, depth_tolerance = 0.02f;
 
-/// 1000 x 700 pixels; with perspective an eye at z = 3 with the near plane at z = 2.
+/// 1000 x 700 pixels; in perspective the eye is at z = 3, the near plane at z = 2.
 StreamSettings settings(bool is_perspective) {
     StreamSettings result;
     result.radii.full.fill(full_radius);
@@ -34,7 +33,7 @@ StreamSettings settings(bool is_perspective) {
     return result;
 }
 
-/// What is seen of a point: pixels, depth, radius, opacity.
+/// Pixels, depth, radius, opacity.
 using Seen = Eigen::Matrix<double, 5, 1>;
 
 struct Sight {
@@ -73,7 +72,7 @@ bool looksAs(const Seen& drawn, const Sight& point, const StreamSettings& settin
            difference[4] <= settings.tolerance.opacity + rounding;
 }
 
-/// The first part of a segment, from `part` on, that looks as a point; above 1 if there is none.
+/// The first part of a segment from `part` on; above 1 if there is none.
 double partThatLooksAs(const Sight& point, const Seen& a, const Seen& b, double part,
                        const StreamSettings& settings) {
     const double step = 0.02 / std::max(1.0, (b - a).head<2>().norm());
@@ -88,7 +87,7 @@ bool isAt(const StreamPoint& drawn, const LinePoint& point) {
            drawn.opacity == point.opacity;
 }
 
-/// Expects what StraightPiece promises of one line. `drawn` has no marks.
+/// StraightPiece's promise for one line; `drawn` has no marks.
 void expectPromise(const LinePoint* points, std::size_t count,
                    const std::vector<StreamPoint>& drawn, const StreamSettings& settings) {
     ASSERT_GE(drawn.size(), 2u);
@@ -111,7 +110,6 @@ void expectPromise(const LinePoint* points, std::size_t count,
     EXPECT_EQ(end + 1, drawn.size()) << "points that the line does not have, or in another order";
 }
 
-/// How a chain of random steps is made.
 struct Chain {
     float step, roughness;         ///< pixels; change of direction at each point, radians
     float value_step, depth_step;  ///< of weight and opacity; of z
@@ -143,7 +141,7 @@ void append(LineSet& lines, const std::vector<LinePoint>& points, bool closed = 
     lines.points.insert(lines.points.end(), points.begin(), points.end());
 }
 
-/// Of a set of one line, without its marks.
+/// Of a single line, without marks.
 std::vector<StreamPoint> pointsOf(const std::vector<LinePoint>& points,
                                   const StreamSettings& settings) {
     LineSet lines;
@@ -170,7 +168,7 @@ TEST(LineSimplification, LeavesOutOnlyWhatIsNotSeen) {
     EXPECT_LT(drawn, all / 2);
 }
 
-/// Lines that pass behind the eye and come back: no point there is left out.
+/// No point there is dropped.
 TEST(LineSimplification, KeepsWhatIsBehindTheEye) {
     const StreamSettings sight = settings(true);
     std::vector<LinePoint> points;
@@ -193,7 +191,6 @@ TEST(LineSimplification, DrawsAStraightLineAsOneSegment) {
     EXPECT_EQ(pointsOf(points, settings(false)).size(), 5u) << "with a faint place";
 }
 
-/// A line that goes back on itself is drawn up to where it turns.
 TEST(LineSimplification, ReachesThePlaceWhereALineTurnsBack) {
     const auto line = [](float back) {
         std::vector<LinePoint> points;
@@ -214,7 +211,7 @@ TEST(LineSimplification, KeepsTheLengthAlongTheLine) {
     EXPECT_NEAR(drawn.back().along, 400 * std::hypot(0.1f, 0.1f), 0.01);
 }
 
-/// The ends of a closed line are joined to points that are drawn.
+/// Both ends are joined to drawn points.
 TEST(LineSimplification, JoinsTheEndsOfClosedLines) {
     std::vector<LinePoint> circle;
     for (int i = 0; i <= 2000; ++i) {
@@ -238,7 +235,7 @@ TEST(LineSimplification, JoinsTheEndsOfClosedLines) {
     }
 }
 
-/// Four times the points make no more segments.
+/// Four times the points give as many segments.
 TEST(LineSimplification, DependsOnTheViewAndNotOnTheMesh) {
     const auto wave = [](int count) {
         std::vector<LinePoint> points;

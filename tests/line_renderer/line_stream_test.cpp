@@ -26,7 +26,7 @@ LineRadii equalRadii(float radius) {
     return radii;
 }
 
-/// With all points of the lines.
+/// With all points.
 std::vector<StreamPoint> streamOf(const LineSet& lines, const LineRadii& radii,
                                   const ScreenTransform* measured_on = nullptr) {
     StreamSettings settings;
@@ -67,7 +67,7 @@ TEST(LineStream, JoinsTheEndsOfClosedLines) {
     expectPlace(stream.back(), {1, 0, 0});
 }
 
-// Long sets are written in parts, on several threads.
+// Long sets are written in parts.
 TEST(LineStream, OfManyLinesIsThatOfEachLineAndOutlinesComeLast) {
     LineSet lines;
     std::vector<StreamPoint> parts[2];
@@ -125,7 +125,7 @@ TEST(LineStream, HasTheNumberOfTheKindAsLook) {
     }
 }
 
-/// Where both ends are vertices; such a piece never stands for what comes before or after it.
+/// Where both ends are vertices; such a piece never replaces its neighbours.
 TEST(LineStream, MarksWhatFollowsEdges) {
     LineSet lines;
     for (const LineKind kind : {LineKind::Contour, LineKind::Laplacian}) {
@@ -162,7 +162,7 @@ TEST(LineStream, TapersWithTheWeight) {
     EXPECT_EQ(stream[3].opacity, 0.25f);
 }
 
-/// In pixels: half of 200 across for two units of clip coordinates, half of 100 up.
+/// 200 pixels across and 100 up for two units of clip coordinates, halved.
 ScreenTransform screen() {
     ScreenTransform result;
     result.half_viewport = {100, 50};

@@ -5,10 +5,9 @@
 #include "line_renderer/surface_depth.h"
 #include "made_up_lines.h"
 
-/// A test that draws lines on the canvas.
 class LineTest : public GlTest {
 protected:
-    /// Hidden by what is in the depth buffer.
+    /// Hidden by the depth buffer.
     QImage drawn(const laplacian_lines::LineSet& lines,
                  const line_renderer::LineAppearance& appearance,
                  line_renderer::LinePlacement placement = Canvas::placement()) {
@@ -24,7 +23,6 @@ protected:
     line_renderer::LineRenderer renderer_;
 };
 
-/// Black lines of this width in pixels.
 inline line_renderer::LineAppearance blackLines(double width) {
     line_renderer::LineAppearance appearance;
     appearance.looks.fill({Qt::black, width});

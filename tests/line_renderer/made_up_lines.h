@@ -7,8 +7,7 @@
 #include "laplacian_lines/line_set.h"
 #include "line_stream.h"
 
-/// Adds a line of full weight through these points, opaque unless told otherwise. It follows no
-/// edges of a mesh.
+/// Adds a line of full weight that follows no mesh edges.
 inline void addLine(laplacian_lines::LineSet& lines, const std::vector<Eigen::Vector3f>& points,
                     laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian,
                     bool closed = false, float opacity = 1) {
@@ -22,8 +21,7 @@ inline void addLine(laplacian_lines::LineSet& lines, const std::vector<Eigen::Ve
     lines.lines.push_back(line);
 }
 
-/// Has the line set's points from `first` on be vertices of a mesh, between which contours follow
-/// edges.
+/// Makes points from `first` on vertices of a mesh, between which contours follow edges.
 inline void putOnVertices(laplacian_lines::LineSet& lines, std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i)
         lines.points[i].gradient = 0;
@@ -35,7 +33,7 @@ inline laplacian_lines::LineSet oneLine(const std::vector<Eigen::Vector3f>& poin
     return lines;
 }
 
-/// The points of all parts, one after the other. Nothing may be written between them.
+/// All parts in sequence; checks that nothing is written between them.
 inline std::vector<line_renderer::StreamPoint> writtenStream(
     const laplacian_lines::LineSet& lines, const line_renderer::StreamSettings& settings) {
     const line_renderer::StreamPoint untouched = {{-7, -7, -7}, -7, -7, -7, -7};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the renderers are made of and needs no OpenGL: looks, surfaces, the clock, scales.
+// Parts of the renderers without OpenGL: looks, surfaces, the clock, scales.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -8,7 +8,7 @@
 #include "line_renderer/line_appearance.h"
 #include "line_renderer/redraw_clock.h"
 #include "line_renderer/surface.h"
-#include "stream_settings.h"
+#include "line_stream.h"
 
 namespace {
 

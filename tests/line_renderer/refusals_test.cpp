@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What OpenGL cannot do is refused with a reason, each time, and is not tried again; what older
-// versions can do in another way is done.
+// What OpenGL lacks is refused with a reason each time, without another try; older versions'
+// extensions are used.
 #include "gl_functions.h"
 #include "line_renderer/background_renderer.h"
 #include "line_renderer/surface_renderer.h"
@@ -26,12 +26,12 @@ void GLAPIENTRY spoilSource(GLuint shader, GLsizei, const GLchar* const*, const 
     shader_source(shader, 1, &nonsense, nullptr);
 }
 
-/// Has OpenGL miss a feature as long as it lives.
+/// Hides a feature of OpenGL while it lives.
 struct Without : Replaced<bool> {
     explicit Without(bool& feature) : Replaced(feature, false) {}
 };
 
-/// What `call` says when it refuses, empty if it does not.
+/// The refusal's message, or nothing.
 template <class Call>
 std::string refusalOf(Call call) {
     try {
@@ -149,7 +149,7 @@ TEST_F(RefusalsTest, LinesWithoutMemoryAreNotDrawn) {
     EXPECT_EQ(drawLine(), expected) << "the next try may succeed";
 }
 
-/// The same picture by the extensions of OpenGL 2.
+/// By extensions of OpenGL 2.
 TEST_F(RefusalsTest, OlderVersionsDrawTheSame) {
     const QImage expected = drawLine();
     ASSERT_GT(inkOf(expected), 100);

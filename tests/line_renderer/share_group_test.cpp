@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lives in a share group: made once, used by all its contexts, forgotten with it.
+// Objects of a share group are made once, used by all its contexts, and forgotten with it.
 #include "gl_functions.h"
 #include "line_renderer/surface_renderer.h"
 #include "line_test.h"
@@ -9,7 +9,7 @@ namespace {
 
 using line_renderer::PerShareGroup;
 
-/// Objects that are numbers, each with the next one.
+/// Numbered objects.
 class Numbers {
 public:
     int current() {
@@ -92,7 +92,7 @@ TEST(PerShareGroup, TriesAgainAfterALackOfMemory) {
     EXPECT_EQ(group.current([] { return 7; }), 7);
 }
 
-/// The same lines and paper in any context, after others have come and gone.
+/// After other contexts have come and gone.
 TEST(Renderers, DrawInAnyShareGroup) {
     line_renderer::SurfaceDepth depth;
     line_renderer::SurfaceBuffers buffers;

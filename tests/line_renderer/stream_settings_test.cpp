@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From appearance and placement to what lines are written with.
-#include "stream_settings.h"
+#include "line_stream.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +18,7 @@ using line_renderer::StreamSettings;
 
 const Eigen::Vector2f half_viewport(500, 350);
 
-/// Focal length 2, near plane at 1, far plane at 9, the eye at z = 4.
+/// Focal length 2, near plane 1, far plane 9, the eye at z = 4.
 LinePlacement perspective() {
     LinePlacement placement;
     placement.to_eye.setIdentity();
@@ -34,7 +33,7 @@ double depthOf(const LinePlacement& placement, double z) {
     return clip.z() / clip.w();
 }
 
-/// A quarter of the clearance that the kind has towards the eye.
+/// A quarter of the kind's clearance.
 TEST(StreamSettings, AllowsDepthsAShareOfTheClearance) {
     const LinePlacement placement = perspective();
     const StreamSettings settings = streamSettings(LineAppearance(), placement, half_viewport);
@@ -55,7 +54,6 @@ std::vector<StreamPoint> streamOf(const LineSet& lines, const LinePlacement& pla
     return writtenStream(lines, streamSettings(LineAppearance(), placement, half_viewport));
 }
 
-/// What is left out in one tile of a picture is left out in all.
 TEST(StreamSettings, IsTheSameInAllTilesOfAPicture) {
     std::vector<Eigen::Vector3f> wave;
     for (int i = 0; i < 5000; ++i) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The depths that lines are compared with: copied from the depth buffer, or drawn.
 #include "line_renderer/surface_depth.h"
 #include "gl_context.h"
 #include "gl_functions.h"
@@ -12,7 +11,7 @@ using line_renderer::SurfacePointer;
 
 constexpr float tiny = 1e-6f;
 
-/// What a texture says about pixels of the canvas.
+/// A texture's values at the canvas's pixels.
 class Depths {
 public:
     explicit Depths(const DepthTexture& texture) {
@@ -34,7 +33,6 @@ private:
     std::vector<float> depths_;
 };
 
-/// Counts the drawings into a texture.
 class DrawingCount {
 public:
     DrawingCount() : replaced_(line_renderer::glGenFramebuffers.pointer(), count) {
@@ -71,7 +69,7 @@ TEST_F(SurfaceDepthTest, CopiesTheDepthBuffer) {
     EXPECT_EQ(depths.at(Canvas::width - 1, Canvas::height - 1), 1);
 }
 
-/// Lines of one layer must not hide those of the next, and copying takes time.
+/// A layer's lines must not hide the next one's, and copying takes time.
 TEST_F(SurfaceDepthTest, CopiesOnceARedraw) {
     depth_.copy();
     canvas_.putDepth(0, 0, Canvas::width, Canvas::height, 0.5);
@@ -84,7 +82,7 @@ TEST_F(SurfaceDepthTest, CopiesTheViewportWhereverItIs) {
     canvas_.putDepth(100, 70, 60, 50, 0.5);
     glViewport(100, 70, 20, 10);
     EXPECT_NEAR(Depths(depth_.copy()).at(110, 75), Canvas::depthOf(0.5), tiny);
-    // another viewport of the same redraw, as large as there is
+    // Another viewport in the same redraw, as large as possible.
     glViewport(0, 0, Canvas::width, Canvas::height);
     const Depths depths(depth_.copy());
     EXPECT_EQ(depths.at(10, 10), 1);

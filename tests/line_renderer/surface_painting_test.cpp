@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces as paper and in flat tones, and the background around them.
+// Surfaces as paper and in flat tones, and the background.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,12 +14,11 @@ namespace {
 using Eigen::Vector3f;
 using line_renderer::DepthTexture;
 using line_renderer::SurfaceAppearance;
-using line_renderer::SurfaceLayer;
 using line_renderer::SurfacePointer;
 
 const QColor paper(250, 240, 210), shade(90, 100, 110);
 
-/// A unit normal at this cosine to the ray of sight.
+/// Unit, at this cosine to the ray.
 Vector3f normalAt(float cosine) {
     return {std::sqrt(1 - cosine * cosine), 0, cosine};
 }
@@ -79,7 +78,7 @@ TEST_F(SurfacePaintingTest, TonesFollowTheAngleToTheEye) {
     EXPECT_EQ(colorAt(two, 20 + 90, 60), paper);
 }
 
-/// As many tones as asked, and hardly a pixel between them.
+/// With hardly a pixel in between.
 TEST_F(SurfacePaintingTest, HasAsManyTonesAsAsked) {
     for (int tones : {2, 5, 8}) {
         Rectangles rectangles;
@@ -106,7 +105,7 @@ TEST_F(SurfacePaintingTest, LeavesWhatIsNearer) {
     EXPECT_EQ(colorAt(picture, 120, 60), paper);
 }
 
-/// Wires and points that stand out of the surface by a little are painted over.
+/// Wires and points that stand out slightly are covered.
 TEST_F(SurfacePaintingTest, CoversWhatStandsOutOfTheSurface) {
     canvas_.putDepth(0, 0, 80, Canvas::height, 0.0004);
     canvas_.putDepth(80, 0, 80, Canvas::height, 0.0016);
@@ -117,7 +116,7 @@ TEST_F(SurfacePaintingTest, CoversWhatStandsOutOfTheSurface) {
     EXPECT_EQ(colorAt(picture, 120, 60), QColor(Qt::white));
 }
 
-/// Of faces behind one another only the nearest by the texture is painted, whatever their order.
+/// In any order.
 TEST_F(SurfacePaintingTest, PaintsTheNearestFacesOfTheTexture) {
     Rectangles rectangles;
     rectangles.add(0, 0, 160, 120, 0.4, normalAt(0.95f));
@@ -155,7 +154,7 @@ TEST_F(BackgroundTest, IsWhereNothingIs) {
         }
 }
 
-/// A snapshot without background stays one, with the color below.
+/// Snapshots without background stay so.
 TEST_F(BackgroundTest, LeavesAlphaAndDepth) {
     canvas_.clear(0);
     line_renderer::BackgroundRenderer().paint(paper);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever happens to a file, it is said, or nothing is lost.
+// Damage is reported, or nothing is lost.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool is_whole(const MeshInFile& file) {
     return file.mesh.triangles.size() == 4 && std::abs(sample_files::volume(file.mesh) - 4) < 1e-6;
 }
 
-/// OBJ says nowhere how much there is.
+/// OBJ has no counts.
 TEST(DamagedFiles, ThatAreCutAnywhereSaySo) {
     for (const Sample& sample : tetrahedra()) {
         if (sample.format == Format::Obj) continue;
@@ -88,7 +88,7 @@ TEST(DamagedFiles, SayWhatAndWhere) {
     EXPECT_EQ(defect(Format::Ply, "PLX\n"), "line 1: it does not begin with \"ply\"");
 }
 
-/// What a head promises is not believed before it is there.
+/// Promises of a header are not trusted.
 TEST(DamagedFiles, TakeNoMoreMemoryThanTheyHaveBytes) {
     const std::string many = std::to_string(4000000000000000000ll);
     for (const char* format : {"ascii", "binary_little_endian"}) {
@@ -106,7 +106,7 @@ TEST(DamagedFiles, TakeNoMoreMemoryThanTheyHaveBytes) {
     EXPECT_NE(read_mesh(Format::Stl, std::string(80, ' ') + packed(~std::uint32_t(0))).defect, "");
 }
 
-/// Bytes changed, taken out, put in and moved, some thousand times for each sample.
+/// Bytes changed, removed, inserted and moved, some thousand times per sample.
 TEST(DamagedFiles, OfAnyKindAreReadSoundly) {
     std::mt19937 random(24);
     const std::string words[] = {"-1",    "4294967295", "4294967296",

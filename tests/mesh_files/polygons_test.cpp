@@ -23,7 +23,7 @@ std::vector<Triangle> triangles_of(const Polygon& polygon, std::size_t work = 10
     return triangles;
 }
 
-/// Of the triangles as seen along the normal, and of those that are turned round.
+/// Of triangles along the normal, and of flipped ones.
 struct Areas {
     double sum = 0, against = 0;
 };
@@ -38,7 +38,7 @@ Areas areas_of(const Polygon& polygon, const Vector3d& normal) {
     return areas;
 }
 
-/// A gear in a plane aslant: every second corner is concave.
+/// A gear in a slanted plane: every second corner is concave.
 Polygon star(int corners, double inner, const Vector3d& normal) {
     const Vector3d right = normal.unitOrthogonal(), up = normal.cross(right);
     Polygon polygon;
@@ -62,7 +62,7 @@ TEST(Polygons, AreFilledByTheirTrianglesWithoutOverlaps) {
         }
 }
 
-/// An L, begun at each of its corners: a fan from most of them would leave it.
+/// An L from each of its corners: most fans would leave it.
 TEST(Polygons, ThatAreConcaveAreNotLeft) {
     Polygon polygon = {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
     for (std::size_t begin = 0; begin < polygon.size(); ++begin) {

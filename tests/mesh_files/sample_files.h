@@ -14,16 +14,15 @@ struct Sample {
     std::string bytes;
 };
 
-/// A tetrahedron with corners (0 0 0), (2 0 0), (0 3 0), (0 0 4), whole, in all formats and kinds
-/// of them.
+/// Corners (0 0 0), (2 0 0), (0 3 0), (0 0 4), sound, in all formats and variants.
 const std::vector<Sample>& tetrahedra();
 
-/// The volume that a closed mesh encloses: 4 of the tetrahedra.
+/// Of a closed mesh; 4 for the tetrahedra.
 double volume(const laplacian_lines::TriangleMesh& mesh);
-/// Whether all triangles have vertices.
+/// All triangles have vertices.
 bool is_sound(const laplacian_lines::TriangleMesh& mesh);
 
-/// The bytes of a number, the least first or the greatest.
+/// Little- or big-endian.
 template <class Number>
 std::string packed(Number number, bool big = false) {
     const char* begin = reinterpret_cast<const char*>(&number);

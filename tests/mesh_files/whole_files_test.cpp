@@ -42,7 +42,7 @@ TEST(WholeFiles, HaveAnyEndsOfLines) {
     }
 }
 
-/// In some countries 0,5 is a half.
+/// Some locales write 0,5.
 TEST(WholeFiles, DoNotDependOnTheLocale) {
     const char* const before = std::setlocale(LC_ALL, nullptr);
     const std::string name = before ? before : "C";
@@ -63,7 +63,7 @@ TEST(WholeFiles, OfObjMayCountVerticesBackAndJoinLines) {
     EXPECT_EQ(file.mesh.triangles[1], (laplacian_lines::Triangle{1, 0, 3}));
 }
 
-/// Such vertices are left out later, with a count.
+/// Such vertices are left out and counted later.
 TEST(WholeFiles, MayHoldWhatIsNotFinite) {
     const MeshInFile file =
         read_mesh(Format::Off, "OFF\n3 1 0\nnan 0 0\n-1.#IND inf 1e-999\n1 2 3\n3 0 1 2\n");

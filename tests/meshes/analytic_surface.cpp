@@ -45,7 +45,7 @@ double laplace_beltrami(const Metric& m, const Jet& f) {
     return ((flux_u.derivative_u() + flux_v.derivative_v()) / m.root).value();
 }
 
-/// dn: takes r_u to n_u, r_v to n_v and n to 0.
+/// dn: maps r_u to n_u, r_v to n_v and n to 0.
 Eigen::Matrix3d shape_operator(const JetVector& ru, const JetVector& rv, const JetVector& n) {
     Eigen::Matrix3d from, to;
     from << value(ru), value(rv), value(n);
@@ -53,7 +53,7 @@ Eigen::Matrix3d shape_operator(const JetVector& ru, const JetVector& rv, const J
     return to * from.inverse();
 }
 
-/// ∇S: derivatives of all entries of S in space, made tangential.
+/// ∇S of all entries in space, made tangential.
 std::array<Eigen::Matrix3d, 3> shape_derivative(const JetVector& ru, const JetVector& rv,
                                                 const JetVector& n, const Jet& root) {
     // Gradients of u and v along the surface.
@@ -75,7 +75,6 @@ std::array<Eigen::Matrix3d, 3> shape_derivative(const JetVector& ru, const JetVe
     return result;
 }
 
-/// All that follows from a chart.
 struct Derivatives {
     explicit Derivatives(const Chart& chart)
         : r(chart(Jet::u(), Jet::v())), ru(derivative_u(r)), rv(derivative_v(r)) {

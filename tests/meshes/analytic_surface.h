@@ -11,8 +11,8 @@
 
 namespace test_meshes {
 
-/// The truth at a point of a smooth surface. Signs as in the core: outward normal, S = dn
-/// (sphere: +1/R), Δn = −2/R² n on a sphere.
+/// The truth at a point; signs as in the core: outward normal, S = dn (sphere: +1/R), Δn = −2/R² n
+/// on a sphere.
 struct SurfacePoint {
     Eigen::Vector3d position, normal, laplacian_normal;
     Eigen::Matrix3d shape_operator;  ///< symmetric, S n = 0
@@ -24,33 +24,32 @@ using JetVector = std::array<Jet, 3>;
 /// A parametrization around the point (0, 0); r_u × r_v points outward.
 using Chart = std::function<JetVector(const Jet& u, const Jet& v)>;
 
-/// From the chart's derivatives alone: Δn is the Laplace-Beltrami operator on each component of
-/// the normal, not a formula with curvatures.
+/// By the chart's derivatives alone: Δn is the Laplace-Beltrami operator on each component of the
+/// normal.
 SurfacePoint surface_point(const Chart& chart);
 
-/// A surface around the origin, p = map(d) for unit directions d.
+/// p = map(d), d a unit direction from the origin.
 using DirectionMap = std::function<JetVector(const JetVector& direction)>;
 SurfacePoint surface_point(const DirectionMap& map, const Eigen::Vector3d& direction);
 
 JetVector sphere_map(const JetVector& direction, double radius);
 JetVector ellipsoid_map(const JetVector& direction, const Eigen::Vector3d& half_axes);
-/// A unit sphere with smooth bumps and grooves of about a tenth of its radius.
+/// Smooth bumps and grooves of about a tenth of the radius.
 JetVector bumpy_map(const JetVector& direction);
 
 struct Torus {
     double large = 1, small = 0.4;  ///< radii; the axis is z
 };
 SurfacePoint torus_point(const Torus& torus, double u, double v);
-/// Δ(n·(e − p)): the illumination by a point light at `eye`, derived as a whole.
+/// Δ(n·(e − p)), derived as a whole.
 double torus_illumination_laplacian(const Torus& torus, double u, double v,
                                     const Eigen::Vector3d& eye);
-/// The same as torus_point() from closed formulas.
+/// torus_point() by closed formulas.
 SurfacePoint closed_form_torus_point(const Torus& torus, double u, double v);
 
 /// Hills z = f(x, y) with bumps of about 0.1.
 SurfacePoint hills_point(double x, double y);
 
-/// A mesh whose vertices lie on a smooth surface, with the truth at each of them.
 struct AnalyticMesh {
     laplacian_lines::TriangleMesh mesh;
     std::vector<SurfacePoint> truth;

@@ -23,7 +23,6 @@ double read_coordinate(Choices& choices) {
                         : (double(word) - kZero) / kSteps;
 }
 
-/// The first triangles, and the vertices that they use.
 TriangleMesh first_part(const TriangleMesh& mesh) {
     TriangleMesh part;
     std::unordered_map<std::uint32_t, std::uint32_t> places;

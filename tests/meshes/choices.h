@@ -9,8 +9,7 @@
 
 namespace test_meshes {
 
-/// Decisions read from bytes, which come from a fuzzer, a file or a seed. After the last byte all
-/// are 0. The bytes must outlive it.
+/// Decisions by the bytes of a fuzzer, file or seed, which outlive this; 0 after the last byte.
 class Choices {
 public:
     Choices(const std::uint8_t* bytes, std::size_t size) : next_(bytes), end_(bytes + size) {}
@@ -39,7 +38,7 @@ private:
     const std::uint8_t *next_, *end_;
 };
 
-/// The same bytes for the same seed, on every machine.
+/// The same on every machine.
 inline std::vector<std::uint8_t> random_bytes(unsigned seed, std::size_t count) {
     std::mt19937 random(seed);
     std::vector<std::uint8_t> bytes(count);

@@ -14,10 +14,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kPi = 3.14159265358979323846;
-// Of ripples, in the units of the body.
+// In units of the body.
 constexpr double kRippleLength = 0.12, kRippleFading = 0.6;
 
-/// Evenly over all directions, the i-th of `count`, a golden section apart.
+/// The i-th of `count` evenly spread directions, by the golden section.
 Vector3d spread_direction(int i, int count) {
     const double z = 1 - (2 * i + 1.0) / count, turn = i * kPi * (3 - std::sqrt(5.0));
     const double ring = std::sqrt(1 - z * z);
@@ -29,8 +29,7 @@ Vector3d moved(std::mt19937& random, const Vector3d& direction, double most) {
     return (direction + most * Vector3d(x, y, z)).normalized();
 }
 
-/// A zero between `low`, where f < 0, and `high`, where f >= 0: false position, where an end that
-/// stays weighs half as much the next time.
+/// A zero between `low`, f < 0, and `high`, f >= 0, by false position with halved weights.
 template <class Function>
 double find_zero(const Function& f, double low, double high) {
     double f_low = f(low), f_high = f(high);
@@ -73,8 +72,7 @@ FlakedStone::FlakedStone(const StoneShape& shape) : half_axes_(shape.half_axes) 
     edge_radius_ = shape.edge_radius * diagonal_;
 }
 
-/// About perpendicular to the body; large enough for the rays that graze its sphere to do so
-/// outside of the body.
+/// About perpendicular to the body; so large that rays graze its sphere outside the body.
 FlakedStone::Scar FlakedStone::random_scar(std::mt19937& random, const Vector3d& direction) const {
     const Vector3d on_body = direction / direction.cwiseQuotient(half_axes_).norm();
     const Vector3d up = moved(random, body_wall(on_body).normal, 0.15);

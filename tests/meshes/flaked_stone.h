@@ -18,30 +18,28 @@ struct StoneShape {
     Eigen::Vector3d half_axes = {1, 0.7, 0.45};  ///< of the body; the first one is the largest
 };
 
-/// A worked stone: an ellipsoid from which large spheres have taken shallow scars, arrises where
-/// they meet. Every third scar is conchoidal, with ripples around its point of percussion. Each ray
-/// from the origin meets the surface once, so that meshes of any resolution are of the same
-/// surface.
+/// An ellipsoid with shallow scars of large spheres, and arrises where these meet. Every third scar
+/// is conchoidal, with ripples around its point of percussion. Rays from the origin meet the
+/// surface once, so meshes of any resolution sample the same surface.
 class FlakedStone {
 public:
     explicit FlakedStone(const StoneShape& shape);
 
     double diagonal() const { return diagonal_; }        ///< D
     double edge_radius() const { return edge_radius_; }  ///< in the units of the body
-    /// Its surface with rounded arrises.
+    /// With rounded arrises.
     Wall wall(const Eigen::Vector3d& p) const;
-    /// The place of the surface in a unit direction from the origin.
+    /// In a unit direction from the origin.
     Eigen::Vector3d surface(const Eigen::Vector3d& direction) const;
 
-    /// The same without rounding.
+    /// Without rounding.
     Eigen::Vector3d sharp_surface(const Eigen::Vector3d& direction) const;
-    /// Which face that is of: 0 is the body, others are scars.
+    /// 0 is the body, others are scars.
     int face(const Eigen::Vector3d& direction) const;
-    /// A face's surface, as if there were no other.
+    /// As if it were the only face.
     Wall face_wall(int face, const Eigen::Vector3d& p) const;
 
-    /// 20 · 4^level triangles: an icosphere whose vertices are moved along it by up to `jitter`
-    /// edges.
+    /// 20 · 4^level triangles: an icosphere with vertices jittered by up to `jitter` edges.
     laplacian_lines::TriangleMesh mesh(int level, double jitter = 0.15) const;
 
 private:
@@ -62,8 +60,8 @@ private:
     double diagonal_ = 0, edge_radius_ = 0;
 };
 
-/// Where two faces of a stone meet: borders between the faces that rays through an icosphere of
-/// 20 · 4^level triangles meet, at an angle of at least `least_angle` degrees.
+/// Borders between the faces that rays through an icosphere of 20 · 4^level triangles meet, of at
+/// least `least_angle` degrees.
 std::vector<ArrisPiece> find_arrises(const FlakedStone& stone, double least_angle, int level = 5);
 
 }  // namespace test_meshes

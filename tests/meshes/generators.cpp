@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// The parameters of the grid's vertices, row by row.
+/// Row by row.
 std::vector<Eigen::Vector2d> grid_parameters(const Grid& grid) {
     std::mt19937 random(grid.seed);
     const int columns = grid.columns + !grid.wrap_u, rows = grid.rows + !grid.wrap_v;

@@ -12,12 +12,12 @@ namespace test_meshes {
 using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
 
-/// A regular grid over the parameter square [0,1]² with `columns` x `rows` cells.
+/// On [0,1]² with `columns` x `rows` cells.
 struct Grid {
     int columns = 10, rows = 10;
     bool wrap_u = false, wrap_v = false;
-    /// Each vertex is moved by up to this part of a cell, always the same way for one seed. Rows
-    /// of vertices on a border move along it only.
+    /// Moves vertices by up to this part of a cell, by a fixed seed; those on borders along these
+    /// only.
     double jitter = 0;
     unsigned seed = 1;
 };
@@ -27,37 +27,37 @@ TriangleMesh grid_mesh(const Grid& grid,
 AnalyticMesh grid_mesh(const Grid& grid,
                        const std::function<SurfacePoint(double u, double v)>& point);
 
-/// Unit directions and the triangles of an icosahedron, each split into 4^level.
+/// An icosahedron's triangles split into 4^level.
 TriangleMesh icosphere(int level);
-/// Vertices of an icosphere, moved along it by up to `jitter` edges, then mapped.
+/// An icosphere, jittered by up to `jitter` edges, then mapped.
 AnalyticMesh mapped_icosphere(int level, const DirectionMap& map, double jitter = 0);
 
 AnalyticMesh sphere(int level, double radius = 1, double jitter = 0);
 AnalyticMesh ellipsoid(int level, double jitter = 0);  ///< half axes 1, 0.8, 0.6
 AnalyticMesh bumpy_sphere(int level, double jitter = 0);
-/// Triangles: 2 · columns · rows.
+/// 2 · columns · rows triangles.
 AnalyticMesh torus(int columns, int rows, double jitter = 0, const Torus& shape = {});
-/// One half of the torus, 0 <= u <= π: two borders.
+/// 0 <= u <= π: two borders.
 AnalyticMesh half_torus(int columns, int rows, double jitter = 0, const Torus& shape = {});
 AnalyticMesh hills(int cells, double jitter = 0);  ///< over [−1, 1]²
 AnalyticMesh cylinder(int columns, int rows, double radius = 1, double length = 2);  ///< open, z
 TriangleMesh plane(int cells, double jitter = 0);  ///< [−1, 1]², z = 0, facing +z
 TriangleMesh cube(int cells);                      ///< [−1, 1]³, welded edges
-/// The same with edges and corners of the given radius, as finely divided as the faces.
+/// Edges and corners of this radius are as finely divided as the faces.
 TriangleMesh rounded_cube(int cells, double radius);
 
-/// An anchor ring of unit radius and a width of 0.6, one half turn: not orientable.
+/// Unit radius, width 0.6, one half turn: not orientable.
 TriangleMesh moebius_strip(int columns, int rows);
-/// `sheets` half planes that meet in the z axis, equally spaced around it.
+/// Half planes that meet in the z axis, equally spaced.
 TriangleMesh fan_of_sheets(int sheets, int cells);
-/// Two plane squares, z = 0 facing down and z = `distance` facing up: a thin wall without rim.
+/// Squares z = 0 facing down and z = `distance` facing up: a thin wall without rim.
 TriangleMesh parallel_sheets(int cells, double distance);
 
-/// Triangles around one vertex, or, if `cut`, around as many vertices at one place.
+/// Around one vertex, or, if `cut`, as many vertices at one place.
 TriangleMesh star(int triangles, bool cut);
 TriangleMesh book(int pages);            ///< triangles on one edge
 TriangleMesh one_face_often(int times);  ///< a torus with one face repeated, both ways around
-/// The same with three vertices of its own for each triangle. All indices are in range.
+/// Each triangle gets vertices of its own.
 TriangleMesh cut_apart(const TriangleMesh& mesh);
 
 void append(TriangleMesh& mesh, const TriangleMesh& other);
@@ -65,9 +65,9 @@ void flip_triangles(TriangleMesh& mesh, int every);  ///< reverses each `every`-
 TriangleMesh inside_out(TriangleMesh mesh);
 TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by,
                    double factor = 1);  ///< scaled first
-/// Adds what real files hold: NaN and infinite vertices with triangles, triangles without area,
-/// triangles that repeat a corner, vertices without triangles; in front, between and at the end.
-/// `clean_vertex[v]` is where vertex v of `mesh` ended up.
+/// Adds what real files hold: NaN and infinite vertices with triangles, triangles without area or
+/// with a repeated corner, unused vertices; in front, between and at the end. `clean_vertex[v]` is
+/// where vertex v went.
 TriangleMesh with_dirt(const TriangleMesh& mesh, std::vector<std::uint32_t>& clean_vertex);
 
 }  // namespace test_meshes

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Adds `height` at its centre, less by exp(-1/2) at its half axes.
+/// `height` at the centre, times exp(-1/2) at its half axes.
 struct Blob {
     Vector3d centre, half_axes;
     double height;

@@ -9,7 +9,7 @@
 
 namespace test_meshes {
 
-/// Values at the voxels of a cube, [size³], x first; less than 0 is inside.
+/// Values of a cube's voxels, [size³], x first; inside is below 0.
 struct Volume {
     int size = 0;
     double half_width = 1;  ///< the outermost voxels are that far from the origin along the axes
@@ -22,22 +22,21 @@ struct Volume {
 Volume sampled(const std::function<double(const Eigen::Vector3d&)>& value, int size,
                double half_width);
 
-/// A segmented volume: nothing is left but which voxels are inside.
+/// Keeps only which voxels are inside.
 Volume labels_of(const Volume& volume);
 
-/// The surface between inside and outside, facing outwards: in each cell of eight voxels the
-/// polygons around corners that are inside, their vertices on the edges of the cell where values
-/// change signs, interpolated linearly (labels: halfway). Inside corners that are opposite in a
-/// face of a cell are parted. W. Lorensen, H. Cline, "Marching Cubes", SIGGRAPH 1987, without the
-/// table of cases: polygons are followed from face to face. Outermost voxels have to be outside.
+/// Facing outwards: polygons around the inside corners of each cell of eight voxels, with vertices
+/// where values change sign on its edges, interpolated linearly (labels: halfway). Inside corners
+/// opposite in a face are separate. W. Lorensen, H. Cline, "Marching Cubes", SIGGRAPH 1987, but
+/// polygons are followed from face to face instead of a table. The outermost voxels have to be
+/// outside.
 laplacian_lines::TriangleMesh marching_cubes(const Volume& volume);
 
-/// Less than 0 inside of a smooth head, made of soft blobs and hollows: skull, jaw, neck, nose,
-/// brows, eyes in their sockets, lips, ears. It looks along +z, y is up, and it is within 1.1 of
-/// the origin along each axis.
+/// Below 0 inside a head of soft blobs and hollows: skull, jaw, neck, nose, brows, eyes, lips,
+/// ears. It looks along +z, y is up; within 1.1 of the origin along each axis.
 double implicit_head(const Eigen::Vector3d& p);
 
-/// In a volume of size³ voxels. Smooth: as exact as its voxels; terraced: from labels alone.
+/// From size³ voxels. Smooth: exact values; terraced: labels alone.
 laplacian_lines::TriangleMesh smooth_head(int size);
 laplacian_lines::TriangleMesh terraced_head(int size);
 

@@ -6,8 +6,8 @@
 
 namespace test_meshes {
 
-/// Taylor polynomial Σ c(i, j) u^i v^j, i + j <= 3, of a function of (u, v) around (0, 0): exact
-/// derivatives up to the third without finite differences. Deriving costs one degree.
+/// Taylor polynomial Σ c(i, j) u^i v^j, i + j <= 3, around (0, 0): exact derivatives. Deriving
+/// costs one degree.
 class Jet {
 public:
     static constexpr int kDegree = 3;

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "rounded_walls.h"
-
 namespace test_meshes {
 namespace {
 
@@ -13,19 +11,19 @@ using Eigen::Vector3d;
 
 constexpr double kTurn = 6.283185307179586;
 
-/// The half space on the other side of {p[axis] = at}, outside being towards `side`.
+/// Beyond {p[axis] = at}; outside is towards `side`.
 Wall half_space(const Vector3d& p, int axis, double at, double side) {
     return {side * (p[axis] - at), side * Vector3d::Unit(axis)};
 }
 
-/// What is outside of an upright cylinder.
+/// Outside an upright cylinder.
 Wall around_hole(const Vector3d& p) {
     const Vector3d across(p.x() - part::kHoleX, p.y(), 0);
     return across.norm() > 0 ? Wall{part::kHoleRadius - across.norm(), -across.normalized()}
                              : Wall{part::kHoleRadius, Vector3d::UnitX()};
 }
 
-/// The edges of the part, cut into pieces, with what is on both sides.
+/// Cut into pieces, with what is on both sides.
 class Edges {
 public:
     explicit Edges(const Solid& solid) : solid_(solid) {}
@@ -62,7 +60,6 @@ Vector3d at_depth(const Vector2d& p, double y) {
     return {p.x(), y, p.y()};
 }
 
-/// To the right of a direction.
 Vector2d outward(const Vector2d& along) {
     return Vector2d(along.y(), -along.x()).normalized();
 }

@@ -17,7 +17,7 @@ Vector3i corner_place(int corner) {
     return {corner & 1, corner >> 1 & 1, corner >> 2 & 1};
 }
 
-// The corners of each face of a cell, counterclockwise as seen from outside of the cell.
+// Corners of each face of a cell, counterclockwise from outside.
 constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                               {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
@@ -49,8 +49,8 @@ private:
             if (next[std::size_t(crossing)] != kNone) add_polygon(cell, crossing, next);
     }
 
-    /// A crossing is 8 times the corner inside plus the corner outside. In each face, the line
-    /// that leaves a crossing towards the outside goes around the corners inside before it.
+    /// A crossing is 8 times its inside corner plus the outside one. In each face, the line that
+    /// leaves a crossing outwards goes around the inside corners before it.
     static void follow_faces(const std::array<bool, 8>& inside, std::array<int, 64>& next) {
         next.fill(kNone);
         for (const auto& face : kFaces)
@@ -66,7 +66,7 @@ private:
             }
     }
 
-    /// Its crossings are taken off the list.
+    /// Removes its crossings from the list.
     void add_polygon(const Vector3i& cell, int crossing, std::array<int, 64>& next) {
         const std::uint32_t first = vertex(cell, crossing);
         std::uint32_t last = 0;

@@ -38,7 +38,7 @@ std::string file_content(const std::string& path) {
     return content.str();
 }
 
-/// Of the name without ".gz".
+/// Ignores ".gz".
 mesh_files::Format format_of(const std::string& path) {
     const std::string name = ends_with(path, ".gz") ? path.substr(0, path.size() - 3) : path;
     const auto format = mesh_files::format_of(name.substr(name.rfind('.') + 1));

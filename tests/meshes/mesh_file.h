@@ -7,11 +7,11 @@
 
 namespace test_meshes {
 
-/// Reads a PLY, STL, OBJ or OFF file that is whole, or one packed with gzip (.gz; needs the program
-/// gzip). @throws std::runtime_error
+/// Reads a sound PLY, STL, OBJ or OFF file, also gzipped (.gz; needs the program gzip).
+/// @throws std::runtime_error
 laplacian_lines::TriangleMesh read_mesh(const std::string& path);
 
-/// The name of the file without folder and endings.
+/// Without folder and extensions.
 std::string mesh_name(const std::string& path);
 
 }  // namespace test_meshes

@@ -26,8 +26,7 @@ void add_vertex(TriangleMesh& mesh, Field& field, std::uint32_t a, std::uint32_t
     field.kernel_sizes.push_back((field.kernel_sizes[a] + field.kernel_sizes[b]) / 2);
 }
 
-/// The vertices in the middle of edges, by their ends; room for each edge is known beforehand,
-/// which is several times as fast as a hash map.
+/// Midpoints by the edges' ends, with space known beforehand: several times as fast as a hash map.
 class Middles {
 public:
     explicit Middles(const TriangleMesh& mesh)
@@ -39,7 +38,7 @@ public:
         middles_.resize(first_.back());
     }
 
-    /// Of the edge a, b; `make` returns a new one if there is none yet.
+    /// Of the edge a, b; `make` creates a missing one.
     template <class Make>
     std::uint32_t find(std::uint32_t a, std::uint32_t b, Make make) {
         const auto [low, high] = std::minmax(a, b);

@@ -6,11 +6,10 @@
 
 namespace test_meshes {
 
-/// Splits each triangle in four at the middles of its edges. Positions and the field are
-/// interpolated, so the lines stay where they are: what grows is the mesh.
+/// Splits each triangle in four and interpolates positions and field, so that lines stay put.
 void subdivide(laplacian_lines::TriangleMesh& mesh, laplacian_lines::Field& field);
 
-/// The same, so many times, of a mesh without a field.
+/// Repeatedly, without a field.
 void subdivide(laplacian_lines::TriangleMesh& mesh, int times);
 
 }  // namespace test_meshes

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Makes vertices at exactly the same place one and drops those without triangles.
+/// Merges vertices at exactly the same place and drops unused ones.
 TriangleMesh welded(const TriangleMesh& mesh) {
     std::map<std::tuple<double, double, double>, std::uint32_t> place;
     TriangleMesh result;

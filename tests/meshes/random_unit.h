@@ -7,7 +7,6 @@ namespace test_meshes {
 
 using mesh_noise::signed_unit;
 
-/// Between the two.
 inline double between(std::mt19937& random, double least, double most) {
     return least + (most - least) * (signed_unit(random) + 1) / 2;
 }

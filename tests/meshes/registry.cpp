@@ -8,7 +8,6 @@
 namespace test_meshes {
 namespace {
 
-/// A mesh without truth.
 std::function<AnalyticMesh()> plain(std::function<TriangleMesh()> make) {
     return [make = std::move(make)] { return AnalyticMesh{make(), {}}; };
 }
@@ -60,7 +59,7 @@ TriangleMesh triangle_soup() {
     return mesh;
 }
 
-/// Two triangles back to back: closed, without a volume.
+/// Closed, without a volume.
 TriangleMesh pillow() {
     return {{{0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0.1}}, {{0, 1, 2}, {0, 2, 1}}};
 }

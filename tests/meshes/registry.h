@@ -34,8 +34,7 @@ struct TestMesh {
     bool has(unsigned wanted) const { return (tags & wanted) == wanted; }
 };
 
-/// A mesh that can be had, generated at the first use: each test has a process of its own, which
-/// asks for the names of all and for few of the meshes.
+/// Generated on first use: each test process asks for all names, but few meshes.
 class MeshEntry {
 public:
     MeshEntry(std::string name, unsigned tags, std::function<AnalyticMesh()> make)
@@ -55,11 +54,11 @@ private:
 /// A few thousand triangles each.
 const std::vector<MeshEntry>& all_entries();
 
-/// What else there is: not finite, without area, far from the origin, of thousands of pieces, ...;
-/// also such as have to be refused. Not among all_entries().
+/// The rest, not among all_entries(): not finite, without area, far from the origin, of thousands
+/// of pieces, also such as have to be refused.
 const std::vector<MeshEntry>& wild_entries();
 
-/// Those of all_entries() that have all wanted tags and none of the others.
+/// Those of all_entries() with all wanted tags and no unwanted one.
 std::vector<const MeshEntry*> meshes_with(unsigned wanted, unsigned unwanted = 0);
 
 /// @throws std::out_of_range
@@ -68,7 +67,7 @@ const TestMesh& mesh_named(const std::string& name);
 inline std::ostream& operator<<(std::ostream& out, const TestMesh& mesh) {
     return out << mesh.name;
 }
-/// How GoogleTest shows the mesh that a test runs on.
+/// For GoogleTest's output.
 inline void PrintTo(const MeshEntry* entry, std::ostream* out) {
     *out << entry->name;
 }

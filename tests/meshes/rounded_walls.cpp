@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The half spaces {y : n·y <= −a} that walls moved inwards by a radius leave, seen from a point
-/// at y = 0; those too far away to matter are left out.
+/// {y : n·y <= −a} left by walls that moved inwards by a radius, from a point at y = 0, without
+/// walls too far to matter.
 struct HalfSpaces {
     std::vector<Vector3d> n;
     std::vector<double> a;
@@ -32,7 +32,7 @@ struct HalfSpaces {
     }
 };
 
-/// The point nearest to 0 at which the bounds of some half spaces meet, if all of them push.
+/// The nearest point to 0 where the bounds of some half spaces meet, if all of them push.
 template <int Count>
 std::optional<Vector3d> meeting(const HalfSpaces& spaces,
                                 const std::array<std::size_t, Count>& chosen) {
@@ -51,7 +51,7 @@ std::optional<Vector3d> meeting(const HalfSpaces& spaces,
     return y;
 }
 
-/// The point of all half spaces that is nearest to 0: on one bound, two or three.
+/// The nearest point to 0 in all half spaces: on one, two or three bounds.
 std::optional<Vector3d> nearest_point(const HalfSpaces& spaces) {
     const std::size_t count = spaces.n.size();
     for (std::size_t i = 0; i < count; ++i)

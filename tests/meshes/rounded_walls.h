@@ -10,7 +10,7 @@
 
 namespace test_meshes {
 
-/// What a solid, or the half space behind one of its faces, is at a point, to first order.
+/// A solid, or the half space behind one of its faces, at a point, to first order.
 struct Wall {
     double distance = 0;                                ///< signed, outside > 0
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, outward
@@ -18,28 +18,26 @@ struct Wall {
     Wall flipped() const { return {-distance, -normal}; }
 };
 
-/// A solid, by its wall at any point.
 using Solid = std::function<Wall(const Eigen::Vector3d&)>;
 
-/// What all of them enclose, its convex edges and corners rounded with a radius: all walls are
-/// moved inwards by the radius, and the surface is what is that far from them. A ball rolls along
-/// the inside of the edges, exactly for plane walls, and with an error of the order of radius²
-/// times curvature for others. Radius 0 leaves edges sharp.
+/// The intersection with convex edges and corners rounded: walls move inwards by the radius, and
+/// the surface is at that distance from them. A ball rolls along the inside of the edges, exactly
+/// for plane walls, otherwise to the order of radius² times curvature. Radius 0 leaves edges sharp.
 Wall rounded_intersection(const std::vector<Wall>& walls, double radius);
-/// What any of them encloses, its concave edges rounded.
+/// The union, its concave edges rounded.
 Wall rounded_union(const std::vector<Wall>& walls, double radius);
 
-/// The point of the surface that Newton's steps along the normals lead to.
+/// By Newton's steps along the normals.
 Eigen::Vector3d onto_surface(const Solid& solid, Eigen::Vector3d p);
 
 /// A closed mesh of a solid inside a box whose distance is exact or less: a vertex on the surface
-/// for each cell of a grid that it passes through, a quadrangle, cut along its shorter diagonal,
-/// for each edge of the grid that it cuts. The solid has to be thicker than two cells, and so have
-/// the gaps in it. The grid is turned against the axes, so that plane faces do not lie along it.
+/// for each cell of a grid that it passes, a quadrangle, cut along its shorter diagonal, for each
+/// edge of the grid. Solid and gaps have to be thicker than two cells. The grid is turned, so that
+/// no plane faces lie along it.
 laplacian_lines::TriangleMesh surface_net(const Solid& solid, const Eigen::AlignedBox3d& box,
                                           double cell);
 
-/// A short piece of an edge of a form, sharp or rounded. Pieces are in no order.
+/// A short piece of a form's edge, sharp or rounded, in no order.
 struct ArrisPiece {
     Eigen::Vector3d a, b;    ///< its ends, on the rounded surface
     double angle = 0;        ///< between the normals on both sides, degrees

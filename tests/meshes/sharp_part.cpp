@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The machined part of few triangles: columns of the profile side by side, faces that are drawn out
-// along y, two rings around the hole.
+// The machined part with few triangles: columns of the profile, faces extruded along y, two rings
+// around the hole.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ Vector3d rim(int i, double z) {
             z};
 }
 
-/// What the profile has between two of its heights.
+/// Between two heights of the profile.
 struct Column {
     double left, right, top;
 };
@@ -37,7 +37,7 @@ constexpr std::array<Column, 4> kColumns = {
 
 class PartBuilder {
 public:
-    /// Both ends of a column; (x, z) of its corners and those of its neighbours beside it.
+    /// By (x, z) of its corners and of its neighbours' beside it.
     void add_ends(const std::vector<Vector2d>& outline) {
         std::vector<Vector3d> front, back;
         for (const Vector2d& p : outline) {
@@ -49,13 +49,13 @@ public:
         add_polygon(back);
     }
 
-    /// The face along y of a side of the profile, the solid to the left.
+    /// For a side of the profile, the solid to the left.
     void add_side(const Vector2d& p, const Vector2d& q) {
         constexpr double d = part::kDepth;
         add_polygon({{p.x(), -d, p.y()}, {p.x(), d, p.y()}, {q.x(), d, q.y()}, {q.x(), -d, q.y()}});
     }
 
-    /// Between the hole and the last column's rectangle, at a height.
+    /// Between the hole and the last column's rectangle.
     void add_ring(double z, bool faces_up) {
         const auto [left, right, top] = kColumns.back();
         const Vector3d corners[4] = {{right, part::kDepth, z},
@@ -82,8 +82,8 @@ public:
     TriangleMesh mesh;
 
 private:
-    /// A convex polygon, counter-clockwise from outside, maybe with corners amid a side: a fan from
-    /// the first corner with which no triangle is without area.
+    /// Convex, counter-clockwise from outside, perhaps with corners within a side: a fan from the
+    /// first corner that leaves no triangle without area.
     void add_polygon(std::vector<Vector3d> corners) {
         const auto is_flat = [](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
             return (b - a).cross(c - a).norm() < 1e-9;
@@ -113,7 +113,7 @@ private:
     std::map<std::array<long, 3>, std::uint32_t> vertices_;
 };
 
-/// Counter-clockwise, with the tops of lower columns beside it.
+/// Counter-clockwise, with the tops of lower neighbours.
 std::vector<Vector2d> outline_of(std::size_t i) {
     const Column& column = kColumns[i];
     std::vector<Vector2d> outline = {{column.left, -part::kHeight}, {column.right, -part::kHeight}};

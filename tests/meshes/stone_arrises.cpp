@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kDegrees = 57.29577951308232;
 
-/// Where the faces of a stone meet on the edges of an icosphere.
+/// On the edges of an icosphere.
 class FaceBorders {
 public:
     FaceBorders(const FlakedStone& stone, int level) : stone_(stone), rays_(icosphere(level)) {
@@ -44,7 +44,7 @@ private:
         int faces[2];
     };
 
-    /// By halving the edge; a third face may lie between those of its ends.
+    /// By bisection; a third face may lie between.
     const Border& border(std::uint32_t a, std::uint32_t b) {
         const auto [found, is_new] = borders_.try_emplace(std::minmax(a, b));
         if (!is_new) return found->second;

@@ -15,7 +15,7 @@ using laplacian_lines::TriangleMesh;
 
 constexpr int kBlock = 8;  // nodes that are sampled or passed over together
 
-/// Signed distances at the nodes of a grid; far from the surface only their signs are right.
+/// At the nodes of a grid; far from the surface only signs are right.
 class Grid {
 public:
     Grid(const Solid& solid, const Eigen::AlignedBox3d& box, double cell)
@@ -65,8 +65,8 @@ private:
                 }
     }
 
-    /// Where only opposite corners of a square are inside, two sheets would meet in an edge: the
-    /// corner nearest to the surface changes sides. Whether there was such a square.
+    /// If only opposite corners of a square are inside, two sheets would share an edge: flips the
+    /// corner nearest to the surface. Whether there was one.
     bool part_corners() {
         bool found = false;
         for (int z = 0; z + 1 < size_.z(); ++z)
@@ -134,7 +134,7 @@ private:
         return found->second;
     }
 
-    /// Of those on the edges of a cell.
+    /// On the edges of a cell.
     Vector3d middle_of_zeros(const Vector3i& cell) const {
         Vector3d sum = Vector3d::Zero();
         int count = 0;

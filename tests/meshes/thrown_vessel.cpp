@@ -7,11 +7,10 @@ namespace test_meshes {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 constexpr double kTau = 6.283185307179586;
 
-/// Corners of the profile, through which it runs smoothly; double ones are sharp.
+/// Corners of a smooth profile; double ones are sharp.
 const std::vector<Vector2d> kCorners = {
     {0, 5},    {0, 5},    {20, 5},   {34, 4},   {38, 0},   {38, 0},   {46, 0},
     {46, 0},   {49, 8},   {62, 32},  {80, 68},  {90, 102}, {86, 132}, {70, 158},
@@ -19,7 +18,7 @@ const std::vector<Vector2d> kCorners = {
     {58, 196}, {49, 188}, {46, 180}, {50, 169}, {64, 154}, {79, 130}, {83, 102},
     {73, 70},  {55, 35},  {38, 15},  {20, 12},  {0, 11},   {0, 11}};
 
-/// Catmull and Rom's curve.
+/// Catmull-Rom.
 Vector2d on_curve(double at) {
     const auto last = std::ptrdiff_t(kCorners.size()) - 1;
     const std::ptrdiff_t i = std::min(std::ptrdiff_t(at), last - 1);
@@ -29,7 +28,7 @@ Vector2d on_curve(double at) {
     const double t = at - double(i);
     const Vector2d a = corner(i - 1), b = corner(i), c = corner(i + 1), d = corner(i + 2);
     if (b == c) return b;
-    // a double corner has no direction through it
+    // A double corner has no direction.
     const Vector2d from = a == b ? Vector2d(c - b) : Vector2d((c - a) / 2);
     const Vector2d to = c == d ? Vector2d(c - b) : Vector2d((d - b) / 2);
     const double s = 1 - t;
@@ -40,7 +39,7 @@ double bump(double x) {
     return std::exp(-x * x / 2);
 }
 
-/// How far relief moves a place of the wall inwards or outwards, mm.
+/// Relief, mm.
 double relief_at(const Vector2d& p, double angle, bool is_inside) {
     if (is_inside) return p.x() > 20 ? 0.35 * std::sin(kTau * (p.y() / 9 + angle / kTau)) : 0;
     if (p.y() < 90 || p.y() > 160) return 0;

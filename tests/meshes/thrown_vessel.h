@@ -13,12 +13,12 @@ struct VesselShape {
     double wobble = 0;  ///< how far it is from round, mm
 };
 
-/// The profile of a jar from the middle of its base's underside around the wall to the middle of
-/// its inside: (radius, height), mm. Neighbouring points are equally far apart.
+/// From the underside's middle around the wall to the inside's middle: (radius, height), mm, evenly
+/// spaced.
 std::vector<Eigen::Vector2d> vessel_profile(int points);
 
-/// A jar thrown on the wheel, of 200 mm, with the y axis as its axis: a closed surface of a wall of
-/// 4 to 8 mm, two grooves and an incised wave on its shoulder, traces of throwing inside.
+/// A jar of 200 mm around the y axis: closed, walls of 4 to 8 mm, two grooves and an incised wave
+/// on the shoulder, throwing marks inside.
 laplacian_lines::TriangleMesh thrown_vessel(const VesselShape& shape = {});
 
 }  // namespace test_meshes

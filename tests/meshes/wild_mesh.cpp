@@ -18,7 +18,7 @@ Eigen::Vector3d small_point(Choices& choices) {
     return Eigen::Vector3d(x, y, z) / 16;
 }
 
-/// Points of a coarse grid, so that they coincide and align; any of them make triangles.
+/// On a coarse grid, so that points coincide and align.
 TriangleMesh soup(Choices& choices) {
     TriangleMesh mesh;
     const unsigned vertices = choices.below(40);
@@ -122,7 +122,7 @@ private:
                                        : &mesh_.triangles[choices_.word() % mesh_.triangles.size()];
     }
 
-    /// Many vertices to one place, or to one line or plane.
+    /// To one place, line or plane.
     void collapse() {
         const Eigen::Vector3d to = vertex();
         const unsigned every = 1 + choices_.below(4), axes = 1 + choices_.below(7);

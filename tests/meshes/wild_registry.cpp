@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The meshes that nobody wants, and that programs are given all the same.
+// Meshes that nobody wants, and programs get all the same.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -24,7 +24,7 @@ TriangleMesh squeezed(double x, double y) {
     return mesh;
 }
 
-/// A cloud of points on a line, at two points or at one, with triangles between them.
+/// Vertices on a line, at two points or at one.
 TriangleMesh without_area(int places) {
     TriangleMesh mesh;
     for (int i = 0; i < 300; ++i)
@@ -34,7 +34,7 @@ TriangleMesh without_area(int places) {
     return mesh;
 }
 
-/// A second torus that is but one point, beside the first.
+/// Beside the first torus, one that is a single point.
 TriangleMesh collapsed_component() {
     TriangleMesh mesh = small_torus(), point = mesh;
     for (Eigen::Vector3d& p : point.positions)
@@ -51,7 +51,7 @@ TriangleMesh crossing_tori() {
     return mesh;
 }
 
-/// Two spheres that share one vertex; a vertex without triangles is left.
+/// Sharing one vertex, with an unused one.
 TriangleMesh kissing_spheres() {
     TriangleMesh mesh = icosphere(2), other = mesh;
     const Eigen::Vector3d top = mesh.positions[0];
@@ -79,7 +79,6 @@ TriangleMesh nested_spheres() {
     return mesh;
 }
 
-/// Tetrahedra far from each other.
 TriangleMesh scattered_tetrahedra(int count) {
     TriangleMesh mesh;
     std::mt19937 random(3);
@@ -94,7 +93,7 @@ TriangleMesh scattered_tetrahedra(int count) {
     return mesh;
 }
 
-/// Triangles whose areas are 0 as floats, though not as doubles.
+/// Areas that are 0 as floats, but not as doubles.
 TriangleMesh tiny_sheets_far_apart() {
     TriangleMesh mesh;
     for (const double z : {0., 1.}) {
@@ -143,7 +142,7 @@ void add_shapes(std::vector<MeshEntry>& entries) {
         [] { return moved(small_torus(), Eigen::Vector3d::Zero(), 1e-200); });
 }
 
-/// A coordinate of the first, a middle or the last vertex that is not finite; all; none left.
+/// The first, a middle, the last coordinate not finite; all; none left.
 void add_not_finite(std::vector<MeshEntry>& entries) {
     for (int half : {0, 1, 2})
         for (int axis = 0; axis < 3; ++axis)

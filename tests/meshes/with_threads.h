@@ -5,7 +5,7 @@
 
 namespace test_meshes {
 
-/// While it lives, calls of the core run on at most so many threads.
+/// Limits the core's threads while it lives.
 class WithThreads {
 public:
     explicit WithThreads(int threads) : before_(laplacian_lines::thread_limit()) {

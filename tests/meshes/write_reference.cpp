@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_reference MESH FOLDER: a mesh of the registry as FOLDER/MESH.ply, and what belongs to each
-// of its vertices as FOLDER/MESH.txt, a line each: the core's field with the default options, as
-// MeshLab's attributes have it, then the truth (n, Δn, diagonal and rest of S). The first line
-// tells the layout: # NAME:NUMBERS... in this order, the truth's with the prefix "true_". For tests
-// of programs that are not written in C++.
-// write_reference --attributes: the names and numbers alone of what the default options give.
+// write_reference MESH FOLDER: a mesh of the registry as FOLDER/MESH.ply and, in FOLDER/MESH.txt, a
+// line per vertex: the core's field with the default options, as in MeshLab's attributes, then the
+// truth (n, Δn, diagonal and rest of S). The first line has the layout, # NAME:NUMBERS..., with
+// "true_" before names of the truth. For tests in other languages.
+// write_reference --attributes: names and numbers of the field alone.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -32,7 +31,7 @@ std::ofstream open(const std::string& path) {
     return file;
 }
 
-/// Through text: GCC 12's vectorizer leaves out casts from double to float and back.
+/// Through text: GCC 12's vectorizer drops casts from double to float and back.
 double as_read_from_file(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.9g", value);
@@ -57,7 +56,7 @@ void write_ply(const TriangleMesh& mesh, const std::string& path) {
         file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
 }
 
-/// NAME:NUMBERS for each attribute of these columns, with `separator` after each.
+/// NAME:NUMBERS per attribute, each followed by `separator`.
 void write_attributes(const std::vector<FieldColumn>& columns, char separator, std::ostream& out) {
     for (const FieldColumn& column : columns)
         for (const FieldAttribute& attribute : column.attributes)

@@ -4,7 +4,7 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "meshlab_host/meshlab_api.h"
 
-/// A new layer of the document, which is current then, as MeshLab's readers make it.
+/// The current layer of the document, as MeshLab's readers make it.
 inline CMeshO& addLayer(MeshDocument& document, const char* name,
                         const laplacian_lines::TriangleMesh& source) {
     CMeshO& mesh = document.addNewMesh("", name)->cm;

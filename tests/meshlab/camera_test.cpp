@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A light that turns with the camera: its angles, and its direction in the coordinates of a mesh.
+// The light that turns with the camera: angles, and its direction in mesh coordinates.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -55,18 +55,18 @@ TEST(DirectionInMesh, TurnsBackWhatTheCameraHasTurned) {
     EXPECT_NEAR(in_mesh->norm(), direction.norm(), kTiny);
 }
 
-/// Whatever the layer's transformation: a face that a ray of light grazes in the scene has n·d = 0.
+/// Under any transformation of the layer, n·d = 0 on faces that a ray grazes in the scene.
 TEST(DirectionInMesh, GrazesTheFacesThatTheLightGrazesInTheScene) {
     const Vector3d in_scene(0.2, 0.9, -0.4), other(-1, 0.5, 0.25);
     const Eigen::Matrix3d to_eye = (kModelview * distorting()).topLeftCorner<3, 3>();
-    // a face along the light, given by its sides in the mesh
+    // A face along the light, by its sides in the mesh.
     const Vector3d side = to_eye.inverse() * in_scene, other_side = to_eye.inverse() * other;
     const auto light = directionInMesh(in_scene, kModelview, distorting());
     ASSERT_TRUE(light);
     EXPECT_NEAR(light->normalized().dot(side.cross(other_side).normalized()), 0, 1e-9);
 }
 
-/// Light from straight behind an orthographic viewer is light at the eye.
+/// From straight behind an orthographic viewer.
 TEST(DirectionInMesh, AgreesWithTheEye) {
     Matrix4d projection = Matrix4d::Identity();
     const auto view = meshlab_host::viewFromMatrices(kModelview, projection, distorting());

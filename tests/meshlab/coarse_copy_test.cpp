@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What dialogs are told of large meshes without looking at all of them.
+// What dialogs learn about large meshes without looking at all of them.
 #include "compute_filter.h"
 
 #include <gtest/gtest.h>
@@ -9,14 +9,14 @@
 #include "generators.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/parameters.h"
 
 namespace {
 
-/// A box of somewhat more than a million triangles, which are narrower around x = 0.
+/// Somewhat more than a million triangles, narrower around x = 0.
 laplacian_lines::TriangleMesh largeBox() {
     laplacian_lines::TriangleMesh mesh = test_meshes::cube(300);
     for (Eigen::Vector3d& p : mesh.positions)
@@ -36,7 +36,7 @@ struct LargeBox {
     double defaultKernel() const {
         return *meshlab_host::defaultOf(defaults().getParameterByName("kernel_size"));
     }
-    /// What the filter has noted of it.
+    /// The filter's record of it.
     double kernelAfter(const RichParameterList& list) {
         meshlab_host::FilterResults results;
         ComputeFilter().run({document, list, nullptr, [](const QString&) {}, results});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the dialog of drawings makes of texts and sizes; the dialog itself: gui_drawing_dialog.gui.
+// The drawing dialog's texts and sizes; the dialog itself: gui_drawing_dialog.gui.
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
@@ -89,7 +89,7 @@ TEST_F(DrawingSettings, OfAnotherMeshAreThoseOfTheUser) {
     EXPECT_EQ(kept("title", ""), "");
 }
 
-/// A triangle of 40 x 30 units in a layer.
+/// 40 x 30 units.
 struct OneTriangle {
     MeshDocument document;
     MeshModel* layer = document.addNewMesh("/finds/find.ply", "find");

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the filter of drawings makes of its parameters.
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
@@ -124,7 +123,7 @@ TEST(DrawingParameters, StartBesideTheMeshAndAtTheWindow) {
     MeshDocument document;
     MeshModel* mesh = document.addNewMesh("/finds/find.17.ply", "find");
     EXPECT_EQ(drawingDefaults(mesh, false).file, "/finds/find.17_drawing.svg");
-    // scripts have the same unit whatever the size
+    // Scripts have one unit, whatever the size.
     mesh->cm.bbox.Set(Point3m(0, 0, 0));
     mesh->cm.bbox.Add(Point3m(1, 1, 1));
     EXPECT_EQ(drawingDefaults(mesh, false).unit, 0);

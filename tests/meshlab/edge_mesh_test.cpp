@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The edge mesh of lines holds just the core's line set.
+// Edge meshes hold the core's line set.
 #include <gtest/gtest.h>
 
 #include "laplacian_lines/line_extractor.h"
@@ -22,7 +22,6 @@ LineSet bumpyLines() {
     return lines;
 }
 
-/// The values of an attribute of Scalarm.
 std::vector<Scalarm> column(CMeshO& mesh, const char* name) {
     using Allocator = vcg::tri::Allocator<CMeshO>;
     auto handle = Allocator::FindPerVertexAttribute<Scalarm>(mesh, std::string(name));
@@ -61,7 +60,7 @@ TEST(EdgeMesh, HoldsTheLineSet) {
                 const CVertexO& vertex = *mesh.edge[edge].cV(end);
                 const std::size_t v = vcg::tri::Index(mesh, vertex);
                 used[v] = true;
-                // a closed line's last point is where its first vertex is
+                // A closed line's last point is at its first vertex.
                 EXPECT_EQ(vertex.cP()[0], point.position.x());
                 if (end == 1 && line.closed && i + 2 == line.count) continue;
                 expectPoint(vertex, point);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields as attributes of a mesh, by the core's table of columns and by one with a column more.
+// Fields as attributes, by the core's table of columns and by one with another column.
 #include "meshlab_host/field_attributes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 using namespace laplacian_lines;
 using namespace meshlab_host;
 
-/// With a column that the core does not have, of a vector and a number.
+/// With a vector and a number that the core does not have.
 struct RicherField : Field {
     std::vector<Eigen::Vector4f> colors;
 };
@@ -29,7 +29,7 @@ ColumnList richerTable() {
     return table;
 }
 
-/// Every float of these columns another number.
+/// All floats differ.
 template <class AnyField>
 AnyField numbered(const ColumnList& columns, std::size_t vertices) {
     AnyField field;
@@ -51,7 +51,7 @@ Value& valueOf(CMeshO& mesh, const char* name, std::size_t slot) {
 
 class FieldAttributes : public testing::Test {
 protected:
-    /// Five vertices, of which the second is deleted.
+    /// Five vertices, the second deleted.
     FieldAttributes() {
         auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(mesh, 5);
         for (int i = 0; i < 5; ++i, ++vertex)

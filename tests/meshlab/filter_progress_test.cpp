@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The filters as a host calls them: progress that rises to its end, and a callback that cancels.
+// Filters as a host calls them: progress rises to the end, and the callback can cancel.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -9,9 +9,7 @@
 
 #include "add_layer.h"
 #include "filter_laplacian_lines.h"
-#include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_attributes.h"
-#include "meshlab_host/mesh_conversion.h"
 #include "registry.h"
 #include "with_threads.h"
 
@@ -19,7 +17,6 @@ namespace {
 
 enum FilterNumber { Compute, Polylines, Drawing };
 
-/// The plugin as MeshLab sees it.
 class Plugin : public meshlab_host::FilterPluginBase {
 public:
     Plugin() : FilterPluginBase("TestedFilters", makeFilters()) {}
@@ -35,7 +32,7 @@ public:
 #endif
     }
 
-    /// Empty, or what the user is told.
+    /// The message for the user, if any.
     QString apply(FilterNumber filter, MeshDocument& document, const RichParameterList& list,
                   vcg::CallBackPos* callback) {
         QAction* action = actionOf(filter);
@@ -75,7 +72,7 @@ int layerCount(const MeshDocument& document) {
 
 constexpr int never = 101;
 
-/// What the callback is told, and when it cancels; plain functions have no other place for it.
+/// The callback's log and when it cancels; a plain function cannot hold it.
 struct Record {
     std::vector<int> percents;
     int cancel_from = never;  ///< percent; how many calls there are depends on the machine
@@ -110,7 +107,7 @@ protected:
     Plugin plugin;
 };
 
-/// Everything that a filter might leave behind in a layer.
+/// All that a filter might leave in a layer.
 struct LayerState {
     explicit LayerState(const CMeshO& mesh)
         : stamp(meshlab_host::geometryStamp(mesh)),
@@ -143,7 +140,7 @@ TEST_P(FilterProgress, RisesFromTheBeginningToTheEnd) {
 }
 
 TEST_P(FilterProgress, MovesWithEachStepOfAnyWork) {
-    // Only the calling thread tells progress, as it gets its share of the work; here it gets all.
+    // One thread: only the calling one reports.
     const test_meshes::WithThreads scope(1);
     ASSERT_EQ(run(never).toStdString(), "");
     const std::set<int> from_the_mesh(record.percents.begin(), record.percents.end());

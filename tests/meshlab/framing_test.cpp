@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The camera of ./run --picture: all points are within the window, in its middle, and as large as
-// that allows.
+// ./run --picture's camera: all points are in the window, centred, as large as possible.
 #include "framing.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +20,7 @@ Points randomPoints(unsigned seed, const Eigen::Vector3d& sizes) {
     return points;
 }
 
-/// What the points fill of the picture, by tangents for an eye in perspective.
+/// In the picture, by tangents in perspective.
 Eigen::AlignedBox2d pictureFrom(const Eigen::Vector3d& eye, const Points& points) {
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector3d& p : points)

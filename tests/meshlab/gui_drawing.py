@@ -40,7 +40,7 @@ set File = right.svg
 apply
 """
 TWICE = r"expect-log scale 20:1 on paper of 210 x 297 mm. The object is [45].\S* x [45]" + "\n"
-STRETCHED = rf"""expect-log transformation stretches it: its lines are computed anew
+STRETCHED = rf"""expect-log transformation stretches it: its lines are recomputed
 expect-log The object is [78]\S* x 2.\S* x
 set Settings = As the Decoration
 apply

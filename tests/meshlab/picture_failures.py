@@ -35,7 +35,7 @@ expect_sheet(2, "torus.ply", "points.ply", "mended.ply", said=[
 expect_sheet(1, "broken.ply", "torus.ply", "broken.ply.gz", said=[
     "broken.ply: MeshLab cannot read it: ", "broken.ply.gz cannot be unpacked"])
 expect_sheet(2, "torus.ply", "crash.off", "torus.ply", said=[
-    "crash.off: MeshLab('s own reader of .off files has ended MeshLab| cannot read it)"])
+    "crash.off: MeshLab('s own reader of .off files crashed MeshLab| cannot read it)"])
 expect_sheet(1, "far.ply", "torus.ply", said=[
     "far.ply: a few vertices lie so far off that nothing could be seen of the rest; delete them$"])
 expect_sheet(0, "points.ply", said=["for a point cloud, reconstruct one first", "no picture was written"])

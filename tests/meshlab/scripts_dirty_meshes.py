@@ -36,7 +36,7 @@ expect_left_out("2 vertices with non-finite coordinates, 2 triangles without are
 ply("soup.ply", [vertices[int(i)] for face in faces for i in face.split()[1:]],
     [f"3 {i} {i + 1} {i + 2}" for i in range(0, 7200, 3)])
 expect(compute("soup.ply") == 0, "the soup was refused")
-expect_text("log", "^Cuts closed: 6000 duplicated vertices count as others$")
+expect_text("log", "^Cuts closed: 6000 duplicate vertices treated as one with others$")
 expect_text("out.ply", "^element vertex 7200$")
 
 for vertices, faces in ((["0 0 0", "1 0 0", "2 0 0"], ["3 0 1 2"]), (["0 0 0", "1 0 0", "0 nan 0"], ["3 0 1 2"]),

@@ -140,14 +140,14 @@ class MovedBuild(ScriptTest):
         subprocess.run(["cp", "-a", "first", "second"], check=True)
         self.write_place("second")
         os.utime("second/main.cpp", (978307200, 978307200))  # older than what was compiled of the first one
-        self.expect_build("second", "building anew")
+        self.expect_build("second", "rebuilding")
         self.expect_build("second", "^$")
         self.assertTrue(os.path.isdir("second/build/other/CMakeFiles"), "another build was touched")
 
         os.unlink("first/main.cpp")
         os.rename("second", "third")
         self.write_place("third")
-        self.expect_build("third", "building anew")
+        self.expect_build("third", "rebuilding")
 
 
 class UnchangedBuild(ScriptTest):

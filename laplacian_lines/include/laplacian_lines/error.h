@@ -6,7 +6,7 @@
 
 namespace laplacian_lines {
 
-/// Why a call of the core was refused. Nothing the caller passed in has been changed.
+/// Why a call of the core was refused. The arguments are unchanged.
 enum class ErrorCode {
     InvalidOption,  ///< an option is outside its documented range
     InvalidMesh,    ///< a triangle names a vertex that does not exist, or D is beyond 1e±15
@@ -16,8 +16,8 @@ enum class ErrorCode {
     Cancelled,      ///< the progress callback asked to stop
 };
 
-/// The only exception the core throws itself (std::bad_alloc may pass through).
-/// what() is one sentence for the user that says what to do.
+/// The core throws nothing else but std::bad_alloc. what() is one sentence that tells the user what
+/// to do.
 class Error : public std::runtime_error {
 public:
     Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -27,7 +27,6 @@ private:
     ErrorCode code_;
 };
 
-/// @throws Error, always
 [[noreturn]] inline void refuse(const std::string& sentence,
                                 ErrorCode code = ErrorCode::InvalidOption) {
     throw Error(code, sentence);

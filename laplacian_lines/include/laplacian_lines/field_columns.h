@@ -9,15 +9,13 @@
 
 namespace laplacian_lines {
 
-/// A part of a column under a name of its own: programs that store a field know single numbers and
-/// vectors of three, nothing else.
+/// A named part of a column: programs that store a field only know scalars and 3-vectors.
 struct FieldAttribute {
     const char* name = nullptr;  ///< in files and scripts, stable between versions
     int floats = 0;              ///< 3 or 1; 0 where a column has fewer attributes than it may have
 };
 
-/// All that is to be known of a column, a vector of Field with some floats for each vertex, outside
-/// of what computes it. Texts are UTF-8, without markup.
+/// A column is a vector of Field with some floats per vertex. Texts are UTF-8, without markup.
 struct FieldColumn {
     const char* key;                           ///< the name of the vector
     const char* help;                          ///< what it holds, within a sentence
@@ -27,14 +25,14 @@ struct FieldColumn {
     bool optional;                             ///< may be absent: a vector without entries
 
     std::size_t (*size)(const Field&);  ///< entries
-    /// Values that were there before are kept, new ones are of no meaning.
+    /// Keeps the values there were; new ones are unspecified.
     void (*resize)(Field&, std::size_t entries);
-    /// size · floats of them, entry by entry, owned by the field until its vector is resized.
+    /// size · floats of them, entry by entry, valid until the vector is resized.
     const float* (*read)(const Field&);
     float* (*write)(Field&);
 };
 
-/// The functions of a row about a vector of Field, or of a struct derived from it.
+/// The functions of a row, for a vector of Field or of a struct derived from it.
 template <auto Member>
 struct ColumnFunctions;
 template <class Owner, class Entry, std::vector<Entry> Owner::*Member>
@@ -61,7 +59,6 @@ private:
 
 enum class ColumnPresence { Always, Optional };
 
-/// A row. `Member` points to the vector.
 template <auto Member>
 constexpr FieldColumn field_column(const char* key, const char* help, const char* unit,
                                    std::array<FieldAttribute, 2> attributes,
@@ -79,7 +76,7 @@ constexpr FieldColumn field_column(const char* key, const char* help, const char
             Functions::write};
 }
 
-/// One row a column. Attributes, their documentation and all checks of sizes are made from it.
+/// One row per column; attributes, their documentation and all checks of sizes come from it.
 inline constexpr std::array field_columns = {
     field_column<&Field::normals>("normals", "unit normal n, smoothed, outward", "",
                                   {{{"ll_normal", 3}}}),
@@ -107,7 +104,7 @@ inline bool is_present(const FieldColumn& column, const Field& field) {
     return !column.optional || column.size(field) > 0;
 }
 
-/// The rows of a table, by default all there are, that the field has.
+/// The rows of a table, by default of all columns, that the field has.
 template <class Columns = decltype(field_columns)>
 std::vector<FieldColumn> present_columns(const Field& field,
                                          const Columns& columns = field_columns) {
@@ -117,7 +114,7 @@ std::vector<FieldColumn> present_columns(const Field& field,
     return present;
 }
 
-/// Whether each column that the field has, and each that it has to have, has so many entries.
+/// Whether every column that is present or required has this many entries.
 template <class Columns = decltype(field_columns)>
 bool has_entries(const Field& field, std::size_t vertices, const Columns& columns = field_columns) {
     for (const FieldColumn& column : columns)

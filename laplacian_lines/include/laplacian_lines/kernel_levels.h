@@ -13,22 +13,20 @@ struct LevelShare {
     double share;  ///< of its lines' full width and opacity, 0..1
 };
 
-/// The kernel sizes in which lines of one mesh are drawn where they follow its size on the screen:
-/// even steps from the least one, level 0, to the largest that drawings have.
+/// The kernel sizes used when the kernel follows the size of the mesh on the screen: even steps
+/// from the smallest, level 0, up to the largest that drawings have.
 class KernelLevels {
 public:
     KernelLevels() = default;
-    /// Mesh units.
+    /// Both in mesh units.
     KernelLevels(double mean_edge, double diagonal);
 
     int count() const { return steps_ + 1; }
     double size(int level) const;  ///< √h, mesh units
 
-    /// The levels of a drawing that asks for this √h, the first one in full: the nearest one, or
-    /// two in the middle between them. There the next one comes first and the other goes then, so
-    /// that what both have stays as it is. A continuous function of the size and of nothing else,
-    /// so passing to and fro needs no memory of the last redraw. Sizes that are no number ask for
-    /// level 0.
+    /// The levels of a drawing that asks for this √h, the first in full: the nearest one, or two
+    /// halfway between them, where the next comes in before the other goes, so that lines they
+    /// share stay put. A continuous function of the size, without memory. NaN asks for level 0.
     std::vector<LevelShare> at(double wanted) const;
 
 private:
@@ -43,9 +41,8 @@ struct DrawnKernel {
     double share = 1;                            ///< as LevelShare::share, 1 of the first
 };
 
-/// Replaces `lines` with those of one or two kernels. What does not depend on the kernel comes with
-/// the first; Laplacian lines of the second are appended. `others` is memory to work in. See
-/// LineExtractor::extract().
+/// Replaces `lines` with those of one or two kernels: of the second only its Laplacian lines, since
+/// the rest does not depend on the kernel. `others` is scratch. See LineExtractor::extract().
 void extract_kernels(const LineExtractor& extractor, const View& view, const LineStyle& style,
                      const std::vector<DrawnKernel>& kernels, ExtractionScratch& scratch,
                      LineSet& others, LineSet& lines);

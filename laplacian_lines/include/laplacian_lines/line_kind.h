@@ -7,7 +7,7 @@
 
 namespace laplacian_lines {
 
-/// The number is what files hold: new kinds come last.
+/// Files hold the number: new kinds come last.
 enum class LineKind : std::uint32_t {
     Laplacian,
     Contour,              ///< where the surface turns away from the eye
@@ -30,7 +30,7 @@ enum class LineGradient {
     Angle,         ///< by which the surface turns, degrees
 };
 
-/// All that is to be known of a kind outside of what finds its lines. Names are plain ASCII.
+/// A kind, but for what finds its lines. Names are plain ASCII.
 struct LineKindDescription {
     LineKind kind;
     const char* key;    ///< identifier in scripts, stable between versions
@@ -48,7 +48,7 @@ struct LineKindDescription {
     std::uint32_t key_color = 0;     ///< where many kinds are drawn; 0: as all that have none
     double width = 1;                ///< by default, in widths of a Laplacian line of full weight
 
-    // What rows of the table add to the above.
+    // Modifiers for rows of the table.
     constexpr LineKindDescription as_outline() const {
         LineKindDescription row = *this;
         row.is_outline = true;
@@ -87,7 +87,7 @@ struct LineKindDescription {
     }
 };
 
-/// One row a kind, in the order of their numbers.
+/// One row per kind, in the order of their numbers.
 inline constexpr std::array line_kinds = {
     LineKindDescription{LineKind::Laplacian, "laplacian_lines", "Laplacian Lines",
                         "Draw the Laplacian lines.", "Laplacian line", "Laplacian lines",
@@ -160,12 +160,10 @@ constexpr const LineKindDescription& describe(LineKind kind) {
     return line_kinds[static_cast<std::size_t>(kind)];
 }
 
-/// A switch for each kind.
 class LineKindSet {
 public:
-    /// None.
     constexpr LineKindSet() = default;
-    /// Those of which `holds(row)` is true, a row of line_kinds.
+    /// The kinds whose row of line_kinds satisfies `holds`.
     template <class Holds>
     static constexpr LineKindSet where(const Holds& holds) {
         LineKindSet set;
@@ -173,7 +171,6 @@ public:
             set[row.kind] = holds(row);
         return set;
     }
-    /// Those that are shown by default.
     static constexpr LineKindSet defaults() {
         return where([](const LineKindDescription& row) { return row.shown; });
     }
@@ -183,7 +180,6 @@ public:
         return switches_[static_cast<std::size_t>(kind)];
     }
 
-    /// Those in either.
     constexpr LineKindSet operator|(const LineKindSet& other) const {
         return where(
             [&](const LineKindDescription& row) { return (*this)[row.kind] || other[row.kind]; });
@@ -191,7 +187,6 @@ public:
 
     bool operator==(const LineKindSet& other) const { return switches_ == other.switches_; }
 
-    /// Whether one of them needs Field::has_derivatives().
     constexpr bool needs_derivatives() const {
         for (const LineKindDescription& row : line_kinds)
             if (row.needs_derivatives && (*this)[row.kind]) return true;

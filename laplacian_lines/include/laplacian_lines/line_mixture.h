@@ -10,7 +10,7 @@
 
 namespace laplacian_lines {
 
-/// Kinds of lines that make a drawing together, with the outlines in any case.
+/// Kinds of lines that make a drawing together. Outlines are always among them.
 struct LineMixture {
     const char* key;      ///< identifier in scripts, stable between versions
     const char* label;    ///< in dialogs
@@ -25,13 +25,12 @@ constexpr LineKindSet only_kinds(std::initializer_list<LineKind> kinds) {
     return set;
 }
 
-/// The outlines and these.
 constexpr LineKindSet outlines_and(std::initializer_list<LineKind> kinds) {
     return only_kinds(kinds) |
            LineKindSet::where([](const LineKindDescription& row) { return row.is_outline; });
 }
 
-/// Those that have a color of their own, to tell them apart.
+/// Kinds with a color of their own, to tell them apart.
 constexpr LineKindSet kinds_with_key_color() {
     return LineKindSet::where([](const LineKindDescription& row) { return row.key_color != 0; });
 }
@@ -40,7 +39,7 @@ constexpr LineKindSet all_kinds() {
     return LineKindSet::where([](const LineKindDescription&) { return true; });
 }
 
-/// One row a mixture. Their places are what scripts and settings hold: new ones come last.
+/// Scripts and settings hold the index: new rows come last.
 inline constexpr std::array line_mixtures = {
     LineMixture{"laplacian_lines", "Only Laplacian Lines", outlines_and({LineKind::Laplacian}), {}},
     LineMixture{"suggestive_contours",
@@ -64,16 +63,15 @@ inline constexpr std::array line_mixtures = {
     LineMixture{"all_kinds", "All Kinds, in Colors", all_kinds(), kinds_with_key_color()},
 };
 
-/// The mixture of this key or label, in any case of letters and with blanks for underscores; null
-/// if there is none.
+/// By key or label; case does not matter, nor blanks for underscores. Null if there is none.
 const LineMixture* mixture_named(const std::string& name);
 
-/// The kinds that a text names: mixtures and kinds by key or label, as above, with + or commas
-/// between them, and the outlines in any case. "usual" are the kinds that are drawn by default.
-/// Nothing if a name is not known. Thread-safe.
+/// The kinds in a list of mixtures and kinds, by key or label as above, with + or commas between
+/// them; always with the outlines. "usual" is what is drawn by default. Nothing if a name is not
+/// known. Thread-safe.
 std::optional<LineKindSet> kinds_named(const std::string& names);
 
-/// All that kinds_named() knows, with commas between.
+/// All that kinds_named() knows, separated by commas.
 std::string names_of_kinds();
 
 }  // namespace laplacian_lines

@@ -18,8 +18,8 @@ struct LinePoint {
     float opacity;  ///< 0..1; lines that are about to vanish are nearly transparent
 };
 
-/// A traced line: points[first .. first+count) of its LineSet. A closed line ends with a copy of
-/// its first point.
+/// A traced line: points[first .. first+count) of its LineSet. A closed one repeats its first
+/// point.
 struct Polyline {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
@@ -38,7 +38,7 @@ struct LineSet {
         points.clear();
         lines.clear();
     }
-    /// Pairs of consecutive points over all lines.
+    /// Of all lines.
     std::size_t segment_count() const { return points.size() - lines.size(); }
 };
 

@@ -5,70 +5,68 @@
 
 namespace laplacian_lines {
 
-/// Which zero crossings become lines. Every threshold is dimensionless, so that one style serves
-/// models of any size, seen from anywhere. D is the bounding-box diagonal. The illumination is
-/// I = s n·l with s = 1/|e − c| for perspective views (c: centre of the box) and l of unit length
-/// for orthographic ones. Names, limits and help texts for user interfaces: option_table.h.
+/// Which zero crossings become lines. Thresholds are dimensionless, so one style serves models of
+/// any size from any view. D is the bounding-box diagonal. The illumination is I = s n·l with
+/// s = 1/|e − c|, c the centre of the box, for perspective views and unit l for orthographic ones.
+/// Names, limits and help texts: option_table.h.
 struct LineStyle {
-    /// 0..100, moves all thresholds on gradient, strength, slope and length together: 50 leaves
-    /// them as they are, 0 keeps hardly a line, 100 nearly all. The number of lines grows about
-    /// evenly with it.
+    /// 0..100, moves all thresholds on gradient, strength, slope and length: 50 leaves them alone,
+    /// 0 keeps hardly a line, 100 nearly all. The number of lines grows about evenly with it.
     double detail = 50;
     /// t, the least ‖∇I‖·D at a crossing (the paper's threshold on the gradient).
     double gradient_threshold = 0.8;
     /// τ, the least strength of a line, Σ (‖∇I‖_i + ‖∇I‖_i+1)/2 · length of the segment (Eq. 4).
     double strength_threshold = 0.01;
-    /// Drop crossings where the illumination's gradient has a minimum instead of a maximum, that
-    /// is, where ∇(ΔI)·∇I > 0. The paper has no such test.
+    /// Drop crossings where the gradient of the illumination has a minimum instead of a maximum:
+    /// ∇(ΔI)·∇I > 0. The paper has no such test.
     bool reject_phantoms = true;
-    /// Keep only lines at which the surface is concave towards the light: l·∇I = l·S l < 0. That
-    /// leaves one line in a groove and one at the foot of each flank of a ridge; without it, as in
-    /// the paper, each of them is accompanied by lines on the convex forms beside it.
+    /// Keep only lines where the surface is concave towards the light, l·∇I = l·S l < 0: one line
+    /// in a groove, one at the foot of each flank of a ridge. The paper also draws their companions
+    /// on the convex forms beside them.
     bool single_strokes = true;
     /// The slope of a crossing is ‖∇(ΔI)‖ · h_e^1.5, h_e = h + σ²/2 (kernel and normal smoothing).
     double segment_slope = 0.004;  ///< least slope of a segment
     double line_slope = 0.012;     ///< least mean slope of a line
-    /// Laplacian lines are traced whole, and means along them say which parts are drawn: all
-    /// thresholds on segments, Single Strokes and phantoms. Otherwise each crossing
-    /// and segment is tested by itself, as in the paper, which leaves dashes where detail finer
-    /// than the kernel changes S. See src/rules/line_parts.h.
+    /// Trace Laplacian lines whole and let means along them say which parts are drawn: all
+    /// thresholds on segments, Single Strokes and phantoms. Otherwise each crossing is tested
+    /// alone, as in the paper, which leaves dashes where detail finer than the kernel changes S.
+    /// See src/rules/line_parts.h.
     bool whole_lines = false;
-    /// Least cosine between −∇I and the tangential part of l at a crossing of a whole line, with
-    /// single_strokes. −1 lets texture that is finer than the kernel cut nothing, but costs time.
+    /// With single_strokes: least cosine between −∇I and the tangential part of l at a crossing of
+    /// a whole line. −1: texture finer than the kernel cuts nothing, at a cost in time.
     double least_concavity = -0.5;
     double full_slope = 0.25;     ///< slope above segment_slope at which a line has its full width
     double shortest_line = 0.01;  ///< least length of a line, in D
     double least_facing = -0.15;  ///< least n·l/|l| at a crossing
-    /// Standard deviation, in points of a line, of the smoothing of its course: lines follow the
-    /// triangles' edges, which shows on coarse and noisy meshes.
+    /// Standard deviation, in points of a line, of its smoothing: lines follow the triangles'
+    /// edges, which shows on coarse and noisy meshes.
     double line_smoothing = 1.2;
-    /// Lines fade in above the thresholds of slope, length and strength: from nothing at the
-    /// threshold to full opacity at (1 + fading) times it. 0: lines are there or not.
+    /// Lines fade in above the thresholds of slope, length and strength, from nothing at the
+    /// threshold to full opacity at (1 + fading) times it. 0: no fading.
     double fading = 1;
     double end_length = 0.01;  ///< length over which open ends of lines fade, in D
-    /// Laplacian lines within this distance of a contour, in D on the picture, fade out, since they
-    /// only double it; from half the distance on nothing is left. Only if contours are drawn and
-    /// the light is at the eye.
+    /// Laplacian lines this near to a contour, in D on the picture, only double it: they fade out,
+    /// down to nothing at half the distance. Only if contours are drawn and the light is at the
+    /// eye.
     double contour_clearance = 0.001;
     LineKindSet shows = LineKindSet::defaults();  ///< which kinds are drawn
-    /// Contours along edges of the mesh, between a triangle that faces the eye and one that does
-    /// not, where triangles are so large, or meet at such angles, that the zero crossings of n·l
-    /// would lie beside the horizon.
+    /// Draw contours along mesh edges, between triangles that face the eye and those that do not,
+    /// where triangles are so large or so steep that the zeros of n·l would miss the horizon.
     bool exact_outlines = true;
     double shortest_contour = 0.005;  ///< least length of a contour or border, in D
-    /// Least angle, in degrees, by which the surface turns across a ridge or valley within 2 % of D
-    /// to both sides, whatever the triangles' size, or a quarter of it within 1 %; that it turns as
-    /// fast beyond, or on one side only, counts against it. Weaker parts go on down to half.
+    /// Least angle, degrees, by which the surface turns across a ridge or valley within 2 % of D to
+    /// both sides, or a quarter of it within 1 %; turning as fast beyond, or on one side only,
+    /// counts against it. Weaker parts go on down to half.
     double ridge_angle = 10;
-    /// Angle between the normals of two triangles, degrees, from which the edge between them is a
-    /// crease whatever surrounds it. Edges of 3 degrees and more that the faces around do not
-    /// explain as facets count as 40.
+    /// Least angle between the normals of two triangles, degrees, whose edge is a crease whatever
+    /// surrounds it. Edges of 3 degrees and more that are not facets of the faces around count as
+    /// 40.
     double crease_angle = 40;
-    /// Least demarcation, in degrees, of a demarcating curve: how fast the curvature across it
-    /// changes, C(g,g,g), times h_e, the square of the scale that normals and C are seen at.
+    /// Least demarcation, degrees: how fast the curvature across the curve changes, C(g,g,g), times
+    /// h_e, the square of the scale that normals and C are seen at.
     double demarcation = 4;
     /// Least (x h_e)^1.5 at a suggestive contour, x the derivative of the radial curvature towards
-    /// the eye over the cosine between normal and view; twice that at a highlight.
+    /// the eye over n·v; twice that at a highlight.
     double suggestive_slope = 0.005;
     /// Least q1·D of an apparent ridge, q1 the largest curvature as it is seen on the screen.
     double apparent_curvature = 15;

@@ -7,7 +7,7 @@
 
 namespace laplacian_lines {
 
-/// Why the drawing of a mesh is likely to disappoint, which the user can do something about.
+/// Why the drawing of a mesh is likely to disappoint, where the user can mend it.
 enum class MeshFault {
     Torn,         ///< so many borders that it is hardly a surface: pieces that do not hang together
     Disagreeing,  ///< neighbours disagree about which side is outside
@@ -15,8 +15,7 @@ enum class MeshFault {
     CoarseKernel  ///< most of the surface bends within the kernel, which could be smaller
 };
 
-/// Those that a report of precompute() tells of, in the order in which to mend them. Scans with
-/// holes, and open surfaces that are finely meshed, have none.
+/// In the order in which to mend them. Scans with holes and finely meshed open surfaces have none.
 std::vector<MeshFault> faults_of(const MeshReport& report);
 
 }  // namespace laplacian_lines

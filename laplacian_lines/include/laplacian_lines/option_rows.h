@@ -7,9 +7,8 @@
 
 #include "laplacian_lines/option_table.h"
 
-/// Makes the rows of an option table. A row is about the member at the end of a path of member
-/// pointers, which starts at the options struct: a number, a switch or an enumeration. Public,
-/// since OptionDescription serves any struct: programs around the core describe their own options.
+/// Makes the rows of an option table. A row's member is a path of member pointers from the options
+/// struct to a number, a switch or an enumeration. Public, for programs with options of their own.
 namespace laplacian_lines::option_rows {
 
 template <class>

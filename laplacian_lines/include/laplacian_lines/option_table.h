@@ -17,8 +17,8 @@ enum class OptionKind {
     Choice,   ///< index into `choices`
 };
 
-/// One member of an options struct, described for people and machines. Dialogs, scripts and range
-/// checks are made from these rows; defaults are those of a default-constructed struct.
+/// A member of an options struct. Dialogs, scripts and range checks are made from these rows;
+/// defaults are those of a default-constructed struct.
 template <class Options>
 struct OptionDescription {
     const char* key;    ///< identifier in scripts, stable between versions
@@ -31,8 +31,7 @@ struct OptionDescription {
     double (*get)(const Options&);
     void (*set)(Options&, double);
     bool for_experts = false;  ///< dialogs may put it behind what everybody uses
-    /// Not null: users no longer have it, programs and tests do. What to do instead, for those
-    /// whose scripts name it.
+    /// Not null: only for programs and tests; tells users whose scripts name it what to do instead.
     const char* instead = nullptr;
 };
 

@@ -8,28 +8,22 @@
 
 namespace laplacian_lines {
 
-/// Computes the view-independent field of a mesh: normals, Δn, shape operators.
-///
-/// Sources: L. Zhang, Y. He, H. S. Seah, "Laplacian Lines for Real-Time Shape Illustration", with
-/// the Laplacian of M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces"
-/// (SoCG 2008). The Laplacian is negative semi-definite: Δf < 0 at a maximum of f.
-///
-/// @throws Error: InvalidOption, InvalidMesh, EmptyMesh, TooCostly, Cancelled.
-/// Thread-safe; runs on several threads (see threads.h), and the result does not depend on how
-/// many.
+/// Computes the view-independent field of a mesh: normals, Δn, shape operators. Sources: L. Zhang,
+/// Y. He, H. S. Seah, "Laplacian Lines for Real-Time Shape Illustration"; for the Laplacian
+/// M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces" (SoCG 2008). It is
+/// negative semi-definite: Δf < 0 at a maximum of f. Thread-safe; any number of threads gives the
+/// same. @throws Error: InvalidOption, InvalidMesh, EmptyMesh, TooCostly, Cancelled.
 Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options = {},
                  const Progress& progress = {});
 
-/// Computes S̄ and C of a field of this mesh, see Field::has_derivatives(): the same as if
-/// precompute() had been asked for them. What was there before is computed anew; the rest of the
-/// field stays.
+/// Computes S̄ and C of a field of this mesh, as precompute() does when asked; the rest stays.
 /// @throws Error: FieldMismatch, and those of precompute(). Thread-safe for different fields.
 void add_curvature_derivatives(const TriangleMesh& mesh, Field& field,
                                const Progress& progress = {});
 
-/// Bounding-box diagonal and mean edge of the usable part of a mesh, with the kernel size and the
-/// smoothing that precompute() would use: 0 if it would choose by the roughness, which is not
-/// measured here. @throws Error like precompute().
+/// Diagonal and mean edge of the usable part of a mesh, and the kernel size and smoothing that
+/// precompute() would use; 0 for a smoothing that depends on the roughness, which is not measured
+/// here. @throws Error like precompute().
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options = {});
 
 }  // namespace laplacian_lines

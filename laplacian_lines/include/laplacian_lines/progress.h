@@ -5,9 +5,8 @@
 
 namespace laplacian_lines {
 
-/// Called now and then, always from the thread that called the core, with the part of the work that
-/// is done (0..1, never falling) and what is being done. Returning false cancels: the call then
-/// throws Error(Cancelled). An empty function means no reports.
+/// Called now and then from the thread that called the core, with the part of the work that is done
+/// (0..1, never falling) and its stage. Return false to cancel: the call throws Error(Cancelled).
 using Progress = std::function<bool(double done, const char* stage)>;
 
 }  // namespace laplacian_lines

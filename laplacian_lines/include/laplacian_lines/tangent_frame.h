@@ -6,19 +6,19 @@
 
 namespace laplacian_lines {
 
-/// Two directions of a tangent plane that make a right-handed orthonormal frame (u, v, n).
+/// A right-handed orthonormal frame (u, v, n).
 struct TangentFrame {
     Eigen::Vector3f u, v;
 
-    /// The parts of a vector along u and v.
+    /// Components of a vector along u and v.
     Eigen::Vector2f operator()(const Eigen::Vector3f& vector) const {
         return {u.dot(vector), v.dot(vector)};
     }
 };
 
-/// The frame that Field::smooth_curvatures and curvature_derivatives are given in: a function of
-/// the unit normal alone, which jumps where n.z changes its sign. T. Duff et al., "Building an
-/// Orthonormal Basis, Revisited", Journal of Computer Graphics Techniques 6(1), 2017. Thread-safe.
+/// The frame of Field::smooth_curvatures and curvature_derivatives: a function of the unit normal
+/// alone, which jumps where n.z changes sign. T. Duff et al., "Building an Orthonormal Basis,
+/// Revisited", Journal of Computer Graphics Techniques 6(1), 2017.
 inline TangentFrame tangent_frame(const Eigen::Vector3f& n) {
     const float sign = std::copysign(1.f, n.z());
     const float a = -1 / (sign + n.z()), b = n.x() * n.y() * a;

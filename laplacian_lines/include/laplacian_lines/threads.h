@@ -3,13 +3,12 @@
 
 namespace laplacian_lines {
 
-/// How many threads a call of the core runs on at most, the calling one among them: at first what
-/// the environment variable LAPLACIAN_LINES_THREADS says, else as many as there are processors for
-/// the process. The others are the core's own. They are started when they are first needed, sleep
-/// between calls, and join in where they are free; no result depends on how many do. Thread-safe.
+/// How many threads a call of the core uses at most, with its own: LAPLACIAN_LINES_THREADS in the
+/// environment, else one per processor. The core starts its others when they are first needed; they
+/// sleep between calls. Results do not depend on them. Thread-safe.
 int thread_limit();
 
-/// For all calls from now on, from any thread; less than 1: as at first. Thread-safe.
+/// For all later calls, from any thread; less than 1: the initial limit. Thread-safe.
 void set_thread_limit(int threads);
 
 }  // namespace laplacian_lines

@@ -3,7 +3,7 @@
 
 namespace laplacian_lines {
 
-/// Of all that is built with this core, as "0.3.0". docs/changelog.md says what has changed when.
+/// Such as "0.3.0", see docs/changelog.md.
 const char* version();
 
 }  // namespace laplacian_lines

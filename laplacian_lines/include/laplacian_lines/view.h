@@ -6,19 +6,18 @@
 
 namespace laplacian_lines {
 
-/// The eye in homogeneous form (e, w), in mesh coordinates. The vector from a surface point p to
-/// the light, which sits at the eye, is l(p) = e − w p. No scale is attached: (2e, 2w) is the same
-/// view.
+/// The eye in homogeneous form (e, w), mesh coordinates. The light sits at the eye; the vector to
+/// it from a surface point p is l(p) = e − w p. (2e, 2w) is the same view.
 struct View {
     Eigen::Vector3d eye = Eigen::Vector3d::UnitZ();
     double w = 0;
-    /// Towards a directional light, in mesh coordinates, any length. Without one the light sits at
-    /// the eye. Only Laplacian lines change: they are then the zeros of Δn·d, which is exact.
+    /// Towards a directional light, any length; without one the light sits at the eye. Only changes
+    /// Laplacian lines, which are then the zeros of Δn·d, exactly.
     std::optional<Eigen::Vector3d> light = std::nullopt;
 
     /// A camera at the given position.
     static View perspective(const Eigen::Vector3d& position) { return {position, 1}; }
-    /// A camera infinitely far away; `towards_viewer` points from the object to it, any length.
+    /// A camera infinitely far away; `towards_viewer` may have any length.
     static View orthographic(const Eigen::Vector3d& towards_viewer) { return {towards_viewer, 0}; }
 };
 

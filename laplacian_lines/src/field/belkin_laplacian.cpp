@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sums/gaussian_grid.h"
+#include "sums/gaussian_sums.h"
 #include "system/large_array.h"
 
 namespace laplacian_lines {
@@ -19,7 +19,6 @@ double tail(double u) {
     return (1 + u) * std::exp(-u);
 }
 
-/// Root mean square of √h|S|.
 double roughness(const std::vector<float>& kernel_sizes, const ShapeOperators& shape_operators) {
     const double sum = sum_of(kernel_sizes.size(), [&](std::size_t i) {
         return double(kernel_sizes[i]) * kernel_sizes[i] * shape_operators[i].squaredNorm();
@@ -76,13 +75,13 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
         if (!options.correct_borders) return;
         const Eigen::Vector3d& n = normals[i];
         const Eigen::Vector3d moment = factor * sums.first_moment[i].cast<double>();
-        // A kernel that is not symmetric around p, as at a border, has a first moment along the
-        // surface, which S turns into a spurious term. Where the normal turns by more than a radian
-        // within √h, n_q − n_p = S (q − p) holds no longer, and the term fades.
+        // A kernel that is asymmetric around p, as at a border, has a first moment along the
+        // surface, which S turns into a spurious term. It fades where the normal turns by more than
+        // a radian within √h: n_q − n_p = S (q − p) no longer holds there.
         const double trust = 1 / (1 + h * shape_operators[i].squaredNorm());
         laplacian[i] -= trust * (shape_operators[i] * (moment - n * n.dot(moment)));
-        // Part of the kernel is missing there, too. The same step halves the bias on curved
-        // surfaces; tangential parts get worse by it.
+        // Part of the kernel is missing there, too. This also halves the bias on curved surfaces,
+        // but worsens tangential parts.
         const double kernel_mass = std::max(sums.mass[i] / (4 * kPi * h), kLeastKernelMass);
         laplacian[i] += n * n.dot(laplacian[i]) * (1 / kernel_mass - 1);
     });

@@ -21,14 +21,13 @@ struct BelkinOptions {
     Summation summation = Summation::Fastest;
 };
 
-/// The kernel of the direct sum.
+/// For the direct sum.
 GaussianKernel belkin_kernel(const std::vector<float>& kernel_sizes, const BelkinOptions& options);
 
-/// Δn of all vertices, [N], local units, by
-///   L f(p) = 1/(4πh²) Σ_q m_q exp(−|q−p|²/4h) (f(q) − f(p)):
-/// M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces", SoCG 2008; Eq. 2 of
-/// Laplacian Lines. The sum over triangles and their corners there is this sum over vertices.
-/// "Skip Opposite Sheet" multiplies the terms by facing_weight(n_q·n_p).
+/// Δn, [N], local units, by L f(p) = 1/(4πh²) Σ_q m_q exp(−|q−p|²/4h) (f(q) − f(p)): M. Belkin, J.
+/// Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces", SoCG 2008; Eq. 2 of Laplacian
+/// Lines, its sum over triangles and corners written as one over vertices. "Skip Opposite Sheet"
+/// multiplies the terms by facing_weight(n_q·n_p).
 std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
                                               const std::vector<Eigen::Vector3d>& normals,
                                               const std::vector<float>& kernel_sizes,

@@ -6,8 +6,8 @@
 
 namespace laplacian_lines {
 
-/// C(x, x, x) of a symmetric tensor C in a plane: of x = (cos θ, sin θ) it is a cos θ + b sin θ +
-/// p cos 3θ + q sin 3θ. As the complex numbers a + ib and p + iq it turns by multiplication.
+/// C(x, x, x) of a symmetric tensor C in a plane, x = (cos θ, sin θ): a cos θ + b sin θ + p cos 3θ
+/// + q sin 3θ. As complex numbers, a + ib and p + iq turn by multiplication.
 struct CubicForm {
     std::complex<double> first, third;
 
@@ -16,13 +16,12 @@ struct CubicForm {
         return {{0.75 * (uuu + uvv), 0.75 * (uuv + vvv)},
                 {0.25 * (uuu - 3 * uvv), 0.25 * (3 * uuv - vvv)}};
     }
-    /// The same four numbers.
     Eigen::Vector4d entries() const {
         return {first.real() + third.real(), first.imag() / 3 + third.imag(),
                 first.real() / 3 - third.real(), first.imag() - third.imag()};
     }
 
-    /// In a frame in which the first direction of this one is (cos φ, sin φ) = `direction`.
+    /// In a frame whose first direction is (cos φ, sin φ) = `direction` in this one.
     CubicForm turned(std::complex<double> direction) const {
         return {first * direction, third * direction * direction * direction};
     }

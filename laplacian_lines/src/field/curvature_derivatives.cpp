@@ -20,7 +20,7 @@ Eigen::Vector3d entries_of(const CurvedVertex& v) {
     return {v.u.dot(su), v.u.dot(sv), v.v.dot(sv)};
 }
 
-/// The same of all, smoothed where there is a fit.
+/// Of all vertices, smoothed where there is a fit.
 std::vector<Eigen::Vector3d> smooth(const PreparedMesh& mesh, const Field& field,
                                     const TensorFits& fits, const StageProgress& stage) {
     std::vector<Eigen::Vector3d> smoothed = large_array<Eigen::Vector3d>(mesh.size());

@@ -13,21 +13,19 @@ namespace {
 constexpr std::size_t kSamples = 1024;
 constexpr std::size_t kLeastTriangles = 12;   // of two rings; fewer say little
 constexpr std::size_t kMostTriangles = 4096;  // collected; beyond, a vertex is left out
-// In D. Below, contours are smooth whatever their triangles; above, form is as rough as noise.
+// In D. Contours are smooth below, whatever their triangles; above, form is as rough as noise.
 constexpr double kLeastEdge = 0.008, kLargestEdge = 0.04;
-// Lower quartiles; of registered meshes without noise none has both.
+// Lower quartiles; no registered mesh without noise has both.
 constexpr double kLeastTilt = 0.05;   // radians
 constexpr double kLeastShare = 0.40;  // of tilt and bend together
-// The upper quartile of the tilts over the lower one: 1.2 to 1.4 of noise, 1.7 and more of form.
+// Upper quartile of the tilts over the lower: noise has 1.2 to 1.4, form 1.7 and more.
 constexpr double kMostUneven = 1.5;
 
-/// What the normals around a vertex are like.
 struct Facets {
     double tilt = 0;   ///< of the triangles from the quadric, root mean square; radians
     double share = 0;  ///< tilt over tilt and bend
 };
 
-/// The triangles at each vertex.
 class TrianglesAt {
 public:
     explicit TrianglesAt(const PreparedMesh& mesh)
@@ -55,7 +53,7 @@ struct FacetMemory {
     std::vector<Eigen::Vector3d> normals;  // times twice the area, to one side
 };
 
-/// Normals of the triangles around a vertex against a linear function of their centres, weighted by
+/// Fits a linear function of the centres to the triangles' normals around a vertex, weighted by
 /// area: noise turns small triangles more.
 class FacetFit {
 public:
@@ -79,7 +77,7 @@ public:
             squares += row.weight * row.place * row.place.transpose();
             sums += row.weight * row.place * row.normal.transpose();
         }
-        // Places on one line have no solution: the least one.
+        // For centres on one line, the smallest solution.
         const Eigen::Matrix<double, 3, 2> fit =
             squares.completeOrthogonalDecomposition().solve(sums);
         double weights = 0, tilts = 0, bends = 0;

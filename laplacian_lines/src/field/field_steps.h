@@ -12,68 +12,60 @@
 #include "sums/gaussian_sums.h"
 #include "system/parallel.h"
 
-/// Steps of precompute(), in their order. belkin_laplacian.h and shape_operators.h, which come
-/// before the last one, have structures of their own.
+/// Steps of precompute(), in order; belkin_laplacian.h and shape_operators.h come before the last.
 namespace laplacian_lines {
 
-/// Unit vertex normals as the weighted mean of the incident triangles' normals, [N].
+/// Unit normals, [N]: the weighted mean of the incident triangles' normals.
 /// Max: N. Max, "Weights for Computing Vertex Normals from Facet Normals", J. Graphics Tools 1999.
 std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, const VertexRanges& ranges,
                                             NormalWeighting weighting, const StageProgress& stage);
 
-/// √h of the whole mesh in local units: the option, or the automatic size.
+/// √h in local units: the option, or the automatic size.
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options);
 
-/// √h(p) / √h for every vertex, [N]: 1 everywhere, or the local edge length in mean edges,
-/// smoothed and clamped (see PrecomputeOptions::kernel_mode).
+/// √h(p) / √h, [N]: 1, or the smoothed and clamped local edge length in mean edges (see
+/// PrecomputeOptions::kernel_mode).
 std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, const VertexRanges& ranges,
                                          KernelMode mode, const StageProgress& stage);
 
-/// Whether the triangles of a coarse mesh are turned by noise: their normals differ from those of
-/// the best quadric through their neighbours by about as much everywhere, and by as much as that
-/// bends. On a clean coarse mesh they do so at its edges and details only. Looks at the two rings
-/// of triangles around a thousand vertices. False on meshes that are too fine to be drawn by their
-/// triangles, and on those that are too coarse to tell. The mesh is sorted in space; the number of
-/// threads does not matter.
+/// Whether noise turns the triangles of a coarse mesh: their normals differ from the best quadric's
+/// by about as much everywhere, and by as much as it bends; on a clean mesh they do so at edges and
+/// details only. Looks at the two-rings of a thousand vertices. False on meshes too fine to be
+/// drawn by their triangles, and too coarse to tell. `mesh` is sorted in space; any number of
+/// threads gives the same.
 bool has_noisy_facets(const PreparedMesh& mesh);
 
-/// MeshReport::roughness from vertex normals that nothing has smoothed yet: how much more the
-/// normals turn when they are smoothed by 1.6 mean edges instead of 0.8 than by 3.2 instead of 1.6,
-/// lower quartiles of a thousand vertices. Smoothing takes noise away at the finest scale, form
-/// at the coarsest. It counts less where most normals keep within 2 degrees of their neighbours'
-/// mean; 0 where a mesh is too coarse to tell, or has too many vertices near each other. At least 1
-/// if has_noisy_facets(). Mean edges are times relative_sizes[v] at each vertex, as those of the
-/// smoothing.
+/// MeshReport::roughness, from unsmoothed vertex normals: how much more normals turn when smoothed
+/// by 1.6 mean edges instead of 0.8 than by 3.2 instead of 1.6, lower quartiles of a thousand
+/// vertices. Smoothing removes noise at the finest scale, form at the coarsest. Counts less where
+/// most normals are within 2 degrees of their neighbours' mean; 0 where a mesh is too coarse to
+/// tell or has too many vertices near each other; at least 1 if has_noisy_facets(). Mean edges are
+/// times relative_sizes[v].
 double measure_roughness(const PreparedMesh& mesh, const SpatialTree& tree,
                          const std::vector<float>& relative_sizes,
                          const std::vector<Eigen::Vector3d>& normals);
 
-/// Replaces unit normals by the weighted mean of those around them, weighted by how much they face
-/// the same way (facing_weight(n_q·n_p)). `sigma`: standard deviation of the Gaussian in local
-/// units, times relative_sizes[v] at each vertex. Bilateral weights also fall with the difference
-/// of the normals, with the standard deviation `bilateral_angle` in degrees, so that edges stay
-/// sharp.
+/// Replaces unit normals by the mean of those around them, weighted by facing_weight(n_q·n_p) and a
+/// Gaussian of the standard deviation `sigma` times relative_sizes[v], local units. Bilateral
+/// weights also fall with the difference of normals, standard deviation `bilateral_angle` in
+/// degrees, which keeps edges sharp.
 void smooth_normals(const PreparedMesh& mesh, const SpatialTree& tree,
                     const std::vector<float>& relative_sizes, double sigma,
                     const PrecomputeOptions& options, const StageProgress& stage,
                     std::vector<Eigen::Vector3d>& normals);
 
-/// Δn of all vertices, [N], local units, with cotangent weights divided by the vertex mass:
-/// U. Pinkall, K. Polthier, "Computing Discrete Minimal Surfaces and Their Conjugates", 1993.
-/// Does not converge on irregular triangulations (the paper's Fig. 2); kept to compare with.
+/// Δn, [N], local units, by cotangent weights over the vertex mass: U. Pinkall, K. Polthier,
+/// "Computing Discrete Minimal Surfaces and Their Conjugates", 1993. Does not converge on irregular
+/// triangulations (the paper's Fig. 2); kept for comparison.
 std::vector<Eigen::Vector3d> cotangent_laplacian(const PreparedMesh& mesh,
                                                  const std::vector<Eigen::Vector3d>& normals);
 
-/// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone,
-/// whether it has just been computed or comes from elsewhere: the same bits.
-///
-/// C is the slope of the linear function of the place in the tangent plane that best fits the S of
-/// the vertices within kDerivativeReach √h, each by its mass, its nearness and how it faces. A fit
-/// takes away what the triangles' shapes and noise do; docs/accuracy.md compares it with other
-/// ways. Where there are too few vertices for one: set_ring_derivatives().
-///
-/// S̄ is the value, at the vertex, of such a function of the vertices within kSmoothReach √h, or S
-/// where there are too few. Borders do not bias it.
+/// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone, so
+/// that it does not matter where that comes from. C is the slope of the linear function, in the
+/// tangent plane, that best fits S of the vertices within kDerivativeReach √h, weighted by mass,
+/// nearness and how they face. The fit cancels what triangle shapes and noise add; docs/accuracy.md
+/// compares. With too few vertices: set_ring_derivatives(). S̄ is the value of such a fit, within
+/// kSmoothReach √h, at the vertex, or S with too few vertices. Borders do not bias it.
 void fill_curvature_derivatives(const PreparedMesh& mesh, const SpatialTree& tree,
                                 const VertexRanges& ranges, const StageProgress& stage,
                                 Field& field);

@@ -8,12 +8,12 @@ namespace {
 
 constexpr int kSmoothingPasses = 10;
 constexpr double kSmallestRatio = 0.25, kLargestRatio = 4;
-// In D. Beyond, nothing changes any more: no vertex has a neighbour, or all are equally near.
+// In D. Beyond, nothing changes: no vertex has a neighbour, or all are equally near.
 constexpr double kSmallestKernel = 1e-7, kLargestKernel = 1e4;
 constexpr double kLargestDrawnKernel = 0.04;
 
-/// For each vertex v, the mean of value_of(v, other) over the edges at v, inner ones counted once
-/// per triangle, and of start[v] unless that is empty.
+/// For each vertex v, the mean of value_of(v, other) over its edges, inner ones once per triangle,
+/// and of start[v] unless that is empty.
 template <class Value>
 std::vector<double> mean_over_edges(const PreparedMesh& mesh, const VertexRanges& ranges,
                                     const std::vector<double>& start, const StageProgress& stage,

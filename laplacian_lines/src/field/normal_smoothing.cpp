@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sums/gaussian_grid.h"
+#include "sums/gaussian_sums.h"
 #include "sums/summation_cost.h"
 
 namespace laplacian_lines {
@@ -13,8 +13,8 @@ constexpr double kCutoffInSigma = 3;
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kLeastSigma = 1e-7;  // in D; no vertex has a neighbour as near as that
 constexpr double kAccuracy = 1e-3;    // of a sum on the grid
-// The grid leaves no tails out, so its sums are a little different; they are for meshes on which
-// the direct sum takes much longer: many vertices within a few mean edges.
+// The grid keeps the tails, so its sums differ a little: only where the direct sum takes much
+// longer, with many vertices within a few mean edges.
 constexpr double kGridAdvantage = 4;
 
 GaussianSums smoothing_sums(const PreparedMesh& mesh, const SpatialTree& tree,

@@ -22,20 +22,18 @@ constexpr std::size_t kMostBendSamples = 20000;
 constexpr double kLeastChoice = 2.5;  // mean edges: a kernel that could well be smaller
 constexpr double kFitCost = 20;       // of a pair of vertices in a fit, in those of a direct sum
 
-// About the part of the whole time at which each step ends, with the default options.
+// Share of the time at which each step ends, with the default options.
 constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
 constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6, kLaplacian = 1;
 constexpr double kDerivatives = 0.15;  // of the time that is longer by them
 
 constexpr double kDrawnSigma = 0.25;  // of √h, see PrecomputeOptions::drawn_kernel_size
 
-/// Whether the roughness decides how much normals are smoothed.
 bool smooths_by_roughness(const PrecomputeOptions& options) {
     return options.normal_smoothing != NormalSmoothing::None && options.normal_sigma == 0;
 }
 
-/// Standard deviation of the normals' smoothing in local units, before adaptation; 0 if it is
-/// automatic.
+/// Local units, before adaptation; 0 if automatic.
 double chosen_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options) {
     return options.normal_smoothing == NormalSmoothing::None
                ? 0
@@ -46,7 +44,7 @@ Cuts cuts_of(const PrecomputeOptions& options) {
     return options.weld_duplicates ? Cuts::Stitched : Cuts::Left;
 }
 
-/// Within their range, which tiny kernels on tiny meshes exceed.
+/// Clamped: tiny kernels on tiny meshes overflow.
 float to_float(double x) {
     return float(std::clamp(x, -kLargestFloat, kLargestFloat));
 }
@@ -58,7 +56,7 @@ FieldScale scale_of(const PreparedMesh& mesh, const PrecomputeOptions& options,
     return {d, mesh.mean_edge * d, global_kernel_size(mesh, options) * d, normal_sigma * d};
 }
 
-/// The computation on the prepared mesh, step by step; everything in local units.
+/// Step by step, in local units.
 class FieldComputation {
 public:
     FieldComputation(const PreparedMesh& mesh, const SpatialTree& tree,
@@ -110,7 +108,7 @@ public:
     }
 
 private:
-    /// MeshReport::kernel_bend, of some vertices all over the mesh.
+    /// MeshReport::kernel_bend, from a sample of vertices.
     double kernel_bend() const {
         if (kernel_size_ < kLeastChoice * mesh_.mean_edge) return 0;
         const std::size_t step = mesh_.size() / kMostBendSamples + 1;
@@ -124,7 +122,6 @@ private:
         return *middle;
     }
 
-    /// Duplicated vertices have the values of those that count for them.
     void copy_to_welded(Field& field) const {
         const std::vector<std::uint32_t>& representative = mesh_.representative;
         for_each_element(representative.size(), [&](std::size_t v) {

@@ -7,24 +7,23 @@
 namespace laplacian_lines {
 namespace {
 
-/// Between a triangle's normal and those of its corners: beyond that S is of another side.
+/// Between a triangle's normal and its corners': beyond, S is of another side.
 constexpr double kLeastCosine = 0.1;
 
 /// In the plane of a triangle with unit normal n.
 struct PlaneFrame {
     Eigen::Vector3d n, t, b;  // orthonormal
 
-    /// Turned with the plane from n to m, the shortest way.
+    /// Turned from n to m the shortest way.
     PlaneFrame turned_to(const Eigen::Vector3d& m) const {
         const Eigen::Vector3d middle = (n + m) / (1 + n.dot(m));
         return {m, t - t.dot(m) * middle, b - b.dot(m) * middle};
     }
 };
 
-/// The derivative in one triangle.
 class TriangleDerivative {
 public:
-    /// False if the triangle has no part in the derivatives.
+    /// False if the triangle does not count.
     bool fit(const Eigen::Vector3d* const p[3], const CurvedVertex corners[3]) {
         const Eigen::Vector3d edges[3] = {*p[2] - *p[1], *p[0] - *p[2], *p[1] - *p[0]};
         const Eigen::Vector3d area = edges[2].cross(-edges[1]);

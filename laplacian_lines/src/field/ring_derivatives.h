@@ -21,7 +21,6 @@ struct CurvedVertex {
     SymmetricTensor shape_operator;
 };
 
-/// Makes the entry of a vertex of the prepared mesh from the field alone.
 inline CurvedVertex curved_vertex(const PreparedMesh& mesh, const Field& field, std::uint32_t v) {
     const std::uint32_t original = mesh.original_vertex[v];
     const Eigen::Vector3f& n = field.normals[original];
@@ -32,12 +31,11 @@ inline CurvedVertex curved_vertex(const PreparedMesh& mesh, const Field& field, 
     return {n.cast<double>(), frame.u.cast<double>(), frame.v.cast<double>(), local};
 }
 
-/// Sets the derivative of S of the vertices that are `wanted`, [N], by differences within the
-/// triangles at each, in the frames of curved_vertex(): S is linear between the corners of a
-/// triangle, in the triangle's plane, and what comes out is made symmetric, as it is on smooth
-/// surfaces (Codazzi). S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle
-/// Meshes", 3DPVT 2004, section 4, without its least squares. 0 where no triangle faces as its
-/// corners do.
+/// Sets the derivative of S of the `wanted` vertices, [N], in the frames of curved_vertex(), by
+/// differences within the triangles at each: S is linear between corners, in the triangle's plane,
+/// and the result is made symmetric, as on smooth surfaces (Codazzi). S. Rusinkiewicz, "Estimating
+/// Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004, section 4, without least
+/// squares. 0 where no triangle faces as its corners do.
 void set_ring_derivatives(const PreparedMesh& mesh, const VertexRanges& ranges, const Field& field,
                           const std::vector<std::uint8_t>& wanted, std::vector<CubicForm>& forms);
 

@@ -14,8 +14,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr std::size_t kSamples = 1024;
-// Standard deviations are 0.8, 1.6 and 3.2 mean edges: each Gaussian is the fourth power of the
-// next.
+// Standard deviations are 0.8, 1.6, 3.2 mean edges: each Gaussian is the next one's fourth power.
 constexpr double kWidest = 3.2;
 constexpr double kReach = 2.2 * kWidest;
 // In D. The surface has to be large against the reach.
@@ -23,14 +22,14 @@ constexpr double kLargestEdge = 0.025;
 // Angles of normals to the mean around them, radians, exceeded by three quarters of them: less is
 // smooth, more is rough if the scales say so.
 constexpr double kSmooth = 0.01, kRough = 0.03;
-// In mean edges. What serves scans best is the least; beyond, in proportion to the roughness, as
-// was best for drawings of terraces and of noisy smooth forms.
+// In mean edges. The least is best for scans; above, sigma grows with the roughness, as was best
+// for terraces and noisy smooth forms.
 constexpr double kLeastSigma = 0.8, kLargestSigma = 2.5, kSigmaOfRoughness = 0.7;
 // The least roughness of coarse meshes with noisy facets: smoothed no more than scans.
 constexpr double kOfNoisyFacets = 1;
 constexpr double kLongest = 1e4;  // a tenth of a second, in units of pairs_cost()
 
-/// How far a normal turns: from what the triangles give to the first scale, and on to each next.
+/// How far a normal turns: from the triangles' to the first scale, and from each scale to the next.
 using Turns = std::array<double, 3>;
 
 Turns turns_at(const PreparedMesh& mesh, const SpatialTree& tree,

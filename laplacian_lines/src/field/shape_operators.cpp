@@ -2,7 +2,6 @@
 #include "field/shape_operators.h"
 
 #include <Eigen/Dense>
-#include <cmath>
 
 #include "field/triangle_tensors.h"
 #include "system/large_array.h"
@@ -10,7 +9,6 @@
 namespace laplacian_lines {
 namespace {
 
-/// Sums of the tensors of a range's triangles at its vertices.
 class TriangleFits {
 public:
     TriangleFits(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
@@ -59,9 +57,9 @@ private:
     int count_ = 0;
 };
 
-/// Calls add(vertex, sum, count) with the sums of the tensors of each corner's neighbours in the
-/// triangle, without those across an edge whose normals turn by more than a right angle: they are
-/// tensors of another side.
+/// Calls add(vertex, sum, count) with the summed tensors of each corner's neighbours in the
+/// triangle, without those whose normals turn by more than a right angle: these are on another
+/// side.
 template <class Add>
 void add_neighbours(const Triangle& t, const std::vector<Eigen::Vector3d>& normals,
                     const ShapeOperators& operators, Add add) {
@@ -130,7 +128,6 @@ ShapeOperators fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
                 rhs += u * (normals[q] - n).transpose();
             }
         });
-        // Well determined only if the neighbours spread in both directions.
         if (!(lhs.determinant() > 1e-6 * lhs.trace() * lhs.trace())) return;
         operators[i] = SymmetricTensor::of(frame * (lhs.inverse() * rhs)).tangential(n);
     });

@@ -12,7 +12,7 @@
 
 namespace laplacian_lines {
 
-/// Shape operators of all vertices, [N], local units.
+/// [N], local units.
 using ShapeOperators = std::vector<SymmetricTensor>;
 
 /// By the curvature tensor of each triangle: S. Rusinkiewicz, "Estimating Curvatures and Their
@@ -21,15 +21,15 @@ ShapeOperators fit_triangles(const PreparedMesh& mesh, const VertexRanges& range
                              const std::vector<Eigen::Vector3d>& normals,
                              const StageProgress& stage);
 
-/// By least squares over the vertices within `radius` (the paper's Eq. 3). Deviates from the paper
-/// in two points: solved in the tangent plane, because the 3x3 system's normal component takes up
-/// second-order terms (100 % error), and for S instead of ∇I, which is linear in the eye. Where the
-/// ball holds too few vertices, `fallback` is kept.
+/// Least squares over the vertices within `radius` (the paper's Eq. 3), but solved in the tangent
+/// plane, because the 3x3 system's normal component takes up second-order terms (100 % error), and
+/// for S instead of ∇I, which is linear in the eye. Keeps `fallback` where the ball holds too few
+/// vertices.
 ShapeOperators fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
                          const std::vector<Eigen::Vector3d>& normals, double radius, bool same_side,
                          const ShapeOperators& fallback, const StageProgress& stage);
 
-/// Passes of averaging S over one-rings, each neighbour's tensor projected on the tangent plane.
+/// Averages S over one-rings, neighbours projected on the tangent plane.
 void smooth_over_one_rings(const PreparedMesh& mesh, const VertexRanges& ranges,
                            const std::vector<Eigen::Vector3d>& normals, int passes,
                            const StageProgress& stage, ShapeOperators& operators);

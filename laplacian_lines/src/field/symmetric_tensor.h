@@ -5,11 +5,9 @@
 
 namespace laplacian_lines {
 
-/// A symmetric 3x3 matrix in double precision.
 struct SymmetricTensor {
     double xx = 0, yy = 0, zz = 0, yz = 0, xz = 0, xy = 0;
 
-    /// The symmetric part of a square matrix.
     static SymmetricTensor of(const Eigen::Matrix3d& a) {
         return {a(0, 0),
                 a(1, 1),
@@ -41,7 +39,7 @@ struct SymmetricTensor {
         return {xx * v.x() + xy * v.y() + xz * v.z(), xy * v.x() + yy * v.y() + yz * v.z(),
                 xz * v.x() + yz * v.y() + zz * v.z()};
     }
-    /// Sum of the squares of all nine entries.
+    /// Of all nine entries.
     double squaredNorm() const {
         return xx * xx + yy * yy + zz * zz + 2 * (yz * yz + xz * xz + xy * xy);
     }

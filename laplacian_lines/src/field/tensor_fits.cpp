@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeastVariance = 0.004;
 constexpr double kMostCost = 1e7;  // as pairs_cost() has it: about ten seconds
 
-/// With slopes over a radius.
+/// Slopes are per radius.
 TensorFit fit_of(const TensorSums& sums, std::size_t lane) {
     double n[TensorSums::kNumbers];
     for (int i = 0; i < TensorSums::kNumbers; ++i)

@@ -14,13 +14,13 @@
 
 namespace laplacian_lines {
 
-/// The vertices of a mesh with their S as sources for sum_tensors(), leaf by leaf of its tree.
+/// Vertices with their S as sources for sum_tensors(), by leaf.
 class TensorSources {
 public:
     TensorSources(const PreparedMesh& mesh, const SpatialTree& tree, const Field& field);
 
-    /// Writes what is within `reach` of the leaf's box, places as seen from the box's centre, and
-    /// returns how many there are. `sources` grows as needed.
+    /// Writes what is within `reach` of the leaf's box, relative to the box's centre; returns how
+    /// many. `sources` grows as needed.
     std::size_t collect(const SpatialTree::Leaf& leaf, double reach,
                         std::vector<TensorSource>& sources) const;
 
@@ -33,26 +33,25 @@ private:
 constexpr double kDerivativeReach = 3.4;
 /// Reach for C, in mean edges: a larger one is slower, not better. Smaller ones are cut as much.
 constexpr double kMostDerivativeReach = 16;
-/// For S̄, the spread of a kernel of 0.35 √h: lines keep what can be seen of the form, and lose what
-/// noise of a fifth of the edges adds.
+/// For S̄, the spread of a kernel of 0.35 √h: keeps visible form, loses what noise of a fifth of
+/// the edges adds.
 constexpr double kSmoothReach = 1.4;
 
-/// The linear function of the place in a vertex's tangent plane that fits S best, local units.
+/// The linear function in a vertex's tangent plane that fits S best, local units.
 struct TensorFit {
     bool found = false;     ///< false: too few neighbours, or not in all directions
     Eigen::Vector3d value;  ///< at the vertex: S(u,u), S(u,v), S(v,v)
     CubicForm slopes;       ///< made symmetric
 };
 
-/// Fits to the S of the vertices around each vertex, which count by their mass, their nearness and
-/// how they face.
+/// Fits S of the vertices around each vertex, weighted by mass, nearness and how they face.
 class TensorFits {
 public:
     /// Keeps references.
     TensorFits(const PreparedMesh& mesh, const SpatialTree& tree, const Field& field);
 
-    /// Calls take(v, fit), on any thread, for each vertex for which there is a fit of what is
-    /// within `reach` √h of it; for none where the sums would take seconds.
+    /// Calls take(v, fit), on any thread, for each vertex that has a fit within `reach` √h; for
+    /// none where the sums would take seconds.
     template <class Take>
     void for_each(double reach, const StageProgress& stage, const Take& take) const {
         const std::vector<float> radii = radii_of(reach);
@@ -71,7 +70,6 @@ private:
         TensorFit fits[SpatialTree::kLeafSize];
     };
 
-    /// Within which vertices count for each, local, [N].
     std::vector<float> radii_of(double reach) const;
     bool is_endless(const std::vector<float>& radii) const;
     void fit_leaf(const SpatialTree::Leaf& leaf, const std::vector<float>& radii,

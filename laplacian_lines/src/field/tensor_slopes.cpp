@@ -8,7 +8,6 @@
 namespace laplacian_lines {
 namespace {
 
-/// The loops, by vectors of so many bytes.
 template <std::size_t Bytes>
 struct Loops {
     static constexpr std::size_t kWidth = Bytes / sizeof(float);
@@ -18,7 +17,6 @@ struct Loops {
     struct Vector {
         Floats x, y, z;
     };
-    /// Weighted sums of S over the sources.
     struct Tensors {
         Floats xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
     };
@@ -32,7 +30,6 @@ struct Loops {
     static LAPLACIAN_LINES_INLINE Floats dot(const Vector& a, const Vector& b) {
         return a.x * b.x + a.y * b.y + a.z * b.z;
     }
-    /// Where negative, 0.
     static LAPLACIAN_LINES_INLINE Floats positive(Floats v) {
         return (Floats)((Ints)v & ~((Ints)v >> 31));
     }
@@ -54,7 +51,6 @@ struct Loops {
     static LAPLACIAN_LINES_INLINE void store(float* p, const Floats& v) {
         *reinterpret_cast<Floats*>(p) = 0.25f * v;
     }
-    /// The three entries of a tensor in the plane of u and v.
     static LAPLACIAN_LINES_INLINE void store(float (*p)[kSlopeLanes], std::size_t lane,
                                              const Tensors& s, const Vector& u, const Vector& v) {
         const Vector su = times(s, u), sv = times(s, v);
@@ -63,8 +59,8 @@ struct Loops {
         store(p[2] + lane, dot(sv, v));
     }
 
-    // What bounds this loop are its multiplications. Tensors are summed as they are in space and
-    // put into the plane at the end; weights are 4 facing_weight(), which storing makes up for.
+    // Multiplications bound this loop: tensors are summed in space and projected at the end;
+    // weights are 4 facing_weight(), undone on storing.
     static LAPLACIAN_LINES_INLINE void sum(const TensorTargets& targets,
                                            const TensorSource* sources, std::size_t count,
                                            std::size_t lane, TensorSums& sums) {

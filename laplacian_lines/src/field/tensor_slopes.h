@@ -26,29 +26,28 @@ struct TensorLeaf {
     std::size_t count = 0;
 };
 
-/// Copies the leaf's sources that are nearer than the square root of `squared_reach` to a box
-/// around the origin, each moved by `shift`, and returns their number. `kept` has room for one more
-/// than all.
+/// Copies the leaf's sources, moved by `shift`, that are nearer than √squared_reach to a box around
+/// the origin; returns their number. `kept` has room for one more than all.
 std::size_t collect_tensors(const TensorLeaf& leaf, const float shift[3], const float half_size[3],
                             float squared_reach, TensorSource* kept);
 
-/// Vertices around which the tensors are looked at, each in the plane of u and v, by component and
-/// lane. Unused lanes may repeat others.
+/// Vertices to sum at, each with its plane of u and v, by component and lane. Unused lanes may
+/// repeat others.
 struct TensorTargets {
     alignas(64) float position[3][kSlopeLanes], normal[3][kSlopeLanes];
     alignas(64) float u[3][kSlopeLanes], v[3][kSlopeLanes];
     alignas(64) float per_radius[kSlopeLanes];  ///< 1 / distance within which sources count
 };
 
-/// Weighted sums over the sources, of their places (x, y) in the plane, in radii, and of the
-/// entries S(u,u), S(u,v), S(v,v) of their tensors; by number and lane.
+/// Weighted sums of places (x, y) in the plane, in radii, and of S(u,u), S(u,v), S(v,v); by number
+/// and lane.
 struct TensorSums {
     enum { kWeight, kX, kY, kXX, kXY, kYY, kEntries, kXEntries = 9, kYEntries = 12, kNumbers = 15 };
     alignas(64) float numbers[kNumbers][kSlopeLanes];
 };
 
-/// Sources count by mass · (1 − d²/R²)² · facing_weight(n_q·n_p), d their distance in space and
-/// R the radius. Runs with the widest vectors the processor has.
+/// Weights are mass · (1 − d²/R²)² · facing_weight(n_q·n_p), d the distance, R the radius. Uses the
+/// widest vectors.
 void sum_tensors(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                  TensorSums& sums);
 

@@ -14,7 +14,7 @@ constexpr double kLargestCurvature = 1e15;  // 1/D; sums of it with squares of l
 
 static_assert(TensorLeaf::kSize == SpatialTree::kLeafSize);
 
-/// As all leaves see it, but for its place and mass.
+/// Without its place and mass, which depend on the leaf.
 TensorSource source_of(const Eigen::Vector3f& n, const ShapeOperator& s, double diagonal) {
     const auto bounded = [&](float x) {
         return float(std::clamp(diagonal * x, -kLargestCurvature, kLargestCurvature));

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/triangle_tensors.h"
 
-#include <cmath>
-
 #include "system/simd_versions.h"
 
 namespace laplacian_lines {
 namespace {
 
-/// The loops, by vectors of so many bytes.
 template <std::size_t Bytes>
 struct Loops {
     static constexpr std::size_t kWidth = Bytes / sizeof(double);

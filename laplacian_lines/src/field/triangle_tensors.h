@@ -5,16 +5,14 @@
 
 namespace laplacian_lines {
 
-/// Triangles whose curvature tensors are fitted at once, in the lanes of vectors. Lanes that are
-/// not used may hold any numbers.
+/// Triangles fitted together, one per lane. Unused lanes may hold anything.
 struct TriangleBatch {
     static constexpr int kSize = 8;
     alignas(64) double positions[3][3][kSize];  ///< by corner and axis
     alignas(64) double normals[3][3][kSize];    ///< unit, of the vertices
 };
 
-/// The curvature tensor of each triangle, turned from the plane of its normal to that of the normal
-/// of each corner.
+/// Each triangle's curvature tensor, turned into the plane of each corner's normal.
 struct TensorBatch {
     enum { kXX, kYY, kZZ, kYZ, kXZ, kXY, kEntries };
     /// For the tensor of a lane to be added at a corner.
@@ -31,9 +29,9 @@ struct TensorBatch {
     static constexpr double kLeastCosine = -0.999;
 };
 
-/// The symmetric tensor in each triangle's plane that best takes its edges to the changes of the
+/// The symmetric tensor in each triangle's plane that best maps its edges to the changes of the
 /// normals along them: S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle
-/// Meshes", 3DPVT 2004, section 3. Runs with the widest vectors the processor has.
+/// Meshes", 3DPVT 2004, section 3. Uses the widest vectors.
 void fit_tensors(const TriangleBatch& triangles, TensorBatch& tensors);
 
 }  // namespace laplacian_lines

@@ -8,7 +8,7 @@
 namespace laplacian_lines {
 namespace {
 
-/// Weight of the unit triangle normal at the corner between the edge vectors u and v.
+/// For the corner between the edge vectors u and v.
 double corner_weight(NormalWeighting weighting, const Eigen::Vector3d& u, const Eigen::Vector3d& v,
                      double twice_area) {
     switch (weighting) {

@@ -25,8 +25,7 @@ struct BorderSide {
     }
 };
 
-/// By edge. Those of one edge, where more than two triangles meet, are in the order of the
-/// clusters.
+/// By edge; those of one edge, where more than two triangles meet, by cluster.
 std::vector<BorderSide> border_sides(const ExtractorData& data) {
     std::vector<BorderSide> sides;
     for (const PlacedCluster& placed : place_clusters(data))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows of the demarcating curves what is strong enough, with its weaker continuations.
+// Shows demarcating curves that are strong enough, with their weaker continuations.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -53,14 +53,14 @@ private:
                 kLeastDemarcatingLength, smoothing_passes(style.line_smoothing)};
     }
 
-    /// What rules show from any eye, but for what contours take of it.
+    /// What the rules show from any eye, before contours hide some.
     struct Shown {
         StrongLineRules rules;
         LineSet lines;
         std::vector<std::uint32_t> places;  // of the points among those that were found
     };
 
-    /// The last ones are kept: styles seldom change from one redraw to the next.
+    /// Keeps the last ones: styles seldom change between redraws.
     std::shared_ptr<const Shown> shown_by(const StrongLineRules& rules, float diagonal) const {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!shown_ || !(shown_->rules == rules)) {

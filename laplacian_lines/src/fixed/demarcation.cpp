@@ -37,7 +37,6 @@ float refined(const Eigen::Vector4f& c, float angle) {
     return angle;
 }
 
-/// What counts of a vertex.
 struct Demarcation {
     Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< g
     Eigen::Vector3f bend = Eigen::Vector3f::Zero();
@@ -61,7 +60,6 @@ Demarcation demarcation(const CurvatureRecord& record, float slope_scale) {
     return result;
 }
 
-/// Finds the pieces of curves in one cluster.
 class ClusterCurves {
 public:
     ClusterCurves(const PlacedCluster& placed, std::uint32_t number)

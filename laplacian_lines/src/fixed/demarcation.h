@@ -14,16 +14,15 @@ struct SteepestBend {
 };
 SteepestBend steepest_bend(const Eigen::Vector4f& derivative);
 
-/// Demarcating curves: the zeros of II(g, g) with g the direction in which C(g, g, g) is largest,
-/// so that the curvature along g changes fastest. M. Kolomenkin, I. Shimshoni, A. Tal: "Demarcating
-/// Curves for Shape Illustration", SIGGRAPH Asia 2008. g has a sign, from hollow to bulging; no
-/// curve passes triangles in which it turns by more than 45 degrees. The value of a point is
-/// C(g, g, g) h_e in degrees. None without Field::has_derivatives(). The number of threads does not
-/// matter.
+/// Zeros of II(g, g), g the direction in which C(g, g, g) is largest, along which the curvature
+/// changes fastest: M. Kolomenkin, I. Shimshoni, A. Tal: "Demarcating Curves for Shape
+/// Illustration", SIGGRAPH Asia 2008. g points from hollow to bulging; no curve passes triangles in
+/// which it turns by more than 45 degrees. The value of a point is C(g, g, g) h_e in degrees. None
+/// without Field::has_derivatives(). Any number of threads gives the same.
 ZeroLines find_demarcating_curves(const ExtractorData& data,
                                   const std::vector<PlacedCluster>& placed);
 
-/// The shortest curve that is found, in D.
+/// In D.
 constexpr float kLeastDemarcatingLength = 0.02f;
 
 }  // namespace laplacian_lines

@@ -17,24 +17,23 @@ class FixedLines;
 class FixedKindLines {
 public:
     virtual ~FixedKindLines() = default;
-    /// Appends what the style shows of them. The eye matters only for the nearness of contours,
-    /// `all` for what other kinds draw already.
+    /// Appends what the style shows. The eye only matters near contours, `all` for what other kinds
+    /// draw already.
     virtual void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
                         const LineStyle& style, LineSet& lines) const = 0;
-    /// What the style can show of them from any eye, the same object as long as that is the same;
-    /// null for kinds that nobody asks.
+    /// What the style can show from any eye, the same object while that is the same; null for kinds
+    /// that nobody asks for.
     virtual std::shared_ptr<const LineSet> whole(const ExtractorData&, const LineStyle&) const {
         return nullptr;
     }
 };
 
-/// A kind of lines that do not depend on the view.
 struct FixedKind {
     LineKind kind;
     std::unique_ptr<const FixedKindLines> (*find)(const ExtractorData& data);
 };
 
-/// A row whose lines are a class that is made from the data.
+/// `Lines` are constructed from the data.
 template <class Lines>
 constexpr FixedKind fixed_kind(LineKind kind) {
     return {kind, [](const ExtractorData& data) -> std::unique_ptr<const FixedKindLines> {

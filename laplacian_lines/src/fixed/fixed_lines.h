@@ -6,14 +6,14 @@
 
 namespace laplacian_lines {
 
-/// Lines that do not depend on the view, found when a style first shows them. Thread-safe.
+/// Found when a style first shows them. Thread-safe.
 class FixedLines {
 public:
-    /// Appends what the style shows of them, kind after kind.
+    /// Appends what the style shows, kind after kind.
     void append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines);
 
-    /// FixedKindLines::whole() of a kind, if the style shows it; null otherwise.
+    /// FixedKindLines::whole(); null unless the style shows the kind.
     std::shared_ptr<const LineSet> whole(const ExtractorData& data, LineKind kind,
                                          const LineStyle& style);
 

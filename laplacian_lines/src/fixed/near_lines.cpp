@@ -14,7 +14,7 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr float kAlong = 0.5f;       // least squared cosine
 constexpr float kMostPieces = 1e6f;  // of a segment, whatever the distance
 
-/// 21 bits of each number: cells far apart may share a key, which only costs time.
+/// 21 bits of each: far cells may share a key, which only costs time.
 template <class Cell>
 std::uint64_t key_of(const Cell& cell) {
     std::uint64_t key = 0;
@@ -41,8 +41,8 @@ NearLines::NearLines(const LineSet& lines, float distance) : distance_(distance)
         }
 }
 
-/// In pieces that are no longer than a cell, each in the cell of its middle: none that is near a
-/// point is farther off than a cell beside it.
+/// In pieces no longer than a cell, by the cells of their middles: a neighbouring cell holds any
+/// that is near.
 void NearLines::add(const Eigen::Vector3f& begin, const Eigen::Vector3f& end) {
     const float count = std::clamp(std::ceil(length_of(end - begin) / distance_), 1.f, kMostPieces);
     for (float i = 0; i < count; ++i) {

@@ -9,16 +9,15 @@
 
 namespace laplacian_lines {
 
-/// Answers which points have lines of a set nearby: for lines that would only double others. Time
-/// and memory are proportional to the lengths of the lines over the distance. Can be asked by
-/// several threads at once.
+/// Which points have lines of a set nearby, for lines that would double others. Time and memory are
+/// proportional to the lines' length over the distance. Thread-safe.
 class NearLines {
 public:
-    /// `distance` is in the units of the points. Where it is not positive, nothing is near.
+    /// `distance` is in the points' unit; nothing is near unless it is positive.
     NearLines(const LineSet& lines, float distance);
 
-    /// Whether a line passes within the distance of p and, there, roughly along `direction`: at
-    /// less than 45 degrees; a zero direction goes along with all.
+    /// Whether a line passes within the distance of p at less than 45 degrees to `direction`, or
+    /// anyhow if that is zero.
     bool any_along(const Eigen::Vector3f& p, const Eigen::Vector3f& direction) const;
 
 private:
@@ -37,8 +36,8 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> first_of_cell_;
 };
 
-/// For each point of `lines`, 1 where a line of the other set goes along within `distance`, else 0.
-/// The number of threads does not matter.
+/// For each point of `lines`, 1 where a line of `others` runs along within the distance. Any number
+/// of threads gives the same.
 std::vector<std::uint8_t> points_along(const LineSet& lines, const NearLines& others);
 
 }  // namespace laplacian_lines

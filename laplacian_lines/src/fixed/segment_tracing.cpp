@@ -25,7 +25,7 @@ public:
     }
 
 private:
-    /// Follows the line that starts at `half` and keeps it if the rules accept it.
+    /// From `half`; keeps the line if the rules accept it.
     void trace(std::uint32_t half) {
         if (memory_.visited[half / 2]) return;
         Polyline line;

@@ -19,14 +19,12 @@ struct TracingMemory {
     std::vector<std::uint8_t> visited;  ///< by segment
 };
 
-/// Fills `linked_half`: which ends of segments go on into each other. Where other than two meet,
-/// none do.
+/// Fills `linked_half`: ends of segments that continue each other, where exactly two meet.
 void link_halves(const CrossingGraph& graph, TracingMemory& memory);
 
-/// Joins segments to lines, drops those that the rules on whole lines refuse, and appends the rest
-/// to `lines`. Works on any graph: a crossing where other than two segments meet (a border, a
-/// non-manifold edge) ends all lines there.
-/// Source: Zhang, He, Seah, step 3 (tracing) and Eq. 4 (strength).
+/// Joins segments to lines and appends those that the rules on whole lines accept (Zhang, He, Seah,
+/// step 3 and Eq. 4). On any graph: lines end at crossings where other than two segments meet, such
+/// as borders and non-manifold edges.
 void trace_segments(const ExtractorData& data, const LineRules& rules, const CrossingGraph& graph,
                     TracingMemory& memory, LineSet& lines);
 

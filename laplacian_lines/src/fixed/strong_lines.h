@@ -9,8 +9,7 @@
 
 namespace laplacian_lines {
 
-/// What is shown of lines that are strong somewhere: the strong places, and weaker ones from these
-/// on. Strong is what has a large gradient.
+/// Shows strong places of lines, by their gradient, and weaker ones that continue them.
 struct StrongLineRules {
     static constexpr float kWeak = 0.5f;  ///< of the least gradient: continues what is stronger
 
@@ -27,7 +26,6 @@ struct StrongLineRules {
     }
 };
 
-/// The largest gradient of each line.
 inline std::vector<float> strongest_of(const LineSet& set) {
     std::vector<float> strongest;
     for (const Polyline& line : set.lines) {
@@ -39,8 +37,8 @@ inline std::vector<float> strongest_of(const LineSet& set) {
     return strongest;
 }
 
-/// Appends what the rules show of lines that were found. `strongest` is strongest_of() them;
-/// `share_of(place)`, by the number of a point, is multiplied with its opacity.
+/// Appends what the rules show of found lines. `strongest` is strongest_of() them; share_of(number
+/// of a point) multiplies its opacity.
 template <class ShareOf>
 void append_strong(const LineSet& found, const std::vector<float>& strongest,
                    const StrongLineRules& rules, float diagonal, const ShareOf& share_of,

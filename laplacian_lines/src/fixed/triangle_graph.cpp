@@ -11,8 +11,8 @@
 namespace laplacian_lines {
 namespace {
 
-/// What the two sides of an edge between clusters have noted: each alone can tell the other's from
-/// the sum without carries of both, whichever came first.
+/// Notes of both sides of an edge between clusters: each finds the other's by the carry-less sum,
+/// whichever came first.
 struct EdgeNotes {
     std::atomic<std::uint32_t> triangles{0}, vertices{0};
 

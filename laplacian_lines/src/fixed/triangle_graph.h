@@ -11,8 +11,8 @@
 
 namespace laplacian_lines {
 
-/// The triangles of all clusters, each with its neighbours in whichever cluster they are: for what
-/// looks around on the mesh once. Local coordinates.
+/// The triangles of all clusters with their neighbours in any cluster, for single passes over the
+/// mesh. Local coordinates.
 struct TriangleGraph {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -25,25 +25,25 @@ struct TriangleGraph {
         std::uint32_t neighbours[3];  ///< by side; kNone where the surface ends
         std::uint32_t reversed;       ///< bit k: neighbour k has the opposite orientation
 
-        /// What makes the neighbour's normal point to the same side as this one's.
+        /// Turns the neighbour's normal to this one's side.
         float sign_across(unsigned k) const { return reversed >> k & 1 ? -1.f : 1.f; }
     };
     const VertexRecord* records = nullptr;  ///< those of the extractor's data
     std::unique_ptr<Node[]> triangles;      ///< cluster by cluster
     std::vector<std::uint32_t> first;       ///< of each cluster, and the number of all
-    /// How many triangles stand for one that was measured, of a scan that was subdivided.
+    /// Triangles that stand for one measured triangle of a subdivided scan.
     std::uint32_t subdivision = 1;
 
     Eigen::Vector3f position(std::uint32_t triangle, unsigned corner) const {
         return Eigen::Map<const Eigen::Vector3f>(
             records[triangles[triangle].corners[corner]].position);
     }
-    /// Between a triangle and its neighbour across side k, which there has to be.
+    /// To its neighbour across side k, which has to exist.
     float cosine_across(std::uint32_t triangle, unsigned k) const {
         const Node& node = triangles[triangle];
         return node.sign_across(k) * dot(node.normal, triangles[node.neighbours[k]].normal);
     }
-    /// Whether a neighbour is in one plane with the triangle, by this cosine.
+    /// Whether a neighbour is in the triangle's plane, by this cosine.
     bool goes_on_flat(std::uint32_t triangle, float cosine) const {
         for (unsigned k = 0; k < 3; ++k)
             if (triangles[triangle].neighbours[k] != kNone && cosine_across(triangle, k) >= cosine)
@@ -52,7 +52,7 @@ struct TriangleGraph {
     }
 };
 
-/// The number of threads does not matter. The data must outlive the graph.
+/// The data outlives the graph. Any number of threads gives the same.
 TriangleGraph build_triangle_graph(const ExtractorData& data);
 
 }  // namespace laplacian_lines

@@ -12,8 +12,8 @@
 
 namespace laplacian_lines {
 
-/// Share of the largest coordinate: what is nearer to 0 is 0, but rounded. CAD programs leave such
-/// differences between faces that meet, and files keep them: they round numbers by digits.
+/// Share of the largest coordinate below which a number is 0, but rounded: CAD programs leave such
+/// differences between faces that meet.
 constexpr double kZeroShare = 0x1p-46;
 
 /// For each position the first one that equals it; those that are not finite equal only themselves.

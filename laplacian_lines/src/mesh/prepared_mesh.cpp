@@ -18,17 +18,15 @@ namespace {
 constexpr std::uint32_t kUnused = 0xffffffffu;
 // sin of the smallest angle a triangle may have; far below what float input can resolve.
 constexpr double kLeastSine = 1e-12;
-// Diagonals for which D² and 1/D², which the field holds as floats, keep far from the ends of the
-// number range.
+// Diagonals for which D² and 1/D², floats in the field, stay far from overflow and underflow.
 constexpr double kLeastDiagonal = 1e-15, kLargestDiagonal = 1e15;
 
-// Squares of lengths in this range are far from the ends of the range of numbers, and so are their
-// squares.
+// Squares of lengths in this range can be squared again.
 constexpr double kLeastPlain = 1e-60, kLargestPlain = 1e60;
 
 using Positions = std::vector<Eigen::Vector3d>;
 
-/// For any coordinates.
+/// Slower, for coordinates of any size.
 bool is_degenerate_at_any_scale(const Positions& positions, const Triangle& t) {
     const Eigen::Vector3d &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
     if (!a.allFinite() || !b.allFinite() || !c.allFinite()) return true;
@@ -65,7 +63,6 @@ void check_indices(const TriangleMesh& mesh) {
                                             std::to_string(mesh.positions.size()) + " vertices.");
 }
 
-/// In blocks, each of which first counts what it keeps.
 std::vector<Triangle> usable_triangles(const Positions& positions,
                                        const std::vector<Triangle>& triangles) {
     const std::size_t count = triangles.size();
@@ -104,9 +101,8 @@ void stitch(const TriangleMesh& mesh, PreparedMesh& prepared) {
     });
 }
 
-/// Around the mesh's centre, coordinates may be coarser than they were around the origin. Drops the
-/// triangles that have no area there, and gives the others back their vertices of the input; false
-/// if there are none to drop.
+/// Around the mesh's centre, coordinates may be coarser than around the origin. Drops triangles
+/// that lose their area by it and restores the vertices of the others; false if none does.
 bool drop_lost_triangles(PreparedMesh& prepared) {
     std::vector<Triangle> usable = usable_triangles(prepared.positions, prepared.triangles);
     if (usable.size() == prepared.triangles.size()) return false;
@@ -141,7 +137,6 @@ std::vector<VertexCounts> count_vertices(const Positions& positions,
     return counts;
 }
 
-/// Numbers the vertices that triangles use and rewrites the triangles' indices.
 void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
     std::vector<std::uint32_t> number = large_array(mesh.positions.size(), kUnused);
     for_each_element(prepared.triangles.size(), [&](std::size_t t) {

@@ -10,9 +10,9 @@
 
 namespace laplacian_lines {
 
-/// The usable part of a mesh in local coordinates x' = (x − centre)/D: unit bounding-box diagonal,
-/// centred at the origin, without degenerate triangles, non-finite or unreferenced vertices. All
-/// computation happens here, so results do not depend on the input's scale and offset.
+/// The usable part of a mesh in local coordinates x' = (x − centre)/D, without degenerate
+/// triangles, non-finite or unreferenced vertices. All computation is local, so the input's scale
+/// and offset do not matter.
 struct PreparedMesh {
     std::vector<Eigen::Vector3d> positions;      ///< [N], local
     std::vector<Triangle> triangles;             ///< indices into positions
@@ -28,18 +28,17 @@ struct PreparedMesh {
     std::size_t size() const { return positions.size(); }
 };
 
-/// What to do about surfaces that duplicated vertices cut open.
+/// What to do about cuts: see stitch_cuts().
 enum class Cuts { Left, Stitched };
 
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
 PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts);
 
-/// The same without the mean edge.
+/// Without the mean edge.
 PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts);
 
-/// Reorders vertices and triangles so that neighbours in space are neighbours in memory. The
-/// cyclic order of each triangle's corners is kept. Vertices are then the points of the returned
-/// tree in its order. Sets the masses.
+/// Sorts vertices and triangles so that neighbours in space are neighbours in memory, in the order
+/// of the returned tree. Keeps the cyclic order of corners. Sets the masses.
 SpatialTree sort_in_space(PreparedMesh& mesh);
 
 /// Twice the area of a triangle times its unit normal.

@@ -30,7 +30,6 @@ struct Side {
     bool operator<(const Side& other) const { return to < other.to; }
 };
 
-/// Calls visit(smaller, larger, is_forward) for the sides whose smaller vertex is in the range.
 template <class Visit>
 void for_each_side(const VertexRanges::Range& range, Visit visit) {
     range.for_each_triangle([&](const Triangle& t) {
@@ -41,8 +40,7 @@ void for_each_side(const VertexRanges::Range& range, Visit visit) {
     });
 }
 
-/// Counts the edges whose smaller vertex is in the range: a vertex has few, so these are sorted one
-/// vertex after the other.
+/// Sorts the few edges of one vertex after the other.
 void count_edges(const VertexRanges::Range& range, EdgeCounts& counts) {
     std::vector<std::uint32_t> ends(range.end() - range.begin(), 0);
     for_each_side(range, [&](std::uint32_t from, std::uint32_t, bool) { ++ends[from]; });
@@ -66,7 +64,6 @@ void count_edges(const VertexRanges::Range& range, EdgeCounts& counts) {
     counts.edges += edges, counts.borders += borders, counts.opposed += opposed;
 }
 
-/// Over all triangles, as multiples of one.
 struct Sums {
     Eigen::Vector3d area_vectors = Eigen::Vector3d::Zero();
     double area = 0, volume = 0;

@@ -24,8 +24,8 @@ void find_masses(PreparedMesh& mesh) {
         });
 }
 
-/// Sorts triangles by their smallest vertex, which becomes the first; those of the same one keep
-/// their order. First by ranges of vertices, block by block, then each range.
+/// Sorts triangles by their smallest vertex, which becomes the first; stable. First by ranges of
+/// vertices, block by block, then within each range.
 class TriangleSort {
 public:
     explicit TriangleSort(PreparedMesh& mesh)

@@ -12,8 +12,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr std::uint32_t kSmallSubtree = 8192;  // points; not worth cutting for other threads
-// Inside a leaf points are sorted down to groups of this size, so that also there neighbours share
-// cache units.
+// Leaves are sorted down to groups of this size, so that there, too, neighbours share cache lines.
 constexpr std::uint32_t kGroupSize = 8;
 constexpr int kSamples = 64;
 
@@ -52,7 +51,7 @@ int longest_axis(const Item* begin, const Item* end) {
     return size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
 }
 
-/// A key of the items, not the smallest, that has about as many before it as `middle`.
+/// A key, not the smallest, with about as many items before it as `middle`.
 template <int Axis>
 std::int64_t choose_pivot(const Item* begin, const Item* end, const Item* middle) {
     const std::ptrdiff_t size = end - begin;
@@ -75,8 +74,7 @@ void sort_few(Item* begin, Item* end) {
             std::swap(*j, j[-1]);
 }
 
-/// Puts the smallest items before `middle`: Hoare's selection, with a loop that does not branch on
-/// keys.
+/// Puts the smallest items before `middle`: Hoare's selection without branches on keys.
 template <int Axis>
 void select(Item* begin, Item* end, Item* middle) {
     while (end - begin > kGroupSize) {
@@ -94,7 +92,6 @@ void select(Item* begin, Item* end, Item* middle) {
     sort_few<Axis>(begin, end);
 }
 
-/// Along the longest axis of the items' box.
 void split(Item* begin, Item* end, Item* middle) {
     switch (longest_axis(begin, end)) {
         case 0:
@@ -123,8 +120,8 @@ SpatialTree::FloatBox::FloatBox(const Eigen::AlignedBox3d& box) {
     }
 }
 
-/// Fills the tree from items that it sorts. Subtrees know their places in the tables from the
-/// number of their points, so they can be built at the same time.
+/// Subtrees know their places in the tables from their numbers of points, so they can be built in
+/// parallel.
 class SpatialTree::Builder {
 public:
     Builder(const std::vector<Eigen::Vector3d>& points, SpatialTree& tree,

@@ -22,15 +22,14 @@ public:
 
     const std::vector<Leaf>& leaves() const { return leaves_; }
 
-    /// Calls visit(leaf) for every leaf whose box is within `radius` of `box`, and perhaps for some
-    /// whose box is further away by a rounding error of floats.
+    /// Calls visit(leaf) for every leaf whose box is within `radius` of `box`, give or take a
+    /// rounding error of floats.
     template <class Visit>
     void visit_leaves(const Eigen::AlignedBox3d& box, double radius, Visit visit) const {
         visit_node(0, FloatBox(box), float(radius * radius * (1 + 1e-6)), visit);
     }
 
 private:
-    /// A box of floats around one of doubles.
     struct alignas(16) FloatBox {
         typedef float Float4 __attribute__((vector_size(16)));
 

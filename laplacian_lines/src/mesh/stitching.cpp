@@ -46,15 +46,13 @@ Places find_places(const std::vector<Eigen::Vector3d>& positions) {
     return places;
 }
 
-/// A side of a triangle, from one vertex to another.
 struct Side {
     std::uint32_t from, to;
 
     std::pair<std::uint32_t, std::uint32_t> edge() const { return std::minmax(from, to); }
 };
 
-/// Calls visit(begin, end) for each run of elements of equal keys. Sorts them, equal ones in the
-/// order that they had.
+/// Calls visit(begin, end) for each run of elements with equal keys, after a stable sort.
 template <class Element, class Key, class Visit>
 void for_each_run(std::vector<Element>& elements, const Key& key, const Visit& visit) {
     std::stable_sort(elements.begin(), elements.end(),

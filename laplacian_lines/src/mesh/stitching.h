@@ -9,16 +9,14 @@
 
 namespace laplacian_lines {
 
-/// Whether each edge is passed as often in one direction as in the other. A border would have to
-/// hit one sum of 2^64.
+/// Whether each edge is passed equally often in both directions, by sums of 64-bit hashes.
 bool is_closed(const std::vector<Triangle>& triangles);
 
-/// Files with texture seams and triangle soups cut a closed surface open: where two of its
-/// triangles meet, each has vertices of its own at equal coordinates. Finds what closes these cuts:
-/// pairs of borders that go from one place to another in opposite directions, where no third one
-/// does. So borders of holes stay, and so do sheets that lie upon or touch each other. Returns for
-/// each vertex the one that counts for it, the smallest of its number; nothing if every vertex
-/// counts for itself. `triangles` have an area.
+/// Texture seams and triangle soups cut closed surfaces open: where two triangles meet, each has
+/// vertices of its own at equal coordinates. Closes pairs of borders that run between the same
+/// places in opposite directions, where no third one does; holes and sheets that touch stay.
+/// Returns for each vertex the one that counts for it, with the smallest number; nothing if no
+/// vertex has another. `triangles` have an area.
 std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& positions,
                                        const std::vector<Triangle>& triangles);
 

@@ -10,12 +10,12 @@
 
 namespace laplacian_lines {
 
-/// The vertices of a mesh in ranges of neighbours, with the triangles at each: sums over the
-/// triangles of a vertex can be made range by range, without a table of triangles by vertex.
-/// A triangle with corners in several ranges belongs to each of them.
+/// The vertices of a mesh in ranges of neighbours, each with the triangles at them: sums at
+/// vertices can run range by range without a table of triangles by vertex. A triangle may be in
+/// several ranges.
 class VertexRanges {
 public:
-    /// The mesh is sorted in space and outlives this.
+    /// `mesh` is sorted in space and outlives this.
     explicit VertexRanges(const PreparedMesh& mesh);
 
     class Range {
@@ -24,7 +24,7 @@ public:
         std::uint32_t end() const { return end_; }
         bool holds(std::uint32_t vertex) const { return vertex - begin_ < end_ - begin_; }
 
-        /// Asks for the range's part of an array early: triangles read it in no simple order.
+        /// Prefetches the range's part of an array: triangles read it in no simple order.
         template <class T>
         void prefetch(const std::vector<T>& values) const {
             const char* end = reinterpret_cast<const char*>(values.data() + end_);
@@ -50,8 +50,7 @@ public:
         const std::uint32_t *shared_begin_, *shared_end_;  // others at its vertices, all before
     };
 
-    /// Calls body(range) for all ranges on several threads; it must write only to what belongs to
-    /// the range's vertices.
+    /// Calls body(range) on several threads; it may write only to its range's vertices.
     template <class Body>
     void for_each(const StageProgress& stage, Body body) const {
         parallel_for<NoScratch>(

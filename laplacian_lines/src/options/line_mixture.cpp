@@ -11,7 +11,7 @@ namespace {
 
 const char* const usual = "usual";
 
-/// What is left of a name when case, blanks and underscores do not matter.
+/// Case, blanks and underscores do not matter.
 std::string essence(const std::string& name) {
     std::string result;
     for (const char c : name)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "laplacian_lines/option_table.h"
 
-#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -40,7 +39,7 @@ OptionDescription<Options> for_experts(OptionDescription<Options> row) {
     return row;
 }
 
-/// A constant for users; programs that compare with it can set it.
+/// Constant for users; programs for comparison can set it.
 template <class Options>
 OptionDescription<Options> for_programs(const char* instead, OptionDescription<Options> row) {
     row.for_experts = true;
@@ -138,7 +137,6 @@ using S = LineStyle;
 
 const char* const kAllKinds = "Detail shows more or fewer lines of all kinds.";
 
-/// The switch of a kind of lines.
 template <LineKind Kind>
 StyleRow kind_row() {
     constexpr const LineKindDescription& kind = describe(Kind);
@@ -153,7 +151,7 @@ StyleRow kind_row() {
             [](S& style, double value) { style.shows[Kind] = value != 0; }};
 }
 
-/// The kinds of lines, outlines first, each with the options that are its own.
+/// Outlines first, each kind with its own options.
 std::vector<StyleRow> kind_rows() {
     return {
         kind_row<LineKind::Contour>(),

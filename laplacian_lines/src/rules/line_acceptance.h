@@ -6,7 +6,6 @@
 
 namespace laplacian_lines {
 
-/// Whether the rules on whole lines keep this one.
 inline bool accepts(const LineRules& rules, const Polyline& line) {
     return line.length >= rules.least_length && line.strength >= rules.least_strength &&
            (!rules.use_slope || line.slope >= rules.line_slope);

@@ -8,7 +8,7 @@
 
 namespace laplacian_lines {
 
-/// A piece of a whole line: its length in D, and sums of values times length along it.
+/// Its length in D, and sums of values times length along it.
 struct LinePiece {
     float length;
     float slope;     ///< of the slope, less than 0 at phantoms
@@ -22,24 +22,20 @@ struct LinePart {
     bool closed;
 };
 
-/// Which parts of a whole line are drawn, and how much of them is seen: as far as the means of
-/// slope, gradient and concavity over 1.5 √h to both sides, 2 where nothing convex cuts, are above
-/// their thresholds. So texture that is finer than the kernel, which changes their signs from
-/// segment to segment, does not cut a line that is clear on the whole; and what is further away
-/// does not count, so that a line which is joined to another one when the view turns stays as it
-/// was but for some √h.
-///
-/// Pieces are up to some √h long. Knots are where they meet, one more than there are pieces; what
-/// is found is found there, and goes evenly from one knot to the next.
+/// Which parts of a whole line are drawn, and how visibly: where the means of slope, gradient and
+/// concavity over 1.5 √h to both sides (2 where nothing convex cuts) are above their thresholds. So
+/// texture finer than the kernel, which flips signs from segment to segment, does not cut a clear
+/// line, and a line that joins another when the view turns stays as it was but for some √h. Pieces
+/// are up to some √h long; knots are where they meet, one more than pieces. Results are at knots,
+/// linear between them.
 class LinePartFinder {
 public:
-    /// Replaces what was found before. Of a closed line, the last knot is the first again.
+    /// For a closed line, the last knot is the first again.
     void find(const LineRules& rules, const std::vector<LinePiece>& pieces, bool closed);
 
     const std::vector<LinePart>& parts() const { return parts_; }
-    /// Mean slope around a knot.
     float slope(std::size_t knot) const { return slopes_[knot]; }
-    /// How much is seen of the line: 0..1.
+    /// 0..1.
     float opacity(std::size_t knot) const { return seen_[knot]; }
 
 private:

@@ -8,8 +8,8 @@ namespace laplacian_lines {
 
 enum class LineKind : std::uint32_t;
 
-/// What decides which zero crossings of a per-vertex function become lines, one for each kind.
-/// Without more ado, everything is kept and nothing fades.
+/// What decides which zero crossings become lines, one per kind. By default everything is kept and
+/// nothing fades.
 struct LineRules {
     static constexpr float kAnything = std::numeric_limits<float>::lowest();
 
@@ -18,14 +18,14 @@ struct LineRules {
     float least_facing = kAnything;    ///< n·l/|l|
     bool reject_phantoms = false;
     bool concave_only = false;
-    /// Nothing in triangles with is_convex() at all corners, where concave_only would accept
-    /// crossings at most near n ∥ l, the middle of the lit side. Of whole lines that nothing convex
-    /// should cut, at the corners' neighbours as well.
+    /// Skip triangles with is_convex() at all corners, where concave_only would accept hardly any
+    /// crossing. For whole lines that nothing convex should cut, the corners' neighbours count as
+    /// well.
     bool leave_out_convex = false;
     bool cut_by_convex() const { return !whole || !concave_only || least_concavity > -1; }
-    /// Nothing in triangles without a form of their own, see PlainPlaces.
+    /// Skip triangles without a form of their own, see PlainPlaces.
     bool leave_out_plain = false;
-    /// Nothing in triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
+    /// Skip triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
     bool leave_out_away = false;
     bool leave_out_coarse = false;  ///< nothing in coarse triangles, see coarseness.h
     bool use_slope = false;         ///< false: no slopes are computed or tested, nor tell the width
@@ -33,14 +33,13 @@ struct LineRules {
     float least_strength = kAnything;
     float least_length = kAnything;  ///< D
     /// Lines thin out where the surface is concave along the view, up to this cosine between the
-    /// view vector v and −∇(n·v) = −Sv. Contours are hidden there by the surface before them, but
-    /// not by much, so that parts of a wide stroke would be seen. From behind it would be what is
-    /// seen, so not on surfaces that are seen from both sides.
+    /// view vector v and −∇(n·v) = −Sv. The surface before them hides contours there, but only
+    /// just, so that part of a wide stroke would show. Not on surfaces seen from both sides.
     float concave_thinning = 0;
     static constexpr float kNoThinning = std::numeric_limits<float>::max();
     static constexpr float kFlat = 0.1f;  ///< ‖∇I‖·D; where it is less, signs are those of noise
     float fading = 0;                     ///< full opacity at (1 + fading) times a threshold
-    /// Means along lines are tested instead of crossings and segments, see line_parts.h.
+    /// Test means along lines instead of crossings and segments, see line_parts.h.
     bool whole = false;
     float kernel_size = 0;              ///< √h, D: means are over lengths of this order
     float least_concavity = kAnything;  ///< cosine; crossings that whole lines have anyway
@@ -49,7 +48,6 @@ struct LineRules {
     float contour_clearance = 0;        ///< lines nearer to a contour fade out, D in the picture
 };
 
-/// How many passes of smoothing with 1-2-1 have this standard deviation.
 int smoothing_passes(double deviation);
 
 }  // namespace laplacian_lines

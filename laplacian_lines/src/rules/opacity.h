@@ -6,15 +6,15 @@
 
 namespace laplacian_lines {
 
-/// 0 at `from`, 1 from `to` on; a step there if they are equal.
+/// Linear from 0 at `from` to 1 at `to`; a step if they are equal.
 inline float rise(float v, float from, float to) {
     if (v >= to) return 1;
     return v > from ? (v - from) / (to - from) : 0;
 }
 
-/// Opacity of a point that would double a contour nearby: 1 from `clearance` on (in D, in the
-/// picture), 0 from half of it. To first order the contour is I/‖∇I‖ away on the surface, which is
-/// seen at half the point's cosine on the way there. facing: I = n·l; gradient: ‖∇I‖·D.
+/// Opacity of a point that would double a contour nearby: 1 from `clearance` on (D, in the
+/// picture), 0 up to half of it. To first order the contour is I/‖∇I‖ away, foreshortened by half
+/// the point's cosine. facing: I = n·l; gradient: ‖∇I‖·D.
 inline float clearance_opacity(float facing, float gradient, float clearance) {
     if (!(clearance > 0)) return 1;
     const float distance = facing * std::abs(facing) / (2 * gradient);

@@ -8,7 +8,7 @@
 namespace laplacian_lines {
 namespace {
 
-/// An apparent ridge of the least curvature has to be as long, D.
+/// D; for the least curvature.
 constexpr float kLeastApparent = 0.02f;
 
 }  // namespace
@@ -23,7 +23,7 @@ double threshold_factor(double detail) {
     return std::exp2(x < 0 ? 3.5 * std::pow(-x, 1.6) : -5 * std::pow(x, 1.3));
 }
 
-/// Lengths and curvatures differ less than slopes do, by the square root; angles by the eighth.
+/// Lengths and curvatures vary less than slopes, by the square root; angles by the eighth.
 Thresholds::Thresholds(const LineStyle& style) {
     const double factor = threshold_factor(style.detail);
     const auto slopes = float(factor), curvatures = std::sqrt(slopes);

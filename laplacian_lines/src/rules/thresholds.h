@@ -5,10 +5,10 @@
 
 namespace laplacian_lines {
 
-/// What a detail multiplies thresholds by: 1 at 50, falling.
+/// 1 at 50, falling.
 double threshold_factor(double detail);
 
-/// The thresholds of a style, moved by its detail. Nothing but this reads the detail.
+/// A style's thresholds, with its detail applied. Nothing else reads the detail.
 struct Thresholds {
     explicit Thresholds(const LineStyle& style);
 

@@ -23,7 +23,6 @@ inline RowMask rows_of(BlockMask nodes, int axis) {
     return RowMask(rows);
 }
 
-/// All nodes of the rows.
 inline BlockMask nodes_of(RowMask rows, int axis) {
     if (axis == 2) return rows * 0x0001000100010001ull;
     BlockMask nodes = 0;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sums/gaussian_grid.h"
+#include "sums/gaussian_sums.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "sums/grid_convolution.h"
@@ -17,20 +16,19 @@ namespace {
 
 constexpr std::uint32_t kChunk = 512;  // points that are worked on at once
 
-/// Up to kChunk points of one block.
 struct Chunk {
     std::uint32_t site;
     const std::uint32_t *begin, *end;
     RowMask rows[8];  // by part of the box, see clear_rows(): those it spreads to
 };
 
-/// Blocks that the convolution of the band's largest kernel reaches to either side.
+/// In blocks, of the convolution with the band's largest kernel.
 int reach(const SizeBand& band, const GridGeometry& grid, const GridResolution& resolution) {
     const int taps = tap_count(band.nodes().back() / grid.cell, resolution);
     return (taps + kBlock - 1) / kBlock;
 }
 
-/// Sums of the targets of one band of kernel sizes; see docs/algorithms.md.
+/// For the targets of one band of kernel sizes; see docs/algorithms.md.
 template <class Real, int Groups>
 class GridSum {
     using Node = GridNode<Real, Groups>;
@@ -70,7 +68,7 @@ public:
     }
 
 private:
-    /// What the points of one slab's blocks spread, chunk by chunk.
+    /// What the points of a slab's blocks spread, chunk by chunk.
     struct SpreadSlab {
         std::vector<Chunk> chunks;
         std::vector<std::uint32_t> first_chunk;  // [sites + 1]
@@ -90,7 +88,7 @@ private:
         }
     }
 
-    /// The point's place in its cell, and the first node it reaches inside the box of its block.
+    /// The place in the point's cell, and the first node it reaches in the box of its block.
     std::size_t locate(std::uint32_t point, CellPlace& place) const {
         const Eigen::Vector3d p = grid_.in_cells(mesh_.positions[point]);
         std::size_t node = 0;

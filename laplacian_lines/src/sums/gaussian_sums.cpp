@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "sums/simd_gaussian_sums.h"
-#include "system/large_array.h"
 
 namespace laplacian_lines {
 namespace {
@@ -16,7 +15,7 @@ constexpr float kLeastLog2Mass = -100;  // nothing beside the others
 
 static_assert(SourceLeaf::kSize == SpatialTree::kLeafSize);
 
-/// All but the mass.
+/// Without the mass.
 GaussianSource source(const Eigen::Vector3d& position, const Eigen::Vector3d& normal) {
     const Eigen::Vector3f p = position.cast<float>(), n = normal.cast<float>();
     return {p.x(), p.y(), p.z(), 0, n.x(), n.y(), n.z(), 0};
@@ -28,7 +27,7 @@ float mean_mass(const PreparedMesh& mesh) {
     return std::max(float(sum / double(mesh.size())), std::numeric_limits<float>::min());
 }
 
-/// All vertices, by the leaves of the tree.
+/// By leaves of the tree.
 std::vector<SourceLeaf> pack_sources(const PreparedMesh& mesh, const SpatialTree& tree,
                                      const std::vector<Eigen::Vector3d>& normals, float unit_mass) {
     std::vector<SourceLeaf> packed = large_array<SourceLeaf>(tree.leaves().size());
@@ -46,7 +45,7 @@ std::vector<SourceLeaf> pack_sources(const PreparedMesh& mesh, const SpatialTree
     return packed;
 }
 
-/// One leaf of the tree, whose points are the targets.
+/// One leaf, whose points are the targets.
 class LeafSum {
 public:
     LeafSum(const PreparedMesh& mesh, const SpatialTree& tree,

@@ -6,6 +6,7 @@
 
 #include "mesh/prepared_mesh.h"
 #include "mesh/spatial_tree.h"
+#include "sums/spline_kernel.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
@@ -13,8 +14,8 @@ namespace laplacian_lines {
 
 constexpr double kQuickError = 8e-5;  ///< of a quick Gaussian, relative
 
-/// For every vertex p: w(q) = m_q exp(−|q−p|²/(4 h(p)) − normal_falloff |n_q−n_p|²) over the
-/// vertices q within `cutoff`·√h(p) of p.
+/// w(q) = m_q exp(−|q−p|²/(4 h(p)) − normal_falloff |n_q−n_p|²) over the vertices q within
+/// `cutoff`·√h(p) of p.
 struct GaussianKernel {
     std::vector<float> kernel_sizes;  ///< [N], √h(p), local units
     double cutoff = 6;                ///< in √h
@@ -23,7 +24,7 @@ struct GaussianKernel {
     bool quick = false;               ///< kQuickError will do; no normal_falloff then
 };
 
-/// The sums that both the normal smoothing and Belkin's operator are made of, [N] each.
+/// What the normal smoothing and Belkin's operator are made of, [N] each.
 struct GaussianSums {
     explicit GaussianSums(std::size_t count)
         : mass(large_array<float>(count)),
@@ -35,11 +36,21 @@ struct GaussianSums {
     std::vector<Eigen::Vector3f> normal_difference;  ///< Σ w (n_q − n_p)
 };
 
-/// The mesh is sorted in space, and `tree` is its tree. Direct summation in float, relative error
-/// about 1e-6 (kQuickError if quick) before the truncation at the cutoff: positions and normals are
-/// taken relative to the mean of a group of targets.
+/// Direct summation in float, relative error about 1e-6 (kQuickError if quick) before the cutoff
+/// truncates: positions and normals are relative to the mean of a group of targets. `mesh` is
+/// sorted in space by `tree`.
 GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const std::vector<Eigen::Vector3d>& normals,
                            const GaussianKernel& kernel, const StageProgress& stage);
+
+/// As gaussian_sums() without cutoff and normal_falloff, as exact as the resolution, in a time that
+/// hardly depends on the kernel size: masses times moments of the normals are spread over a grid by
+/// cubic B-splines, convolved along x, y and z, and interpolated (R. W. Hockney and J. W. Eastwood,
+/// "Computer Simulation Using Particles", 1981; the idea is from L. Greengard and J. Strain, "The
+/// Fast Gauss Transform", 1991). Only nodes near the surface exist, and one slab of blocks is
+/// worked on after the other.
+GaussianSums grid_sums(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
+                       const GaussianKernel& kernel, const GridResolution& resolution,
+                       const StageProgress& stage);
 
 }  // namespace laplacian_lines

@@ -14,13 +14,13 @@ namespace laplacian_lines {
 
 constexpr int kMaxReach = 16;  ///< blocks that a convolution may reach to either side
 
-/// Nodes on each side from which a value half way between two of them comes; size: √h in cells.
+/// Nodes to each side of a value half way between two of them; size: √h in cells.
 inline int tap_count(double size, const GridResolution& resolution) {
     return int(std::ceil(resolution.cutoff * size + 0.5));
 }
 
-/// The filter of spline_kernel() as a row: taps[size / 2 + d] is for the step from node i to the
-/// value half a cell after node i − d. Zeros beyond the cutoff make up whole blocks.
+/// spline_kernel() as a row: taps[size / 2 + d] goes from node i to the value half a cell after
+/// node i − d. Zero-padded to whole blocks.
 template <class Real>
 std::vector<Real> kernel_taps(double size, const GridResolution& resolution, int reach) {
     const int count = tap_count(size, resolution), middle = kBlock * reach + kBlock - 1;
@@ -32,8 +32,8 @@ std::vector<Real> kernel_taps(double size, const GridResolution& resolution, int
     return taps;
 }
 
-/// Convolution of the masses on a grid with one kernel, along x and y inside each slab and along z
-/// across slabs. Only nodes that can be reached and that the targets need are computed.
+/// Convolves masses on a grid with one kernel, along x and y inside slabs and along z across them,
+/// at the nodes that can be reached and that the targets need.
 template <class Real, int Groups>
 class GridConvolution {
     using Node = GridNode<Real, Groups>;
@@ -64,7 +64,7 @@ public:
         convolve_beside(1, x_, y);
     }
 
-    /// After `reach` more slabs were added.
+    /// Needs `reach` more slabs to have been added.
     void finish_slab(int slab) {
         const auto at = [&](int j) -> const Slab& { return y_[std::size_t(slab + j) % y_.size()]; };
         Slab& z = z_[slab % 2];
@@ -79,7 +79,7 @@ public:
             [&](std::size_t site, int j) { return at(j).mask(site); });
     }
 
-    /// One of the last two slabs that were finished.
+    /// Of the last two finished slabs.
     const Slab& result(int slab) const { return z_[slab % 2]; }
 
 private:
@@ -92,7 +92,7 @@ private:
         return rows;
     }
 
-    /// Calls at(j) for the sites in reach along x or y; 0 outside of the slab.
+    /// Calls at(j) for the sites in reach along x or y, with 0 outside the slab.
     template <class At>
     RowMask rows_beside(int axis, std::size_t site, At at) const {
         const int place = axis == 0 ? int(site) % grid_.blocks[0] : int(site) / grid_.blocks[0];

@@ -2,10 +2,8 @@
 #include "sums/grid_points.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "mesh/bounding_box.h"
-#include "sums/simd_grid.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -23,7 +21,7 @@ BlockMask bit_of(const Eigen::Array3i& node) {
     return BlockMask(1) << ((in_block.z() * kBlock + in_block.y()) * kBlock + in_block.x());
 }
 
-/// By block, the nodes that points reach whose first nodes are given by block.
+/// By block; points are given by their first nodes, by block.
 std::vector<BlockMask> reached_nodes(const GridGeometry& grid, const ReachedNodes& reached,
                                      const std::vector<BlockMask>& first_nodes) {
     std::vector<BlockMask> nodes(first_nodes.size(), 0);
@@ -43,7 +41,7 @@ std::vector<BlockMask> reached_nodes(const GridGeometry& grid, const ReachedNode
     return nodes;
 }
 
-/// Sets each flag that has a set one at most `reach` away along the axis with that stride.
+/// Sets the flags up to `reach` away from a set one along the axis with that stride.
 void dilate(std::vector<std::uint8_t>& flags, int count, std::size_t stride, int reach) {
     const std::vector<std::uint8_t> before = flags;
     for (std::size_t i = 0; i < flags.size(); ++i) {

@@ -11,15 +11,13 @@
 
 namespace laplacian_lines {
 
-/// A regular grid in blocks of 4 x 4 x 4 nodes around points, with room for what the points reach.
-/// Blocks are numbered along x, then y, then z; a slab is all blocks of one z, a site a block's
-/// number inside its slab.
+/// A regular grid in blocks of 4 x 4 x 4 nodes around points, with room for what they reach. Blocks
+/// are numbered along x, y, z; a slab is the blocks of one z, a site a block's number in its slab.
 struct GridGeometry {
     GridGeometry(const std::vector<Eigen::Vector3d>& points, double cell);
 
-    /// Position in cells. A point's mass is spread over the nodes from floor − 1 to floor + 2
-    /// along each axis; its value comes from the nodes from floor − 2 to floor + 2 of another grid,
-    /// half a cell further on.
+    /// A point's mass goes to the nodes from floor − 1 to floor + 2 along each axis; its value
+    /// comes from floor − 2 to floor + 2 of a second grid, half a cell further on.
     Eigen::Vector3d in_cells(const Eigen::Vector3d& p) const {
         const Eigen::Vector3d cells = (p - origin) * per_cell;
         return {cells[axes[0]], cells[axes[1]], cells[axes[2]]};
@@ -37,14 +35,14 @@ struct GridGeometry {
     int blocks[3];
 };
 
-/// Nodes that a point reaches in the box of its block: `offset`..`offset + count − 1` along each
-/// axis from its first one.
+/// Nodes that a point reaches in the box of its block: `offset`..`offset + count − 1` from its
+/// first one along each axis.
 class ReachedNodes {
 public:
     ReachedNodes(int offset, int count);
 
-    /// `first`: the point's first node. Calls visit(part, nodes) for those of
-    /// each block that the box overlaps, see clear_rows().
+    /// Calls visit(part, nodes) for each block that the box of the point with this first node
+    /// overlaps, see clear_rows().
     template <class Visit>
     void visit_parts(const Eigen::Array3i& first, Visit visit) const {
         const auto& x = masks_[0][first.x() % kBlock];
@@ -55,7 +53,7 @@ public:
                 visit(part, mask);
     }
 
-    /// The same for all points whose first nodes are those of one block.
+    /// For all points whose first nodes are those of one block.
     template <class Visit>
     void visit_all(BlockMask first_nodes, Visit visit) const {
         for (int bit = 0; first_nodes; first_nodes >>= 1, ++bit)
@@ -69,22 +67,21 @@ private:
 
 extern const ReachedNodes kSpreadNodes, kInterpolatedNodes;
 
-/// The points of a grid, by the block that holds the first node they reach; in each block in their
-/// given order.
+/// The points of a grid by the block of the first node they reach, in their given order.
 class GridPoints {
 public:
     GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector3d>& positions);
 
-    /// Leaves out what is more than `reach` blocks away, along an axis, from every point for which
-    /// is_target holds, and forgets which nodes the others reach.
+    /// Drops points more than `reach` blocks away, along an axis, from every target, and forgets
+    /// which nodes the others reach.
     void restrict_to_targets(const GridGeometry& grid,
                              const std::vector<Eigen::Vector3d>& positions,
                              const std::vector<bool>& is_target, int reach);
 
-    /// Nodes that some point, or some target, reaches: one mask for each block.
+    /// Nodes that some point or some target reaches, by block.
     const std::vector<BlockMask>& source_nodes() const { return source_nodes_; }
     const std::vector<BlockMask>& target_nodes() const { return target_nodes_; }
-    /// The first nodes that the points of a block reach.
+    /// By the points of a block.
     BlockMask first_nodes(std::size_t block) const { return first_nodes_[block]; }
     const std::uint32_t* begin(std::size_t block) const { return order_.data() + starts_[block]; }
     const std::uint32_t* end(std::size_t block) const { return order_.data() + starts_[block + 1]; }

@@ -12,7 +12,7 @@
 
 namespace laplacian_lines {
 
-/// Memory for nodes that is not initialized. Growing it loses what it held.
+/// Uninitialized nodes. Growing loses them.
 template <class Node>
 class NodeBuffer {
 public:
@@ -38,7 +38,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Those blocks of one slab of the grid that hold anything.
+/// The blocks of a slab that hold anything.
 template <class Node>
 class BlockSlab {
 public:
@@ -57,7 +57,7 @@ public:
     }
 
     const std::vector<std::uint32_t>& sites() const { return sites_; }
-    /// Null where the slab holds nothing.
+    /// Null if empty.
     Node* block(std::size_t site) const {
         return mask(site) ? nodes_.get() + std::size_t(slots_[site]) * kBlockNodes : nullptr;
     }

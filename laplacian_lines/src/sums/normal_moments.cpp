@@ -4,8 +4,8 @@
 namespace laplacian_lines {
 namespace {
 
-// Order of the moments of degree 3, from the fifth of the first group on, and how many of the 27
-// entries of the symmetric tensor each of them stands for.
+// Moments of degree 3, from the fifth of the first group on, and how often each occurs among the 27
+// entries of the tensor.
 enum { kXXX, kYYY, kZZZ, kXXY, kXXZ, kXYY, kYYZ, kXZZ, kYZZ, kXYZ, kCubic };
 constexpr double kEntries[kCubic] = {1, 1, 1, 3, 3, 3, 3, 3, 3, 6};
 constexpr int kFirstCubic = 4;
@@ -28,7 +28,7 @@ enum {
     kXYYZ,
     kXYZZ
 };
-// Where an odd number of factors of a moment of degree 3 is the same, that axis; 3: none.
+// The axis that a moment of degree 3 has an odd number of factors of; 3: none.
 constexpr int kOddAxis[kCubic] = {0, 1, 2, 1, 2, 0, 2, 0, 1, 3};
 // Moments of degree 4 that are x, y and z times those of degree 3.
 constexpr int kTimes[3][kCubic] = {
@@ -82,8 +82,8 @@ ContractedMoments contract(const PointSums<Real, Groups>& sums, const Eigen::Vec
                 Eigen::Vector3d(sums.derivatives[0][0], sums.derivatives[1][0],
                                 sums.derivatives[2][0])};
     else {
-        // w(c) = 1/2 + 3/4 c - 1/4 c^3, each power of c = n_q·n_p a contraction of moments with
-        // n_p; c n_q = c n_q |n_q|² is one of degree 4 as well.
+        // w(c) = 1/2 + 3/4 c - 1/4 c^3, c = n_q·n_p; powers of c contract moments with n_p. c n_q =
+        // c n_q |n_q|² has degree 4, too.
         double cubic[kCubic], weights[kFirstCubic + kCubic], normal_weights[kCubic];
         const double linear[4] = {0.75 * n.x(), 0.75 * n.y(), 0.75 * n.z(), 0};
         cubic_monomials(n, cubic);

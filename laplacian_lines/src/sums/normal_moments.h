@@ -7,16 +7,15 @@
 
 namespace laplacian_lines {
 
-// Σ m w(n_q·n_p) and Σ m w(n_q·n_p) n_q for any n_p, with w = 1 or facing_weight(), from moments
-// Σ m n_x^i n_y^j n_z^k that do not depend on p. The first group of 16 has the degrees 0, 1 and 3,
-// the second has degree 4; degree 2 follows from degree 4 since |n| = 1.
-// w = 1 needs the first group only.
+// Σ m w(n_q·n_p) and Σ m w(n_q·n_p) n_q for any n_p, w = 1 or facing_weight(), from moments Σ m
+// n_x^i n_y^j n_z^k that do not depend on p. The first group of 16 has degrees 0, 1 and 3 and
+// suffices for w = 1; the second has degree 4, from which degree 2 follows since |n| = 1.
 
-/// Moments of one vertex of mass m.
+/// Of one vertex of mass m.
 template <class Real, int Groups>
 void set_moments(double mass, const Eigen::Vector3d& normal, GridNode<Real, Groups>& node);
 
-/// What the moments around p say for its normal.
+/// Around p, for its normal.
 struct ContractedMoments {
     double mass = 0;           ///< Σ m w
     Eigen::Vector3d normal;    ///< Σ m w n_q

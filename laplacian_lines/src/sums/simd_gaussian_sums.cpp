@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kRound = 12582912.f;  // 1.5·2^23: adding it rounds to an integer
 
-/// The loops, by vectors of so many bytes.
 template <std::size_t Bytes>
 struct Loops {
     static constexpr std::size_t kWidth = Bytes / sizeof(float);
@@ -27,11 +26,9 @@ struct Loops {
         *reinterpret_cast<Floats*>(p) = v;
     }
 
-    /// All bits set where v < 0.
     static LAPLACIAN_LINES_INLINE Ints is_negative(Floats v) { return (Ints)v >> 31; }
 
-    /// Times 2^n of `shifted` = n + kRound: the integer sits in the low bits, to be added to the
-    /// exponent field.
+    /// Times 2^n, `shifted` = n + kRound: its low bits hold n, to be added to the exponent field.
     static LAPLACIAN_LINES_INLINE Floats scaled(Floats y, Floats shifted) {
         return (Floats)((Ints)y + ((Ints)shifted << 23));
     }
@@ -138,9 +135,9 @@ struct Loops {
         store(sums.nz + lane, t.unit_mass * snz);
     }
 
-    // What bounds this loop are its multiplications, so most of them are folded into others. It
-    // sums q and n_q, from which the sums of q − p and n_q − n_p follow. The exponent −(|q − p|² −
-    // c²)/4h, c the cutoff, is multiplied out; its sign tells whether q is within the cutoff.
+    // Multiplications bound this loop, so most are folded. It sums q and n_q, from which the sums
+    // of q − p and n_q − n_p follow; the exponent −(|q − p|² − c²)/4h is multiplied out, and its
+    // sign says whether q is within the cutoff c.
     static LAPLACIAN_LINES_INLINE void sum_quickly(const GaussianTargets& t,
                                                    const GaussianSource* sources,
                                                    std::size_t source_count, std::size_t lane,

@@ -7,8 +7,7 @@ namespace laplacian_lines {
 
 constexpr std::size_t kLanes = 16;  ///< targets that are summed at once
 
-/// A vertex that others sum over. Positions are relative to the group's centre, normals to the
-/// group's mean normal: sums of small numbers lose less to rounding.
+/// Positions are relative to the group's centre, normals to its mean: small numbers round less.
 struct alignas(32) GaussianSource {
     float x, y, z;
     float log2_mass;  ///< of the mass in GaussianTargets::unit_mass
@@ -16,20 +15,19 @@ struct alignas(32) GaussianSource {
     float squared;  ///< x² + y² + z², of collected sources only
 };
 
-/// A leaf of the tree as sources, positions relative to its centre, normals as they are.
+/// Positions are relative to the leaf's centre, normals as they are.
 struct SourceLeaf {
     static constexpr std::size_t kSize = 32;
     alignas(64) float x[kSize], y[kSize], z[kSize];  ///< again, for the choice of sources
     GaussianSource sources[kSize];
 };
 
-/// Copies those of the leaf's first `count` sources that lie, after `shift` was added to all their
-/// members, within the given distance of a box around the origin. `kept` has room for all. Returns
-/// how many.
+/// Copies those of the leaf's first `count` sources that, with `shift` added, lie within the given
+/// distance of a box around the origin; returns how many. `kept` has room for all.
 std::size_t collect_sources(const SourceLeaf& leaf, std::size_t count, const GaussianSource& shift,
                             const float half_size[3], float squared_distance, GaussianSource* kept);
 
-/// Up to kLanes vertices that sum over their neighbours; unused lanes may repeat others.
+/// Unused lanes may repeat others.
 struct GaussianTargets {
     alignas(64) float x[kLanes], y[kLanes], z[kLanes];
     alignas(64) float nx[kLanes], ny[kLanes], nz[kLanes];
@@ -42,18 +40,18 @@ struct GaussianTargets {
     float facing;  ///< 1: times facing_weight(n_q·n_p); 0: not
 };
 
-/// Sums of one group; moments are those of q − p, normals of n_q − n_p.
+/// Moments are those of q − p, normals of n_q − n_p.
 struct GaussianLaneSums {
     alignas(64) float mass[kLanes], mx[kLanes], my[kLanes], mz[kLanes];
     alignas(64) float nx[kLanes], ny[kLanes], nz[kLanes];
 };
 
-/// Sums all sources for each target. Runs with the widest vectors the processor has.
+/// Sums all sources for each target. Uses the widest vectors.
 void sum_gaussians(const GaussianTargets& targets, const GaussianSource* sources,
                    std::size_t source_count, GaussianLaneSums& sums);
 
-/// The same with errors of kQuickError, without normal_exponent, for targets whose distance
-/// from the group's centre is at most kQuickRadius √h.
+/// With errors of kQuickError and without normal_exponent, for targets within kQuickRadius √h of
+/// the group's centre.
 void sum_quickly(const GaussianTargets& targets, const GaussianSource* sources,
                  std::size_t source_count, GaussianLaneSums& sums);
 constexpr double kQuickRadius = 8;

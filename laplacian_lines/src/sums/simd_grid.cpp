@@ -7,7 +7,6 @@
 namespace laplacian_lines {
 namespace {
 
-/// A node as vectors of so many bytes.
 template <class Real, int Groups, std::size_t Bytes>
 struct Vectors {
     using Lane = typename SimdVector<Real, Bytes>::Type;
@@ -25,7 +24,6 @@ struct Vectors {
 
 typedef double Places __attribute__((vector_size(32)));  // along x, y, z
 
-/// B-splines of a point, by node and axis.
 template <class Real, int Count>
 struct Splines {
     typedef Real Axes __attribute__((vector_size(4 * sizeof(Real))));
@@ -104,7 +102,7 @@ LAPLACIAN_LINES_INLINE void interpolate_any(const GridNode<Real, Groups>* corner
     }
 }
 
-/// Calls visit(node of the box, node of the block), each the first of the four of a row.
+/// Calls visit(node of the box, node of the block) for the first of the four of each row.
 template <class Visit>
 LAPLACIAN_LINES_INLINE void for_each_row(int part, unsigned rows, Visit visit) {
     const int first = (((part >> 2) * kBox + (part >> 1 & 1)) * kBox + (part & 1)) * kBlock;
@@ -183,7 +181,7 @@ LAPLACIAN_LINES_INLINE void convolve_any(const ConvolutionInput<Real, Groups>& i
 
 }  // namespace
 
-// Versions cannot be templates. The parameters come last, since they hold commas.
+// Versions cannot be templates. The parameters come last: they hold commas.
 #define LAPLACIAN_LINES_GRID_KERNEL(name, Real, Groups, arguments, ...)                          \
     LAPLACIAN_LINES_VERSIONS(name##_##Real##Groups, (__VA_ARGS__), name##_any<kBytes> arguments) \
     template <>                                                                                  \

@@ -11,39 +11,38 @@ constexpr int kBox = 2 * kBlock;  ///< nodes along the box that a block's points
 constexpr int kBoxNodes = kBox * kBox * kBox;
 constexpr int kMoments = 16;  ///< numbers in a group of a node's moments
 
-/// What a node of the grid holds: `Groups` groups of 16 numbers, see normal_moments.h.
+/// `Groups` groups of 16 numbers, see normal_moments.h.
 template <class Real, int Groups>
 struct alignas(64) GridNode {
     Real moments[Groups * kMoments];
 };
 
-/// Where a point lies within its cell, 0..1 along x, y and z; the fourth is not used.
+/// 0..1 along x, y and z; the fourth is not used.
 struct alignas(32) CellPlace {
     double t[4];
 };
 
-/// Sums interpolated at a point, and the derivatives (in cells) of the first group.
+/// With the derivatives (in cells) of the first group.
 template <class Real, int Groups>
 struct alignas(64) PointSums {
     Real moments[Groups * kMoments];
     Real derivatives[3][kMoments];
 };
 
-/// Adds `value` times the point's cubic B-splines to the 4 x 4 x 4 nodes from `corner` on, inside a
-/// box of kBox nodes along each side. Like the others here: runs with the widest vectors the
-/// processor has; for Real = float and double, Groups = 1 and 2.
+/// Adds `value` times the point's cubic B-splines to the 4 x 4 x 4 nodes from `corner` on in a box
+/// of kBox nodes a side. All functions here use the widest vectors, for float and double, Groups 1
+/// and 2.
 template <class Real, int Groups>
 void spread(const GridNode<Real, Groups>& value, const CellPlace& place,
             GridNode<Real, Groups>* corner);
 
-/// What the 5 x 5 x 5 nodes from `corner` on, inside such a box, give at the point by quartic
-/// B-splines.
+/// Interpolates by quartic B-splines from the 5 x 5 x 5 nodes from `corner` on in such a box.
 template <class Real, int Groups>
 void interpolate(const GridNode<Real, Groups>* corner, const CellPlace& place,
                  PointSums<Real, Groups>& sums);
 
-// The box that the points of one block reach overlaps eight blocks; bits 0, 1 and 2 of `part`: the
-// next block along x, y and z. These run over rows along x, four nodes each, of one part.
+// The box of one block's points overlaps eight blocks; bits 0, 1, 2 of `part`: the next one along
+// x, y, z. These run over one part's rows of four nodes along x.
 template <class Real, int Groups>
 void clear_rows(int part, RowMask rows, GridNode<Real, Groups>* box);
 
@@ -57,7 +56,7 @@ template <class Real, int Groups>
 void add_rows(int part, RowMask rows, const GridNode<Real, Groups>* box,
               GridNode<Real, Groups>* block);
 
-/// Blocks that a convolution along one axis reads: `count` in a row, the output in their middle.
+/// What a convolution along one axis reads: `count` blocks in a row around the output.
 template <class Real, int Groups>
 struct ConvolutionInput {
     const GridNode<Real, Groups>* const* blocks;  ///< null: all zero
@@ -67,8 +66,8 @@ struct ConvolutionInput {
     int axis;
 };
 
-/// Computes the rows of a block whose bits are set, and zeroes the others. Row l along x holds
-/// the nodes from 4l; along y from 16 (l / 4) + l % 4; along z from l.
+/// Computes a block's rows whose bits are set, and zeroes the others. Row l holds the nodes from 4l
+/// along x, from 16 (l / 4) + l % 4 along y, from l along z.
 template <class Real, int Groups>
 void convolve(const ConvolutionInput<Real, Groups>& input, RowMask rows,
               GridNode<Real, Groups>* output);

@@ -5,8 +5,7 @@
 
 namespace laplacian_lines {
 
-/// A range of kernel sizes whose sums are interpolated, in the logarithm of the size, between those
-/// of a few sizes: Chebyshev nodes of the range.
+/// A range of kernel sizes, whose sums are interpolated in log size between its Chebyshev nodes.
 class SizeBand {
 public:
     static constexpr int kMaxNodes = 8;
@@ -16,8 +15,8 @@ public:
     const std::vector<double>& nodes() const { return nodes_; }  ///< √h, growing
     bool contains(double size) const { return size >= smallest_ && size <= largest_; }
 
-    /// Σ_j weights[j] sum(nodes()[j]) is the sum for `size`. What is interpolated is sum / h²,
-    /// which changes little with h where f(q) − f(p) is summed.
+    /// Σ_j weights[j] sum(nodes()[j]) is the sum for `size`. Interpolates sum / h², which changes
+    /// little with h where f(q) − f(p) is summed.
     void weights(double size, double* weights) const;
 
 private:
@@ -25,8 +24,8 @@ private:
     std::vector<double> nodes_;
 };
 
-/// Bands that together hold every kernel size, each in one band only: a single node if all sizes
-/// are equal, `node_count` otherwise.
+/// Bands that hold every kernel size once, with `node_count` nodes, or one node if all sizes are
+/// equal.
 std::vector<SizeBand> size_bands(const std::vector<float>& kernel_sizes, int node_count);
 
 }  // namespace laplacian_lines

@@ -12,7 +12,7 @@ constexpr int kFrequencies = 512;
 constexpr int kAliases = 4;
 constexpr double kLeastRoughness = 0.01;  // a plane: Δn is next to nothing
 
-/// Fourier transform of the B-spline of a degree.
+/// Fourier transform.
 double spline_transform(double w, int degree) {
     return std::pow(std::sin(w / 2) / (w / 2), degree + 1);
 }
@@ -44,8 +44,8 @@ std::vector<double> spline_kernel(double sigma, int count) {
 GridResolution grid_resolution(double accuracy, double roughness) {
     const double turn = std::clamp(roughness, kLeastRoughness, 1.0);
     GridResolution resolution;
-    // The largest error seen on the test meshes is 1.1e-3 cell^4.9 / turn down to 0.7 √h and falls
-    // a little more slowly below. tests/core/grid_sums_test.cpp holds it to the accuracy.
+    // The largest error on the test meshes is 1.1e-3 cell^4.9 / turn down to 0.7 √h and falls more
+    // slowly below; tests/core/grid_sums_test.cpp holds it to the accuracy.
     resolution.cell = std::min(1.25, std::pow(accuracy * turn / 1.4e-3, 1 / 4.7));
     // Beyond it lies less than a quarter of the accuracy of the second moment along an axis.
     resolution.cutoff = 6.3 - 0.85 * std::log10(accuracy / 1e-3);

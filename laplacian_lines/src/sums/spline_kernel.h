@@ -5,7 +5,6 @@
 
 namespace laplacian_lines {
 
-/// How fine a grid has to be for a sum of Gaussians.
 struct GridResolution {
     double cell = 0;       ///< in √h
     double cutoff = 0;     ///< of the convolution along each axis, in √h
@@ -13,12 +12,12 @@ struct GridResolution {
     bool doubles = false;  ///< floats are too coarse
 };
 
-/// The coarsest grid whose sums give Δn to a relative accuracy, 1e-6..0.1. `roughness`: root mean
-/// square of √h|S|, the turn of the normals within a kernel. On a smooth surface the terms of Δn
-/// cancel but for about this part of them, so the grid has to be finer.
+/// The coarsest grid that gives Δn to a relative accuracy, 1e-6..0.1. `roughness`: RMS of √h|S|,
+/// the turn of the normals within a kernel: all but about this part of the terms of Δn cancel on a
+/// smooth surface.
 GridResolution grid_resolution(double accuracy, double roughness);
 
-/// Cubic B-splines of a point at 0 <= t < 1 from the second of four nodes. T: numbers or vectors.
+/// At 0 <= t < 1 from the second of four nodes. T: numbers or vectors.
 template <class T>
 inline __attribute__((always_inline)) void cubic_spline(T t, T weights[4]) {
     const T s = 1. - t;
@@ -28,9 +27,9 @@ inline __attribute__((always_inline)) void cubic_spline(T t, T weights[4]) {
     weights[3] = t * t * t * (1 / 6.);
 }
 
-/// Quartic B-splines, and their derivatives, of the same point at five nodes that lie half way
-/// between those of the cubic ones, the first half a cell before the first of those. From the
-/// cubic ones by the recursions of C. de Boor, "A Practical Guide to Splines", chapters IX and X.
+/// Quartic B-splines and their derivatives at the same point, on five nodes half way between those
+/// of the cubic ones, the first half a cell before theirs; by the recursions of C. de Boor, "A
+/// Practical Guide to Splines", chapters IX and X.
 template <class T>
 inline __attribute__((always_inline)) void quartic_spline(T t, const T cubic[4], T weights[5],
                                                           T derivatives[5]) {
@@ -42,10 +41,9 @@ inline __attribute__((always_inline)) void quartic_spline(T t, const T cubic[4],
     }
 }
 
-/// The filter that turns masses spread over nodes by cubic B-splines into values half a cell
-/// further on from which quartic B-splines interpolate Σ m exp(−x²/2σ²); σ in cells. Tap j, 0 <= j
-/// < count, is for nodes at the distance j + 1/2; the filter is symmetric. The optimal influence
-/// function of R. W. Hockney and J. W. Eastwood, "Computer Simulation Using Particles", 1981,
+/// The filter from masses spread by cubic B-splines to values half a cell further on from which
+/// quartic B-splines interpolate Σ m exp(−x²/2σ²); σ in cells. Symmetric: tap j, 0 <= j < count, is
+/// for nodes at the distance j + 1/2. The optimal influence function of Hockney and Eastwood,
 /// section 8-3, along one axis.
 std::vector<double> spline_kernel(double sigma, int count);
 

@@ -12,8 +12,8 @@ enum class Summation {
     Grid,     ///< grid_sums()
 };
 
-/// Predicted times on one thread, in units of what the direct sum takes for a thousand pairs of
-/// vertices (about a microsecond). They depend on the mesh and the kernel only, not on a clock.
+/// Predicted time on one thread, in that of a thousand pairs in the direct sum, about a
+/// microsecond. Depends on the mesh and the kernel, not on a clock.
 struct SummationCosts {
     double direct = 0;
     double grid = 0;  ///< infinite if the grid would need too much memory
@@ -21,10 +21,10 @@ struct SummationCosts {
     Summation fastest() const { return grid < direct ? Summation::Grid : Summation::Direct; }
 };
 
-/// The same for looking at all vertices within `radius` of each vertex.
+/// Of looking at all vertices within `radius` of each vertex.
 double pairs_cost(const SpatialTree& tree, double radius);
 
-/// @throws Error(TooCostly), whose sentence ends with the advice, if the cost is that of minutes.
+/// @throws Error(TooCostly), whose sentence ends with the advice, if it would take minutes
 void refuse_endless_sum(double cost, const char* advice);
 
 /// The kernel's cutoff counts for the direct sum, the resolution for the grid.

@@ -5,12 +5,12 @@
 
 namespace laplacian_lines {
 
-// Chains of pieces that are joined at their ends. End 2p is the first one of piece p, 2p + 1 its
-// last one. `link(end)` is the end of another piece (or of the same) that goes on there, or kNoEnd.
+// Chains of pieces joined at their ends. Ends 2p and 2p + 1 are the first and last of piece p.
+// `link(end)` is the end that continues there, or kNoEnd.
 constexpr std::uint32_t kNoEnd = 0xffffffffu;
 
-/// Calls enter(end) for each piece of the chain that begins at an end of its first piece. Returns
-/// whether the chain is closed.
+/// Calls enter(end) for each piece, at the end where the chain enters it. Returns whether the chain
+/// is closed.
 template <class Link, class Enter>
 bool follow_chain(std::uint32_t start, const Link& link, const Enter& enter) {
     std::uint32_t end = start;
@@ -21,9 +21,8 @@ bool follow_chain(std::uint32_t start, const Link& link, const Enter& enter) {
     return end == start;
 }
 
-/// Calls trace(start) where chains begin; `trace` passes over pieces that it has entered before.
-/// First ends before last ones, so that chains keep their pieces' direction; what is left are
-/// closed ones.
+/// Calls trace(start) where chains begin; `trace` skips pieces that it has entered. First ends come
+/// first, so that chains keep their pieces' direction; closed chains come last.
 template <class Link, class Trace>
 void for_each_chain(std::uint32_t pieces, const Link& link, const Trace& trace) {
     for (std::uint32_t side : {0u, 1u})

@@ -9,16 +9,14 @@
 
 namespace laplacian_lines {
 
-/// Sets of the numbers from 0 on, each with its smallest number as root.
+/// Sets of the numbers 0.., each with its smallest as root.
 class DisjointSets {
 public:
-    /// Each of n numbers is a set of its own.
     explicit DisjointSets(std::size_t n = 0) : parent_(n) {
         std::iota(parent_.begin(), parent_.end(), 0u);
     }
     std::size_t size() const { return parent_.size(); }
 
-    /// A set of the next number.
     void add() { parent_.push_back(std::uint32_t(parent_.size())); }
 
     std::uint32_t root(std::uint32_t number) {
@@ -26,12 +24,12 @@ public:
             number = parent_[number] = parent_[parent_[number]];
         return number;
     }
-    /// Makes one of the sets of a and b, and returns its root.
+    /// Returns the root.
     std::uint32_t unite(std::uint32_t a, std::uint32_t b) {
         const auto [smaller, larger] = std::minmax({root(a), root(b)});
         return parent_[larger] = smaller;
     }
-    /// By number. Nothing is left in the sets.
+    /// By number; leaves the sets empty.
     std::vector<std::uint32_t> take_roots() {
         for (std::uint32_t number = 0; number < parent_.size(); ++number)
             parent_[number] = root(number);

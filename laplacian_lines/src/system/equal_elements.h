@@ -11,8 +11,8 @@
 
 namespace laplacian_lines {
 
-/// For each of `count` elements the first one that equals it. An element of a rare hash may equal
-/// nothing, not even itself.
+/// For each element the first one that equals it. Those with one rare hash may equal nothing, not
+/// even themselves.
 template <class HashOf, class Equal>
 std::vector<std::uint32_t> first_equals(std::size_t count, HashOf hash_of, Equal equal) {
     constexpr std::uint32_t kFree = 0xffffffffu;

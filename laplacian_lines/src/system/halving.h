@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "laplacian_lines/threads.h"
@@ -11,11 +10,10 @@
 
 namespace laplacian_lines {
 
-/// Cuts `whole` in two, these again, and so on, those of a level at the same time, until there are
-/// enough for all threads to share or they are of `small` size. cut(part) returns a pair, and may
-/// write only to what belongs to the part. The result is a heap: the part at i is cut into those at
-/// 2i + 1 and 2i + 2, which are of much the same size; the first size / 2 are cut. Only how many
-/// levels there are depends on the number of threads.
+/// Cuts `whole` in two, these again and so on, a level in parallel, until all threads have a share
+/// or parts are `small`. cut(part) returns a pair of about equal sizes and writes only to what
+/// belongs to its part. The result is a heap: part i is cut into 2i + 1 and 2i + 2; the first size
+/// / 2 are cut. The number of threads decides on the number of levels only.
 template <class Part, class Cut>
 std::vector<Part> halve_in_parallel(const Part& whole, std::size_t small, Cut cut) {
     const auto threads = std::size_t(thread_limit());

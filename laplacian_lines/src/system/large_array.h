@@ -6,16 +6,14 @@
 
 namespace laplacian_lines {
 
-/// Asks the system for huge pages in memory that nothing was written to yet: they take fewer page
-/// faults, and fewer misses of the tables that find pages. Does nothing for little memory, or where
-/// the system has none.
+/// Asks for huge pages in memory not yet written to, for fewer page faults and TLB misses. Does
+/// nothing for little memory, or where the system has none.
 void advise_huge_pages(void* memory, std::size_t bytes);
 
-/// Has pages of much memory that nothing was written to yet cleared on several threads. Otherwise
-/// the system clears each when it is first written to, which takes longer than to fill it.
+/// Clears the pages of memory not yet written to on several threads: the system would clear each at
+/// its first write, which takes longer than filling it.
 void clear_pages(void* memory, std::size_t bytes);
 
-/// Room in huge pages.
 template <class T>
 void reserve_large(std::vector<T>& array, std::size_t count) {
     array.reserve(count);
@@ -23,7 +21,6 @@ void reserve_large(std::vector<T>& array, std::size_t count) {
     clear_pages(array.data(), count * sizeof(T));
 }
 
-/// A vector in huge pages, of copies of `value`.
 template <class T>
 std::vector<T> large_array(std::size_t count, const T& value) {
     std::vector<T> array;
@@ -32,7 +29,7 @@ std::vector<T> large_array(std::size_t count, const T& value) {
     return array;
 }
 
-/// The same of elements as their default constructor leaves them.
+/// Default-constructed.
 template <class T>
 std::vector<T> large_array(std::size_t count) {
     std::vector<T> array;

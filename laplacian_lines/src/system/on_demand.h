@@ -5,8 +5,8 @@
 
 namespace laplacian_lines {
 
-/// A value that is computed when it is first asked for. Thread-safe; if computing throws, the next
-/// one who asks tries again.
+/// A value computed when it is first asked for. Thread-safe; if that throws, the next caller tries
+/// again.
 template <class Value>
 class OnDemand {
 public:

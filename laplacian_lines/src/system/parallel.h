@@ -13,19 +13,17 @@
 
 namespace laplacian_lines {
 
-/// The share of a longer computation that one step covers.
 class StageProgress {
 public:
     StageProgress(const Progress& progress, double begin, double end, const char* name)
         : progress_(progress), begin_(begin), end_(end), name_(name) {}
 
-    /// `done` of this step, 0..1. @throws Error(Cancelled)
+    /// `done`: 0..1. @throws Error(Cancelled)
     void report(double done) const {
         if (progress_ && !progress_(begin_ + (end_ - begin_) * done, name_))
             throw Error(ErrorCode::Cancelled, "Cancelled; the mesh was not changed.");
     }
 
-    /// From `begin` to `end` of this step, 0..1.
     StageProgress part(double begin, double end) const {
         const double size = end_ - begin_;
         return {progress_, begin_ + begin * size, begin_ + end * size, name_};
@@ -37,10 +35,10 @@ private:
     const char* name_;
 };
 
-/// Runs body(i, scratch) for i in [0, count) on several threads, each with a Scratch of its own,
-/// `grain` of them at a time. The body must write only to places that belong to i, so that the
-/// number of threads cannot change the result. Calls report(n) from the calling thread now and
-/// then, n growing up to count; the first exception stops all threads and is thrown again here.
+/// Runs body(i, scratch) for i in [0, count) on several threads, each with its own Scratch, `grain`
+/// at a time. The body writes only to what belongs to i, so that the number of threads does not
+/// matter. Calls report(n), n growing up to count, from the calling thread; the first exception
+/// stops all and is rethrown.
 template <class Scratch, class Body, class Report>
 void parallel_for(std::size_t count, std::size_t grain, Body body, Report report) {
     std::atomic<std::size_t> finished{0};
@@ -62,8 +60,8 @@ void parallel_for(std::size_t count, std::size_t grain, Body body, Report report
     });
 }
 
-/// The same as a step of a longer computation, whose end is told in any case: the calling thread
-/// may have got no part of the work.
+/// As a step of a longer computation. Reports its end in any case: the calling thread may have had
+/// no part in the work.
 template <class Scratch, class Body>
 void parallel_for(std::size_t count, const StageProgress& stage, Body body,
                   std::size_t grain = 16) {
@@ -91,8 +89,8 @@ inline std::size_t block_count(std::size_t count) {
     return (count + kBlockElements - 1) / kBlockElements;
 }
 
-/// Runs body(begin, end) for the blocks of kBlockElements elements of [0, count), for short work on
-/// each element.
+/// Runs body(begin, end) for blocks of kBlockElements elements of [0, count), for little work per
+/// element.
 template <class Body>
 void in_blocks(std::size_t count, Body body) {
     in_parallel(block_count(count), [&](std::size_t i) {
@@ -100,7 +98,6 @@ void in_blocks(std::size_t count, Body body) {
     });
 }
 
-/// The same with body(i) for each element.
 template <class Body>
 void for_each_element(std::size_t count, Body body) {
     in_blocks(count, [&](std::size_t begin, std::size_t end) {
@@ -109,7 +106,7 @@ void for_each_element(std::size_t count, Body body) {
     });
 }
 
-/// What find(i, found) appends to `found` for all i, in their order.
+/// What find(i, found) appends to `found`, in the order of i.
 template <class T, class Find>
 std::vector<T> collect(std::size_t count, Find find) {
     std::vector<std::vector<T>> found(block_count(count));
@@ -123,8 +120,8 @@ std::vector<T> collect(std::size_t count, Find find) {
     return all;
 }
 
-/// Joins value(begin, end) of the blocks to `start` in their order, so that the number of threads
-/// cannot change the result.
+/// Joins value(begin, end) of the blocks to `start` in order, so that the number of threads does
+/// not matter.
 template <class T, class Value, class Join>
 T join_blocks(std::size_t count, T start, Value value, Join join) {
     std::vector<T> values(block_count(count));
@@ -136,7 +133,6 @@ T join_blocks(std::size_t count, T start, Value value, Join join) {
     return start;
 }
 
-/// Σ value_of(i) of all elements.
 template <class ValueOf>
 double sum_of(std::size_t count, ValueOf value_of) {
     const auto sum = [&](std::size_t begin, std::size_t end) {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-// Versions of a function for the levels of the instruction set, each with vectors as wide as its
-// registers: GCC sends wider ones through memory, which takes up to ten times as long, so that
-// cloning one loop does not do. Sanitizers have the baseline alone.
+// Versions of a function per instruction set level, each with vectors as wide as its registers: GCC
+// sends wider ones through memory, up to ten times as slow, so cloning one loop will not do.
+// Sanitizers get the baseline.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
     !defined(LAPLACIAN_LINES_NO_VERSIONS)
 #define LAPLACIAN_LINES_X86_VERSIONS
@@ -17,8 +17,7 @@
 
 namespace laplacian_lines {
 
-/// A vector of so many bytes. By specializations, since GCC 12 loses the attribute of types that
-/// depend on a parameter.
+/// Specialized: GCC 12 loses the attribute on types that depend on a parameter.
 template <class Number, std::size_t Bytes>
 struct SimdVector;
 #define LAPLACIAN_LINES_VECTOR(number, bytes)                               \
@@ -36,11 +35,10 @@ LAPLACIAN_LINES_VECTORS(64)
 #undef LAPLACIAN_LINES_VECTORS
 #undef LAPLACIAN_LINES_VECTOR
 
-/// The size of the widest registers that have versions and that the processor has, at most what the
-/// environment variable LAPLACIAN_LINES_VECTOR_BYTES says, so that other versions can be tested.
+/// Bytes of the widest registers that have versions and that the processor has, at most
+/// LAPLACIAN_LINES_VECTOR_BYTES of the environment, for tests of the others.
 std::size_t vector_bytes();
 
-/// The version for the processor.
 template <class Function>
 Function* fastest_version(Function* baseline, Function* avx2, Function* avx512) {
     const std::size_t bytes = vector_bytes();
@@ -56,7 +54,7 @@ Function* fastest_version(Function* baseline, Function* avx2, Function* avx512) 
     }
 
 /// Defines the pointer fastest_`name` to a function with these parameters, in parentheses, that
-/// returns the expression after them; in that, kBytes is the size of the widest registers.
+/// returns the expression after them, in which kBytes is the size of the registers.
 #ifdef LAPLACIAN_LINES_X86_VERSIONS
 #define LAPLACIAN_LINES_VERSIONS(name, parameters, ...)                                   \
     LAPLACIAN_LINES_VERSION(baseline_##name, , 16, parameters, __VA_ARGS__)               \

@@ -38,20 +38,19 @@ struct Loop {
     Blocks blocks;
     const SharedWork& work;
     const unsigned most_helpers;
-    // What follows is written under the pool's lock.
+    // Below: under the pool's lock.
     unsigned helpers = 0;             // that have joined
     std::atomic<unsigned> inside{0};  // of them, those that have not left
     std::exception_ptr failure;
     Loop* next = nullptr;  // that can be joined
 };
 
-/// Threads that sleep until there is a loop to join.
 class Pool {
 public:
     Pool() = default;
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
-    /// Helpers must not outlive the code that they run, which may be a plugin's.
+    /// Helpers must not outlive their code, which may be a plugin's.
     ~Pool() {
         {
             const std::lock_guard<std::mutex> lock(mutex_);
@@ -80,7 +79,7 @@ public:
     }
 
 private:
-    /// Where there is no memory for a thread's stack, those that there are have to do.
+    /// Without memory for another stack, the threads there are have to do.
     void start_threads(unsigned count) {
         try {
             while (threads_.size() < count && !ending_)
@@ -125,7 +124,6 @@ private:
         }
     }
 
-    /// Nobody joins it any more.
     void close(const Loop& loop) {
         Loop** place = &open_;
         while (*place && *place != &loop)
@@ -143,7 +141,7 @@ private:
 Pool& pool() {
     static Pool pool;
 #ifdef __unix__
-    // A forked process has none of the threads, and perhaps a locked mutex: it begins anew.
+    // A forked process has none of the threads, and perhaps a locked mutex: it starts over.
     static const int prepared =
         pthread_atfork(nullptr, nullptr, [] { new (static_cast<void*>(&pool)) Pool; });
     (void)prepared;

@@ -6,8 +6,8 @@
 
 namespace laplacian_lines {
 
-// The same bits everywhere: Eigen adds up three floats in another order on aarch64, and the C
-// library's arc tangent of floats has other last bits there.
+// The same bits everywhere: on aarch64 Eigen adds three floats in another order, and atan2f
+// differs.
 
 inline float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     return a.x() * b.x() + (a.y() * b.y() + a.z() * b.z());
@@ -27,7 +27,7 @@ inline Eigen::Vector3f unit(const Eigen::Vector3f& v) {
     return square > 0 ? Eigen::Vector3f(v / std::sqrt(square)) : v;
 }
 
-/// Of the direction (x, y), radians. Of a double's last bits rounding leaves nothing.
+/// Of (x, y), radians. Rounding removes the last bits, in which C libraries differ.
 inline float arc_tangent(float y, float x) {
     return float(std::atan2(double(y), double(x)));
 }

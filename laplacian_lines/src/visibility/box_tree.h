@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -16,7 +15,7 @@
 
 namespace laplacian_lines {
 
-/// Numbers of seven bits with room for those of the other axes between them.
+/// Spreads seven bits, leaving room for those of the other axes.
 template <int Dim>
 std::array<std::uint64_t, 128> spread_numbers() {
     std::array<std::uint64_t, 128> table{};
@@ -26,9 +25,8 @@ std::array<std::uint64_t, 128> spread_numbers() {
     return table;
 }
 
-/// Numbers from 0 on in the order of their points along a curve that fills a box (G. Morton, 1966),
-/// so that those near each other are mostly near each other in space. Points beside the box are
-/// taken for some at its border.
+/// Indices along a curve that fills a box (G. Morton, 1966), so that neighbours in the order are
+/// mostly neighbours in space. Points beside the box count as on its border.
 template <int Dim, class PointOf>
 std::vector<std::uint32_t> order_along_curve(std::size_t count,
                                              const Eigen::AlignedBox<float, Dim>& box,
@@ -62,12 +60,12 @@ std::vector<std::uint32_t> order_along_curve(std::size_t count,
     return std::move(buckets.numbers);
 }
 
-/// A box around local coordinates.
+/// Around local coordinates.
 inline Eigen::AlignedBox3f local_box() {
     return {Eigen::Vector3f::Constant(-1), Eigen::Vector3f::Constant(1)};
 }
 
-/// Four boxes side by side, which are held against another one together. At first empty.
+/// Four boxes, tested together. At first empty.
 template <int Dim>
 class FourBoxes {
     using Lanes = typename SimdVector<float, 16>::Type;
@@ -94,7 +92,6 @@ public:
         }
         return box;
     }
-    /// Around all.
     Box bounds() const {
         Box all = box(0);
         for (unsigned k = 1; k < kCount; ++k)
@@ -114,15 +111,14 @@ private:
     Lanes low_[Dim], high_[Dim];
 };
 
-/// A tree of the boxes of elements in such an order: each four that follow each other have one
-/// together, each four of these, and so on. Thread-safe.
+/// A tree of boxes over such an order, with four children a node. Thread-safe.
 template <int Dim>
 class BoxTree {
 public:
     using Box = Eigen::AlignedBox<float, Dim>;
 
     BoxTree() = default;
-    /// Holds box_of(i) for all i in `order`, which has to outlive the tree.
+    /// Holds box_of(i) for all i in `order`, which outlives the tree.
     template <class BoxOf>
     BoxTree(const std::vector<std::uint32_t>& order, BoxOf box_of) : order_(&order) {
         const auto add_level = [&](std::size_t count, auto box_at) {
@@ -141,18 +137,18 @@ public:
         }
     }
 
-    /// Calls visit(number) for the elements whose boxes meet one, until it returns false.
+    /// Calls visit(number) for the elements whose boxes meet `box` until it returns false.
     template <class Visit>
     void visit(const Box& box, Visit visit) const {
         if (!levels_.empty())
             visit_nodes(top(), 0, box, 0, [&](std::size_t i) { return visit((*order_)[i]); });
     }
 
-    /// Two parts of the tree whose boxes meet, or one twice.
+    /// Parts of the tree whose boxes meet, or one twice.
     struct Pair {
         std::uint32_t nodes[2];
     };
-    /// In which all pairs of elements are that meet, each once.
+    /// Together these hold all pairs of elements that meet, once each.
     std::vector<Pair> pairs() const {
         std::vector<Pair> all;
         if (levels_.empty()) return all;
@@ -165,7 +161,7 @@ public:
             });
         return all;
     }
-    /// Calls visit(i, k) for the places in the order of elements whose boxes meet, i < k.
+    /// Calls visit(i, k), i < k, for places in the order whose elements' boxes meet.
     template <class Visit>
     void visit_pairs(const Pair& pair, Visit visit) const {
         const std::size_t level = std::min(top(), kPairLevel);
@@ -178,11 +174,11 @@ private:
     static constexpr std::size_t kFan = Fours::kCount;
     static constexpr std::size_t kPairLevel = 5;  // 1,024 elements
 
-    // Nodes of level 0 are elements, those of level n + 1 each have the boxes of levels_[n].
+    // Level 0 is elements; nodes of level n + 1 have the boxes of levels_[n].
     std::size_t top() const { return levels_.size(); }
 
-    /// Calls visit(node) for nodes of a level that meet a box, below another one, until it returns
-    /// false; returns whether it never has.
+    /// Calls visit(node) for nodes of a level below another one that meet a box, until it returns
+    /// false; false if it did.
     template <class Visit>
     bool visit_nodes(std::size_t at, std::size_t node, const Box& box, std::size_t level,
                      const Visit& visit) const {

@@ -20,11 +20,10 @@ using CreaseMarks = std::vector<std::uint8_t>;
 /// Finds the edges of a mesh along lines. Thread-safe.
 class CreaseMarker {
 public:
-    /// The mesh has to outlive it.
     explicit CreaseMarker(const SightMesh& mesh) : mesh_(mesh) {}
 
-    /// The edges between successive points of the creases among the lines. What is not an edge is
-    /// left out. Those of the last creases are kept: views of one mesh have the same.
+    /// The edges between successive points of the creases among the lines; others are left out. The
+    /// last result is kept: views of one mesh have the same creases.
     std::shared_ptr<const CreaseMarks> mark(const std::vector<LineSet>& lines) const;
 
 private:

@@ -23,7 +23,7 @@ EdgeOnWalls::EdgeOnWalls(const Picture& picture) : picture_(picture), mesh_(pict
 }
 
 void EdgeOnWalls::find_walls() {
-    // the eye as it was asked for is within one turn, the one turned the other way within two
+    // The eye that was asked for is within one turn, that turned the other way within two.
     const double least = 2 * EyeFrame::turn();
     is_wall_.resize(mesh_.triangles.size());
     for_each_element(is_wall_.size(), [&](std::size_t t) {
@@ -78,7 +78,7 @@ bool EdgeOnWalls::drop_at(std::uint32_t edge) const {
     return folds == folds_.end() || !cover(folds->second, edge);
 }
 
-/// Whether a triangle gets farther from the eye away from its edge.
+/// Whether a triangle recedes from the eye away from its edge.
 bool EdgeOnWalls::recedes(std::uint32_t edge, std::uint32_t triangle) const {
     const auto& ends = mesh_.edges[edge].vertices;
     const Vector3d &a = picture_.vertex(ends[0]), span = picture_.vertex(ends[1]) - a;
@@ -89,7 +89,7 @@ bool EdgeOnWalls::recedes(std::uint32_t edge, std::uint32_t triangle) const {
     });
 }
 
-/// Whether edges of one face, which is a line in the picture, lie beside another one of it all
+/// Whether edges of one face, which is a line in the picture, lie beside another of its edges all
 /// along.
 bool EdgeOnWalls::cover(const std::vector<std::uint32_t>& edges, std::uint32_t other) const {
     const auto at = [&](std::uint32_t e, int end) -> Vector2d {

@@ -10,15 +10,15 @@
 
 namespace laplacian_lines {
 
-/// Faces that the eye sees along their planes, within what it is turned by: whether one faces it is
-/// chance. One that faces away has a contour before it. One that faces the eye and is tangent to
-/// its neighbours has none, and yet the surface drops there: its near edge is a contour as well.
+/// Faces seen edge-on, within the eye's turn: whether one faces the eye is chance. One that faces
+/// away has a contour before it. One that faces the eye and is tangent to its neighbours has none,
+/// yet the surface drops there: its near edge is a contour as well.
 class EdgeOnWalls {
 public:
     explicit EdgeOnWalls(const Picture& picture);
 
-    /// Whether an edge of two triangles that is not a fold is the near edge of such a face, and
-    /// other edges of the face are no folds beside it all along.
+    /// Whether an edge of two triangles that is not a fold is the near edge of such a face, without
+    /// folds of the face beside it all along.
     bool drop_at(std::uint32_t edge) const;
 
 private:

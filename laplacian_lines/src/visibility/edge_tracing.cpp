@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <map>
 #include <tuple>
 
 #include "fixed/line_smoothing.h"
@@ -52,8 +51,8 @@ private:
                (options_.has_hidden || !piece.is_hidden);
     }
 
-    /// Dots where the roughness of a scan is on its horizon: contours and borders that meet nothing
-    /// else which is seen, and reach nowhere.
+    /// Drops dots where a scan's roughness is on its horizon: contours and borders that meet
+    /// nothing else that is seen, and reach nowhere.
     void leave_out_specks() {
         std::uint32_t nodes = 0;
         for (const SightPiece& piece : pieces_)
@@ -119,8 +118,8 @@ private:
         link_[b] = a;
     }
 
-    /// Two go on into each other; of more, those that go on most straight; of a great many, only
-    /// outlines, which have to close.
+    /// Two continue each other; of more, the straightest pairs; of a great many, only outlines,
+    /// which have to close.
     void link(std::vector<std::uint32_t>& halves, bool are_outlines) {
         if (halves.size() == 2) return join(halves[0], halves[1]);
         if (halves.size() > kMostAtNode) {
@@ -164,7 +163,7 @@ private:
         return all_.picture.mesh().in_mesh(a + share * (b - a));
     }
 
-    /// Where a piece begins or ends, with what is said of the place by that piece alone.
+    /// An end of a piece, with what that piece alone knows.
     SightPoint point_at(std::uint32_t half) const {
         return {position(half),           1, 0, 1, pieces_[half / 2].nodes[half % 2],
                 segment_of(half).is_exact};
@@ -193,8 +192,8 @@ private:
         return line;
     }
 
-    /// Where a smooth line is only passed in the picture it has no point in space, which would
-    /// stand in the way of smoothing.
+    /// A smooth line that is merely crossed in the picture has no point there in space, which would
+    /// hinder smoothing.
     void finish_in_space(SightLine& line) const {
         const auto is_passed = [&](const SightPoint& point) {
             return !point.is_exact && point.node >= first_crossing_;

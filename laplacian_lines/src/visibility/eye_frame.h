@@ -9,19 +9,17 @@
 
 namespace laplacian_lines {
 
-/// How a view looks at a mesh, in its local coordinates: the axes of the picture, x right, y up,
-/// and the eye of a perspective view.
-///
-/// Ties, such as faces seen along their planes and edges one behind the other, cannot be: the eye
-/// is turned around the object by 3e-5 rad, about an axis in no special direction, and all that is
-/// decided is decided from there (H. Edelsbrunner, E. Mücke, "Simulation of Simplicity", 1990, by
-/// one fixed step). What is drawn keeps its place in space.
+/// How a view looks at a mesh, in local coordinates: the axes of the picture, x right, y up, and
+/// the eye of a perspective view. Ties, such as faces seen edge-on, cannot occur: all is decided
+/// from an eye turned around the object by 3e-5 rad about an arbitrary axis (H. Edelsbrunner, E.
+/// Mücke, "Simulation of Simplicity", 1990, by one fixed step). What is drawn keeps its place in
+/// space.
 class EyeFrame {
 public:
     /// A perspective eye looks towards the middle of the mesh, or away from it.
     EyeFrame(const SightMesh& mesh, const View& view, bool looks_away = false);
 
-    /// By which the eye is turned, rad.
+    /// Rad.
     static double turn();
 
     bool has_perspective() const { return has_perspective_; }
@@ -30,11 +28,11 @@ public:
     Eigen::Vector3d towards_eye(const Eigen::Vector3d& local) const {
         return has_perspective_ ? Eigen::Vector3d((eye_ - local).stableNormalized()) : back_;
     }
-    /// Along the axis of sight of a perspective eye, local.
+    /// Along the axis of a perspective eye, local.
     double depth(const Eigen::Vector3d& local) const { return back_.dot(eye_ - local); }
 
-    /// In the picture, with z larger where it is nearer. A perspective view is made parallel by
-    /// z = 1 / depth, which keeps planes and straight lines.
+    /// In the picture, z growing towards the eye. z = 1 / depth turns perspective into parallel
+    /// views; planes and straight lines stay so.
     Eigen::Vector3d place(const Eigen::Vector3d& local) const;
 
 private:
@@ -42,13 +40,13 @@ private:
     bool has_perspective_;
 };
 
-/// Perspective views show what is so far before the eye, local.
+/// Least distance before a perspective eye that is shown, local.
 constexpr double kLeastDepth = 1e-5;
 
 /// Whether all of a mesh is before the eye.
 bool is_before_eye(const SightMesh& mesh, const EyeFrame& frame);
 
-/// The part of a mesh that is before a perspective eye, cut off at kLeastDepth; local.
+/// Cut off at kLeastDepth; local.
 TriangleMesh part_before_eye(const SightMesh& mesh, const EyeFrame& frame);
 
 }  // namespace laplacian_lines

@@ -16,11 +16,10 @@
 namespace laplacian_lines {
 namespace {
 
-// In D: where edges are longer on the mean, many triangles are coarse, unless the mesh is rough.
+// In D: meshes with longer mean edges have many coarse triangles, unless they are rough.
 constexpr double kLargestSmoothMeanEdge = 0.025;
 
-/// A. van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", 1983. Positive where the
-/// triangle shows its back.
+/// A. van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", 1983. Positive from behind.
 double solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
     const double numerator = a.dot(b.cross(c));
@@ -28,8 +27,7 @@ double solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
     return 2 * std::atan2(numerator, denominator);
 }
 
-/// The sum of the solid angles of all triangles at a point, local, over 4π; +1 inside a closed
-/// surface that faces outwards.
+/// Solid angles of all triangles over 4π; +1 inside a closed surface that faces outwards.
 double winding_number(const SightMesh& mesh, const Eigen::Vector3d& point) {
     const double sum = sum_of(mesh.triangles.size(), [&](std::size_t i) {
         const Triangle& t = mesh.triangles[i];
@@ -64,7 +62,7 @@ void append(const SightLine& line, double diagonal, LineSet& to) {
     to.lines.push_back(result);
 }
 
-/// The lines that an eye sees of a mesh which is before it.
+/// For an eye with the whole mesh before it.
 std::vector<SightLine> look_at(const SightMesh& mesh, const CreaseMarker& creases,
                                const EyeFrame& frame, const std::vector<LineSet>& lines,
                                const SightOptions& options, const StageProgress& stage) {
@@ -81,7 +79,7 @@ std::vector<SightLine> look_at(const SightMesh& mesh, const CreaseMarker& crease
     return traced;
 }
 
-/// The same of the part of a mesh that is before an eye among it.
+/// For an eye within the mesh: of the part before it.
 void look_through(const SightMesh& mesh, const EyeFrame& frame, const std::vector<LineSet>& lines,
                   const SightOptions& options, const StageProgress& stage,
                   std::vector<SightLine>& seen) {

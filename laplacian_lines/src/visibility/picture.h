@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -13,48 +12,47 @@
 
 namespace laplacian_lines {
 
-/// What is before and behind a point as seen from the eye.
+/// What is before and behind a point.
 struct Backing {
     bool is_hidden = false;
-    /// To the next surface behind it, as the eye sees it, local; infinite if there is none.
+    /// To the next surface behind it, local; infinite if there is none.
     double gap = std::numeric_limits<double>::infinity();
 };
 
-/// A surface as it lies in the picture of one view. Thread-safe.
+/// A surface in the picture of one view. Thread-safe.
 class Picture {
 public:
-    /// The mesh has to outlive it, and to be before a perspective eye.
+    /// The mesh outlives this and is before a perspective eye.
     Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgress& stage);
 
     const SightMesh& mesh() const { return mesh_; }
     const EyeFrame& frame() const { return frame_; }
     const Eigen::Vector3d& vertex(std::uint32_t vertex) const { return places_[vertex]; }
 
-    /// On which side of an edge, from its first vertex to its second, a triangle lies that has it:
-    /// 1 left, −1 right.
+    /// On which side of an edge, from its first vertex to its second, its triangle lies: 1 left, −1
+    /// right.
     int side_of(const SightMesh::Side& side) const {
         return side.is_reversed ? -facing_[side.triangle] : facing_[side.triangle];
     }
 
-    /// Whether all triangles of an edge are on one side of it.
+    /// All triangles of the edge are on one side of it.
     bool is_fold(std::uint32_t edge) const;
 
-    /// 1 left of the line from a to b or on it, −1 right of it; opposite from b to a.
+    /// 1 left of the line from a to b or on it, −1 right of it; the opposite from b to a.
     static int turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-    /// How much larger z is of what is nearer to the eye by a small `distance`, local.
+    /// By how much z grows from there over a small local `distance` towards the eye.
     double rise_of(double distance, double z) const {
         return frame_.has_perspective() ? distance * z * z : distance;
     }
 
-    /// Where a share of the line between two places of the picture lies in space.
+    /// The share in space of a share of the line between two places of the picture.
     double share_in_space(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double t) const {
         return frame_.has_perspective() ? t * to.z() / ((1 - t) * from.z() + t * to.z()) : t;
     }
 
-    /// By a ray through a point of the surface, local, that passes over the triangles `own`, in
-    /// their order, of which the point is part. What is no farther than `precision`, local, from
-    /// the plane of a triangle is on it.
+    /// By a ray through a local point of the surface, which is part of the triangles `own`, in
+    /// order; it ignores these. Points up to `precision`, local, from a triangle's plane are on it.
     Backing look(const Eigen::Vector3d& point, const SightMesh::Side* own, std::size_t own_count,
                  double precision) const;
 

@@ -18,7 +18,7 @@ double height_over(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
     return std::abs((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()));
 }
 
-/// Where the line from a to b crosses the line through c and d, which are on different sides of it.
+/// Where the line from a to b crosses the line through c and d; a and b are on different sides.
 double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
     const double before = height_over(c, d, a), after = height_over(c, d, b);
     return before + after > 0 ? before / (before + after) : 0.5;
@@ -94,7 +94,7 @@ private:
             all_.picture.rise_of(std::max(kRounding * all_.picture.mesh().line_precision,
                                           reach_of(all_.picture.mesh(), s)),
                                  std::max(a.z(), b.z()));
-        // with surface on both sides of each, sight changes only where they meet in space
+        // With surface on both sides of each, sight changes only where they meet in space.
         const bool must_meet = !describe(s.kind).is_outline && !describe(d.kind).is_outline;
         if (must_meet && (std::min(a.z(), b.z()) > std::max(c.z(), e.z()) + room ||
                           std::min(c.z(), e.z()) > std::max(a.z(), b.z()) + room))

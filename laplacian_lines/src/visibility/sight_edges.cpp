@@ -2,7 +2,6 @@
 #include "visibility/sight_edges.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <iterator>
 #include <numeric>
 #include <tuple>
@@ -22,7 +21,6 @@ double height_of(const SightMesh& mesh, const Triangle& t) {
     return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
-/// Keeps those of the triangles for which keep(t), in their order.
 template <class Keep>
 void keep_triangles(SightMesh& mesh, Keep keep) {
     std::vector<std::uint8_t> is_kept(mesh.triangles.size());
@@ -33,8 +31,7 @@ void keep_triangles(SightMesh& mesh, Keep keep) {
     mesh.triangles.resize(count);
 }
 
-/// The sides side_of(i) by edges, in the order of their vertices; those of one edge in the order of
-/// the triangles, each once.
+/// The sides side_of(i) by edges, in the order of their vertices, then of the triangles, once each.
 template <class SideOf>
 void gather_edges(std::size_t count, SideOf side_of, std::size_t vertices, SightMesh& mesh) {
     struct Key {
@@ -104,7 +101,7 @@ void gather_edges(const std::vector<LooseSide>& sides, std::size_t vertices, Sig
         sides.size(), [&](std::uint32_t i) { return sides[i]; }, vertices, mesh);
 }
 
-/// Triangles that have the corners of an earlier one.
+/// Triangles with the corners of an earlier one.
 std::vector<std::uint8_t> find_equal_triangles(const SightMesh& mesh) {
     std::vector<std::uint8_t> are_equal(mesh.triangles.size());
     for_each_element(mesh.edge_count(), [&](std::size_t e) {

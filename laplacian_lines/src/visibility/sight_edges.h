@@ -9,7 +9,7 @@
 
 namespace laplacian_lines {
 
-/// A side between two vertices, before sides are gathered by edges.
+/// Not yet grouped by edges.
 struct LooseSide {
     std::uint32_t vertices[2];  // ascending
     std::uint32_t triangle;
@@ -20,11 +20,10 @@ inline LooseSide side_between(std::uint32_t from, std::uint32_t to, std::uint32_
     return {{std::min(from, to), std::max(from, to)}, triangle, from > to};
 }
 
-/// The edges of triangles, of which those without height are taken away, and all but one of those
-/// with the same corners.
+/// Drops triangles without height, and all but one of those with the same corners.
 void build_edges(SightMesh& mesh);
 
-/// Adds sides of triangles; `gone` are edges, ascending, that are no longer there.
+/// Adds sides of triangles; `gone` are edges to remove, ascending.
 void change_edges(const std::vector<LooseSide>& sides, const std::vector<std::uint32_t>& gone,
                   SightMesh& mesh);
 

@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 
 // Relative to the coordinates: four units in the last place of a float, which files hold.
 constexpr double kPrecision = 0x1p-22;
-// Local. Where coordinates are coarser there is no form left, and all would be at one place.
+// Local. With coarser coordinates there is no form left, and all would be at one place.
 constexpr double kWorstPrecision = 1e-3;
 
 bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
@@ -34,7 +34,7 @@ bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
     });
 }
 
-/// The precisions of coordinates as large as these, local.
+/// Local, for coordinates as large as these.
 void find_precisions(const TriangleMesh& mesh, SightMesh& result) {
     double largest = result.size;
     bool are_floats = true;
@@ -54,12 +54,11 @@ void replace_vertices(const std::vector<std::uint32_t>& by, SightMesh& mesh) {
             v = by[v];
 }
 
-/// One vertex for all of the same coordinates.
 void weld_equal(SightMesh& mesh) {
     replace_vertices(first_equal_positions(mesh.positions), mesh);
 }
 
-/// Merges border vertices at one place into one, with the smallest of their numbers.
+/// Merges border vertices at one place, with the smallest of their numbers.
 bool weld_borders(SightMesh& mesh) {
     std::vector<bool> on_border(mesh.positions.size());
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
@@ -83,7 +82,7 @@ bool weld_borders(SightMesh& mesh) {
     return any;
 }
 
-/// For each end of cuts, the vertices from `first_end` on, the first vertex at its place.
+/// For each end of cuts, from `first_end` on, the first vertex at its place.
 std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::size_t first_end,
                                          const std::vector<std::uint8_t>& near_cuts) {
     const std::size_t count = mesh.positions.size();
@@ -108,8 +107,8 @@ std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::size_t firs
     return first;
 }
 
-/// Ends of cuts that are at the place of another vertex become that one, so that no edge is shorter
-/// than the precision.
+/// Merges ends of cuts with vertices at their places, so that no edge is shorter than the
+/// precision.
 void weld_ends(std::size_t first_end, const SightMesh& mesh, SurfaceContacts& contacts) {
     if (mesh.positions.size() == first_end) return;
     const std::vector<std::uint32_t> first = first_at_ends(mesh, first_end, contacts.near_cuts);
@@ -140,7 +139,7 @@ bool come_before(const SurfaceContacts::OnEdge& a, const SurfaceContacts::OnEdge
     return a.edge != b.edge ? a.edge < b.edge : a.vertex < b.vertex;
 }
 
-/// Finds vertices on cuts, and ends of cuts on edges that no triangle of the cut has.
+/// Finds vertices on cuts, and ends of cuts on edges that none of the cut's triangles has.
 void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
     using OnEdge = SurfaceContacts::OnEdge;
     if (contacts.cuts.empty()) return;
@@ -196,7 +195,7 @@ void add_cuts(const std::vector<SurfaceContacts::Cut>& cuts, SightMesh& mesh) {
     change_edges(sides, {}, mesh);
 }
 
-/// The vertices on an edge, from its first to its second.
+/// The vertices on an edge, in its direction.
 std::vector<std::uint32_t> path_along(const SightMesh& mesh, const SightMesh::Edge& edge,
                                       const SurfaceContacts::OnEdge* begin,
                                       const SurfaceContacts::OnEdge* end) {

@@ -10,14 +10,13 @@
 
 namespace laplacian_lines {
 
-/// A surface with all its edges, as sight needs it, whatever its topology and winding: vertices at
-/// one place are one, triangles without height are gone, and an edge on which vertices of others
-/// lie is cut there, so that surfaces which touch share edges. Where triangles run through each
-/// other there are edges, too, which both have on both sides. In local coordinates
-/// x' = (x − centre) / size.
+/// A surface with all its edges, of any topology and winding: vertices at one place are one,
+/// triangles without height are gone, and edges are cut at vertices that lie on them, so that
+/// surfaces which touch share edges. Triangles that run through each other share an edge, too,
+/// which has both on both sides. In local coordinates x' = (x − centre) / size.
 struct SightMesh {
-    /// A side of a triangle, or a part of one between vertices that lie on it. A triangle that goes
-    /// on to both sides of an edge has two, of both directions.
+    /// A side of a triangle, or a part of one between vertices on it. A triangle on both sides of
+    /// an edge has two, of both directions.
     struct Side {
         std::uint32_t triangle : 31;
         std::uint32_t
@@ -48,16 +47,14 @@ struct SightMesh {
     Eigen::Vector3d local(const Eigen::Vector3d& point) const { return (point - centre) / size; }
     Eigen::Vector3d in_mesh(const Eigen::Vector3d& local) const { return centre + size * local; }
     static constexpr std::uint32_t kNoEdge = 0xffffffffu;
-    /// The number of the edge between two vertices, kNoEdge if there is none.
+    /// kNoEdge if there is none.
     std::uint32_t edge_between(std::uint32_t a, std::uint32_t b) const;
-    /// Unit normal of a triangle.
     Eigen::Vector3d normal(std::uint32_t triangle) const;
 };
 
-/// Triangles with corners that are not finite are left out.
-/// @throws Error: InvalidMesh if a triangle names a vertex that does not exist, Cancelled.
+/// Leaves out triangles whose corners are not finite. @throws Error: InvalidMesh, Cancelled.
 SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage);
-/// The same for a part of another mesh, in whose local coordinates it is and stays.
+/// For a part of another mesh, which keeps the local coordinates of that.
 SightMesh build_sight_mesh(TriangleMesh part, const SightMesh& whole, const StageProgress& stage);
 
 }  // namespace laplacian_lines

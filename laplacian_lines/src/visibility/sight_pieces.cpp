@@ -73,9 +73,8 @@ void decide(const SightSegments& all, SightPiece& piece) {
 // Local: points that lie on the surface as well as that are seen as it is there.
 constexpr double kOnSurface = 1e-5;
 
-/// Whether a piece goes on with the one before as a line on the surface that nothing has crossed.
-/// Crest lines and those of coarse coordinates are beside the surface, which can hide them for a
-/// while.
+/// Whether a piece continues the one before as an uncrossed line on the surface. Not crest lines
+/// and those of coarse coordinates: these are beside the surface, which can hide them for a while.
 bool goes_on(const SightSegments& all, std::uint32_t first_crossing, const SightPiece& before,
              const SightPiece& piece) {
     const SightSegment &from = all.segments[before.segment], &to = all.segments[piece.segment];
@@ -84,7 +83,7 @@ bool goes_on(const SightSegments& all, std::uint32_t first_crossing, const Sight
            piece.nodes[0] < first_crossing;
 }
 
-/// Where runs of pieces begin that are seen as a whole, or not, and the end of the last.
+/// Where runs of pieces begin that are seen or hidden as a whole, and the end of the last.
 std::vector<std::size_t> runs_of(const SightSegments& all, std::uint32_t first_crossing,
                                  const std::vector<SightPiece>& pieces) {
     std::vector<std::size_t> begins;
@@ -103,7 +102,7 @@ void decide_runs(const SightSegments& all, const std::vector<std::size_t>& runs,
     Eigen::AlignedBox2f bounds;
     for (std::size_t run = 0; run + 1 < runs.size(); ++run)
         bounds.extend(middle_of(all, chosen(run)));
-    // rays that follow each other then read the same memory
+    // Neighbouring rays read the same memory.
     const std::vector<std::uint32_t> order = order_along_curve<2>(
         runs.size() - 1, bounds, [&](std::uint32_t run) { return middle_of(all, chosen(run)); });
     parallel_for<NoScratch>(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "visibility/sight_segments.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "visibility/edge_on_walls.h"
@@ -15,7 +14,7 @@ constexpr double kCutOff = 1.001 * kLeastDepth;  // edges before it end what is 
 constexpr double kCrestReach = 1e-3;
 constexpr double kFlatCosine = 0.9986;  // of 3 degrees: sheets that go on into each other
 
-/// What an edge of a mesh is in a picture.
+/// What a mesh edge is in a picture.
 class EdgeJudge {
 public:
     EdgeJudge(const Picture& picture, const CreaseMarks& creases)

@@ -10,8 +10,8 @@
 
 namespace laplacian_lines {
 
-/// A straight piece of what may be drawn of a view, or of what may hide: a contour, border, crease
-/// or cut, each an edge of the mesh, or a segment of a line on the surface.
+/// A straight piece that may be drawn, or hide others: a mesh edge that is a contour, border,
+/// crease or cut, or a segment of a line on the surface.
 struct SightSegment {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -24,7 +24,7 @@ struct SightSegment {
     bool divides = false;  ///< sight may change where something crosses it in the picture
 };
 
-/// All of them in one view. Points are the mesh's vertices and, behind these, those of lines.
+/// Points are the mesh's vertices, then those of lines.
 struct SightSegments {
     const Picture& picture;
     std::vector<SightSegment> segments;
@@ -40,16 +40,15 @@ struct SightSegments {
     }
 };
 
-/// The mesh's edges, and the segments of those of the lines that lie on the surface, in their
-/// order: not its edges, which are contours, borders and creases.
+/// The mesh's edges, then segments of the lines on the surface, in order, but not of contours,
+/// borders and creases, which are edges.
 SightSegments find_sight_segments(const Picture& picture, const CreaseMarks& creases,
                                   const std::vector<LineSet>& lines);
 
-/// How far from a triangle's plane a point of a segment may be that is on it, local: crest lines
-/// pass the edges of the mesh up to .06 % of D beside it.
+/// How far from its triangle's plane a point of a segment may be, local: crest lines pass mesh
+/// edges up to .06 % of D beside them.
 double reach_of(const SightMesh& mesh, const SightSegment& segment);
 
-/// Whether lines of a kind are edges of the mesh.
 bool is_edge_kind(LineKind kind);
 
 }  // namespace laplacian_lines

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// T. Möller, "A Fast Triangle-Triangle Intersection Test", 1997: the plane of each of two triangles
-// cuts the other one in an interval of the line that the planes have in common.
 #include "visibility/surface_contacts.h"
 
 #include <Eigen/Geometry>
@@ -17,8 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Where a side of a triangle meets the plane of another: a corner, if both are the same, or a
-/// place between two, ascending.
+/// Where a triangle's side meets another's plane: a corner, if both are the same, or between two,
+/// ascending.
 struct CutEnd {
     std::array<std::uint32_t, 2> side;
     std::uint32_t pierced = 0;  // the other triangle; 0 for corners
@@ -35,7 +33,7 @@ bool has_corner(const Triangle& t, std::uint32_t vertex) {
     return vertex == t[0] || vertex == t[1] || vertex == t[2];
 }
 
-/// A triangle's corners over the plane of another one.
+/// Of a triangle's corners over another's plane.
 struct Heights {
     double over[3];
     int signs[3];  // 0: as near as the precision
@@ -48,7 +46,7 @@ struct Heights {
         }
     }
 
-    /// Whether the corners but those that the other triangle has, too, are all on one side.
+    /// Whether the corners, without common ones, are all on one side.
     bool are_beside(double reach, const Triangle& corners, const Triangle& other) const {
         bool are_over = true, are_under = true;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -62,23 +60,21 @@ struct Heights {
         return std::max({signs[0], signs[1], signs[2]}) > 0 &&
                std::min({signs[0], signs[1], signs[2]}) < 0;
     }
-    /// The corner that is not in the plane, of triangles with just one; else 3.
+    /// The one corner off the plane; 3 if there is not just one.
     std::size_t single_corner() const {
         if (std::abs(signs[0]) + std::abs(signs[1]) + std::abs(signs[2]) != 1) return 3;
         return signs[0] != 0 ? 0 : signs[1] != 0 ? 1 : 2;
     }
-    /// Whether the triangle meets the plane in a piece of a line.
     bool reach_across() const { return are_on_both_sides() || single_corner() != 3; }
 };
 
-/// Where an edge lies in the plane of a triangle, of one of the triangles at the edge.
+/// An edge in the plane of a triangle, with one of the triangles at it.
 struct CutAlongEdge {
     std::array<std::uint32_t, 2> edge;  // ascending
     int side;                           // of the plane, on which the triangle at the edge lies
     FoundCut cut;                       // of twice the triangle that has the edge in its plane
 };
 
-/// What is found by one thread.
 struct Found {
     std::vector<FoundCut> cuts;
     std::vector<CutAlongEdge> along_edges;
@@ -95,7 +91,6 @@ int common_corners(const Triangle& a, const Triangle& b) {
 
 using Spans = std::array<Vector3d, 2>;
 
-/// A triangle's sides from a corner.
 Spans spans_from(std::uint32_t corner, const Triangle& t, const SightMesh& mesh) {
     const std::size_t k = corner == t[0] ? 0 : corner == t[1] ? 1 : 2;
     const Vector3d& from = mesh.positions[corner];
@@ -106,15 +101,15 @@ bool is_over(const Spans& spans, const Vector3d& normal, double least) {
     return normal.dot(spans[0]) > least && normal.dot(spans[1]) > least;
 }
 
-/// Whether triangles with these sides from their one common corner are on both sides of a plane
-/// through it, with the other corners farther from it than `reach`.
+/// Whether triangles with these sides from their common corner are on both sides of a plane through
+/// it, the other corners farther from it than `reach`.
 bool are_beside(const Spans& a, const Spans& b, const Vector3d& normal, double reach) {
     const double least = reach * normal.norm();
     return is_over(a, normal, least) && is_over(b, -normal, least);
 }
 
-/// Whether one of some planes through the one corner that two triangles have in common is between
-/// them: so it is with nearly all at a vertex that have another one between them.
+/// Whether one of some planes through the common corner of two triangles separates them, as for
+/// nearly all at a vertex with another between them.
 bool are_apart_at_corner(const Triangle& a, const Triangle& b, double reach,
                          const SightMesh& mesh) {
     const std::uint32_t corner = has_corner(b, a[0]) ? a[0] : has_corner(b, a[1]) ? a[1] : a[2];
@@ -136,7 +131,7 @@ Corners corners_of(const Triangle& t, const SightMesh& mesh) {
     return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
 }
 
-/// Whether a triangle is beyond a side of another one, by a plane upright on that.
+/// Whether a plane upright on a side of `other` separates it from t.
 bool is_beyond_side(const Corners& t, const Corners& other, double reach) {
     const Vector3d normal = (other[1] - other[0]).cross(other[2] - other[0]);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -148,8 +143,8 @@ bool is_beyond_side(const Corners& t, const Corners& other, double reach) {
     return false;
 }
 
-/// Whether two triangles without a common corner are farther from each other than `reach`, as one
-/// of some planes between them tells.
+/// Whether one of some planes shows that triangles without a common corner are farther apart than
+/// `reach`.
 bool are_far(const Triangle& a, const Triangle& b, double reach, const SightMesh& mesh) {
     const Corners of_a = corners_of(a, mesh), of_b = corners_of(b, mesh);
     const Vector3d across = of_a[0] + of_a[1] + of_a[2] - of_b[0] - of_b[1] - of_b[2];
@@ -161,7 +156,6 @@ bool are_far(const Triangle& a, const Triangle& b, double reach, const SightMesh
     return is_beyond_side(of_a, of_b, reach) || is_beyond_side(of_b, of_a, reach);
 }
 
-/// Finds out how two triangles meet.
 class PairJudge {
 public:
     explicit PairJudge(const SightMesh& mesh) : mesh_(mesh), on_border_(mesh.positions.size()) {
@@ -250,7 +244,7 @@ private:
                (end.position - begin.position).norm() > mesh_.precision;
     }
 
-    /// Where the sides of a triangle meet a plane, if they do at two places.
+    /// Where the sides of a triangle meet a plane; only two places count.
     bool find_ends(std::uint32_t t, const Heights& heights, std::uint32_t other,
                    std::array<CutEnd, 2>& ends) const {
         const Triangle& corners = mesh_.triangles[t];
@@ -293,7 +287,7 @@ void append(const std::vector<T>& from, std::vector<T>& to) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
-/// SurfaceContacts::near_cuts
+/// For SurfaceContacts::near_cuts.
 std::vector<std::uint8_t> corners_near_cuts(const Found& found, const Tree& tree,
                                             const SightMesh& mesh) {
     constexpr double kRoom = 4;  // precisions: ends of cuts are welded within one
@@ -349,8 +343,8 @@ Found find_pairs(SightMesh& mesh, const StageProgress& stage) {
     return all;
 }
 
-/// A surface with an edge in the plane of a triangle runs through it if it has triangles on both
-/// sides: one alone cannot tell. All at an edge are asked together, so that they agree.
+/// A surface with an edge in a triangle's plane runs through it if it has triangles on both sides:
+/// asked for all at an edge together, so that they agree.
 void add_cuts_along_edges(Found& found) {
     const auto key = [](const CutAlongEdge& c) {
         return std::tie(c.edge, c.cut.triangles[0], c.side);

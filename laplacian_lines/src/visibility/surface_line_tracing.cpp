@@ -8,12 +8,9 @@
 namespace laplacian_lines {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr double kShortestGap = 0.001, kShortestPart = 0.003;  // in D of the line's own surface
 
-/// Successive pieces of one line: all, or those of a part between places that are not before the
-/// eye.
+/// Successive pieces of one line, or of a part that is before the eye.
 struct LinePieces {
     const SightPiece* begin;
     const SightPiece* end;
@@ -61,7 +58,7 @@ private:
         return all_.segments[piece.segment].points[0] - pieces_.first_node;
     }
 
-    /// Where the end of a piece is, as a share of its segment in space.
+    /// Of a piece's end along its segment, in space.
     double share(const SightPiece& piece, int end) const {
         const SightSegment& segment = all_.segments[piece.segment];
         return all_.picture.share_in_space(all_.place(segment.points[0]),
@@ -74,7 +71,7 @@ private:
                (all_.position(segment.points[1]) - all_.position(segment.points[0])).norm();
     }
 
-    /// D of the surface that the line is on, local: the line's length is known in D.
+    /// Of the surface that the line is on, local: lengths of lines are in D.
     double own_diagonal() const {
         double sum = 0;
         for (std::uint32_t node = pieces_.first_node + 1; node < pieces_.first_node + line_.count;

@@ -1,35 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "laplacian_lines/progress.h"
+#include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/object.h"
 #include "line_drawing/sheet.h"
 #include "line_drawing/sheet_options.h"
 
 namespace line_drawing {
 
-/// A measured drawing of a mesh: its lines as seen from each of the views, orthographic and at one
-/// scale, laid out on paper. `field` is that of the mesh. The same input gives the same sheet on
-/// any number of threads.
+/// A measured drawing of a mesh and its field: all views orthographic (or in perspective) at one
+/// scale, laid out on paper. Any number of threads gives the same sheet.
 /// @throws laplacian_lines::Error: InvalidOption, also if the drawing does not fit its paper at its
 /// scale; InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
 Sheet makeSheet(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field,
                 const SheetOptions& options, const laplacian_lines::Progress& progress = {});
 
-/// Several drawings of one scene, for which it is made ready once: of objects in one coordinate
-/// system, that hide each other and share bounds and sections. Each has its own lines.
+/// Several drawings of one scene, which is prepared once. Its objects hide each other and share a
+/// coordinate system, bounds and sections; each has its own lines.
 std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOptions>& options,
                               const laplacian_lines::Progress& progress = {});
 
-/// What can be known of a sheet before its lines are.
+/// What is known of a sheet before its lines are found.
 struct SheetPlan {
     Eigen::Vector2d paper;  ///< width and height, mm
     double scale;           ///< as Sheet's
 };
 
-/// Size and scale of the sheet that these options make of objects, whose fields do not count: in
-/// the time that looking at each triangle once takes, for each view.
-/// @throws laplacian_lines::Error(InvalidOption) as makeSheets(), but for eyes inside the surface.
+/// Size and scale of the sheet; ignores fields. Looks at each triangle once per view.
+/// @throws laplacian_lines::Error(InvalidOption) as makeSheets(), but not for eyes inside the
+/// surface
 SheetPlan planSheet(const Objects& objects, const SheetOptions& options);
+
+/// Options for one mesh of a contact sheet: its first view, small, no furniture; the title is its
+/// size.
+SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& options);
+
+struct ContactEntry {
+    std::string name;
+    Sheet view;
+};
+
+/// One page with all views in equal squares, name and size below each.
+Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const std::string& title);
+
+/// Serializes the paths of a sheet.
+std::string packSheet(const Sheet& sheet);
+/// @throws laplacian_lines::Error(InvalidOption) if the bytes are no packed sheet
+Sheet unpackSheet(const std::string& bytes);
 
 }  // namespace line_drawing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -9,14 +10,16 @@
 
 namespace line_drawing {
 
-/// One of the things on a drawing: a mesh in the coordinates of the drawing and its field, which
-/// both have to outlive it. Without a field, one is computed whose kernel suits the drawing's
-/// scale.
+/// A mesh in the coordinates of the drawing and its field, which outlive it. Without a field, one
+/// is computed whose kernel suits the scale.
 struct Object {
     const laplacian_lines::TriangleMesh& mesh;
     const laplacian_lines::Field* field = nullptr;
     std::string name = {};  ///< for messages
 };
 using Objects = std::vector<Object>;
+
+/// Of the triangles' vertices that are finite.
+Eigen::AlignedBox3d boundsOf(const laplacian_lines::TriangleMesh& mesh);
 
 }  // namespace line_drawing

@@ -6,10 +6,10 @@
 
 namespace line_drawing {
 
-/// Which places are inside of lines that lie in or over each other.
+/// What is inside of lines that overlap.
 enum class FillRule { EvenOdd, NonZero };
 
-/// Lines of straight pieces and cubic Bézier curves in a plane.
+/// Straight pieces and cubic Bézier curves in a plane.
 struct Path {
     using Point = Eigen::Vector2d;
     enum class Step : unsigned char { Move, Line, Curve };
@@ -25,17 +25,17 @@ struct Path {
 
     bool isEmpty() const { return pieces.empty(); }
     void moveTo(const Point& p);
-    /// Nothing is added where the line is there already, as in curveTo().
+    /// Like curveTo(), adds nothing if the line is there already.
     void lineTo(const Point& p);
     void curveTo(const Point& first, const Point& second, const Point& end);
-    /// Straight, to where the line began.
+    /// Straight.
     void close();
     void addRectangle(const Point& corner, double width, double height);
     void addCircle(const Point& center, double radius);
 
     Path placed(double scale, const Point& shift) const;
     Eigen::AlignedBox2d bounds() const;  ///< exact, also of curves
-    /// The points of each line, between which no curve is farther away than `tolerance`.
+    /// Polylines that are within `tolerance` of the curves.
     std::vector<std::vector<Point>> flattened(double tolerance) const;
 };
 

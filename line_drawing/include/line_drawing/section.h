@@ -15,15 +15,14 @@ struct Section {
     double share = 0.5;  ///< where across the bounding box, 0 to 1
 };
 
-/// Sections from their names, such as "y=0.5", separated by commas or spaces; none from no text.
+/// From names such as "y=0.5", separated by commas or spaces.
 /// @throws laplacian_lines::Error(InvalidOption)
 std::vector<Section> parseSections(std::string_view text);
 
-/// "A", "B", ..., "Z", "AA", ...: of the first section, the second, ...
+/// "A", "B", ..., "Z", "AA", ...
 std::string letterOf(std::size_t number);
 
-/// How the section is looked at: as the side of the object that lies across its axis, from above,
-/// from the front or from the left.
+/// Looks along the section's axis: from above, from the front or from the left.
 ViewFrame frameOfSection(const Section& section, UpAxis up);
 
 }  // namespace line_drawing

@@ -8,10 +8,10 @@
 
 namespace line_drawing {
 
-/// What a sheet of paper holds, in millimetres, x to the right and y down from its upper left
-/// corner. Plain data: what a file format needs to know is all here.
+/// A sheet of paper in millimetres, x right and y down from its upper left corner. Plain data, all
+/// that a file format needs.
 
-/// A stroke of even width, or, if that is 0, an area to be filled by the path's fill rule.
+/// A stroke of even width, or, if that is 0, an area filled by the path's fill rule.
 struct SheetPath {
     Path path;
     double pen_width = 0;
@@ -27,13 +27,13 @@ struct SheetText {
     TextAnchor anchor = TextAnchor::Left;
     std::string text;
 
-    /// Where it begins if it is so wide.
+    /// Where the path begins if its stroke is this wide.
     Eigen::Vector2d begin(double width) const {
         return position - Eigen::Vector2d(width * int(anchor) / 2, 0);
     }
 };
 
-/// What belongs to one class of lines: a layer of DXF and of SVG.
+/// One class of lines: a layer of DXF and SVG.
 struct SheetLayer {
     std::string key;   ///< of the class: "outline"; the same in all groups
     std::string name;  ///< for people
@@ -41,7 +41,7 @@ struct SheetLayer {
     std::vector<SheetText> texts;
 };
 
-/// A view with its lines, or what frames the drawing.
+/// A view with its lines, or the furniture around the drawing.
 struct SheetGroup {
     std::string key;  ///< unique: "front"
     std::string name;

@@ -11,7 +11,7 @@
 
 namespace line_drawing {
 
-/// What a person chooses for a drawing, as the command or the filter have it in writing.
+/// A person's choices for a drawing, as written for the command or the filter.
 struct SheetChoices {
     SheetLook look;
     std::string file = "drawing.svg";  ///< to be written
@@ -29,21 +29,20 @@ struct SheetChoices {
     int format = 0;                 ///< of drawings in a folder: pdf, svg, dxf, png
 };
 
-/// Units of meshes, by their number.
 struct MeshUnit {
     const char* name;
     double mm;
 };
 inline constexpr MeshUnit mesh_units[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
 
-/// The choice "Settings" of filters: what the filter itself says, what the decoration has drawn,
-/// and then a mixture of kinds of lines each. Its numbers are what scripts hold.
+/// The filters' choice "Settings": the filter's own, those of the decoration, then one mixture of
+/// kinds each. Scripts hold the number.
 constexpr int settings_of_decoration = 1;
 std::vector<const char*> settingsNames(std::vector<const char*> own);
 /// Null for the first two.
 const laplacian_lines::LineMixture* mixtureAt(int settings);
 
-/// An option of measured drawings. Its default is that of SheetChoices.
+/// An option of measured drawings, with the default of SheetChoices.
 struct SheetOption {
     using Row = laplacian_lines::OptionDescription<SheetChoices>;
     enum class Place { Both, Command, Filter };
@@ -51,12 +50,12 @@ struct SheetOption {
     Row row;
     Place place = Place::Both;
     std::string SheetChoices::*text = nullptr;  ///< of an option that is a text
-    /// What the command calls it, without --; null: by its key.
+    /// The command's name for it, without --; null: the key.
     const char* command_word = nullptr;
-    /// The command's words for a switch, off and on; those of choices are the first words of their
-    /// labels, in lower case.
+    /// The command's words for a switch, off and on. Choices go by the first words of their labels,
+    /// in lower case.
     std::vector<const char*> switch_words = {};
-    /// How a text or a number is written, in the command's help.
+    /// Placeholder for the value in the command's help.
     const char* form = "";
     bool adds_up = false;  ///< the command takes several
 
@@ -64,31 +63,30 @@ struct SheetOption {
     std::string command() const;  ///< "--paper"
     Words words() const;          ///< of the command; none if anything may be written
     std::string valueIn(const SheetChoices& choices) const;  ///< as the command writes it
-    /// Reads what the command was given.
-    /// @throws laplacian_lines::Error(InvalidOption) that says what is allowed
+    /// Reads the command's value. @throws laplacian_lines::Error(InvalidOption) that says what is
+    /// allowed
     void read(const std::string& word, SheetChoices& choices) const;
 };
 
-/// All of them, in the order of the dialog. The command line, its help, the filter's parameters and
-/// dialog are made from it; docs/ and examples are checked against it.
+/// In the order of the dialog. Command line, help, the filter's parameters and dialog are made from
+/// it; docs/ and examples are checked against it.
 const std::vector<SheetOption>& sheetOptionTable();
 
-/// The option that the command calls so, "--paper"; null: none.
+/// By the command's name, such as "--paper"; null if there is none.
 const SheetOption* commandOption(const std::string& command);
 
-/// Reads what the command was given: options, each with its value behind it. Views are those of the
-/// sections where no others are named, and the usual ones where neither is.
+/// Reads pairs of option and value. Without views, those of the sections, or else the usual ones.
 /// @throws laplacian_lines::Error(InvalidOption)
 SheetChoices readChoices(const Words& words);
 
-/// A title with the names of meshes, without ending, in place of {name}.
+/// Puts the names of meshes, without extensions, in place of {name}.
 std::string titleOf(std::string title, const Words& names);
 
-/// The command's help: a few lines an option.
+/// The command's help.
 std::string sheetOptionsHelp();
 
-/// What was written, read; `others` are views that a program knows besides.
-/// @throws laplacian_lines::Error(InvalidOption) with what is understood
+/// Parses the choices; `others` are the program's own views.
+/// @throws laplacian_lines::Error(InvalidOption) that says what is allowed
 SheetOptions sheetOptions(const SheetChoices& choices, const NamedViews& others = {});
 
 }  // namespace line_drawing

@@ -1,32 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "line_drawing/sheet.h"
 #include "line_drawing/sheet_options.h"
+#include "line_drawing/words.h"
 
 namespace line_drawing {
 
 enum class SheetFormat { Svg, Pdf, Dxf, Png };
 
-/// By the ending of the file's name.
-/// @throws laplacian_lines::Error(InvalidOption) if it is another one.
+/// By the extension. @throws laplacian_lines::Error(InvalidOption) if it is unknown
 SheetFormat formatOf(const std::string& file);
 
-/// A sheet as a file, so that a millimetre of the sheet is one of the file; PNG has `dpi` dots per
-/// inch. The same sheet gives the same bytes.
-/// @throws laplacian_lines::Error(InvalidOption): too large a picture, with what to do instead.
+/// The bytes of a file at true scale, PNG at `dpi` dots per inch; a function of the sheet alone.
+/// @throws laplacian_lines::Error(InvalidOption) if the picture would be too large, with what to do
+/// instead
 std::string writeSheet(const Sheet& sheet, SheetFormat format, double dpi = 300);
 
-/// Before much work is done: whether the format has the letters of title and source, whose names
-/// nobody chose for a drawing.
-/// @returns a remark, if there are boxes instead of letters of the source.
-/// @throws laplacian_lines::Error(InvalidOption) if those of the title lack, with what to do
-/// instead.
+/// Whether the format has the letters of title and source, asked before the work begins.
+/// @returns a remark if letters of the source become boxes
+/// @throws laplacian_lines::Error(InvalidOption) if the title's do, with what to do instead
 std::vector<std::string> checkTexts(const SheetOptions& options, SheetFormat format);
 
-/// The strokes that a kind of file can have: programs that read DXF draw lines of even width.
+/// The strokes that a format can have: DXF readers draw even widths.
 StrokeStyle strokesIn(const std::string& file, StrokeStyle wanted);
+
+struct SourceMesh {
+    std::string name;    ///< of its file, without folders
+    std::string sha256;  ///< of its bytes, in hexadecimal; empty: not known
+};
+
+/// What a sheet was made of, for the metadata of its file: this version, the meshes and the
+/// command's options as given, if any. One line of ASCII without <, > and &, so that any format
+/// takes it.
+std::string provenanceText(const std::vector<SourceMesh>& meshes,
+                           const std::optional<Words>& options = {});
+
+/// How the text begins.
+inline constexpr const char* provenance_begin = "{\"laplacian_lines\":";
 
 }  // namespace line_drawing

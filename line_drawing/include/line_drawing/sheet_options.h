@@ -13,31 +13,27 @@
 
 namespace line_drawing {
 
-/// How views lie around the front view (ISO 5456-2). First angle: what is seen from the left is on
-/// the right, from above below. Third angle: what is seen from the left is on the left, from above
-/// above.
+/// Where views stand around the front view (ISO 5456-2). First angle: the view from the left is on
+/// the right, from above below. Third angle: from the left on the left, from above above.
 enum class Arrangement { FirstAngle, ThirdAngle };
 
-/// Strokes that swell and taper with the lines' weights, as filled areas; or lines of even width,
-/// for plotters and CAD.
+/// Strokes that swell and taper with the lines' weights, as filled areas, or of even width, for
+/// plotters and CAD.
 enum class StrokeStyle { Tapered, Plain };
 
-/// How what a section cuts is drawn: with hatching, black, or as its outline alone.
+/// How cut walls are drawn: hatched, black, or as outlines.
 enum class WallStyle { Hatched, Filled, None };
 
-/// Widths of lines. As illustrators have them: the outline of all is wider than contours within it,
-/// these wider than edges. Or as ISO 128 has them for technical drawings: all edges that are seen
-/// as wide as outlines, other lines half as wide.
+/// Widths of lines. Illustrator: outlines are wider than contours within them, these wider than
+/// edges. Iso (128): all visible edges are as wide as outlines, other lines half as wide.
 enum class Weights { Illustrator, Iso };
 
-/// Which outlines are there as areas besides, their holes left out: that of the drawing, or that of
-/// each object as if it were alone.
+/// Outlines to add as areas, without their holes: of the drawing, or of each object as if alone.
 enum class OutlineArea { None, Filled, Objects };
 
-/// What is done with outlines, borders and creases that the surface hides.
+/// Of outlines, borders and creases.
 enum class HiddenLines { LeftOut, Dashed };
 
-/// Classes of lines by what they show.
 enum class LineClass {
     Outline,  ///< contours and borders before nothing: the edge of the drawing, closed lines
     Contour,  ///< contours and borders before a farther part of the surface
@@ -49,7 +45,6 @@ enum class LineClass {
 };
 constexpr std::size_t line_class_count = 7;
 
-/// Widths in mm, by LineClass.
 constexpr std::array<double, line_class_count> pensOf(Weights weights) {
     if (weights == Weights::Iso) return {0.5, 0.5, 0.5, 0.25, 0.25, 0.5, 0.25};
     return {0.5, 0.35, 0.25, 0.25, 0.13, 0.35, 0.18};
@@ -62,14 +57,14 @@ inline laplacian_lines::LineStyle styleOnPaper(laplacian_lines::LineStyle style 
     return style;
 }
 
-/// A length of detail: 0, chosen by the drawing; millimetres on paper; or a share of the diagonal
-/// of the object's bounding box.
+/// A size of detail: 0 if the drawing chooses it; mm on paper; or a share of the diagonal of the
+/// object's bounding box.
 struct DetailSize {
     double size = 0;
     bool is_share = false;
 };
 
-/// What is drawn as it was chosen; the rest of SheetOptions is made from what was written.
+/// Choices that need no parsing; the rest of SheetOptions is made from what was written.
 struct SheetLook {
     UpAxis up = UpAxis::Y;  ///< of sections; views know theirs
     Arrangement arrangement = Arrangement::FirstAngle;
@@ -82,18 +77,17 @@ struct SheetLook {
 struct SheetOptions : SheetLook {
     std::vector<ViewFrame> views;
     std::vector<line_drawing::Section> sections;  ///< drawn after the views
-    /// Drawn length over true length. 0: the largest usual scale that fits the paper. Views in
-    /// perspective have none: beside others they are as large as at the middle of the object, and
-    /// alone they fill the paper.
+    /// Drawn over true length; 0: the largest usual scale that fits the paper. Views in perspective
+    /// have none: beside others they match them at the middle of the object, alone they fill the
+    /// paper.
     double scale = 0;
     double mm_per_unit = 1;    ///< true length of a unit of the mesh
     std::string paper = "a4";  ///< a5 to a0, or "fit": as large as the drawing
-    /// Widths in mm, by LineClass. Drawings of less than 40 mm are drawn with finer ones.
+    /// Widths in mm, by LineClass. Drawings of less than 40 mm have finer ones.
     std::array<double, line_class_count> pens = pensOf(Weights::Illustrator);
-    /// √h of the inner lines. Chosen: four inner pens, as far as the mesh has the detail.
+    /// √h of the inner lines. 0: four inner pens, as far as the mesh has the detail.
     DetailSize kernel;
-    /// Standard deviation of the smoothing of normals. Chosen: by the mesh's roughness, and at
-    /// least a quarter of √h.
+    /// Standard deviation of the smoothing of normals. 0: by the mesh's roughness, at least √h / 4.
     DetailSize smoothing;
     double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
     double tolerance = 0.02;     ///< of curves against the lines, mm on paper
@@ -103,21 +97,19 @@ struct SheetOptions : SheetLook {
     bool has_scale_bar = true;   ///< with the symbol of the projection
     bool has_notes = true;       ///< title, scale, size of the object, source
     laplacian_lines::LineStyle style = styleOnPaper();
-    /// Towards a distant light, whose shading the Laplacian lines draw, in each view: x right, y
-    /// up, z to the viewer. Without one it is at the eye.
+    /// Towards a distant light for the Laplacian lines, in each view: x right, y up, z to the
+    /// viewer. Without one it is at the eye.
     std::optional<Eigen::Vector3d> light;
 };
 
-/// The names of papers, "a5" to "a0".
+/// "a5" to "a0".
 std::vector<const char*> paperNames();
 
-/// A scale from its name, "1:2", "2:1" or "fit" (0).
-/// @throws laplacian_lines::Error(InvalidOption)
+/// From "1:2", "2:1" or "fit" (0). @throws laplacian_lines::Error(InvalidOption)
 double parseScale(std::string_view text);
-/// A length of detail from its name: "auto", "1mm" (on paper), "0.9%".
-/// @throws laplacian_lines::Error(InvalidOption)
+/// From "auto", "1mm" (on paper), "0.9%". @throws laplacian_lines::Error(InvalidOption)
 DetailSize parseDetailSize(std::string_view text);
-/// "1:2" of 0.5.
+/// "1:2" for 0.5.
 std::string scaleInWords(double scale);
 
 }  // namespace line_drawing

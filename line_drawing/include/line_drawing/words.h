@@ -11,13 +11,13 @@
 
 namespace line_drawing {
 
-// Texts are UTF-8; upper and lower case are those of ASCII, and numbers are the same in any locale.
+// Texts are UTF-8, case is that of ASCII, numbers are independent of the locale.
 
 using laplacian_lines::refuse;
 
 using Words = std::vector<std::string>;
 
-/// Those of a list whose words are separated by commas, semicolons or spaces.
+/// Split at commas, semicolons or spaces.
 Words wordsOf(std::string_view text);
 std::string joined(const Words& words, const char* between);
 
@@ -26,21 +26,21 @@ std::string upper(std::string text);
 std::string_view trimmed(std::string_view text);
 bool endsWith(std::string_view text, std::string_view end);
 
-/// Of a text that is a number and nothing else, blanks around it apart.
+/// Of a text that is a number and nothing else but blanks around it.
 std::optional<double> numberIn(std::string_view text);
-/// As short as so many significant digits can be written: "0.5", "1e+06".
+/// The shortest form with so many significant digits: "0.5", "1e+06".
 std::string inDigits(double x, int digits = 6);
 std::string inDecimals(double x, int decimals);
-/// So many thousandths, as short as they can be written: "-.05".
+/// The shortest form: "-.05".
 std::string thousandths(std::int64_t number);
 std::string inThousandths(double x);
-/// Of four digits: "00AB".
+/// Four digits: "00AB".
 std::string inHexadecimal(char32_t number);
 
-/// The characters of a text; U+FFFD for what is none.
+/// U+FFFD stands for invalid bytes.
 std::u32string lettersOf(std::string_view text);
 std::string inUtf8(std::u32string_view letters);
-/// A text that may hold anything, made to fit a line: no line breaks or other control characters.
+/// Any text without line breaks and other control characters.
 std::string oneLine(std::string_view text);
 
 }  // namespace line_drawing

@@ -10,8 +10,7 @@ namespace {
 
 constexpr double tolerance = 0.01;  // of polylines to curves, mm
 
-/// So that what a layer is can be told on a screen: AutoCAD's numbers of colours, by keys of
-/// layers.
+/// AutoCAD's colour numbers by keys of layers, to tell layers apart on the screen.
 const std::map<std::string, std::string> colors = {
     {"outline", "7"}, {"contour", "3"}, {"edge", "5"},    {"inner", "4"},
     {"fine", "8"},    {"hidden", "2"},  {"section", "1"}, {"marks", "6"},
@@ -20,7 +19,7 @@ const std::map<std::string, std::string> colors = {
 constexpr std::size_t comment_length = 250;  // R12 has at most 255 characters in a line
 const char* const furniture_key = "sheet";
 
-/// A name as R12 knows them: letters, digits, - and _.
+/// As R12 allows: letters, digits, - and _.
 std::string inSigns(const std::string& name) {
     std::string signs;
     for (const char32_t c : lettersOf(upper(name)))
@@ -56,7 +55,7 @@ private:
         double dash;  ///< of its paths, which have all the same
     };
 
-    /// With that of the view, if there are several.
+    /// With the view's name, if there are several.
     std::string nameOf(const SheetGroup& group, const SheetLayer& layer) const {
         const auto views =
             std::count_if(sheet_.groups.begin(), sheet_.groups.end(),
@@ -170,7 +169,7 @@ private:
         write(8, layer);
     }
 
-    /// Codes of DXF are of up to four digits; letters that take more, such as emoji, are "?".
+    /// DXF's codes have up to four digits; letters beyond, such as emoji, become "?".
     static std::string inLetters(const std::string& text) {
         std::string letters;
         for (const char32_t c : lettersOf(text)) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "line_drawing/words.h"
@@ -15,18 +14,16 @@ using Point = Path::Point;
 
 constexpr char32_t no_character = 0xfffd;
 
-/// A corner of an outline, or the handle of a curve.
 struct OutlinePoint {
     Point place;
     bool is_corner;
 };
 
-/// A TrueType font, as the part of the format goes that this one needs: its letters by the plane
-/// U+0000 to U+FFFF, accents moved, never scaled. It is a part of the program, and so not
-/// distrusted.
+/// As much of TrueType as this font needs: letters from U+0000 to U+FFFF, accents moved, never
+/// scaled. The font is our own, so it is trusted.
 class Font {
 public:
-    /// 0: there is none.
+    /// 0 if there is none.
     int glyphOf(char32_t letter) const {
         const std::size_t map = table("cmap") + long4(table("cmap") + 8);
         const std::size_t bytes = short2(map + 6);  // of each of four lists
@@ -122,7 +119,7 @@ private:
         return points;
     }
 
-    /// Curves have one handle here; between two handles there is a corner in their middle.
+    /// Curves are quadratic; there is an implied corner halfway between two handles.
     static void appendContour(const std::vector<OutlinePoint>& points, Path& path) {
         const std::size_t count = points.size();
         const auto at = [&](std::size_t i) -> const OutlinePoint& { return points[i % count]; };

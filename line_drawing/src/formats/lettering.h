@@ -9,23 +9,22 @@
 
 namespace line_drawing {
 
-/// Outlines of letters of a font that is compiled in (../../letters), as wide as PDF's Helvetica:
+/// Outlines of letters of the compiled-in font (../../letters), which has Helvetica's widths:
 /// Latin, Greek, Cyrillic, and signs.
 struct Lettering {
     Path path;  ///< of height 1, from (0, 0) on along the base line, y down
     double width = 0;
 };
 
-/// Letters that the font lacks are boxes.
+/// Letters that the font lacks become boxes.
 Lettering letteringOf(const std::string& text);
 
-/// A text of a sheet as a filled area.
 SheetPath outlinesOf(const SheetText& text);
 
 /// The first letter that the font lacks, or nothing.
 std::string lackingLetter(const std::string& text);
 
-/// The bytes of ../../letters/letters.ttf; its source is written by CMake.
+/// ../../letters/letters.ttf; CMake writes its source.
 extern const std::string_view letters_font;
 
 }  // namespace line_drawing

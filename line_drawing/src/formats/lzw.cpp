@@ -49,7 +49,7 @@ private:
         else
             codes_[sequence] = last_;
     }
-    /// The reader has a code more with each that it reads.
+    /// The reader gets one more code with each that it reads.
     void grow() {
         ++last_;
         if (last_ == 511 || last_ == 1023 || last_ == 2047) ++width_;

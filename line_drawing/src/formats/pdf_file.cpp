@@ -16,7 +16,6 @@ std::string place(const Vector2d& p) {
     return inThousandths(p.x()) + ' ' + inThousandths(p.y()) + ' ';
 }
 
-/// The lines of a path, without what is done with them.
 std::string pathData(const Path& path) {
     std::string data;
     for (std::size_t i = 0, begin = 0; i < path.pieces.size(); ++i) {
@@ -36,7 +35,7 @@ std::string pathData(const Path& path) {
     return data;
 }
 
-/// The page, in millimetres, y down.
+/// In millimetres, y down.
 class Content {
 public:
     std::string of(const Sheet& sheet) {
@@ -91,7 +90,7 @@ private:
     std::string data_;
 };
 
-/// Of any characters: UTF-16 in hexadecimal, with a mark of its order.
+/// Any characters: UTF-16 in hexadecimal, with a byte order mark.
 std::string textString(const std::string& text) {
     std::string digits = "<FEFF";
     for (const char32_t c : lettersOf(text))
@@ -101,7 +100,7 @@ std::string textString(const std::string& text) {
     return digits + '>';
 }
 
-/// Metadata, of which readers show what they know; not compressed, so that it can be searched.
+/// Metadata that readers show; uncompressed, so that it can be searched.
 std::string xmp(const std::string& provenance) {
     return R"(<?xpacket begin="" id="W5M0MpCehiHzreSzNTczkc9d"?>
 <x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">

@@ -6,7 +6,7 @@
 
 namespace line_drawing {
 
-/// Those that every reader of PDF has: Helvetica by Windows' code page 1252, and Symbol.
+/// Fonts that every PDF reader has: Helvetica in Windows' code page 1252, and Symbol.
 enum class StandardFont { Helvetica, Symbol };
 
 /// A part of a text in one font.
@@ -23,11 +23,9 @@ struct StandardText {
 
 StandardText inStandardFonts(const std::string& text);
 
-/// Compressed as PDF's filter LZWDecode reads it: less well than zlib does, but without a library,
-/// and with the same bytes everywhere.
-///
-/// Source: T. A. Welch, "A Technique for High-Performance Data Compression", Computer (1984), with
-/// the codes of PDF: 9 to 12 bits, each width from one code before it is needed.
+/// For PDF's filter LZWDecode: larger than zlib's output, but without a library and with the same
+/// bytes everywhere. T. A. Welch, "A Technique for High-Performance Data Compression", Computer
+/// (1984), with PDF's codes of 9 to 12 bits, each width one code early.
 std::string compressed(const std::string& bytes);
 
 }  // namespace line_drawing

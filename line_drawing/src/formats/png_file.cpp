@@ -5,7 +5,6 @@
 #include "formats/sheet_writers.h"
 #include "line_drawing/words.h"
 #include "pixels/canvas.h"
-#include "pixels/png.h"
 
 namespace line_drawing {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_drawing/provenance.h"
+#include "line_drawing/sheet_file.h"
 
 #include "laplacian_lines/version.h"
 

@@ -7,7 +7,7 @@
 
 namespace line_drawing {
 
-/// Calls mark(path or text, its group, its layer) for all of a sheet in their order.
+/// Calls mark(path or text, its group, its layer) in the sheet's order.
 template <class Mark>
 void forEachMark(const Sheet& sheet, const Mark& mark) {
     for (const SheetGroup& group : sheet.groups)
@@ -19,16 +19,15 @@ void forEachMark(const Sheet& sheet, const Mark& mark) {
         }
 }
 
-/// SVG 1.1 whose user unit is a millimetre; groups and layers are Inkscape's layers.
+/// SVG 1.1 with millimetres as user units; groups and layers are Inkscape's layers.
 std::string writeSvg(const Sheet& sheet);
-/// PDF of one page in the standard fonts, which are not in the file; texts with other letters are
+/// One page in the standard fonts, which are not embedded; texts with other letters become
 /// outlines.
 std::string writePdf(const Sheet& sheet);
-/// PNG, black on white, of 256 grays.
-/// @throws laplacian_lines::Error(InvalidOption) if it would be too large.
+/// 256 grays, black on white. @throws laplacian_lines::Error(InvalidOption) if it would be too
+/// large
 std::string writePng(const Sheet& sheet, double dpi);
-/// DXF R12 in millimetres, y up; polylines, in a layer for each class of lines. Filled areas are
-/// drawn by their outlines.
+/// R12, millimetres, y up: polylines, a layer per class of lines, filled areas by their outlines.
 std::string writeDxf(const Sheet& sheet);
 
 }  // namespace line_drawing

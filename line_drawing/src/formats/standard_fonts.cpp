@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/pdf_parts.h"
 
-#include <algorithm>
 #include <array>
 
 #include "line_drawing/words.h"
@@ -9,7 +8,7 @@
 namespace line_drawing {
 namespace {
 
-// Thousandths of the height, by codes from 32 on; 0: no letter.
+// Thousandths of the height, from code 32 on; 0: no letter.
 // clang-format off
 constexpr std::array<short, 224> helvetica_widths = {
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556,
@@ -27,7 +26,7 @@ constexpr std::array<short, 224> helvetica_widths = {
 // clang-format on
 constexpr char32_t first_code = 32;
 
-/// What the codes 0x80 to 0x9f are; all others are Unicode's.
+/// Codes 0x80 to 0x9f; all others are Unicode's.
 constexpr std::u32string_view from_0x80 =
     U"\u20ac\ufffd\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\ufffd\u017d"
     U"\ufffd\ufffd\u2018\u2019\u201c\u201d\u2022\u2013\u2014\u02dc\u2122\u0161\u203a\u0153\ufffd"
@@ -36,7 +35,7 @@ constexpr std::u32string_view from_0x80 =
 constexpr char32_t root = U'\u221a', code_of_root = 0xd6;  // in Symbol
 constexpr double width_of_root = 0.549;
 
-/// 0: there is none.
+/// 0 if there is none.
 char32_t codeOf(char32_t letter) {
     const std::size_t place = letter == 0xfffd ? from_0x80.npos : from_0x80.find(letter);
     if (place != from_0x80.npos) return char32_t(0x80 + place);

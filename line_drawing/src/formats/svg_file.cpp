@@ -8,8 +8,7 @@
 namespace line_drawing {
 namespace {
 
-/// Path data in thousandths of a millimetre, each place relative to the one before: short, and
-/// rounding does not add up.
+/// In thousandths of a millimetre, relative: short, and rounding does not add up.
 class PathData {
 public:
     std::string of(const Path& path) {
@@ -64,7 +63,7 @@ private:
     int points_ = 0;
 };
 
-/// As text and in quotes; XML has no other control characters.
+/// For text and attributes. XML has no other control characters.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : text) {

@@ -26,14 +26,14 @@ namespace fs = std::filesystem;
     refuseToWrite(file, std::generic_category().message(error));
 }
 
-/// The system would take what comes before it.
+/// The system would cut the name there.
 void refuseNull(std::string file) {
     const std::size_t place = file.find('\0');
     if (place == file.npos) return;
     refuseToWrite(file.replace(place, 1, "\\0"), "the name holds a null character");
 }
 
-/// A device, a pipe, a folder, or a link to one.
+/// A device, pipe or folder, or a link to one.
 bool isSpecial(const std::string& file) {
     std::error_code none;
     const fs::file_status status = fs::status(file, none);
@@ -42,7 +42,6 @@ bool isSpecial(const std::string& file) {
 
 class OpenFile {
 public:
-    /// `name` is for messages.
     OpenFile(const std::string& name, const std::string& place, int flags)
         : name_(name), number_(::open(place.c_str(), flags | O_WRONLY | O_CLOEXEC, 0666)) {
         if (number_ < 0) refuseBySystem(name);
@@ -53,7 +52,7 @@ public:
 
     int number() const { return number_; }
 
-    /// The system writes as much as there is room for; the next write then says what is missing.
+    /// A full disk takes a part; the next write then fails with the reason.
     void write(std::string_view data) {
         while (!data.empty()) {
             const ssize_t count = ::write(number_, data.data(), data.size());
@@ -67,7 +66,7 @@ private:
     const int number_;
 };
 
-/// Where a file is that a name or a link stands for, or will be.
+/// Follows links, also to a file that is not there yet.
 std::string placeOf(const std::string& file) {
     constexpr int most_links = 40;
     fs::path place = file;
@@ -79,7 +78,7 @@ std::string placeOf(const std::string& file) {
     return place.string();
 }
 
-/// Beside the place of a file, which it takes when it is complete; else it goes.
+/// A file beside its place, which it takes once complete; else it is removed.
 class NewFile {
 public:
     explicit NewFile(const std::string& file)

@@ -10,7 +10,7 @@
 
 namespace line_drawing {
 
-/// The progress of a part of a longer work, which is done from `begin` to `end`.
+/// Maps `begin` to `end` of the whole.
 inline laplacian_lines::Progress part(const laplacian_lines::Progress& progress, double begin,
                                       double end) {
     if (!progress) return {};
@@ -19,8 +19,8 @@ inline laplacian_lines::Progress part(const laplacian_lines::Progress& progress,
     };
 }
 
-/// The progress of equal works that threads do at the same time: told by the thread alone that made
-/// it, since windows may show it.
+/// Progress of equal works on several threads, reported only by the thread that made it, since
+/// windows may show it.
 class SharedProgress {
 public:
     SharedProgress(laplacian_lines::Progress all, std::size_t works)

@@ -5,12 +5,9 @@
 #include <utility>
 
 #include "line_drawing/sheet_file.h"
-#include "line_drawing/words.h"
 
 namespace line_drawing {
 namespace {
-
-using laplacian_lines::OptionKind;
 
 [[noreturn]] void refuseWord(const SheetOption& option, const std::string& word,
                              const std::string& allowed) {
@@ -23,7 +20,7 @@ laplacian_lines::LineKindSet kindsIn(const std::string& names) {
            laplacian_lines::names_of_kinds() + ", with commas between.");
 }
 
-/// Lines of at most `width` characters, each with `indent` blanks before it but the first.
+/// At most `width` characters a line, indented but for the first.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
     std::string result;
     std::size_t column = indent;

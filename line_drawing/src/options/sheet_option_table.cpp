@@ -14,7 +14,6 @@ SheetOption::Row textRow(const char* key, const char* label, const char* help) {
     return {key, label, help, laplacian_lines::OptionKind::Choice, 0, 0, {}, nullptr, nullptr};
 }
 
-/// Dialogs fit small screens.
 SheetOption folded(SheetOption option) {
     option.row.for_experts = true;
     return option;

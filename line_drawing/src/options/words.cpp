@@ -19,13 +19,13 @@ std::string changed(std::string text, char first, char last, Change change) {
     return text;
 }
 
-/// How many bytes the character takes that begins with this one; 0: none does.
+/// Bytes of the character that begins with this one; 0: none does.
 std::size_t lengthByFirst(unsigned char byte) {
     if (byte < 0x80) return 1;
     return byte >= 0xf5 || byte < 0xc2 ? 0 : byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : 2;
 }
 
-/// Takes a character off the front of a text.
+/// Removes the first character of a text.
 char32_t takeLetter(std::string_view& text) {
     constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

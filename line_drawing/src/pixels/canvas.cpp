@@ -11,7 +11,6 @@ namespace {
 constexpr double farthest = 1e9;  // what is beyond that is drawn as if it were there
 constexpr int lines_of_pixel = 16, steps_of_pixel = 256, whole = lines_of_pixel * steps_of_pixel;
 
-/// A side that crosses the lines from `first` to before `end`.
 struct Side {
     int first, end;
     double x, slope;  ///< at `first`, and from line to line; in steps
@@ -23,7 +22,7 @@ struct Crossing {
     int winding;
 };
 
-/// The first line that is not above y, within the picture.
+/// The first line not above y, within the picture.
 int lineFrom(double y, int line_count) {
     return int(std::clamp(std::ceil(y * lines_of_pixel - 0.5), 0., double(line_count)));
 }
@@ -58,7 +57,7 @@ std::vector<Side> sidesOf(const std::vector<Polygon>& polygons, int line_count) 
     return sides;
 }
 
-/// What is covered of the pixels in a row.
+/// Of the pixels in a row.
 class Coverage {
 public:
     explicit Coverage(int width)
@@ -66,21 +65,19 @@ public:
 
     int limit() const { return limit_; }
 
-    /// From step to step of a line.
     void add(int begin, int end) {
         if (begin >= end) return;
         const int first = begin / steps_of_pixel, last = end / steps_of_pixel;
         from_ = std::min(from_, first);
         to_ = std::max(to_, last);
-        // whole pixels from the first to before the last, less what is before, and what is in the
-        // last
+        // Whole pixels, less what is before the first, and what is in the last.
         starts_[std::size_t(first)] += steps_of_pixel;
         starts_[std::size_t(last)] -= steps_of_pixel;
         parts_[std::size_t(first)] -= begin % steps_of_pixel;
         parts_[std::size_t(last)] += end % steps_of_pixel;
     }
 
-    /// Lays the tone over the row, and begins anew.
+    /// Paints the row and starts over.
     void paint(std::uint8_t* row, int gray) {
         int covered = 0;
         for (int x = from_; x <= to_; ++x) {

@@ -2,18 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "line_drawing/path.h"
 
 namespace line_drawing {
 
-/// Corners, in pixels, x to the right and y down; from the last one straight to the first.
+/// In pixels, x right and y down, closed.
 using Polygon = std::vector<Path::Point>;
 
-/// A gray picture, white at first. A pixel is as dark as the share of it that is covered: exactly
-/// across, and of 16 lines down. Of basic operations alone, so that all machines have the same
-/// bits.
+/// A gray picture, white at first. A pixel is as dark as the share of it that is covered: exact
+/// across, 16 lines down. By basic operations only, so that all machines give the same bits.
 class Canvas {
 public:
     /// @throws std::bad_alloc
@@ -21,11 +21,10 @@ public:
 
     int width() const { return width_; }
     int height() const { return height_; }
-    /// 0 black, 255 white
     const std::uint8_t* row(int y) const { return grays_.data() + std::size_t(y) * width_; }
 
-    /// What is inside of the polygons together, whatever is within the picture of it. Polygons with
-    /// coordinates that are not finite are left out. `tone`: 0 black, 1 white.
+    /// Fills the polygons together, clipped to the picture, without those whose coordinates are not
+    /// finite. `tone`: 0 black, 1 white.
     void fill(const std::vector<Polygon>& polygons, FillRule rule, double tone = 0);
 
 private:
@@ -33,9 +32,17 @@ private:
     std::vector<std::uint8_t> grays_;
 };
 
-/// What a pen covers along a line, as polygons to be filled by FillRule::NonZero; all in pixels.
-/// Its tip is round, and of dashes, which have gaps of half of their length, cut off. A line of one
-/// point has nothing; one without length has a dot, or of dashes nothing.
+/// A stroke as polygons for FillRule::NonZero, in pixels. The pen is round, dashes have flat ends
+/// and gaps of half their length. A line of one point gives nothing; one without length a dot,
+/// dashed nothing.
 void appendStroke(const Polygon& line, double width, double dash, std::vector<Polygon>& polygons);
+
+/// The rows, each after a byte for "not filtered", as a zlib stream (RFC 1950, 1951) of runs of one
+/// gray in Huffman's code. For lines on white this is smaller than zlib's output, and no library's
+/// version decides the bytes.
+std::string deflatedRows(const Canvas& canvas);
+
+/// 256 grays.
+std::string inPng(const Canvas& canvas, int dots_per_metre);
 
 }  // namespace line_drawing

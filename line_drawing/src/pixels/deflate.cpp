@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pixels/png.h"
+#include "pixels/canvas.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 constexpr int end_of_block = 256, first_length = 257, symbol_count = 286, longest_code = 15;
 constexpr int shortest_run = 3, longest_run = 258;  // behind the byte that it repeats
 
-/// A byte, or how often the one before is repeated.
+/// A byte, or a number of repeats of the one before.
 struct Symbol {
     int number;
     int extra = 0, extra_bits = 0;  ///< the rest of a length
@@ -30,7 +30,6 @@ Symbol symbolOfRun(int length) {
     return {first_length + 4 * bits + (rest >> bits), rest & ((1 << bits) - 1), bits};
 }
 
-/// Calls `take` for each symbol of a row.
 template <class Take>
 void eachSymbol(const std::uint8_t* row, int width, Take take) {
     take(Symbol{0});
@@ -50,7 +49,7 @@ void eachSymbol(const std::uint8_t* row, int width, Take take) {
 using Counts = std::array<std::uint64_t, symbol_count>;
 using Lengths = std::array<int, symbol_count>;
 
-/// Of Huffman's code; 0 of symbols that are not there.
+/// Huffman's code; 0 for symbols that do not occur.
 Lengths codeLengths(const Counts& counts) {
     struct Node {
         std::uint64_t count;
@@ -111,8 +110,7 @@ public:
     }
 
 private:
-    /// The last block, of codes of its own. A length is written by a code of four bits, which is
-    /// the number itself.
+    /// One last block with codes of its own. Lengths are in codes of four bits, the number itself.
     void beginBlock() {
         write(1, 1);
         write(2, 2);
@@ -126,7 +124,6 @@ private:
         writeCode(1, 4);
     }
 
-    /// Codes of one length follow each other, and longer ones shorter ones.
     void makeCodes() {
         int code = 0;
         for (int length = 1; length <= longest_code; ++length, code <<= 1)
@@ -140,7 +137,7 @@ private:
         write(symbol.extra, symbol.extra_bits);
         write(0, 1);  // the distance
     }
-    /// The highest bit first.
+    /// Highest bit first.
     void writeCode(int code, int bits) {
         while (bits-- > 0)
             write(code >> bits & 1, 1);
@@ -157,7 +154,7 @@ private:
     int bits_ = 0;
 };
 
-/// Adler-32 of the rows.
+/// Adler-32.
 std::uint64_t checksumOf(const Canvas& canvas) {
     constexpr std::uint64_t base = 65521;
     std::uint64_t sum = 1, sums = 0;

@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    /// Polygons have one direction all, so that they do not take each other's area away.
+    /// All polygons turn the same way, so that they do not cancel.
     void join(const Point& p, const Point& before, const Point& after) {
         const double turn = cross(before, after);
         if (before.dot(after) < 0) {
@@ -68,7 +68,7 @@ private:
         sector(p, middle, -leftOf(middle));
     }
 
-    /// Between directions of at most a right angle.
+    /// For turns of at most a right angle.
     void sector(const Point& p, const Point& from, const Point& to) {
         Polygon polygon = {p, p + radius_ * from};
         arc(p, from, to, polygon);
@@ -89,7 +89,7 @@ private:
     std::vector<Polygon>& polygons_;
 };
 
-/// The dashes of a line, which begins with one.
+/// Begins with a dash.
 std::vector<Polygon> dashesOf(const Polygon& line, double dash) {
     std::vector<Polygon> dashes;
     double rest = 0;  // until a dash ends or begins

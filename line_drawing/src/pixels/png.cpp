@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pixels/png.h"
+#include "pixels/canvas.h"
 
 #include <cstdint>
 

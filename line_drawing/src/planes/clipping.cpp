@@ -2,7 +2,6 @@
 #include "planes/clipping.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace line_drawing {
 namespace {
@@ -46,7 +45,6 @@ Point crossing(const Point& a, const Point& b, const HalfSpace& inside) {
     return between(a, b, at_a / (at_a - at_b));
 }
 
-/// Runs of points that are inside, with their ends on the plane.
 template <class Point>
 std::vector<std::vector<Point>> runsInside(const Point* points, std::size_t count,
                                            const HalfSpace& inside) {

@@ -8,7 +8,7 @@
 
 namespace line_drawing {
 
-/// The points p with normal · p >= offset, in mesh coordinates.
+/// normal · p >= offset, mesh coordinates.
 struct HalfSpace {
     Eigen::Vector3d normal;
     double offset;
@@ -17,17 +17,16 @@ struct HalfSpace {
     HalfSpace opposite() const { return {-normal, -offset}; }
 };
 
-/// Parts of lines that are inside, which end on the plane. Closed lines that are inside stay so.
+/// Parts inside, which end on the plane. Closed lines inside stay closed.
 laplacian_lines::LineSet clip(const laplacian_lines::LineSet& lines, const HalfSpace& inside);
 std::vector<laplacian_lines::SightLine> clip(const std::vector<laplacian_lines::SightLine>& lines,
                                              const HalfSpace& inside);
 std::vector<Cut> clip(const std::vector<Cut>& lines, const HalfSpace& inside);
 
-/// A loop around what is both within `loop` and inside (even-odd); it can run along the plane
-/// several times.
+/// A loop around what is within both (even-odd); it may run along the plane several times.
 Cut clipLoop(const Cut& loop, const HalfSpace& inside);
 
-/// The part of the surface that is inside; triangles that the plane cuts are cut along it.
+/// The surface inside; cuts triangles along the plane.
 laplacian_lines::TriangleMesh clip(const laplacian_lines::TriangleMesh& mesh,
                                    const HalfSpace& inside);
 

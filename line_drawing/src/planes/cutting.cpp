@@ -19,7 +19,7 @@ Place placeOf(const Vector3d& p) {
     return {p.x(), p.y(), p.z()};
 }
 
-/// The same from either triangle of an edge.
+/// The same from both triangles of an edge.
 Vector3d crossingOf(Vector3d a, Vector3d b, int axis, double height) {
     if (placeOf(b) < placeOf(a)) std::swap(a, b);
     const double t = (height - a[axis]) / (b[axis] - a[axis]);
@@ -47,7 +47,7 @@ std::vector<Piece> piecesOf(const TriangleMesh& mesh, int axis, double height) {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             if (above[k] == above[next]) continue;
-            // from a side that rises to one that falls: neighbours agree
+            // From a side that rises to one that falls: neighbours agree.
             (above[next] ? piece.begin : piece.end) = crossingOf(p[k], p[next], axis, height);
             ++found;
         }
@@ -58,10 +58,9 @@ std::vector<Piece> piecesOf(const TriangleMesh& mesh, int axis, double height) {
     return pieces;
 }
 
-/// From a place on a line to another.
 using Strip = std::pair<double, double>;
 
-/// What areas cover of a line together.
+/// Parts of a line that the areas cover together.
 std::vector<Strip> stripsAt(const std::vector<Loops>& areas, const Vector2d& direction,
                             double offset) {
     std::vector<Strip> all, joined;
@@ -102,7 +101,7 @@ std::vector<Cut> cutMesh(const TriangleMesh& mesh, int axis, double height) {
         }
         cuts.push_back(std::move(cut));
     };
-    // open lines from their ends first
+    // Open lines first, from their ends.
     for (std::size_t i = 0; i < pieces.size(); ++i)
         if (!pieces[i].used && ending.count(placeOf(pieces[i].begin)) == 0) follow(i);
     for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -11,7 +11,6 @@ using Point = Path::Point;
 constexpr double quarter_handle = 0.5522847498;  // of a curve for a quarter of a circle; of 1
 constexpr int most_halvings = 9;
 
-/// But for rounding.
 bool isSame(const Point& p, const Point& q) {
     return (p - q).lpNorm<Eigen::Infinity>() <= 1e-12;
 }
@@ -20,7 +19,7 @@ double manhattan(const Point& p) {
     return p.lpNorm<1>();
 }
 
-/// Whether both handles are, together, nearer than `tolerance` to the line from begin to end.
+/// Whether both handles together are nearer than `tolerance` to the line from begin to end.
 bool isFlat(const Point& begin, const Path::Piece& curve, double tolerance) {
     const Point way = curve.end - begin, first = begin - curve.first, second = begin - curve.second;
     const double length = manhattan(way);
@@ -44,7 +43,7 @@ double coordinateAt(double t, double a, double b, double c, double d) {
     return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
 }
 
-/// Where a coordinate of a curve turns back.
+/// Adds where a coordinate of a curve turns back.
 void extendToTurns(const Point& begin, const Path::Piece& curve, int axis,
                    Eigen::AlignedBox2d& box) {
     const double a = begin[axis], b = curve.first[axis], c = curve.second[axis],

@@ -25,8 +25,8 @@ constexpr int directions = 72;      // around the axis
 constexpr int parts_of_side = 8;
 constexpr double turn = 6.283185307179586;
 
-/// Seen along the axis: a triangle's middle, and its normal turned by 90 degrees, as long as the
-/// part of its area that faces sideways.
+/// Along the axis: a triangle's middle, and its normal turned by 90 degrees, as long as the part of
+/// its area that faces sideways.
 struct Facet {
     Vector2d middle, across;
 };
@@ -44,7 +44,7 @@ std::vector<Facet> facetsOf(const TriangleMesh& mesh, int up) {
     return facets;
 }
 
-/// The point that the facets' normals miss least: the sum of misses, not of their squares.
+/// The point that the facets' normals miss least, by the sum of misses, not of their squares.
 Vector2d meetingPoint(const std::vector<Facet>& facets, Vector2d point, double size) {
     for (int round = 0; round < rounds; ++round) {
         Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
@@ -64,7 +64,6 @@ Vector2d meetingPoint(const std::vector<Facet>& facets, Vector2d point, double s
     return point;
 }
 
-/// By area.
 double shareThatMeets(const std::vector<Facet>& facets, const Vector2d& axis) {
     double all = 0, meeting = 0;
     for (const Facet& facet : facets) {
@@ -77,8 +76,8 @@ double shareThatMeets(const std::vector<Facet>& facets, const Vector2d& axis) {
     return all > 0 ? meeting / all : 0;
 }
 
-/// The line that all normals miss least, in any direction, of which this is the direction: with
-/// the moment m of a line of direction d, a normal n at p meets it if d · (p × n) + m · n = 0.
+/// The line that all normals miss least, in any direction: a normal n at p meets the line of
+/// direction d and moment m if d · (p × n) + m · n = 0. Returns d.
 Vector3d directionOfAxis(const TriangleMesh& mesh, const Vector3d& middle, double size) {
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
     using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -109,7 +108,7 @@ Vector3d directionOfAxis(const TriangleMesh& mesh, const Vector3d& middle, doubl
     return line.head<3>();
 }
 
-/// From an end of the surface along `up` downwards, or upwards.
+/// From the surface's lower or upper end along `up`.
 double shareOfRim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up, bool looks_up,
                   const Vector2d& axis) {
     const int x = (up + 1) % 3, y = (up + 2) % 3;

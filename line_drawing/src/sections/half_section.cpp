@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "line_drawing/words.h"
-#include "sections/merged_walls.h"
 #include "sections/wall_area.h"
 
 namespace line_drawing {
@@ -17,8 +16,8 @@ using Eigen::Vector3d;
 constexpr double level_share = 0.003;  // of the height: what counts as the level of rim or base
 constexpr double least_span = 0.1;     // of the height: a round base is not a line
 
-// For VesselAxis. A cube has .25 that is round; a pot of 200 mm that leans by 5 degrees has its
-// section 9 mm beside its axis above and below.
+// For VesselAxis. Of a cube .25 is round; a pot of 200 mm that leans by 5 degrees has its section 9
+// mm off its axis at both ends.
 constexpr double least_round = 0.4, least_rim = 0.5, most_lean = 5;
 
 std::string percent(double share) {
@@ -35,8 +34,7 @@ DrawnLine lineOf(const Vector2d& begin, const Vector2d& end) {
     return {LineClass::Inner, false, {{begin, 1}, {end, 1}}};
 }
 
-/// The outermost of the points near the height of the highest one (`sign` 1) or the lowest one
-/// (−1).
+/// The outermost point near the height of the highest (`sign` 1) or lowest (−1) one.
 struct Level {
     Vector2d left, right;
 };

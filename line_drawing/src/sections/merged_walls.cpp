@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sections/merged_walls.h"
+#include "sections/wall_area.h"
 
 #include <algorithm>
 
 #include "planes/cutting.h"
-#include "sections/wall_area.h"
 
 namespace line_drawing {
 namespace {
@@ -22,7 +21,7 @@ Eigen::AlignedBox2d boxOf(const Wall& wall) {
     return box;
 }
 
-/// The length that both cover on a line, each from its first crossing to its second, and so on.
+/// The length that both cover on a line, each between pairs of crossings.
 double sharedLength(const std::vector<double>& a, const std::vector<double>& b) {
     double length = 0;
     for (std::size_t i = 0, k = 0; i + 1 < a.size() && k + 1 < b.size();) {
@@ -32,7 +31,7 @@ double sharedLength(const std::vector<double>& a, const std::vector<double>& b) 
     return length;
 }
 
-/// What two walls have in common of the area of a box; all of one that is asked for twice.
+/// The area that two walls share in a box; the whole of a wall with itself.
 double sharedArea(const Wall& a, const Wall& b, const Eigen::AlignedBox2d& box) {
     const double height = box.sizes().y() / row_count;
     double area = 0;
@@ -52,7 +51,7 @@ bool overlap(const Wall& a, const Wall& b) {
     return sharedArea(a, b, both) > least_overlap * smaller;
 }
 
-/// For each object, the number of the first one whose wall is one with its own.
+/// For each object, the first one whose wall merges with its own.
 std::vector<std::size_t> groupsOf(const std::vector<CutObject>& objects) {
     std::vector<std::size_t> groups;
     for (std::size_t i = 0; i < objects.size(); ++i) {

@@ -31,7 +31,7 @@ SheetPath arrowHead(const Vector2d& tip, const Vector2d& direction) {
     return head;
 }
 
-/// How far along `direction` a rectangle reaches from `from`.
+/// How far a rectangle reaches from `from` along `direction`.
 double reachOf(const Eigen::AlignedBox2d& place, const Vector2d& from, const Vector2d& direction) {
     using Box = Eigen::AlignedBox2d;
     double reach = 0;
@@ -41,12 +41,12 @@ double reachOf(const Eigen::AlignedBox2d& place, const Vector2d& from, const Vec
     return reach;
 }
 
-/// The direction on the sheet for one in a view, whose y points up.
+/// From a view, whose y points up.
 Vector2d onSheet(const Vector2d& direction) {
     return {direction.x(), -direction.y()};
 }
 
-/// The end of a mark towards `direction`, all in the sheet's coordinates.
+/// Towards `direction`, in the sheet's coordinates.
 void addEnd(const Vector2d& surface_end, const Vector2d& direction, const Vector2d& looking,
             const std::string& letter, const SheetOptions& options, SheetLayer& layer) {
     const Vector2d begin = surface_end + mark_gap * direction,

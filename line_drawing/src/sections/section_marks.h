@@ -9,23 +9,23 @@
 
 namespace line_drawing {
 
-/// Where a section's plane is, in coordinates of the mesh, whose bounding box is `box`.
+/// Mesh coordinates; `box` is the mesh's bounding box.
 inline double placeOnAxis(const Section& section, const Eigen::AlignedBox3d& box) {
     return box.min()[section.axis] + section.share * box.sizes()[section.axis];
 }
 
-/// How far marks stand out from the surface on a sheet, mm.
+/// How far marks stand out from the surface, mm on the sheet.
 constexpr double mark_reach = 9;
 
-/// Marks of the sections whose planes are seen from their edges. `box` is that of the mesh.
+/// Of the sections seen edge-on. `box` is the mesh's bounding box.
 std::vector<SectionMark> marksOf(const ViewFrame& frame, const SheetOptions& options,
                                  const Eigen::AlignedBox3d& box);
 
 /// What marks need beside and below the surface, mm on the sheet.
 Eigen::Vector2d roomOfMarks(const DrawnView& view);
 
-/// Short thick ends of each plane's line with an arrow in the direction of sight and a letter
-/// (ISO 128-3). `place` is the surface's on the sheet.
+/// Short thick ends of each plane's line, with an arrow in the direction of sight and a letter (ISO
+/// 128-3). `place` is the surface's on the sheet.
 SheetLayer drawMarks(const DrawnView& view, const Placement& placement,
                      const Eigen::AlignedBox2d& place, const SheetOptions& options);
 

@@ -2,7 +2,6 @@
 #include "sections/wall_area.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace line_drawing {
 namespace {
@@ -18,12 +17,11 @@ DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
     return {a.position + t * (b.position - a.position), a.weight + t * (b.weight - a.weight)};
 }
 
-/// From one share of a segment to another.
 struct Stretch {
     double begin, end;
 };
 
-/// The stretches of a segment outside the area, that neither meet nor touch.
+/// Stretches of a segment outside the area, which do not touch each other.
 std::vector<Stretch> outside(const WallArea& area, const Vector2d& a, const Vector2d& b) {
     std::vector<Stretch> result;
     const std::vector<double> at = area.crossings(a, b);
@@ -37,7 +35,7 @@ std::vector<Stretch> outside(const WallArea& area, const Vector2d& a, const Vect
     return result;
 }
 
-/// Where a closed line begins is not an end of its parts.
+/// The start of a closed line is no end of its parts.
 void joinAtBegin(std::vector<DrawnLine>& parts) {
     std::vector<DrawnPoint>& last = parts.back().points;
     const std::vector<DrawnPoint>& first = parts.front().points;

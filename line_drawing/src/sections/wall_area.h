@@ -5,18 +5,17 @@
 
 namespace line_drawing {
 
-/// What loops enclose (even-odd), to be asked often.
+/// What loops enclose (even-odd), for many queries.
 class WallArea {
 public:
     explicit WallArea(const Wall& loops);
 
     bool contains(const Eigen::Vector2d& point) const;
 
-    /// Where the straight line between two places meets the loops, as shares of it: ascending, with
-    /// 0 and 1.
+    /// Where a segment meets the loops, as shares of it: ascending, with 0 and 1.
     std::vector<double> crossings(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
 
-    /// Whether such a line, that meets no loop but at its ends, is inside, and not along a loop.
+    /// Whether a segment that meets loops only at its ends is inside, and not along a loop.
     bool encloses(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
 
 private:
@@ -29,7 +28,15 @@ private:
     std::vector<std::vector<Edge>> rows_;
 };
 
-/// Lines without the parts inside the area.
 std::vector<DrawnLine> withoutPartsIn(const WallArea& area, const std::vector<DrawnLine>& lines);
+
+struct CutObject {
+    Wall wall = {};
+    std::vector<DrawnLine> lines = {};
+};
+
+/// Adds walls and lines to a view. Merges walls that overlap: their lines end where they enter
+/// another. Walls that touch, or overlap as little as scans of fitting parts do, stay apart.
+void addWalls(const std::vector<CutObject>& objects, DrawnView& drawn);
 
 }  // namespace line_drawing

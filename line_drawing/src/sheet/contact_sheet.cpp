@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_drawing/contact_sheet.h"
+#include "line_drawing/make_sheet.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sheet/sheet_layout.h"
 #include "views/drawn_view.h"
@@ -18,7 +17,6 @@ constexpr double view_size = 85, cell_gap = 5, least_cell = 35, name_height = 2.
                  size_height = 2.2, title_height = 4;
 constexpr double caption_height = 2 * name_height + 1.5 * size_height;
 
-/// The cells of a page in a grid.
 struct Grid {
     Vector2d paper;
     int columns = 1;
@@ -31,7 +29,7 @@ double roomBelow(const std::string& title) {
     return title.empty() ? 0 : 2 * title_height;
 }
 
-/// The one with the largest cells in the fewest rows.
+/// The grid with the largest cells in the fewest rows.
 Grid fillPaper(const Vector2d& paper, int count, double title_room) {
     const double width = paper.x() - 2 * sheet_margin,
                  height = paper.y() - 2 * sheet_margin - title_room;
@@ -45,7 +43,7 @@ Grid fillPaper(const Vector2d& paper, int count, double title_room) {
     return best;
 }
 
-/// On the smallest paper with room enough, from A4 on.
+/// On the smallest paper from A4 on that has room.
 Grid chooseGrid(int count, double title_room) {
     const Vector2d papers[] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
     Grid grid;

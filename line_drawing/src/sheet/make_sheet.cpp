@@ -9,7 +9,6 @@
 #include "line_drawing/words.h"
 #include "options/progress_part.h"
 #include "sheet/sheet_layout.h"
-#include "sheet/view_drawing.h"
 #include "sight/observer.h"
 #include "system/parallel.h"
 #include "views/joined_surface.h"
@@ -21,7 +20,7 @@ using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
 constexpr double check_pixel = 0.25;  // mm on the sheet
-// Shares of the work at which lines are found, and what hides them is prepared.
+// Progress at which lines are found, and what hides them is prepared.
 constexpr double lines_share = 0.4, sight_share = 0.55;
 constexpr std::size_t most_triangles_at_once = 2000000;  // in views that are found together
 
@@ -38,10 +37,10 @@ void check(const SheetOptions& options) {
 }
 
 constexpr std::array<double, 10> pen_series = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4, 2};
-/// mm on paper: smaller drawings are drawn with pens one or two steps finer.
+/// mm on paper: smaller drawings have pens one or two steps finer.
 constexpr double full_size = 40, half_size = 28;
 
-/// Pens of draughtsmen go in steps of √2, as do the sizes of drawings here.
+/// Pens, like drawing sizes here, go in steps of √2.
 double finer(double pen, int steps) {
     const auto place = std::lower_bound(pen_series.begin(), pen_series.end(), pen);
     return pen_series[std::size_t(std::max<std::ptrdiff_t>(0, place - pen_series.begin() - steps))];
@@ -57,7 +56,7 @@ SheetOptions withPensFor(const SheetLayout& layout, SheetOptions options) {
     return options;
 }
 
-/// As their marks, if any view has these.
+/// As on their marks, if any view has these.
 void nameSections(std::vector<DrawnView>& views) {
     const bool has_marks = std::any_of(views.begin(), views.end(),
                                        [](const DrawnView& view) { return !view.marks.empty(); });
@@ -69,7 +68,7 @@ void nameSections(std::vector<DrawnView>& views) {
         }
 }
 
-/// The same view may have been asked for twice.
+/// The same view may be asked for twice.
 void tellApart(std::vector<SheetGroup>& groups) {
     std::set<std::string> keys;
     for (SheetGroup& group : groups) {
@@ -90,7 +89,6 @@ std::string remarkOn(const std::string& note) {
            ". That is how far the rim goes around the axis, and how much the vessel leans.";
 }
 
-/// A sheet on its way.
 struct Draft {
     SheetOptions options;
     std::vector<DrawnView> views;  ///< and behind these the sections
@@ -121,7 +119,7 @@ void findLines(const Observer& observer, ObjectLines& lines, Draft& draft,
         draft.lines.push_back(observer.linesOf(draft.views[i], options, lines));
 }
 
-/// Adds what is missing of outlines. Returns how long that is, by view, mm.
+/// Adds missing outlines. Returns their length by view, mm.
 std::vector<double> look(const Observer& observer, Draft& draft, const Progress& progress) {
     const std::size_t count = draft.options.views.size();
     std::vector<double> missing(count);
@@ -172,7 +170,7 @@ Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
     return sheet;
 }
 
-/// Runs run(item, progress) for each item, which all take the same time.
+/// Runs run(item, progress) for items that take the same time.
 template <class Items, class Run>
 void forEach(Items& items, const Progress& progress, Run run) {
     double done = 0;

@@ -18,7 +18,7 @@ constexpr double title_height = 4, note_height = 2.6, longest_bar = 50, bar_heig
 constexpr double symbol_height = 5, symbol_width = 14, strip_gap = 6;
 const char* const no_scale = "perspective, not to scale";
 
-/// Black, or with this pen.
+/// Filled, or with this pen.
 SheetPath rectangle(const Vector2d& corner, double width, double height, double pen = 0) {
     SheetPath result{{}, pen};
     result.path.addRectangle(corner, width, height);
@@ -47,13 +47,13 @@ SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& lay
     return layer;
 }
 
-/// Blocks of a tenth, fifth or quarter of the bar, black and white in turn.
+/// Blocks of a tenth, fifth or quarter of the bar, alternately black and white.
 int partsOf(double length) {
     const double first = length / std::pow(10, std::floor(std::log10(length) + 1e-9));
     return first > 1.5 && first < 3 ? 4 : 5;
 }
 
-/// With its lower right corner at `corner`. Returns its left end.
+/// Lower right corner at `corner`. Returns the left end.
 double addScaleBar(const Vector2d& corner, double scale, SheetLayer& layer) {
     const double length = barLength(scale, longest_bar), width = length * scale;
     const int parts = partsOf(length);
@@ -69,8 +69,8 @@ double addScaleBar(const Vector2d& corner, double scale, SheetLayer& layer) {
     return left;
 }
 
-/// A truncated cone and what is seen from its small end, which lies on the left: on the right of
-/// it in first angle, on the left in third angle (ISO 5456-2).
+/// A truncated cone with the view from its small end, on its left: on the right in first angle, on
+/// the left in third (ISO 5456-2).
 void addProjectionSymbol(const Vector2d& corner, Arrangement arrangement, SheetLayer& layer) {
     const double h = symbol_height, y = corner.y() - h / 2;
     const bool is_first = arrangement == Arrangement::FirstAngle;
@@ -100,7 +100,7 @@ std::string noteOf(const std::vector<DrawnView>& views, const SheetLayout& layou
     return joined(parts, " · ");
 }
 
-/// Lines of text with the lower left corner at `corner`.
+/// Text with the lower left corner at `corner`.
 SheetLayer notes(const Vector2d& corner, double width, const std::string& note,
                  const std::string& title) {
     SheetLayer layer{"title", "Title", {}, {}};

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The usual ones of drawings, largest first: 1:2 is 0.5.
+/// Largest first: 1:2 is 0.5.
 std::vector<double> usualScales() {
     std::vector<double> scales;
     for (const double tens : {1000., 100., 10., 1.})
@@ -33,7 +33,7 @@ struct Paper {
 constexpr Paper papers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420},
                             {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
 
-/// Upright. None: as large as the drawing.
+/// Portrait; none: as large as the drawing.
 std::optional<Vector2d> paperSize(const std::string& name) {
     if (lower(name) == "fit") return {};
     for (const Paper& paper : papers)
@@ -46,7 +46,7 @@ struct Cell {
     int row, column;
 };
 
-/// Where a view of a side stands around the front view, in first angle.
+/// Around the front view, in first angle.
 Cell cellOf(Side side) {
     switch (side) {
         case Side::Back:
@@ -64,8 +64,8 @@ Cell cellOf(Side side) {
     }
 }
 
-/// Sections, and views whose cell is taken: upright ones on the right in the front view's row,
-/// those from above below in its column.
+/// Places sections, and views whose cell is taken: upright ones on the right in the front view's
+/// row, those from above below in its column.
 void placeBesideTheFront(const std::vector<DrawnView>& views, UpAxis up, std::vector<Cell>& cells) {
     std::vector<bool> is_placed(views.size());
     int last_row = 0, last_column = 0;
@@ -109,7 +109,7 @@ std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, const SheetOption
     return cells;
 }
 
-/// A row or a column: what its views take before and behind their middles, in mm of the object.
+/// A row or column: the room of its views before and behind their middles, mm of the object.
 struct Band {
     double before = 0, behind = 0;
     double room = 0;    // for marks at both ends, mm on the sheet
@@ -123,7 +123,7 @@ struct Band {
 };
 using Bands = std::map<int, Band>;
 
-/// Sets the middles from `start` on and returns where the last one ends.
+/// Sets the middles from `start` on; returns the end of the last.
 double place(Bands& bands, double start, double scale, double gap) {
     double end = start;
     for (auto& [number, band] : bands) {
@@ -146,7 +146,7 @@ public:
         }
     }
 
-    /// The size of the views alone.
+    /// Without furniture.
     Vector2d sizeAt(double scale) {
         const double below = options_.has_view_names ? 2 * view_name_height : 0;
         return {place(columns_, 0, scale, view_gap),
@@ -192,7 +192,7 @@ std::optional<double> largestScale(Layout& layout, const Vector2d& paper) {
     return {};
 }
 
-/// The layout on a paper that is as large as the drawing.
+/// On paper as large as the drawing.
 SheetLayout layOutFreely(Layout& layout, double scale) {
     constexpr double least_width = 90;  // of the strip below the drawing
     const Vector2d size = layout.sizeAt(scale);
@@ -200,13 +200,13 @@ SheetLayout layOutFreely(Layout& layout, double scale) {
                                  size.y() + 2 * sheet_margin + strip_height});
 }
 
-/// The scale at which views just fit, since lengths between them stay as they are.
+/// Views just fit: gaps between them do not scale.
 double fillingScale(Layout& layout, const Vector2d& paper) {
     const Vector2d fixed = layout.sizeAt(0), growing = layout.sizeAt(1) - fixed;
     return (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
 }
 
-/// Views that have no scale: as large as the paper takes them, A4 if that may be any.
+/// For views without scale: as large as the paper allows; A4 if any will do.
 SheetLayout layOutFilling(Layout& layout, const std::optional<Vector2d>& paper) {
     const Vector2d upright = paper.value_or(Vector2d(papers[1].width, papers[1].height));
     const Vector2d lying = upright.reverse();
@@ -220,7 +220,7 @@ SheetLayout layOutFilling(Layout& layout, const std::optional<Vector2d>& paper) 
     return result;
 }
 
-/// Upright or lying, whichever takes the drawing larger.
+/// Portrait or landscape, whichever is larger.
 SheetLayout layOutLargest(Layout& layout, const Vector2d& upright) {
     const Vector2d lying = upright.reverse();
     const auto a = largestScale(layout, upright), b = largestScale(layout, lying);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "line_drawing/sheet.h"
 #include "strokes/strokes.h"
+#include "views/drawn_view.h"
 
 namespace line_drawing {
 
@@ -15,27 +17,31 @@ struct SheetLayout {
     std::vector<Eigen::AlignedBox2d> places;  ///< of the views' surfaces, mm
 };
 
-/// Whether there is no scale at all.
+/// No view has a scale.
 bool areInPerspective(const std::vector<DrawnView>& views);
 
-/// Places views in rows and columns around the front view, so that what is at one height of the
-/// object is at one height of the sheet; views of other directions stand in rows below.
-/// @throws laplacian_lines::Error(InvalidOption) if there is no such paper or the views do not fit.
+/// Rows and columns around the front view, so that equal heights of the object line up; other
+/// directions in rows below. @throws laplacian_lines::Error(InvalidOption) if there is no such
+/// paper or the views do not fit
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options);
 
-/// What frames the drawing: names of the views, scale bar, projection symbol, title.
+/// Names of views, scale bar, projection symbol, title.
 SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
                          const Eigen::Vector3d& object_size, const SheetOptions& options);
 
-/// The longest usual length, 1, 2 or 5 times a power of ten, of which the drawing is at most `most`
-/// long; in the object's mm.
+/// The longest usual length, 1, 2 or 5 times a power of ten, drawn at most `most` long; in the
+/// object's mm.
 double barLength(double scale, double most);
 /// "50.0 × 20.0 × 1.00 mm"
 std::string sizeInWords(const Eigen::Vector3d& size);
-/// The text if it fits the width, as far as that can be told without a font; else its beginning
-/// and "…".
+/// The text, or its beginning and "…", by estimated widths: no font is at hand.
 std::string elided(const std::string& text, double height, double width);
-/// "5 cm" of 50.
+/// "5 cm" for 50.
 std::string lengthInWords(double mm);
+
+/// `number` counts views from 1; `surface_place` is the surface's on the sheet. Thin lines come
+/// first, outlines lie over them.
+SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
+                    const Eigen::AlignedBox2d& surface_place, const SheetOptions& options);
 
 }  // namespace line_drawing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstring>
 
-#include "line_drawing/contact_sheet.h"
+#include "line_drawing/make_sheet.h"
 #include "line_drawing/words.h"
 
 namespace line_drawing {
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t magic = 0x4c4c5334;  // "LLS4"
 
-/// Numbers as this machine has them: packed sheets stay on it.
+/// Native numbers: packed sheets stay on this machine.
 class Packing {
 public:
     template <class Number>
@@ -32,7 +32,6 @@ public:
     std::string bytes;
 };
 
-/// Reads what Packing has written.
 class Unpacking {
 public:
     explicit Unpacking(std::string_view bytes) : rest_(bytes) {}
@@ -67,7 +66,7 @@ private:
     std::string_view rest_;
 };
 
-/// Both ways: what of a sheet is kept, in its order.
+/// Shared by packing and unpacking.
 template <class Way, class Kept>
 void pass(Way& way, Kept& sheet) {
     way(sheet.size), way(sheet.title), way(sheet.scale);

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sheet/view_drawing.h"
+#include "sheet/sheet_layout.h"
 
 #include "line_drawing/words.h"
 #include "planes/cutting.h"
 #include "sections/section_marks.h"
-#include "strokes/chaining.h"
-#include "strokes/inner_ends.h"
 #include "strokes/line_easing.h"
-#include "strokes/overlaps.h"
-#include "strokes/slight_lines.h"
 #include "strokes/strokes.h"
-#include "strokes/thinning.h"
 
 namespace line_drawing {
 namespace {
 
-/// Within which a line doubles another, of the width of outlines: then they would merge in print.
+/// Nearer lines merge in print, in widths of outlines.
 constexpr double double_reach = 0.4;
 constexpr double area_tone = 0.9;
 constexpr double eased_share = 0.16;  // of the width of outlines, by which contours may move
@@ -49,7 +44,7 @@ std::vector<MergedWalls> place(std::vector<MergedWalls> walls, const Placement& 
     return walls;
 }
 
-/// One object rising to the right, the next to the left (ISO 128-3 on adjacent parts).
+/// Adjacent objects alternate in direction (ISO 128-3).
 void addHatching(const std::vector<MergedWalls>& walls, std::vector<DrawnLine>& lines) {
     double rise = -1;
     for (const MergedWalls& merged : walls) {
@@ -72,7 +67,6 @@ SheetPath filled(const Wall& loops, double tone = 0) {
     return area;
 }
 
-/// What the outlines among lines enclose.
 SheetPath areaOf(const std::vector<DrawnLine>& lines) {
     Wall loops;
     for (const DrawnLine& line : lines)
@@ -81,7 +75,7 @@ SheetPath areaOf(const std::vector<DrawnLine>& lines) {
     return filled(loops, area_tone);
 }
 
-/// What the outlines of the drawing, or of each object, enclose.
+/// Of the drawing, or of each object.
 SheetLayer areas(const DrawnView& view, const std::vector<DrawnLine>& lines,
                  const Placement& placement, double reach) {
     SheetLayer layer{"area", "Area", {}, {}};

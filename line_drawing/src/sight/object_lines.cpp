@@ -6,7 +6,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "options/progress_part.h"
 
 namespace line_drawing {
@@ -18,12 +18,12 @@ using laplacian_lines::Progress;
 
 constexpr double field_share = 0.8;  // of the time
 
-/// In units of the mesh, whose bounding box has this diagonal.
+/// Mesh units; `diagonal` is that of the mesh's bounding box.
 double lengthOf(const DetailSize& detail, double mm, double diagonal) {
     return detail.is_share ? detail.size * diagonal : detail.size / mm;
 }
 
-/// `mm`: on paper, of a unit of the mesh.
+/// `mm`: on paper, per mesh unit.
 PrecomputeOptions fieldOptions(const SheetOptions& options, double mm) {
     PrecomputeOptions result;
     result.drawn_kernel_size =

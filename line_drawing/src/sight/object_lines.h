@@ -11,19 +11,18 @@
 
 namespace line_drawing {
 
-/// The lines within objects' faces, from fields as fine as a scale asks for. The objects have to
-/// outlive it.
+/// The lines within objects' faces, from fields as fine as the scale asks for. Objects outlive
+/// this.
 class ObjectLines {
 public:
     explicit ObjectLines(const Objects& objects) : objects_(objects) {}
 
-    /// Computes the fields that `scale`, mm on paper in one of the object, asks for, unless all are
-    /// given or are there from the last time.
-    /// @throws laplacian_lines::Error, naming the object.
+    /// Computes the fields for `scale`, mm on paper per mm of the object, unless given or kept.
+    /// @throws laplacian_lines::Error, naming the object
     void makeReady(const SheetOptions& options, double scale,
                    const laplacian_lines::Progress& progress);
 
-    /// The lines of each object, for LineVisibility.
+    /// One set per object, for LineVisibility.
     std::vector<laplacian_lines::LineSet> extract(const laplacian_lines::View& view,
                                                   const laplacian_lines::LineStyle& style);
 

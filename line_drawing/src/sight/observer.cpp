@@ -8,9 +8,8 @@
 #include "options/progress_part.h"
 #include "planes/cutting.h"
 #include "sections/half_section.h"
-#include "sections/merged_walls.h"
 #include "sections/section_marks.h"
-#include "sight/outline_check.h"
+#include "sections/wall_area.h"
 
 namespace line_drawing {
 
@@ -136,7 +135,7 @@ void Observer::lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
 }
 
 double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, double pixel) const {
-    // of perspective views, some of the surface may be out of the picture or behind the eye
+    // In perspective, some of the surface may be out of the picture or behind the eye.
     const auto& shows = options.style.shows;
     if (drawn.frame.is_half_section || drawn.frame.eye ||
         !shows[laplacian_lines::LineKind::Contour] || !shows[laplacian_lines::LineKind::Border])

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/progress.h"
@@ -10,43 +11,43 @@
 #include "sight/object_lines.h"
 #include "views/drawn_view.h"
 #include "views/joined_surface.h"
+#include "views/projection.h"
 
 namespace line_drawing {
 
-/// A view without its lines, of surfaces with these bounds.
+/// A view without its lines.
 DrawnView standBefore(const laplacian_lines::TriangleMesh& surface,
                       const Eigen::AlignedBox3d& bounds, const ViewFrame& frame,
                       const SheetOptions& options);
-/// The same for a section, without what it cuts.
+/// A section without its cut.
 DrawnView standBefore(const laplacian_lines::TriangleMesh& surface,
                       const Eigen::AlignedBox3d& bounds, const Section& section,
                       const SheetOptions& options);
 
-/// Looks at objects from all sides. They have to outlive it.
+/// Looks at objects, which outlive it.
 class Observer {
 public:
     /// @throws laplacian_lines::Error(InvalidMesh)
     explicit Observer(const Objects& objects);
 
-    /// A view without its lines.
     DrawnView stand(const ViewFrame& frame, const SheetOptions& options) const;
-    /// The lines within the faces, of each object, as the view has them before anything hides them.
+    /// Lines within faces, by object, before anything hides them.
     std::vector<laplacian_lines::LineSet> linesOf(const DrawnView& drawn,
                                                   const SheetOptions& options,
                                                   ObjectLines& lines) const;
-    /// Before looking. @throws laplacian_lines::Error(Cancelled)
+    /// Call before look(). @throws laplacian_lines::Error(Cancelled)
     void prepare(const std::vector<SheetOptions>& sheets,
                  const laplacian_lines::Progress& progress);
-    /// Adds the lines that are seen, of the mesh's edges and of those of linesOf(). Thread-safe for
-    /// different views, as what follows.
+    /// Adds what is seen of mesh edges and of linesOf(). Thread-safe for different views, like the
+    /// functions below.
     void look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
               const SheetOptions& options, const laplacian_lines::Progress& progress) const;
-    /// Holds the outlines against what the surface covers, in pixels of this size, mm of the
-    /// object, and adds lines where there is none. Returns how long what was missing is, in mm.
+    /// Compares outlines with the pixels that the surface covers, of this size in mm of the object,
+    /// and adds missing lines. Returns their length in mm.
     double checkOutlines(DrawnView& drawn, const SheetOptions& options, double pixel) const;
-    /// What a section cuts, without what lies behind it.
+    /// What a section cuts, without what is behind it.
     DrawnView cut(const Section& section, const SheetOptions& options) const;
-    /// In units of the mesh.
+    /// Mesh units.
     Eigen::Vector3d objectSize() const { return box_.sizes(); }
     std::size_t triangleCount() const { return surface_.mesh().triangles.size(); }
 
@@ -68,5 +69,18 @@ private:
     std::optional<const laplacian_lines::LineVisibility> visibility_;
     std::vector<laplacian_lines::LineVisibility> alone_;  ///< of each object, if wanted
 };
+
+/// Checks a view's outlines by independent means: fills its triangles in pixels of this size, mm of
+/// the object. Returns the middles of border pixels without an outline within two pixels. `bounds`
+/// are the surface's in the view.
+std::vector<Eigen::Vector2d> borderWithoutOutline(const laplacian_lines::TriangleMesh& mesh,
+                                                  const Projection& projection, double unit,
+                                                  const Eigen::AlignedBox2d& bounds,
+                                                  const std::vector<DrawnLine>& lines,
+                                                  double pixel);
+
+/// Segments within two pixels of these places, as outlines.
+std::vector<DrawnLine> linesAt(const std::vector<Eigen::Vector2d>& places,
+                               const std::vector<DrawnLine>& lines, double pixel);
 
 }  // namespace line_drawing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sight/outline_check.h"
+#include "sight/observer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@ using laplacian_lines::TriangleMesh;
 constexpr double most_pixels = 4096;  // along a side
 constexpr int reach = 2;              // pixels
 
-/// Pixels of a picture, in mm of the object.
 class Mask {
 public:
     Mask(const Eigen::AlignedBox2d& box, double pixel)
@@ -33,7 +32,6 @@ public:
 
     void clear() { std::fill(is_set_.begin(), is_set_.end(), 0); }
 
-    /// Pixels whose middles are in a triangle.
     void fill(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
         const double low = std::min({a.y(), b.y(), c.y()}), high = std::max({a.y(), b.y(), c.y()});
         for (double y = std::ceil(low - 0.5); y + 0.5 <= high; ++y) {
@@ -51,7 +49,6 @@ public:
         }
     }
 
-    /// Pixels within the reach of a line.
     void draw(const Vector2d& from, const Vector2d& to) {
         const double steps = std::max(1., std::ceil((to - from).norm()));
         for (double i = 0; i <= steps; ++i) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/chaining.h"
+#include "strokes/strokes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "strokes/drawn_lines.h"
 
@@ -88,7 +87,7 @@ private:
         return lines_[end.line].line_class == LineClass::Contour;
     }
 
-    /// Pairs of ends that go on as each other, those that do best first.
+    /// Pairs of ends that continue each other, best first.
     std::vector<Bond> bonds() const {
         std::vector<std::pair<double, Bond>> found;
         const double cell = longest_gap * pen_;
@@ -114,7 +113,7 @@ private:
         return sorted;
     }
 
-    /// The gap, longer by the turn; nothing if lines do not go on there.
+    /// The gap, longer by the turn; nothing if the lines do not continue.
     std::optional<double> costOf(const End& a, const End& b) const {
         if (a.line == b.line && lengths_[a.line] < longest_gap * pen_) return {};
         const Vector2d way = b.position - a.position;
@@ -148,7 +147,7 @@ private:
         return false;
     }
 
-    /// From an end through its line and what goes on at the other one.
+    /// From an end through its line and what continues it.
     DrawnLine follow(std::size_t first, std::vector<bool>& is_done) {
         std::vector<std::pair<std::size_t, bool>> way;  // lines; whether from their last point on
         bool closed = false;
@@ -197,7 +196,7 @@ private:
         return result;
     }
 
-    /// Lines that meet may run past each other's ends.
+    /// Lines that meet may overshoot each other.
     void cutOverlap(const std::vector<DrawnPoint>& before, std::vector<DrawnPoint>& points) const {
         const std::size_t n = before.size();
         if (n < 2) return;
@@ -211,7 +210,7 @@ private:
         points.erase(points.begin(), points.begin() + std::ptrdiff_t(first));
     }
 
-    /// Leads ends that meet to one place between them without a step; contours stay.
+    /// Brings both ends to one place between them, without a step; contours stay.
     void meet(std::vector<DrawnPoint>& before, bool is_fixed, std::vector<DrawnPoint>& after,
               bool is_after_fixed) const {
         const Vector2d gap = after.front().position - before.back().position;
@@ -228,7 +227,7 @@ private:
         return pens_[std::size_t(c == LineClass::Fine ? LineClass::Inner : c)];
     }
 
-    /// Widths on both sides of a seam are means over the swelling.
+    /// Averages widths across the seam.
     void blend(double seam, std::vector<DrawnPoint>& points) const {
         const double reach = swelling * pen_;
         double at = 0, sums[2] = {0, 0};

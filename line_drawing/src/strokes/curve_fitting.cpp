@@ -31,7 +31,6 @@ Vector2d secondDerivative(const Cubic& c, double t) {
     return 6 * ((1 - t) * (c[2] - 2 * c[1] + c[0]) + t * (c[3] - 2 * c[2] + c[1]));
 }
 
-/// Fits a smooth run of points.
 class RunFitter {
 public:
     RunFitter(const Points& points, double tolerance, Path& path)
@@ -60,7 +59,7 @@ public:
         split(first, std::clamp(worst, first + 1, last - 1), last, begin, end);
     }
 
-    /// Into the run from one of its ends.
+    /// Inwards from an end of a run.
     Vector2d tangentFrom(std::size_t end, std::size_t other) const {
         const std::ptrdiff_t step = other > end ? 1 : -1;
         std::size_t i = end;
@@ -90,7 +89,6 @@ private:
         fit(middle, last, -tangent, end);
     }
 
-    /// Backwards through a point inside the run.
     Vector2d tangentThrough(std::size_t i, std::size_t first, std::size_t last) const {
         const Vector2d tangent = tangentFrom(i, first) - tangentFrom(i, last);
         return tangent.squaredNorm() > 1e-6 ? Vector2d(tangent.normalized())
@@ -99,7 +97,6 @@ private:
 
     void add(const Cubic& c) { path_.curveTo(c[1], c[2], c[3]); }
 
-    /// Of a run, to each of its points.
     std::vector<double> lengthsTo(std::size_t first, std::size_t last) const {
         std::vector<double> lengths = {0};
         for (std::size_t i = first + 1; i <= last; ++i)
@@ -107,7 +104,7 @@ private:
         return lengths;
     }
 
-    /// The least squares of the lengths of both tangents, for a run of this length.
+    /// Least squares for the lengths of both tangents.
     Cubic solve(std::size_t first, const std::vector<double>& parameters, double length,
                 const Vector2d& begin, const Vector2d& end) const {
         const Vector2d& p0 = points_[first];
@@ -126,7 +123,7 @@ private:
             x1 += a1.dot(rest);
         }
         const double determinant = c00 * c11 - c01 * c01;
-        // Handles longer than the run itself let the curve leap between the points.
+        // Longer handles let the curve leap between the points.
         const double chord = (p3 - p0).norm(), least = 1e-6 * chord;
         double length0 = 0, length1 = 0;
         if (std::abs(determinant) > 1e-12 * c00 * c11) {
@@ -151,7 +148,7 @@ private:
         return largest;
     }
 
-    /// A step of Newton's method for each point's nearest place on the curve.
+    /// A Newton step for each point's nearest place on the curve.
     void improve(const Cubic& cubic, std::size_t first, std::vector<double>& parameters) const {
         for (std::size_t i = 1; i + 1 < parameters.size(); ++i) {
             const Vector2d off = pointOf(cubic, parameters[i]) - points_[first + i];
@@ -166,8 +163,8 @@ private:
     Path& path_;
 };
 
-/// The direction from points[i] to the point that is `reach` away along the line, or to its end.
-/// A closed line goes on beyond its ends. Zero if that is nearer than half of it.
+/// From points[i] to the point `reach` away along the line, or to its end, around closed lines.
+/// Zero if that is nearer than half of it.
 Vector2d directionTo(const Points& points, bool closed, std::size_t i, int step, double reach) {
     const auto n =
         std::ptrdiff_t(points.size()) - 1;  // the last point of a closed line is the first
@@ -195,7 +192,7 @@ std::vector<std::size_t> findCorners(const Points& points, bool closed, double r
     std::vector<std::size_t> corners;
     for (std::size_t i = 0; i < end; ++i) {
         if (!(turns[i] < cosine_of_corner)) continue;
-        // the sharpest of those that see the same turn
+        // The sharpest of those that see the same turn.
         if (!corners.empty() && (points[corners.back()] - points[i]).norm() < reach) {
             if (turns[i] < turns[corners.back()]) corners.back() = i;
         } else {
@@ -206,7 +203,7 @@ std::vector<std::size_t> findCorners(const Points& points, bool closed, double r
 }
 
 void fitCurve(const Points& given, bool closed, double tolerance, Path& path) {
-    // so that curves near the points are near the line between them, too
+    // So that curves near the points are near the line between them, too.
     Points points = refine(given, corner_reach * tolerance);
     if (points.size() < 2) return;
     closed = closed && points.size() > 3 && points.front() == points.back();

@@ -7,16 +7,13 @@
 
 namespace line_drawing {
 
-/// Adds cubic Bézier curves along `points` to `path`, beginning with moveTo(), so that no point is
-/// farther from them than `tolerance`. Where the points turn sharply, the curve has a corner. A
-/// closed line ends with a copy of its first point.
-///
-/// Source: P. J. Schneider, "An Algorithm for Automatically Fitting Digitized Curves", Graphics
-/// Gems (1990).
+/// Appends cubic Bézier curves to `path`, after a moveTo(), that pass within `tolerance` of all
+/// points, with corners where the points turn sharply. A closed line repeats its first point. P. J.
+/// Schneider, "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems (1990).
 void fitCurve(const std::vector<Eigen::Vector2d>& points, bool closed, double tolerance,
               Path& path);
 
-/// Where `points` turn by more than 25° within `reach`; ends of open lines are none.
+/// Where `points` turn by more than 25° within `reach`, without the ends of open lines.
 std::vector<std::size_t> findCorners(const std::vector<Eigen::Vector2d>& points, bool closed,
                                      double reach);
 

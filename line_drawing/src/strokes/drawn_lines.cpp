@@ -46,8 +46,7 @@ void DrawnLines::add(const std::vector<Vector2d>& line, std::size_t number) {
     }
 }
 
-/// In squares with the middle of a piece that comes so near to a point: pieces are no longer than
-/// the reach.
+/// By squares that hold the middle of a piece as near as this: pieces are at most `reach` long.
 template <class Visit>
 void DrawnLines::forEachPieceNear(const Vector2d& point, double within, Visit visit) const {
     const double to_middle = within + piece_share * reach_;

@@ -12,39 +12,35 @@
 
 namespace line_drawing {
 
-/// Nearer than this, in reaches of what doubles a line, nothing white is left beside it.
+/// In reaches: nearer than this leaves no white between lines.
 constexpr double beside_reach = 1.4;
-/// In reaches: what is so near a line is at one place with it.
+/// In reaches: nearer than this is the same place.
 constexpr double same_reach = 0.1;
-/// Cosine of the least turn by which a line runs back along itself: 120°.
+/// Cosine of the least turn at which a line doubles back: 120°.
 constexpr double reversal = -0.5;
 
-/// Lines on paper that are there already, to be asked whether another one would only double them.
-/// Millimetres.
+/// Lines already on the paper, to ask whether another would double them. Millimetres.
 class DrawnLines {
 public:
-    /// Lines nearer than `reach` that run along one are doubles of it.
+    /// Lines nearer than `reach` that run along one double it.
     explicit DrawnLines(double reach) : reach_(reach) {}
 
-    /// `number` tells lines apart.
     void add(const std::vector<Eigen::Vector2d>& line, std::size_t number = 0);
 
-    /// How far `point` is from a line that runs along the unit direction `way`, within 20°; the
-    /// reach if none is nearer.
+    /// Distance to the nearest line that runs along the unit direction `way`, within 20°; at most
+    /// the reach.
     double distanceAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way) const;
 
-    /// Whether `point` is within this distance beside a line, whichever way that runs, not beyond
-    /// its end.
+    /// Whether `point` is this near beside a line in any direction, not beyond its end.
     bool isBeside(const Eigen::Vector2d& point, double within) const;
 
-    /// Of lines: that one, or from a first to a last one.
+    /// A range of lines.
     struct Numbers {
         Numbers(std::size_t one) : first(one), last(one) {}
         Numbers(std::size_t from, std::size_t to) : first(from), last(to) {}
         std::size_t first, last;
     };
-    /// The nearest place on another line than those of some numbers, within the distance, and the
-    /// number of that line.
+    /// The nearest place on a line without these numbers, and its number.
     struct Place {
         Eigen::Vector2d position;
         std::size_t line;
@@ -52,8 +48,8 @@ public:
     std::optional<Place> nearestOn(const Eigen::Vector2d& point, const Numbers& except,
                                    double within) const;
 
-    /// The nearest line beside `point` on one side, where the unit vector `side` points, within
-    /// 20°, and the line runs across that; none of those that `skips` names.
+    /// The nearest line on the side where the unit vector `side` points, within 20°, that runs
+    /// across it; not those that `skips` names.
     struct Neighbour {
         Eigen::Vector2d position, way;  ///< unit
         std::size_t line;
@@ -81,7 +77,6 @@ private:
     std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares of twice the reach
 };
 
-/// Of all lines, by their numbers.
 DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach);
 
 }  // namespace line_drawing

@@ -8,7 +8,7 @@ namespace line_drawing {
 namespace {
 
 constexpr int rounds = 60;
-/// Of being off a point's place: waves of some twenty points are what the first rounds take out.
+/// For being off a point's place: the first rounds take out waves of some twenty points.
 constexpr double penalty = 0.01, penalty_of_fixed = 100;
 
 using Matrix = Eigen::SparseMatrix<double>;

@@ -21,7 +21,6 @@ constexpr double unevenness = 0.25;    // of a gap's width
 constexpr double least_between = 0.8;  // of a line's length
 constexpr double least_beyond = 1 / 3.;
 
-/// Calls `visit` with the middle, unit direction and length of pieces of a line.
 template <class Visit>
 void forEachPiece(const DrawnLine& line, double step, Visit visit) {
     const std::vector<Vector2d> points = refine(positionsOf(line), step);
@@ -35,7 +34,7 @@ Vector2d leftOf(const Vector2d& way) {
     return {-way.y(), way.x()};
 }
 
-/// Between two lines that run the same way.
+/// Between two lines in the same direction.
 struct Gap {
     double width;
     Vector2d way;
@@ -61,7 +60,7 @@ std::optional<Gap> gapAt(const Vector2d& point, const Vector2d& way, const Drawn
                goes_on(*on_left, left) || goes_on(*on_right, right)};
 }
 
-/// How far a gap goes on from a place in it, up to `most`.
+/// How far a gap extends from a place in it, up to `most`.
 double lengthFrom(Vector2d point, Vector2d way, double width, double most, const DrawnLines& kept,
                   double pen) {
     const double step = kernel * pen / 2;
@@ -75,7 +74,7 @@ double lengthFrom(Vector2d point, Vector2d way, double width, double most, const
     return length;
 }
 
-/// Which line of those that are not `done` is the next one beside a line.
+/// The nearest line beside this one that is not `done`.
 std::optional<std::size_t> nextBeside(const std::vector<DrawnLine>& lines, std::size_t i,
                                       double sign, const DrawnLines& all, double white,
                                       const std::vector<bool>& done) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/inner_ends.h"
+#include "strokes/strokes.h"
 
 #include <algorithm>
 
@@ -25,7 +25,7 @@ constexpr double hook_cosine = 0.5;   // of 60°
 constexpr double lead_cosine = 0.7;   // of 45°
 constexpr double least_weight = 0.5;  // of ends that are led on; fainter ones taper off
 
-/// The point from which on the line bends aside most; its last one if it does not.
+/// The point from which the line bends aside most; the last one if it does not.
 std::size_t beginOfHook(const std::vector<DrawnPoint>& points, double pen) {
     const std::size_t last = points.size() - 1;
     std::size_t begin = last;

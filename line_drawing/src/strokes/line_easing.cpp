@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 
 constexpr double step_share = 1.5;  // of the reach, between the places that are moved
 
-/// Points of a line in a row, put at equal distances.
+/// A run of a line, resampled at equal distances.
 class EvenLine {
 public:
     EvenLine(const std::vector<DrawnPoint>& points, double step) : points_(points) {
@@ -23,10 +23,9 @@ public:
         steps_ = std::size_t(std::ceil(along_.back() / step));
     }
 
-    /// Whether it is so long that there is anything to ease.
     bool isLong() const { return steps_ >= 2; }
 
-    /// Points that are exact, and ends, stay.
+    /// Exact points and ends stay.
     void ease(double reach, bool closed) {
         const std::size_t count = closed ? steps_ : steps_ + 1;
         EvenPoints places(Eigen::Index(count), 2);
@@ -95,7 +94,7 @@ public:
         line.points = std::move(eased);
     }
 
-    /// Moves the ends of lines to where lines that pass there have gone.
+    /// Moves ends with the lines that they meet.
     void follow(DrawnLine& line) const {
         if (line.closed) return;
         for (DrawnPoint* end : {&line.points.front(), &line.points.back()}) {
@@ -105,7 +104,7 @@ public:
     }
 
 private:
-    /// Turns a closed line so; false if none of its points is exact.
+    /// Rotates a closed line so; false if none of its points is exact.
     static bool beginAtExact(DrawnLine& line) {
         std::vector<DrawnPoint>& points = line.points;
         const auto first = std::find_if(points.begin(), points.end() - 1,

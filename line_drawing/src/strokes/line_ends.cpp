@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/overlaps.h"
+#include "strokes/strokes.h"
 
 #include <array>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Whether a line has to be where it is: an edge or contour of a form with flat faces.
+/// Whether a line may not move: an edge or contour of a form with flat faces.
 bool isEdge(const DrawnLine& line) {
     return line.line_class < LineClass::Inner && !isSmooth(line);
 }
@@ -58,7 +58,7 @@ private:
         return ends;
     }
 
-    /// Whether a line leads from an end that is loose yet to another line.
+    /// Whether a line leads from a loose end to another line.
     bool bridges(const DrawnLine& line, const DrawnLines& loose) const {
         const std::array<Vector2d, 2> ends = {line.points.front().position,
                                               line.points.back().position};
@@ -71,12 +71,12 @@ private:
         return false;
     }
 
-    /// Of shorter lines nothing would be left beside what joins them.
+    /// A shorter line would vanish in the piece that joins it.
     bool isLong(std::size_t i) const {
         return lengthOf(lines_[i].points) > 2 * beside_reach * reach_;
     }
 
-    /// The end of the line at a place, if that is loose itself and as near: one piece joins both.
+    /// The line's own loose end near a place: one piece then joins both.
     std::optional<Vector2d> looseEndNear(const DrawnLines::Place& place,
                                          const Vector2d& from) const {
         for (const Vector2d& end : looseEnds(place.line))
@@ -84,8 +84,7 @@ private:
         return {};
     }
 
-    /// To the place of another line that it has gone past, by no more than leaves no white. Whether
-    /// it has.
+    /// Cuts the line back to a line that it has passed, if that leaves no white. Whether it did.
     bool shorten(std::size_t i, const Vector2d& end, const Vector2d& to) {
         std::vector<DrawnPoint>& points = lines_[i].points;
         const bool is_first = points.front().position == end;
@@ -98,7 +97,7 @@ private:
         return true;
     }
 
-    /// Where its own stroke is already.
+    /// Whether the line's own stroke is there already.
     bool runsBack(std::size_t i, const Vector2d& end, const Vector2d& to) const {
         const std::vector<DrawnPoint>& points = lines_[i].points;
         const bool is_first = points.front().position == end;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/overlaps.h"
+#include "strokes/strokes.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "strokes/drawn_lines.h"
 #include "strokes/refining.h"
@@ -15,17 +14,15 @@ using Eigen::Vector2d;
 constexpr double shortest_double = 4;  // reaches; where lines meet they are near for a while
 constexpr double step_share = 0.25;    // of the reach: between the places of a line looked at
 constexpr int overlap = 5;             // of these places, a little more than a reach
-// Of the length of a line of at most two shortest doubles: the share beside others from which it
-// adds nothing.
+// Short lines, of up to two shortest doubles, with this share beside others add nothing.
 constexpr double most_beside = 0.8;
 
-/// Sections are what a drawing with sections is about.
+/// Sections first: drawings with sections are about them.
 int rankOf(LineClass line_class) {
     return line_class == LineClass::Section ? -1 : int(line_class);
 }
 
-/// Takes the jogs out of a line, where it runs back along itself and then on: on paper they would
-/// be knots of its stroke.
+/// Removes jogs, where a line doubles back and then goes on: they would be knots in its stroke.
 class JogRemoval {
 public:
     JogRemoval(const DrawnLine& line, double reach)
@@ -41,7 +38,7 @@ public:
 private:
     const Vector2d& at(std::size_t i) const { return points_[i].position; }
 
-    /// The direction in which the line runs for a short way before a point, or after it.
+    /// Direction of the line just before or after a point.
     Vector2d way(std::size_t i, bool after) const {
         std::size_t k = i;
         const std::size_t end = after ? points_.size() - 1 : 0;
@@ -50,7 +47,7 @@ private:
         return ((after ? 1 : -1) * (at(k) - at(i))).stableNormalized();
     }
 
-    /// The point with which the line goes on, past the jog that begins here, if one does.
+    /// The point after the jog that begins here, if one does.
     std::size_t nextAfter(std::size_t i) const {
         if (i == 0 || i + 1 == points_.size()) return i + 1;
         const Vector2d before = way(i, false);
@@ -71,7 +68,6 @@ private:
     const double reach_;
 };
 
-/// Cuts one line where it doubles others.
 class LineCutter {
 public:
     LineCutter(const DrawnLine& line, const DrawnLines& there, double reach)
@@ -128,7 +124,7 @@ private:
         }
     }
 
-    /// What is left ends beside the line that it doubled, so that there is no gap.
+    /// What is left ends beside the line that it doubled, without a gap.
     void shortenRuns() {
         const std::vector<bool> before = is_double_;
         for (std::size_t i = 0; i < before.size(); ++i) {
@@ -143,7 +139,6 @@ private:
     std::vector<bool> is_double_;
 };
 
-/// Whether a line is short, ends within the reach of others and is beside them nearly all along.
 bool addsNothing(const DrawnLine& line, const DrawnLines& there, double reach) {
     if (lengthOf(line.points) > 2 * shortest_double * reach) return false;
     for (const DrawnPoint& end : {line.points.front(), line.points.back()})
@@ -155,7 +150,6 @@ bool addsNothing(const DrawnLine& line, const DrawnLines& there, double reach) {
     return double(beside) >= most_beside * double(points.size());
 }
 
-/// Whether a line is at one place with others all along.
 bool liesOn(const DrawnLines& there, const DrawnLine& line, double reach) {
     const std::vector<DrawnPoint> points = refine(line.points, step_share * reach);
     return std::all_of(points.begin(), points.end(), [&](const DrawnPoint& point) {
@@ -163,7 +157,7 @@ bool liesOn(const DrawnLines& there, const DrawnLine& line, double reach) {
     });
 }
 
-/// Joined ends may have made lines equal: of these the longest stays.
+/// Joined ends may have made lines equal: keeps the longest.
 std::vector<DrawnLine> withoutEqual(const std::vector<DrawnLine>& lines, double reach) {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < lines.size(); ++i)

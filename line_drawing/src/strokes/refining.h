@@ -23,8 +23,7 @@ inline DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
             laplacian_lines::kNoSightNode, a.is_exact && b.is_exact};
 }
 
-/// The same line with points at most `step` apart, no two of one place in a row: a line has no
-/// direction between these.
+/// With points at most `step` apart and no repeated ones, which have no direction.
 template <class Point>
 std::vector<Point> refine(const std::vector<Point>& points, double step) {
     std::vector<Point> result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/slight_lines.h"
+#include "strokes/strokes.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -18,7 +18,6 @@ bool isSlight(const DrawnLine& line, const SheetOptions& options) {
     return isCurvedContour(line) && line.jump < options.pens[std::size_t(LineClass::Inner)];
 }
 
-/// How many lines there are at each node.
 class Nodes {
 public:
     explicit Nodes(const std::vector<DrawnLine>& lines) {
@@ -47,7 +46,7 @@ double shortestEnd(const Nodes& nodes, const DrawnLine& line, const SheetOptions
     return is_alone ? std::max(shortest, options.kernel.size) : shortest;
 }
 
-/// Cuts off what is shorter than `shortest` between an end in nothing and the next junction.
+/// Cuts off ends shorter than `shortest` between nothing and the next junction.
 void trimEnd(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& points) {
     if (points.size() < 2 || nodes.isJunction(points.back())) return;
     std::size_t last = points.size() - 1;
@@ -56,7 +55,7 @@ void trimEnd(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& point
     if (lengthOf(points, last) < shortest) points.resize(last + 1);
 }
 
-/// A loop that is filled by its own stroke is a dot, which says nothing of the form.
+/// A loop that its stroke fills is a dot, which shows no form.
 bool isDot(const DrawnLine& line, double shortest) {
     Eigen::AlignedBox2d box;
     for (const DrawnPoint& point : line.points)

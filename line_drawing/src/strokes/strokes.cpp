@@ -42,7 +42,7 @@ Spine spineOf(const DrawnLine& line, double pen) {
     return spine;
 }
 
-/// Unit normals, to the right of the way on a sheet whose y points down.
+/// Unit, to the right of the direction on a sheet whose y points down.
 Points normalsOf(const Points& points, bool closed) {
     const std::size_t n = points.size();
     Points normals(n);
@@ -56,7 +56,6 @@ Points normalsOf(const Points& points, bool closed) {
     return normals;
 }
 
-/// One edge of the stroke.
 Points offset(const Spine& spine, const Points& normals, double sign) {
     Points edge;
     for (std::size_t i = 0; i < spine.points.size(); ++i)
@@ -65,7 +64,7 @@ Points offset(const Spine& spine, const Points& normals, double sign) {
     return edge;
 }
 
-/// Half a circle behind the end of a stroke, from its right to its left as seen along `way`.
+/// A half circle from the right to the left of a stroke's end.
 void addCap(const Vector2d& end, const Vector2d& normal, double width, double direction,
             Points& outline) {
     constexpr int points = 8;
@@ -103,7 +102,7 @@ std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& o
     const double pen = options.pens[std::size_t(line.line_class)];
     const bool is_hidden = line.line_class == LineClass::Hidden;
     const bool is_tapered = options.strokes == StrokeStyle::Tapered && !is_hidden;
-    // a faint line tapers from the width of a clear one
+    // A faint line tapers from the width of a clear one.
     const double full = line.line_class == LineClass::Fine && is_tapered
                             ? options.pens[std::size_t(LineClass::Inner)]
                             : pen;

@@ -2,13 +2,66 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "line_drawing/sheet.h"
 #include "views/drawn_view.h"
 
 namespace line_drawing {
 
-/// A line, in the sheet's coordinates, as it is drawn; none if it is too short or too thin.
+/// Removes specks, on the sheet: contours of curved surfaces before a jump in depth of less than a
+/// pen, lines and ends of lines shorter than the shortest one that end in nothing. Outlines stay.
+std::vector<DrawnLine> withoutSlightLines(std::vector<DrawnLine> lines,
+                                          const SheetOptions& options);
+
+/// Joins ends that have lost the line they met: by `left_out` short lines that lead on to another,
+/// else by a straight piece; an edge that has passed another ends there. Other ends stay, since
+/// lines may meet them. `reach`: of what doubles a line.
+void joinLooseEnds(std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& left_out,
+                   double reach);
+
+/// Removes parts of lines that only double others, in the sheet's coordinates: of lower classes
+/// along higher ones (sections first), in a class along longer ones; also jogs, and short lines
+/// that are beside others nearly all along, unless they join an end to another line. What is left
+/// meets the lines beside its ends.
+std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach);
+
+/// Joins inner lines that continue each other into one stroke, where they meet or across gaps of up
+/// to eight pens, half as long as either line, that no other line crosses; and contours within the
+/// surface that meet. With `mixes_kinds`, also inner lines and contours whose ends meet, blending
+/// their widths. `pens`: widths in mm, by LineClass.
+std::vector<DrawnLine> chain(std::vector<DrawnLine> lines,
+                             const std::array<double, line_class_count>& pens, bool mixes_kinds);
+
+/// Leaves white between lines, mm on the sheet: strongest first, an inner line goes where it runs
+/// within three pens of another one, or within half a pen of an outline, contour or edge, but not
+/// where lines cross or meet. So do strokes shorter than six pens, those within four pens of each
+/// other, loops below 24, then contours of curved surfaces below six pens that meet no line.
+/// `pens`: widths in mm, by LineClass.
+std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines,
+                               const std::array<double, line_class_count>& pens);
+
+/// Cuts off bent ends of inner lines, where a zero of the Laplacian runs around the end of a
+/// feature; an illustrator would not draw that. Ends that meet another line stay. `pen`: of inner
+/// lines, mm.
+void cutHooks(std::vector<DrawnLine>& lines, double pen);
+
+/// An end of an inner line that meets another line.
+struct MetEnd {
+    std::size_t line;
+    bool is_last;
+    std::size_t met;
+};
+
+/// Extends ends of inner lines that are drawn in full and head for another line to that line, over
+/// at most three pens: arrises meet each other and outlines. Returns these ends, and those that met
+/// a line before.
+std::vector<MetEnd> joinEnds(std::vector<DrawnLine>& lines, double pen);
+
+/// Moves ends with the line they met, if that has moved by less than a pen.
+void followMet(const std::vector<MetEnd>& ends, double pen, std::vector<DrawnLine>& lines);
+
+/// In the sheet's coordinates; none if the line is too short or too thin.
 std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& options);
 
 }  // namespace line_drawing

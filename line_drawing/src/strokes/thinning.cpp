@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/thinning.h"
+#include "strokes/strokes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,7 @@ constexpr double shortest_loop = 24;  // 6 √h
 constexpr double longest_crossing = 7.5, longest_near_pass = 5;  // at another line, or near one
 constexpr double longest_touch = 3, longest_near_end = 2;        // likewise, of an end
 constexpr double same_place = 0.2, same_end = 0.5;
-/// What is left of a fold among others is an island between them, unless it is this long or this
-/// share of it.
+/// Remains of a fold are an island between others, unless this long or this share of it.
 constexpr double longest_island = 24, least_share = 0.5;
 constexpr double step = 0.2;
 
@@ -42,7 +41,8 @@ double extentOf(const DrawnLine& line) {
     return box.diagonal().norm();
 }
 
-/// Contours of bumps of a curved surface, as short as no inner line is, that meet nothing.
+/// Removes contours of bumps of a curved surface that are shorter than inner lines and meet
+/// nothing.
 std::vector<DrawnLine> withoutSpecks(std::vector<DrawnLine> lines, double pen) {
     const DrawnLines all = allOf(lines, shortest_stroke * pen);
     std::vector<DrawnLine> rest;
@@ -59,7 +59,6 @@ std::vector<DrawnLine> withoutSpecks(std::vector<DrawnLine> lines, double pen) {
     return rest;
 }
 
-/// What a line adds to a drawing.
 double strengthOf(const DrawnLine& line) {
     return meanWeight(line) * std::sqrt(lengthOf(line.points));
 }
@@ -72,12 +71,11 @@ public:
             outlines_.emplace_back(whiteBeside(pen));
     }
 
-    /// A line that is drawn in any case.
     void addOutline(const DrawnLine& line) {
         outlines_[std::size_t(line.line_class)].add(positionsOf(line));
     }
 
-    /// Returns whether all of it is.
+    /// Whether all of it was added.
     bool addFree(const DrawnLine& line, std::vector<DrawnLine>& result) {
         if (line.closed && lengthOf(line.points) < shortest_loop * pen_) return false;
         const std::vector<DrawnPoint> points = refine(line.points, step * pen_);
@@ -113,7 +111,6 @@ private:
         return true;
     }
 
-    /// How much of a line is free, by length.
     static double shareOf(const std::vector<DrawnPoint>& points, const std::vector<bool>& is_free) {
         double length = 0, free = 0;
         for (std::size_t i = 1; i < points.size(); ++i) {
@@ -131,7 +128,7 @@ private:
                });
     }
 
-    /// An end, followed from the middle of its line, goes up to where it meets another one.
+    /// Extends an end, away from the middle of its line, to the next line.
     template <class Points, class Free>
     void freeUpToTouch(Points begin, Points end, Free is_free) const {
         for (; begin != end; ++begin) {
@@ -140,7 +137,7 @@ private:
         }
     }
 
-    /// Where lines only cross or meet, nothing is taken away.
+    /// Where lines only cross or meet, nothing is removed.
     void bridge(const std::vector<DrawnPoint>& points, std::vector<bool>& is_free) const {
         for (std::size_t begin = 0; begin < points.size();) {
             std::size_t end = begin;
@@ -168,7 +165,6 @@ private:
         }
     }
 
-    /// If it is not shorter than that, in pens.
     bool keep(const DrawnLine& line, double shortest, std::vector<DrawnLine>& result) {
         const double length = lengthOf(line.points) / pen_;
         if (length < shortest || meanWeight(line) * length < least_ink ||

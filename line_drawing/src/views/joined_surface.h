@@ -5,7 +5,7 @@
 
 namespace line_drawing {
 
-/// The surface of all objects as one mesh, that hides what is behind it.
+/// All objects as one mesh, which hides what is behind it.
 class JoinedSurface {
 public:
     explicit JoinedSurface(const Objects& objects);

@@ -11,19 +11,19 @@
 
 namespace line_drawing {
 
-/// From mesh coordinates to a picture, x right, y up, with `middle` at (0, 0). A perspective one is
-/// as large as the object is where it is as far from the eye as `middle`.
+/// From mesh coordinates to a picture, x right, y up, with `middle` at (0, 0), where perspective
+/// has the scale 1.
 class Projection {
 public:
     Projection(const ViewFrame& frame, const Eigen::Vector3d& middle);
 
     Eigen::Vector2d operator()(const Eigen::Vector3d& p) const;
 
-    /// What the triangles of a mesh take in the picture; of a perspective one, at least what is in
-    /// sight. Empty if all is behind the eye.
+    /// Of the triangles in the picture; in perspective at least of what is in sight, empty if all
+    /// is behind the eye.
     Eigen::AlignedBox2d boundsOf(const laplacian_lines::TriangleMesh& mesh) const;
 
-    /// Lines as far as they are in sight: all of a parallel view.
+    /// Clipped to what is in sight; all in a parallel view.
     std::vector<laplacian_lines::SightLine> inSight(
         std::vector<laplacian_lines::SightLine> lines) const;
 

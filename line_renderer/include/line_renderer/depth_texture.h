@@ -5,7 +5,7 @@
 
 namespace line_renderer {
 
-/// Depths in 0..1 of a viewport's pixels: pixel (x, y) of the window is at (x, y) · texel.
+/// Depths 0..1 of a viewport: the window's pixel (x, y) is at (x, y) · texel.
 struct DepthTexture {
     unsigned id = 0;  ///< OpenGL's name, of the current share group; 0: there is none
     Eigen::Vector2f texel = Eigen::Vector2f::Zero();

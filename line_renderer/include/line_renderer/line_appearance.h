@@ -8,24 +8,22 @@
 
 namespace line_renderer {
 
-/// How lines of one kind look.
 struct LineLook {
     QColor color;
     double width = 0;  ///< pixels, of a line of full weight
 };
-/// One for each of laplacian_lines::line_kinds, in their order.
+/// In the order of laplacian_lines::line_kinds.
 using LineLooks = std::array<LineLook, laplacian_lines::line_kind_count>;
 
-/// Width of a Laplacian line of full weight unless another is asked for, pixels.
+/// Default width of a Laplacian line of full weight, pixels.
 constexpr double usual_line_width = 1.6;
 
 /// The colors and widths of laplacian_lines::line_kinds.
 LineLooks usualLooks();
 
-/// What is drawn of the parts of lines that the surface hides.
+/// What is drawn of hidden parts of lines.
 enum class HiddenLines { LeftOut, Faint, Dashed };
 
-/// How lines look.
 struct LineAppearance {
     LineLooks looks = usualLooks();
     HiddenLines hidden = HiddenLines::LeftOut;

@@ -17,7 +17,6 @@ template <class Object>
 class PerShareGroup;
 struct StreamPart;
 
-/// Where lines are drawn.
 struct LinePlacement {
     Eigen::Matrix4d to_eye;      ///< mesh coordinates to eye coordinates
     Eigen::Matrix4d projection;  ///< eye coordinates to clip coordinates
@@ -26,30 +25,27 @@ struct LinePlacement {
     double pixel_scale = 1;      ///< pixels of the viewport for one of the appearance
     double mark_pixels = 0;      ///< diameter of points or wires drawn on the surface
     DepthTexture depths{};       ///< of what hides lines
-    /// Mesh coordinates to clip coordinates of all tiles that are put together to one picture, but
-    /// for a move in its plane; none: it is not one. What is left out of lines is so the same in
-    /// all of them, to the bit.
+    /// For tiles of one picture: mesh coordinates to clip coordinates common to all tiles, but for
+    /// a shift in the plane. Then all leave out the same of lines, to the bit.
     std::optional<Eigen::Matrix4d> picture_to_clip{};
-    /// By how much what is drawn may miss a line, pixels of the viewport; 0: by nothing. A quarter
-    /// is not seen, and leaves a seventh of the segments of the dragon.
+    /// By how much drawn lines may be off, pixels of the viewport. A quarter is invisible and
+    /// leaves a seventh of the dragon's segments.
     double tolerance = 0.25;
 };
 
-/// Draws line sets with OpenGL over what is in the depth buffer. Holds a program and buffers for
-/// each share group, which live as long as the group: no view that closes takes them from another.
-/// Leaves OpenGL's state as it was. GUI thread only.
+/// Draws line sets over what is in the depth buffer. Keeps OpenGL's state. One program and buffers
+/// per share group, which outlive views that close. GUI thread only.
 class LineRenderer {
 public:
     LineRenderer();
     ~LineRenderer();
 
-    /// Hands lines over to OpenGL, for drawing with the same appearance and placement: the points
-    /// that are needed for what can be seen. No allocation while sets get no larger.
-    /// @throws std::runtime_error if OpenGL cannot draw them; then draw() draws nothing
+    /// Uploads the points that can be seen, for drawing with the same appearance and placement.
+    /// Does not allocate unless sets grow. @throws std::runtime_error if OpenGL cannot draw them;
+    /// then draw() draws nothing
     void upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
                 const LinePlacement& placement);
-    /// Draws what was uploaded last into the current context's viewport. `clock` counts the draw
-    /// calls themselves as drawing.
+    /// Draws the last upload into the current viewport. `clock` counts the draw calls as drawing.
     /// @throws std::runtime_error if OpenGL cannot do it in this share group
     void draw(const LineAppearance& appearance, const LinePlacement& placement, RedrawClock& clock);
 

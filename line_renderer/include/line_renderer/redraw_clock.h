@@ -13,13 +13,12 @@ public:
         Extraction,
         Upload,
         DrawCalls,  ///< telling OpenGL what to draw, and all that is not one of the others
-        /// By OpenGL: the call that begins it, in which a software renderer does half of it, and
-        /// waiting for its end.
+        /// By OpenGL: its first call, where a software renderer does half the work, and the wait.
         Drawing,
         part_count
     };
 
-    /// The time since the last call, at first since construction, counts for this part.
+    /// Books the time since the last call, or since construction.
     void count(Part part) {
         const Clock::time_point now = Clock::now();
         spent_[part] += std::chrono::duration<double, std::milli>(now - last_).count();
@@ -27,7 +26,7 @@ public:
     }
 
     double milliseconds(Part part) const { return spent_[part]; }
-    /// What the plugin itself takes of a redraw: all but waiting for OpenGL.
+    /// The plugin's own share: all but waiting for OpenGL.
     double ownMilliseconds() const {
         return spent_[Extraction] + spent_[Upload] + spent_[DrawCalls];
     }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -11,13 +10,11 @@
 
 namespace line_renderer {
 
-/// A corner as OpenGL reads it.
 struct SurfaceVertex {
     Eigen::Vector3f position;  ///< mesh coordinates
     Eigen::Vector3f normal;    ///< of the field: smoothed, zero where a vertex was left out
 };
 
-/// The faces of a mesh, ready for OpenGL.
 struct Surface {
     std::vector<SurfaceVertex> vertices;
     std::vector<laplacian_lines::Triangle> triangles;  ///< with finite corners only
@@ -27,16 +24,14 @@ using SurfacePointer = std::shared_ptr<const Surface>;
 SurfacePointer makeSurface(const laplacian_lines::TriangleMesh& mesh,
                            const laplacian_lines::Field& field);
 
-/// Bytes that a surface holds.
 std::size_t bytesOf(const Surface& surface);
 
-/// A surface in its place.
 struct SurfaceLayer {
     std::weak_ptr<const Surface> surface;
     Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();  ///< mesh to world coordinates
     double diagonal = 0;                                      ///< of the mesh, mesh units
     bool culls_back_faces = false;
-    /// MeshLab's depth buffer holds the faces and nothing before them.
+    /// MeshLab's depth buffer has the faces, and nothing in front of them.
     bool is_in_depth_buffer = false;
 
     bool operator==(const SurfaceLayer& other) const {

@@ -10,16 +10,15 @@ namespace line_renderer {
 template <class Object>
 class PerShareGroup;
 
-/// The faces of surfaces in OpenGL's memory, for each share group; those of a surface that is gone
-/// are freed at the group's next drawing. GUI thread only.
+/// Faces in OpenGL's memory, by share group; freed at the group's next drawing after the surface is
+/// gone. GUI thread only.
 class SurfaceBuffers {
 public:
     SurfaceBuffers();
     ~SurfaceBuffers();
 
-    /// Draws all faces with their normals by whatever program is in use. The current matrices must
-    /// be the camera's. Changes OpenGL's state: for the renderers, which restore it. Nothing if the
-    /// surface is gone.
+    /// Draws all faces with normals by the program in use, with the camera's matrices current;
+    /// nothing if the surface is gone. Changes OpenGL's state: for renderers, which restore it.
     void draw(const SurfaceLayer& layer);
 
 private:

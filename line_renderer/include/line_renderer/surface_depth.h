@@ -12,24 +12,23 @@ namespace line_renderer {
 template <class Object>
 class PerShareGroup;
 
-/// The depths that lines are compared with, for shaders to read. One texture for each share group.
-/// Leaves OpenGL's state as it was. GUI thread only.
+/// The depths that lines are compared with, a texture per share group. Keeps OpenGL's state. GUI
+/// thread only.
 class SurfaceDepth {
 public:
     SurfaceDepth();
     ~SurfaceDepth();
 
-    /// To be called when a redraw begins.
+    /// Call it when a redraw begins.
     void forgetDepthBuffer();
-    /// Whether the depth buffer can be read at all.
+    /// Whether the depth buffer is readable.
     static bool canCopy();
-    /// A copy of the current viewport of the depth buffer, made once a redraw.
+    /// The current viewport's depths, copied once a redraw.
     DepthTexture copy();
 
-    /// The nearest faces of all layers in the current viewport, apart from the depth buffer, where
-    /// points and wires stick out of them, or stand without faces. The current matrices must be the
-    /// camera's. Draws only if something has changed since the last time.
-    /// @throws std::runtime_error if OpenGL cannot do it
+    /// The nearest faces of all layers in the current viewport, for where points and wires stick
+    /// out of them, or have no faces. Needs the camera's matrices current. Redraws only after
+    /// changes. @throws std::runtime_error if OpenGL cannot do it
     DepthTexture update(const std::vector<SurfaceLayer>& layers, SurfaceBuffers& buffers);
 
 private:

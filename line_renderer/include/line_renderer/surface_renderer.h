@@ -13,7 +13,6 @@ namespace line_renderer {
 template <class Object>
 class PerShareGroup;
 
-/// What is seen of the faces of a mesh.
 struct SurfaceAppearance {
     enum Style { AsMeshLabDrawsIt, Paper, Toon };
     static constexpr int most_tones = 8;
@@ -24,17 +23,16 @@ struct SurfaceAppearance {
     int tones = 3;                         ///< from shade to paper, at least 2
 };
 
-/// Paints the faces of meshes over what is seen of them already. Holds a program for each share
-/// group. GUI thread only.
+/// Paints faces of meshes over what is seen of them already. One program per share group. GUI
+/// thread only.
 class SurfaceRenderer {
 public:
     SurfaceRenderer();
     ~SurfaceRenderer();
 
-    /// Paints the nearest faces into the current viewport; the current matrices must be the
-    /// camera's. Nearest by the depth buffer and by `depth`, unless that is complete, which adds
-    /// nothing. `to_eye` from the mesh. Leaves OpenGL's state as it was.
-    /// @throws std::runtime_error if OpenGL cannot do it
+    /// Paints the nearest faces by the depth buffer and by `depth`, which adds nothing if the
+    /// buffer is complete. Needs the camera's matrices current; `to_eye` is from the mesh. Keeps
+    /// OpenGL's state. @throws std::runtime_error if OpenGL cannot do it
     void paint(const SurfaceLayer& layer, const SurfaceAppearance& appearance,
                const Eigen::Matrix4d& to_eye, const DepthTexture& depth, SurfaceBuffers& buffers);
 

@@ -12,23 +12,20 @@ namespace mesh_files {
 
 enum class Format { Ply, Stl, Obj, Off };
 
-/// By the ending of a file's name, without the dot, in small letters; none of others.
+/// By extension, without the dot, in lower case.
 std::optional<Format> format_of(std::string_view ending);
-/// The extensions of all formats.
 std::vector<std::string> endings();
 
 struct MeshInFile {
-    /// Vertices as they are in the file, of STL three for each triangle. Polygons are triangles
-    /// that stay inside them.
+    /// Vertices as in the file, three per triangle in STL. Polygons are triangulated inside.
     laplacian_lines::TriangleMesh mesh;
-    /// Where the file is not as its format has it, with the reason: "line 12: a vertex has two
-    /// coordinates". The mesh has what comes before. Empty: the file is whole.
+    /// Where and why the file is malformed: "line 12: a vertex has two coordinates". The mesh has
+    /// what comes before. Empty: the file is sound.
     std::string defect;
 };
 
-/// Reads a file's bytes, whatever they are, in time and memory in proportion to their number. Of
-/// vertices only x, y and z are read. OBJ files do not say how much they hold: where lines are
-/// missing at their end nobody can tell. Thread-safe.
+/// Reads any bytes, in time and memory proportional to their number; of vertices x, y and z only.
+/// An OBJ file that was cut off between lines cannot be told from a whole one. Thread-safe.
 MeshInFile read_mesh(Format format, std::string_view bytes);
 
 }  // namespace mesh_files

@@ -6,7 +6,7 @@
 
 namespace meshlab_host {
 
-/// The camera of a GL view, in world coordinates (those of layers without a transformation).
+/// In world coordinates.
 struct CurrentView {
     bool is_orthographic;
     Eigen::Vector3d eye;
@@ -14,9 +14,9 @@ struct CurrentView {
     Eigen::Vector3d up;              ///< unit, of the picture
 };
 
-/// What the current one of MeshLab's GL views shows: the one that has its border marked, to which
-/// menus apply. Empty in programs without a GL view. MeshLab hands filters no view, but its GL
-/// views answer whoever asks for their camera by Qt's signals. GUI thread only.
+/// The view with the marked border, to which menus apply; empty in programs without GL views.
+/// MeshLab hands filters no view, but GL views answer Qt signals that ask for their camera. GUI
+/// thread only.
 std::optional<CurrentView> currentView();
 
 }  // namespace meshlab_host

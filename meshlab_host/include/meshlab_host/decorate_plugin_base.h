@@ -5,23 +5,20 @@
 
 namespace meshlab_host {
 
-/// What MeshLab asks about a decoration.
 struct DecorationDescription {
     QString plugin_name;
     QString decoration_name;  ///< menu entry
     QString help;             ///< tool tip
 };
 
-/// A plugin with one decoration of meshes: the same virtual functions for every version of
+/// A plugin with one decoration of meshes, with the same virtual functions in every version of
 /// MeshLab. A plugin class adds Q_OBJECT and
 ///     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
 ///     Q_INTERFACES(MESHLAB_HOST_DECORATE_INTERFACE)
-/// MeshLab calls everything from the GUI thread; its GL context is current in start() and draw().
-/// MeshLab ends and starts a decoration again, in every view, after each filter and after each edit
-/// of a decoration parameter, and it ignores what start() returned then. Exceptions must not leave
-/// the virtual functions.
-///
-/// `view` only ever serves as a name: the class GLArea is not available to plugins.
+/// MeshLab calls it from the GUI thread, with its GL context current in start() and draw(). After
+/// each filter and each edit of a decoration parameter it restarts the decoration in every view and
+/// ignores what start() returns then. Virtual functions must not throw. `view` is only a key:
+/// GLArea is not available to plugins.
 class DecoratePluginBase : public QObject, public MESHLAB_HOST_DECORATE_INTERFACE {
 public:
     explicit DecoratePluginBase(DecorationDescription description);
@@ -29,20 +26,20 @@ public:
 protected:
     virtual void listParameters(RichParameterList& list) const = 0;
 
-    /// The decoration of `mesh` in `view` was switched on. False: nothing can be drawn.
+    /// False: nothing can be drawn.
     virtual bool start(MeshModel& mesh, const RichParameterList& parameters, GLArea* view) = 0;
     virtual void draw(MeshModel& mesh, const RichParameterList& parameters, GLArea* view,
                       QPainter* painter, GLLogStream& log) = 0;
     virtual void end(MeshModel& mesh, GLArea* view) = 0;
     /// The view is being closed, with all its meshes.
     virtual void endAll(GLArea* view) = 0;
-    /// A mesh that was decorated in `view` does not exist any more; MeshLab does not say which.
+    /// A mesh decorated in `view` is gone; MeshLab does not say which.
     virtual void meshGone(GLArea* view) = 0;
 
-    /// Adds a line to the log of the document that is being served.
+    /// To the log of the document being served.
     void say(const QString& line);
 
-    // MeshLab's interface, not meant to be overridden further.
+    // MeshLab's interface, final here.
 public:
     QString pluginName() const final { return description_.plugin_name; }
     QString decorationName(int) const final { return description_.decoration_name; }

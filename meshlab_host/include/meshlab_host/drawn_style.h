@@ -11,13 +11,12 @@
 
 namespace meshlab_host {
 
-/// A color for each of laplacian_lines::line_kinds, in their order.
+/// In the order of laplacian_lines::line_kinds.
 using KindColors = std::array<QRgb, laplacian_lines::line_kind_count>;
 
-/// Those of laplacian_lines::line_kinds.
 KindColors usualKindColors();
 
-/// What the decoration draws, for filters that do the same.
+/// What the decoration draws, for filters that follow it.
 struct DrawnStyle {
     laplacian_lines::LineStyle style;
     std::optional<CameraLight> light;  ///< turns with the camera; without one it is at the eye
@@ -25,12 +24,11 @@ struct DrawnStyle {
     KindColors colors = usualKindColors();
 };
 
-/// The decoration notes what it draws with as a property of the application, by the keys of the
-/// parameters: the only thing that two plugins of any version of MeshLab have in common. GUI thread
-/// only.
+/// Stored as a property of the application, by parameter keys: nothing else is common to two
+/// plugins in every version of MeshLab. GUI thread only.
 void noteDrawnStyle(const DrawnStyle& drawn);
 
-/// What was noted last; empty if nothing was, as in programs without a window. GUI thread only.
+/// Empty if nothing was noted, as without a window. GUI thread only.
 std::optional<DrawnStyle> drawnStyle();
 
 }  // namespace meshlab_host

@@ -8,20 +8,20 @@
 
 namespace meshlab_host {
 
-/// Fills an empty mesh with lines: a vertex for each point, in their order, and an edge for each
-/// segment; a closed line's last point is its first vertex. Per vertex, as Scalarm:
+/// Fills an empty mesh with lines: a vertex per point, in order, and an edge per segment; a closed
+/// line's last point is its first vertex. Per vertex, as Scalarm:
 ///     ll_line                          number of the line, from 0
 ///     ll_kind                          laplacian_lines::LineKind of the line, as a number
 ///     ll_strength, ll_slope            of the line, see Polyline
 ///     ll_weight, ll_gradient, ll_opacity   of the point, see LinePoint
-/// and as quality weight times opacity: how much ink the point takes.
+/// and as quality weight times opacity, the point's ink.
 void toEdgeMesh(const laplacian_lines::LineSet& lines, CMeshO& mesh);
 
-/// Gives each vertex of an edge mesh of these lines the color of its line's kind.
+/// By the kinds of the lines.
 void setColors(const laplacian_lines::LineSet& lines, const KindColors& colors, CMeshO& mesh);
 
-/// Gives each vertex of an edge mesh the field's normal at the surface's nearest vertex. MeshLab
-/// lights points by their normals; without any, their color depends on the OpenGL driver.
+/// The field's normals at the nearest vertices of the surface. MeshLab lights points by them;
+/// without normals their color depends on the OpenGL driver.
 void setNormals(const laplacian_lines::TriangleMesh& surface, const laplacian_lines::Field& field,
                 CMeshO& mesh);
 

@@ -11,8 +11,8 @@
 
 namespace meshlab_host {
 
-/// What decides the field of a mesh. Two meshes with equal keys have the same one, whatever layer
-/// they are in, but for its derivatives, which may be there or not.
+/// Decides the field of a mesh: equal keys, equal fields, in whatever layer, apart from
+/// derivatives.
 struct FieldKey {
     GeometryStamp stamp;
     std::vector<double> options;  ///< of the precomputation, as numbers
@@ -20,28 +20,25 @@ struct FieldKey {
     bool operator<(const FieldKey& other) const;
 };
 
-/// Where the field of a mesh comes from: its own attributes if they are current, otherwise a
-/// computation with the default options.
+/// The mesh's attributes if they are current, otherwise a computation with the defaults.
 struct FieldSource {
     FieldKey key;
     FieldStatus status;
     laplacian_lines::PrecomputeOptions options;
 };
 FieldSource fieldSource(const CMeshO& mesh);
-/// The same field with its curvature derivatives.
 FieldSource withDerivatives(FieldSource source);
 
-/// The field from there, by live index. Computing takes seconds for a million triangles and is told
-/// to `say`. The mesh is not changed; `triangles` is toTriangleMesh() of it.
-/// @throws laplacian_lines::Error, std::bad_alloc
+/// The field by live index. Computing takes seconds for a million triangles, and `say` is told.
+/// Does not change the mesh; `triangles` is its toTriangleMesh(). @throws laplacian_lines::Error,
+/// std::bad_alloc
 laplacian_lines::Field demandField(const CMeshO& mesh,
                                    const laplacian_lines::TriangleMesh& triangles,
                                    const QString& mesh_name, const FieldSource& source,
                                    const std::function<void(const QString&)>& say,
                                    const laplacian_lines::Progress& progress = {});
 
-/// Computes a field's curvature derivatives, if it has none yet.
-/// @throws laplacian_lines::Error, std::bad_alloc
+/// Computes a field's derivatives if it has none. @throws laplacian_lines::Error, std::bad_alloc
 void demandDerivatives(const laplacian_lines::TriangleMesh& triangles,
                        laplacian_lines::Field& field,
                        const laplacian_lines::Progress& progress = {});

@@ -16,7 +16,6 @@ namespace meshlab_host {
 
 using FilterInterface = MESHLAB_HOST_FILTER_INTERFACE;
 
-/// What MeshLab asks about a filter before it runs.
 struct FilterDescription {
     QString name;          ///< menu entry and name in scripts
     QString python_name;   ///< name in PyMeshLab (MeshLab 2022 and later)
@@ -25,14 +24,12 @@ struct FilterDescription {
     int preconditions = MeshModel::MM_NONE;
 };
 
-/// What a filter tells the program that called it, beside what it does to the document: PyMeshLab
-/// returns it as a dictionary. It knows numbers, truths, texts and MeshLab's points.
+/// What a filter returns to its caller, a dictionary in PyMeshLab: numbers, booleans, texts and
+/// MeshLab's points.
 using FilterResults = std::map<std::string, QVariant>;
 
-/// Adds three numbers under a name.
 void addResult(const char* name, const Eigen::Vector3d& value, FilterResults& results);
 
-/// What a filter works with while it runs.
 struct FilterRun {
     MeshDocument& document;  ///< with a current mesh
     const RichParameterList& parameters;
@@ -42,23 +39,23 @@ struct FilterRun {
 };
 
 /// An entry of the Filters menu that works on the current mesh and changes nothing MeshLab draws of
-/// it. Called from MeshLab's GUI thread.
+/// it. GUI thread only.
 class Filter {
 public:
     virtual ~Filter() = default;
 
     virtual FilterDescription description() const = 0;
 
-    /// Adds the parameters with their defaults for this mesh, the null pointer if there is none.
+    /// Adds the parameters with defaults for this mesh, which may be null.
     virtual void listParameters(const MeshModel* mesh, RichParameterList& list) const = 0;
 
-    /// MeshLab has listed the parameters, perhaps for a dialog that it opens now.
+    /// MeshLab has listed the parameters, perhaps to open a dialog.
     virtual void prepareDialog(const MeshDocument& document) const { (void)document; }
 
-    /// The parameters that are numbers, switches or choices, for those who show no dialog.
+    /// Those that are numbers, switches or choices, for callers without a dialog.
     virtual std::vector<ParameterDescription> describeParameters() const = 0;
 
-    /// May throw anything: the user then reads what() and the caller gets a failed filter.
+    /// May throw anything: the user reads what(), the caller gets a failed filter.
     virtual void run(const FilterRun& run) const = 0;
 };
 using FilterList = std::vector<std::unique_ptr<const Filter>>;

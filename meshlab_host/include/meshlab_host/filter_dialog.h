@@ -10,32 +10,30 @@ class QWidget;
 
 namespace meshlab_host {
 
-/// The dialog of a filter, which MeshLab makes a list with a line for each parameter: a label and
-/// an editor. This adds widgets and writes into the editors as a user does; what MeshLab does with
-/// their values stays untouched. Fields are found by the labels that MeshLab was told; what is not
-/// found is left alone. GUI thread only.
+/// A filter's dialog, for which MeshLab lists a label and an editor per parameter. Adds widgets and
+/// writes into editors like a user. Fields are found by their labels; missing ones are ignored. GUI
+/// thread only.
 class FilterDialog {
 public:
-    /// MeshLab is about to open the dialog: calls `furnish` once it is there, and not at all if it
-    /// does not come, or has been furnished.
+    /// Calls `furnish` when the dialog opens, unless it has been furnished.
     static void whenOpen(const QString& filter, std::function<void(FilterDialog)> furnish);
     static bool isOpen(const QString& filter);
 
-    /// Holds all fields, as long as the dialog shows them.
+    /// Holds the fields.
     QWidget* frame() const { return frame_; }
 
-    /// What a field shows, of a switch "on" or "off".
+    /// "on" or "off" for a switch.
     std::optional<QString> text(const QString& label) const;
-    /// Choices that are not there are ignored.
+    /// Ignores unknown choices.
     void setText(const QString& label, const QString& text);
-    /// Also when it is not the user who changes a field.
+    /// Whoever changes a field.
     void whenChanged(const QObject* receiver, const std::function<void()>& changed);
 
-    /// The dialog grows by what is added. False if there is no such field.
+    /// The dialog grows. False if there is no such field.
     bool addBelow(const QString& label, QWidget* widget);
     bool addBeside(const QString& label, QWidget* widget);
     void addLine(QWidget* widget);
-    /// Less room between fields than MeshLab leaves: for small screens.
+    /// Reduces the spacing, for small screens.
     void tighten();
 
 private:

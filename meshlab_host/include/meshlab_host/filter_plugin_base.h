@@ -6,7 +6,7 @@
 
 namespace meshlab_host {
 
-/// A plugin of filters: the same for every version of MeshLab. A plugin class adds Q_OBJECT and
+/// A plugin of filters, the same in every version of MeshLab. A plugin class adds Q_OBJECT and
 ///     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_FILTER_IID)
 ///     Q_INTERFACES(MESHLAB_HOST_FILTER_INTERFACE)
 class FilterPluginBase : public QObject, public MESHLAB_HOST_FILTER_INTERFACE {
@@ -21,12 +21,12 @@ private:
 
     const Entry& entry(ActionPointer action) const { return entries_.at(std::size_t(ID(action))); }
     void say(const QString& line);
-    /// Runs a filter, with every exception turned into a sentence. Empty: success.
+    /// Runs a filter; returns an exception's sentence, or nothing.
     QString runCatchingAll(const Filter& filter, MeshDocument& document,
                            const RichParameterList& parameters, vcg::CallBackPos* progress,
                            FilterResults& results);
 
-    // MeshLab's interface, not meant to be overridden further.
+    // MeshLab's interface, final here.
 public:
     QString pluginName() const final { return plugin_name_; }
     QString filterName(int id) const final { return entries_.at(std::size_t(id)).description.name; }

@@ -7,8 +7,7 @@
 
 namespace meshlab_host {
 
-/// What to do about a mesh whose drawing is likely to disappoint, in MeshLab's terms: a line of the
-/// log for each of laplacian_lines::faults_of().
+/// A line of the log per laplacian_lines::faults_of(), what to do about it in MeshLab's terms.
 QStringList meshAdvice(const laplacian_lines::MeshReport& report);
 
 }  // namespace meshlab_host

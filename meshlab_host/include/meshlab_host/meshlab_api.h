@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one place that tells MeshLab's versions apart by their headers and names. MESHLAB_API (2020,
-// 2022 or 2025) comes from the build. Macros, not aliases, where Qt's moc has to read the name.
+// The one place for MeshLab's differing headers and names. MESHLAB_API (2020, 2022 or 2025) comes
+// from the build. Macros, not aliases, where Qt's moc reads the name.
 
 #include <GL/glew.h>  // before every header that might include gl.h
 
@@ -34,15 +34,14 @@ using ActionPointer = QAction*;
 using ActionPointer = const QAction*;
 #endif
 
-/// A length with a percentage beside it in dialogs; its value is always the length.
+/// A length, with a percentage beside it in dialogs.
 #if MESHLAB_API < 2025
 using RichLength = ::RichAbsPerc;
 #else
 using RichLength = ::RichPercentage;
 #endif
 
-/// The name of a file to write, with a button beside it. That of 2020.09 would take no notice of a
-/// name that is typed: there it is a text.
+/// A file to write, with a button. 2020.09 would ignore a typed name, so it gets a text.
 #if MESHLAB_API < 2022
 class RichFileToSave : public ::RichString {
 public:
@@ -56,7 +55,7 @@ using RichFileToSave = ::RichSaveFile;
 using RichFileToSave = ::RichFileSave;
 #endif
 
-/// A point and a direction in world coordinates.
+/// In world coordinates.
 #if MESHLAB_API < 2022
 using RichPlace = ::RichPoint3f;
 using RichHeading = ::RichPoint3f;

@@ -10,7 +10,6 @@ class QTreeWidget;
 
 namespace meshlab_host {
 
-/// What the panel shows of a parameter.
 struct PanelField {
     QString label;  ///< as MeshLab was told, which is how it is found
     QString help;   ///< tool tip, HTML
@@ -22,17 +21,16 @@ struct PanelField {
 };
 using PanelLine = std::vector<PanelField>;  ///< fields side by side, one or two
 
-/// The panel of a decoration's parameters in MeshLab's layer dialog. MeshLab makes it a list with a
-/// line for each parameter; this puts short ones side by side, hides or switches off what is not
-/// needed now, marks what is wrong, lets numbers have a decimal comma, and keeps the dialog from
-/// getting higher than its window. A panel that is not found or has not all of the fields is left
-/// as it is. GUI thread only.
+/// A decoration's panel in MeshLab's layer dialog. MeshLab lists a line per parameter; this puts
+/// short ones side by side, hides or disables what is not needed, marks errors, accepts decimal
+/// commas, and keeps the dialog within its window. Leaves alone a panel that is not found or lacks
+/// fields. GUI thread only.
 class ParameterPanel : public QObject {
 public:
     explicit ParameterPanel(QString decoration) : decoration_(std::move(decoration)) {}
 
-    /// From now on, also when MeshLab makes the panel anew; done when control is back in the event
-    /// loop, because MeshLab may be working on it now. Costs nothing if nothing has changed.
+    /// From now on, also when MeshLab remakes the panel; done from the event loop, since MeshLab
+    /// may be working on it now. Free if nothing has changed.
     void arrange(std::vector<PanelLine> lines);
 
 protected:

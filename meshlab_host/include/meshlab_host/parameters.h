@@ -10,11 +10,11 @@
 
 namespace meshlab_host {
 
-/// Dialogs, scripts and settings made from the core's option tables: one MeshLab parameter a row,
-/// named key_prefix + key. A MeshLab parameter is a float; numbers are read back as the decimal
-/// that a person would write for it, so that 0.07 stays 0.07.
+// Dialogs, scripts and settings from the core's option tables: a MeshLab parameter per row,
+// key_prefix + key. MeshLab's are floats; they are read back as the shortest decimal, so that 0.07
+// stays 0.07.
 
-/// A row of an option table without the struct it belongs to.
+/// A row of an option table without its struct.
 struct ParameterDescription {
     QString name;  ///< with prefix
     QString label;
@@ -29,26 +29,23 @@ struct ParameterDescription {
     bool hasMaximum() const { return maximum < 1e30; }
 };
 
-/// A label with the heading of the group of parameters that it opens: MeshLab shows parameters as
-/// one flat list, and their labels as rich text. Not for switches, whose labels it shows as they
-/// are.
+/// A label below the heading of its group: MeshLab shows parameters as one flat list, labels as
+/// rich text, but plain for switches.
 QString underHeading(const QString& heading, const QString& label);
 
-/// Help, HTML without paragraphs, in a form that MeshLab wraps where it is a tool tip.
+/// Help, HTML without paragraphs, so that MeshLab wraps it in a tool tip.
 QString toolTip(const QString& help);
 
-/// Adds a parameter. `diagonal` of the mesh's bounding box is what percentages of lengths refer to;
-/// 0 if there is no mesh.
+/// `diagonal` of the mesh's bounding box, for percentages of lengths; 0 without a mesh.
 void addParameter(const ParameterDescription& description, double value, double diagonal,
                   RichParameterList& list);
 
-/// The value of a parameter; `fallback` if the list has none of this name.
-/// @throws laplacian_lines::Error(InvalidOption) that names label, value and range if the value is
-/// out of range or of another type.
+/// `fallback` if the list lacks it. @throws laplacian_lines::Error(InvalidOption) that names label,
+/// value and range if the value is out of range or of another type
 double readParameter(const ParameterDescription& description, double fallback,
                      const RichParameterList& list);
 
-/// The default of a parameter that is a number, a switch or a choice; empty for others.
+/// Of a number, switch or choice; empty for others.
 std::optional<double> defaultOf(const RichParameter& parameter);
 
 template <class Options>
@@ -86,8 +83,7 @@ Options readOptions(const std::vector<laplacian_lines::OptionDescription<Options
     return options;
 }
 
-/// A point or a direction in world coordinates. Dialogs have a button beside it that takes it from
-/// the view.
+/// In world coordinates. Dialogs have a button that takes it from the view.
 enum class PlaceKind { Position, Direction };
 struct PlaceDescription {
     QString name;
@@ -100,14 +96,12 @@ struct PlaceDescription {
 void addPlace(const PlaceDescription& description, const Eigen::Vector3d& value,
               RichParameterList& list);
 
-/// `fallback` if the list has none of this name.
-/// @throws laplacian_lines::Error(InvalidOption) for values that are not finite or not points, and
-/// for directions without a length.
+/// `fallback` if the list lacks it. @throws laplacian_lines::Error(InvalidOption) for values that
+/// are no finite points and directions of no length
 Eigen::Vector3d readPlace(const PlaceDescription& description, const Eigen::Vector3d& fallback,
                           const RichParameterList& list);
 
-/// A line of text, or the name of a file to write. From MeshLab 2022.02 on, dialogs have a button
-/// beside the latter that lets the user look for it.
+/// A line of text, or a file to write, for which dialogs have a button from MeshLab 2022.02 on.
 struct TextDescription {
     QString name;
     QString label;
@@ -116,20 +110,33 @@ struct TextDescription {
     bool for_experts = false;
 };
 
-/// Whether they have none, as before.
+/// Whether dialogs lack that button.
 bool needsBrowsing();
 
 void addText(const TextDescription& description, const QString& value, RichParameterList& list);
 
-/// `fallback` if the list has none of this name.
-/// @throws laplacian_lines::Error(InvalidOption) for values that are no texts.
+/// `fallback` if the list lacks it. @throws laplacian_lines::Error(InvalidOption) for other types
 QString readText(const TextDescription& description, const QString& fallback,
                  const RichParameterList& list);
 
-/// The default of a parameter that is a text or a file; empty for others.
+/// Of a text or file; empty for others.
 std::optional<QString> defaultText(const RichParameter& parameter);
 
-/// `fallback` if the list has no color of this name. Never throws.
+/// `fallback` if the list lacks it. Never throws.
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list);
+
+// Parameter values as people write and read them. Thread-safe.
+
+/// A number; on, off, yes, no, true, false; or a choice, its number or an unambiguous beginning, in
+/// any case. @throws laplacian_lines::Error(InvalidOption) that names label, text and allowed
+/// values
+double valueIn(const QString& text, const ParameterDescription& description);
+
+/// As its field in a dialog shows it.
+QString textOf(double value, const ParameterDescription& description);
+
+/// @throws laplacian_lines::Error(InvalidOption) that names label, value and allowed values
+[[noreturn]] void refuseValue(const QString& value, const ParameterDescription& description);
+[[noreturn]] void refuseValue(const QString& value, const QString& label, const QString& allowed);
 
 }  // namespace meshlab_host

@@ -8,9 +8,9 @@
 
 namespace meshlab_host {
 
-/// The core's reports, passed on to MeshLab's callback (percent and text; false cancels), which
-/// may be null, as the part from `begin` to `end` (0..1) of all that is done. The callback runs the
-/// GUI's event loop: anything may have happened to the document when it returns.
+/// Passes the core's reports on to MeshLab's callback (percent and text; false cancels), which may
+/// be null, as the part from `begin` to `end` (0..1). It runs the GUI's event loop: the document
+/// may have changed when it returns.
 inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback, double begin = 0,
                                             double end = 1) {
     if (!callback) return {};
@@ -19,7 +19,7 @@ inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback, double b
     };
 }
 
-/// Tells MeshLab's callback, which may be null, that a step begins after `done` (0..1) of the work.
+/// Tells the callback, which may be null, that a step begins at `done` (0..1).
 /// @throws laplacian_lines::Error(Cancelled)
 inline void beginStep(vcg::CallBackPos* callback, double done, const char* step) {
     if (callback && !callback(int(100 * done), step))

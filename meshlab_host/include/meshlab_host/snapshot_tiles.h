@@ -5,16 +5,15 @@
 
 namespace meshlab_host {
 
-/// Tells how much larger than the view a picture is that MeshLab puts together from tiles. A tile
-/// fills the view, but shows only a part of the camera's frustum, so lengths in pixels have to grow
-/// as the picture does.
+/// How much larger than the view a picture is that MeshLab composes of tiles. A tile fills the view
+/// with part of the camera's frustum, so lengths in pixels have to grow with the picture.
 class SnapshotTiles {
 public:
-    /// Number of tiles in a row of the picture that is being drawn; 1 if it is not a tile. To be
-    /// called at every redraw: a tile in the middle is known by those before it.
+    /// Tiles in a row of the picture, 1 if this is no tile. Call it at every redraw: earlier tiles
+    /// identify those in the middle.
     double scale(const CameraMatrices& camera);
-    /// The camera of the tiles of that picture, moved to its middle: the same for all of them, to
-    /// the bit. Means nothing if it is not a tile.
+    /// The camera at the picture's middle: the same for all tiles, to the bit. Meaningless without
+    /// tiles.
     const CameraMatrices& camera() const { return middle_; }
 
 private:

@@ -12,12 +12,10 @@ class QWidget;
 
 namespace meshlab_host {
 
-/// The progress bar and the message at the foot of MeshLab's window, for work outside of filters,
-/// to which MeshLab hands no callback. MeshLab's own one would let events happen, a redraw or a
-/// deletion of the very mesh among them, so the foot is painted here with the panels that wait for
-/// it, and views go on waiting: nobody can press anything meanwhile, and there is nothing to cancel
-/// by. Not to be used while a view is painted. Does nothing in programs without such a window. GUI
-/// thread only.
+/// The progress bar and message at the foot of MeshLab's window, for work outside filters, which
+/// has no callback. MeshLab's own would process events, such as deleting the mesh, so this only
+/// paints the foot and waiting panels; views wait, nothing can be pressed or cancelled. Not while a
+/// view is painted. Does nothing without such a window. GUI thread only.
 class WindowProgress {
 public:
     WindowProgress();
@@ -25,8 +23,8 @@ public:
     WindowProgress(const WindowProgress&) = delete;
     WindowProgress& operator=(const WindowProgress&) = delete;
 
-    /// Reports of a step from `begin` to `end` (0..1) of all that is done, each after the words
-    /// "Laplacian Lines". They must not outlive this object, and show after a tenth of a second.
+    /// A step from `begin` to `end` (0..1), reported after "Laplacian Lines". Must not outlive
+    /// this; shows after a tenth of a second.
     laplacian_lines::Progress step(double begin, double end);
 
 private:

@@ -22,7 +22,7 @@ using namespace laplacian_lines;
 
 constexpr int kStoneLevel = 5;       // of resolution 1: 20,480 triangles
 constexpr double kPartEdge = 0.012;  // of resolution 1, in D
-// From all sides of a form.
+// All around a form.
 const Eigen::Vector3d kEyes[] = {{1, 0.2, 0.3},  {-1, 0.3, 0.2},  {0.3, 1, 0.2},
                                  {0.2, -1, 0.3}, {0.2, 0.3, 1.0}, {0.3, 0.2, -1}};
 
@@ -34,7 +34,7 @@ struct ArrisForm {
     std::function<TriangleMesh(double resolution)> mesh;
 };
 
-/// One a seed; `radius` is that of their arrises, % of D.
+/// One per seed; `radius` of their arrises, % of D.
 std::vector<ArrisForm> flaked_stones(double radius, const TruthOptions& options) {
     std::vector<ArrisForm> forms;
     for (const double seed : options.seeds) {
@@ -58,7 +58,7 @@ ArrisForm machined_part(double radius, const TruthOptions& options) {
             [part](double resolution) { return part->mesh(kPartEdge / std::sqrt(resolution)); }};
 }
 
-/// By ridges alone, of convex arrises, and by all kinds that are asked for, of all arrises.
+/// Ridges against convex arrises, and all wanted kinds against all arrises.
 struct Scores {
     Score ridges, all;
 
@@ -69,7 +69,7 @@ struct Scores {
     }
 };
 
-/// From all eyes together; contours are left out, and with them what they do to lines beside them.
+/// From all eyes together, without contours and their effect on lines beside them.
 Scores measure(const TriangleMesh& mesh, const Truth& truth, double diagonal,
                const TruthOptions& options) {
     const LineExtractor extractor(mesh, precompute(mesh, options.field_options(diagonal)));
@@ -97,7 +97,6 @@ std::string text_of(const char* format, double value) {
     return text;
 }
 
-/// The cells of a row.
 std::string in_words(const Score& score) {
     const bool has_lines = score.precision.all > 0;
     return " " + text_of("%.2f", score.recall.value()) + " | " +
@@ -119,7 +118,7 @@ void print_row(const std::string& edges, const std::string& resolution, double n
     std::fflush(stdout);
 }
 
-/// Scores of all forms together, a row for each resolution and noise.
+/// A row for each resolution and noise, over all forms.
 void print_rows(double radius, const std::vector<ArrisForm>& forms, const TruthOptions& options) {
     for (const double resolution : options.resolutions) {
         std::vector<Scores> sums(options.noise.size());

@@ -19,13 +19,13 @@ namespace {
 
 using namespace laplacian_lines;
 
-/// Kinds of lines that are drawn together, and those of them that count.
+/// Kinds drawn together, and those that count.
 struct Kinds {
     std::string name;
     LineKindSet drawn, counted;
 };
 
-/// All that one mesh looks like from some eyes.
+/// One mesh from some eyes.
 class Drawings {
 public:
     Drawings(const TriangleMesh& mesh, const std::vector<View>& views, double diagonal,
@@ -63,7 +63,7 @@ private:
     LineSet lines_;
 };
 
-/// In front of a mesh, a little from above.
+/// From the front, a little from above.
 View front_view(const TriangleMesh& mesh, double diagonal) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : mesh.positions)
@@ -90,7 +90,6 @@ void print_noise_head(const char* title, const TruthOptions& options) {
     std::printf("\n");
 }
 
-/// A row for each of `rows`.
 void print_noise_rows(const std::string& name, const TriangleMesh& mesh,
                       const std::vector<Kinds>& rows, const TruthOptions& options) {
     const double diagonal = measure_scale(mesh).diagonal;
@@ -134,7 +133,7 @@ void print_head(int voxels, const TruthOptions& options) {
     for (const Eigen::Vector3d& eye :
          {Eigen::Vector3d(0, 0.3, 1.5), {1.2, 0.3, 1.2}, {-1.35, -0.3, 0.15}})
         views.push_back(View::perspective(diagonal * eye));
-    // What the truth is does not depend on how the field of the terraces is computed.
+    // The truth does not depend on how the field of the terraces is computed.
     Drawings right(smooth, views, diagonal, {}, options);
     Drawings drawings(terraced, views, diagonal, options.field_options(diagonal), options);
     const Field& field = drawings.field();

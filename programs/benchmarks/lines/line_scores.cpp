@@ -17,7 +17,7 @@ namespace {
 // Cosine of the angle between an arris and the viewer: arrises on the outline need no line.
 constexpr double kLeastFacing = 0.2;
 
-/// Points in a grid of cells as wide as the distance that is asked for.
+/// In a grid with cells as wide as the distance asked for.
 class NearPoints {
 public:
     NearPoints(const std::vector<Eigen::Vector3d>& points, double reach) : reach_(reach) {
@@ -25,7 +25,6 @@ public:
             cells_[key(cell_of(p))].push_back(p);
     }
 
-    /// Whether one of the points is that near.
     bool has(const Eigen::Vector3d& p) const {
         const Cell cell = cell_of(p);
         for (int x = -1; x <= 1; ++x)
@@ -48,7 +47,7 @@ private:
     Cell cell_of(const Eigen::Vector3d& p) const {
         return (p / reach_).array().floor().cast<std::int64_t>();
     }
-    /// The same for cells that are 2^21 apart: `has()` measures.
+    /// Equal for cells 2^21 apart: `has()` measures.
     static std::uint64_t key(const Cell& c) {
         return (std::uint64_t(c.x() & 0x1fffff) << 42) | (std::uint64_t(c.y() & 0x1fffff) << 21) |
                std::uint64_t(c.z() & 0x1fffff);

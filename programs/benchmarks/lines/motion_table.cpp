@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of the Laplacian lines appears or vanishes from one frame to the next: while the view
-// turns by a degree, and while it zooms in with lines that follow their size.
+// How much of the Laplacian lines pops in or out between frames, while the view turns by a degree
+// and while it zooms in with kernels that follow.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
@@ -22,7 +22,7 @@ constexpr int kDegrees = 90, kFrames = 200;
 constexpr double kOrbitRadius = 1.5, kZoom = 16;
 constexpr double kPicture = 800, kPixels = 2, kLineWidth = 1.6;  // pixels
 
-/// Laplacian lines within a box, their lengths times their opacity.
+/// Within a box, length times opacity.
 CurvePoints ink_of(const LineSet& lines, const Eigen::AlignedBox3d& box, double step) {
     CurvePoints ink;
     for (const Polyline& line : lines.lines) {
@@ -39,10 +39,10 @@ CurvePoints ink_of(const LineSet& lines, const Eigen::AlignedBox3d& box, double 
     return ink;
 }
 
-/// Shares of the length of lines, from frame to frame.
+/// Shares of length, from frame to frame.
 class Motion {
 public:
-    /// What is in a frame of `shown`, of lines that are near within `around` as well.
+    /// A frame's lines within `shown`; lines within `around` may be near to them.
     void add(const LineSet& lines, const Eigen::AlignedBox3d& shown, double reach) {
         const Eigen::AlignedBox3d around(shown.min() - shown.sizes() / 8,
                                          shown.max() + shown.sizes() / 8);
@@ -70,7 +70,7 @@ private:
     double worst_ = 0;
 };
 
-/// A mesh that is drawn with kernels of the size that suits the picture.
+/// Drawn with kernels that suit the picture.
 class MovedMesh {
 public:
     explicit MovedMesh(const TriangleMesh& mesh)
@@ -92,7 +92,7 @@ public:
         motion.print();
     }
 
-    /// Along z to what is in front, with one or two levels in a frame.
+    /// Along z towards the front, with one or two levels per frame.
     void print_zoom(std::size_t levels) {
         Motion motion;
         const Eigen::Vector3d place = front();

@@ -11,7 +11,6 @@
 
 namespace benchmarks {
 
-/// What line_truth's command line asks for.
 struct TruthOptions {
     std::string only;                              ///< one of the tables; empty: all
     std::vector<double> seeds = {1, 2, 3};         ///< of stones
@@ -29,9 +28,9 @@ struct TruthOptions {
     laplacian_lines::LineStyle style;
 
     TruthOptions();
-    /// `diagonal` is what percents of lengths are of.
+    /// `diagonal`: for percentages of lengths.
     laplacian_lines::PrecomputeOptions field_options(double diagonal) const;
-    /// Of the command line. They refer to this.
+    /// The command line's options, which refer to this.
     std::vector<Option> words();
     /// @throws std::invalid_argument, laplacian_lines::Error
     void check() const;
@@ -44,23 +43,21 @@ private:
     std::vector<std::pair<const FieldRow*, double>> field_percents_;
 };
 
-/// What line_truth prints, of the files that are named as well.
 struct TruthTable {
     const char* name;
     void (*print)(const TruthOptions& options, const std::vector<std::string>& files);
 };
 const std::array<TruthTable, 6>& truth_tables();
 
-/// Lines of flaked stones, of machined parts, against their arrises.
+/// Flaked stones and machined parts against their arrises.
 void print_stones(const TruthOptions& options, const std::vector<std::string>&);
 void print_parts(const TruthOptions& options, const std::vector<std::string>&);
-/// Drawings of noisy meshes against those of clean ones: of registered meshes and of files; and of
-/// each kind alone, of files.
+/// Noisy meshes against clean ones: registered meshes and files; for files also kind by kind.
 void print_drawings(const TruthOptions& options, const std::vector<std::string>& files);
 void print_kinds_alone(const TruthOptions& options, const std::vector<std::string>& files);
-/// Drawings of a head from volumes of labels against those of the same head from smooth ones.
+/// A head from label volumes against the same head from smooth ones.
 void print_terraces(const TruthOptions& options, const std::vector<std::string>&);
-/// How steady the lines of files are while the view turns, and while it zooms in.
+/// How steady lines of files are while the view turns and zooms.
 void print_motion(const TruthOptions&, const std::vector<std::string>& files);
 
 }  // namespace benchmarks

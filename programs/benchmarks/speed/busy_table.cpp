@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program behind ./bench --busy: the main figures on a machine that others use as well, beside
-// those with nothing else on it. All take turns; medians by the clock.
+// ./bench --busy: the main figures on a loaded machine beside those on an idle one, taken in turns;
+// medians by the clock.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -44,7 +44,7 @@ constexpr std::array<LoadName, 4> kLoads = {{{Load::Quiet, "quiet"},
                                              {Load::Cores, "other cores busy"},
                                              {Load::AllCores, "all cores busy"}}};
 
-/// One of the figures, and its seconds by load and round.
+/// One figure with its seconds by load and round.
 struct Work {
     std::string key, text;
     std::function<double()> seconds_of_one;
@@ -58,7 +58,6 @@ struct Work {
     }
 };
 
-/// Mean over all eyes.
 Work redraw(Contender contender, std::size_t eyes) {
     const auto all = [run = contender.run, eyes] {
         for (std::size_t eye = 0; eye < eyes; ++eye)
@@ -75,7 +74,7 @@ void add_redraws(Redraws& redraws, std::vector<Work>& works) {
     works.push_back(redraw(redraws.plain().front(), redraws.view_count()));
 }
 
-/// Puts the processor time of the latest one into `processor`.
+/// Stores the last run's processor time in `processor`.
 Work field(const TriangleMesh& mesh, double& processor) {
     return {"field", "the field, all threads", [&] {
                 set_thread_limit(0);
@@ -92,8 +91,8 @@ double thread_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// What the scheduler gives to as many threads that wait for nothing until they have had the
-/// processor time together, a millisecond at a time.
+/// The scheduler's share for as many threads that never wait, until together they have had the
+/// processor time, a millisecond at a time.
 Work fair_share(const double& processor) {
     return {"fair_share", "as much processor time, of threads that wait for nothing", [&] {
                 constexpr double kPiece = 1e-3;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ./bench --instructions runs, the second time in callgrind: with --prepare, writes a mesh and
-// its field; then redraws it for some eyes, by the extractor and by the plain ways. One dump for
-// each of them, named after it. Prints, for each, the number of redraws, of vertices, and of
-// triangles that lines of the functions pass in all redraws. Apart, since valgrind takes minutes
-// for the sums of the field.
+// For ./bench --instructions: with --prepare, writes a mesh and its field; then, in callgrind,
+// redraws it for some eyes by the extractor and the plain methods, with a dump named after each.
+// Prints for each the redraws, the vertices, and the triangles that zeros pass in all redraws. In
+// two runs, since valgrind takes minutes for the field.
 #include <valgrind/callgrind.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ using namespace laplacian_lines;
 
 constexpr std::size_t kEveryEye = 5;  // of the orbit
 
-/// What redraws need, written and read in the same order by Archive.
+/// Written and read in one order by Archive.
 template <class Archive>
 void transfer(Archive&& archive, TriangleMesh& mesh, Field& field) {
     archive(mesh.positions);
@@ -72,7 +71,7 @@ void read(const std::string& file, TriangleMesh& mesh, Field& field) {
         mesh, field);
 }
 
-/// 0 where nobody counts them.
+/// 0 where not counted.
 std::size_t passed_triangles(const std::string& key, const Redraws::Crossings& crossings) {
     if (key.find("plain_laplacian") == 0) return crossings.laplacian;
     if (key == "plain_contours") return crossings.contour;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program behind ./bench: a table of the times of redraws in the default style, beside plain
-// ways to draw less. Files are those that read_mesh() reads.
+// ./bench: times of redraws in the default style, beside plain ways to draw less. Files are those
+// of read_mesh().
 #include <thread>
 
 #include <algorithm>
@@ -34,7 +34,6 @@ const Section kGrowth{"growth", "x in time ∝ triangles^x, from a quarter of th
 
 constexpr std::size_t kLargestForRounds = 1'000'000;  // triangles; of larger ones once is enough
 
-/// Time a divided by time b.
 struct Ratio {
     const char *key, *text, *a, *b;
 };
@@ -78,7 +77,7 @@ std::vector<Option> options_of(Arguments& a) {
             text("--json FILE", "all figures", a.json)};
 }
 
-/// On one thread and on two, in turn.
+/// On one thread and on two, alternating.
 template <class Work>
 void time_alternately(const TriangleMesh& mesh, const std::string& text, const std::string& key,
                       Work work, MeshFigures& figures) {
@@ -97,7 +96,7 @@ void time_alternately(const TriangleMesh& mesh, const std::string& text, const s
         figures.add(kBuilding, c.key, c.text, c.best());
 }
 
-/// What is computed once. `kernel_size` is √h.
+/// `kernel_size` is √h.
 void add_precompute(const TriangleMesh& mesh, double kernel_size, MeshFigures& figures) {
     PrecomputeOptions options;
     options.kernel_size = kernel_size;
@@ -124,7 +123,7 @@ void add_ratios(MeshFigures& figures) {
     }
 }
 
-/// Redraws beside plain ways to draw less, and what the extractor takes to build and to hold.
+/// Redraws, plain ways to draw less, and the extractor's time to build and its size.
 void add_extraction(const TriangleMesh& mesh, const Field& field, Turns turns,
                     MeshFigures& figures) {
     Redraws redraws(mesh, field);
@@ -169,7 +168,7 @@ MeshFigures measure(const std::string& name, const TriangleMesh& mesh, const Fie
     return figures;
 }
 
-/// The exponents of growth from a mesh to the same with four times the triangles.
+/// Exponents of growth to a mesh with four times the triangles.
 void add_growth(const MeshFigures& coarse, MeshFigures& fine) {
     for (const auto& [key, text] : {std::pair{"lines", "Laplacian lines and contours"},
                                     {"plain_contours", "plain contours"}}) {
@@ -179,7 +178,7 @@ void add_growth(const MeshFigures& coarse, MeshFigures& fine) {
     }
 }
 
-/// The mesh at all its levels of subdivision.
+/// At all levels of subdivision.
 void measure_levels(const std::string& file, int first, int last, const Arguments& arguments,
                     std::vector<MeshFigures>& meshes) {
     TriangleMesh mesh = test_meshes::read_mesh(file);

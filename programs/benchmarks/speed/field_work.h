@@ -14,14 +14,14 @@
 
 namespace benchmarks {
 
-/// Belkin's operator without the rest of precompute(): a mesh whose smoothed normals and shape
-/// operators are there, as the default options have them. Uses the core's inner headers.
+/// Belkin's operator alone, on smoothed normals and shape operators by the defaults. Uses internal
+/// headers.
 class LaplacianAlone {
 public:
     /// @throws laplacian_lines::Error: InvalidMesh, EmptyMesh.
     explicit LaplacianAlone(const laplacian_lines::TriangleMesh& mesh);
 
-    /// Δn of all vertices to 1e-3, corrections included. `size`: √h in mean edges.
+    /// Δn to 1e-3, with corrections. `size`: √h in mean edges.
     std::vector<Eigen::Vector3d> compute(double size) const;
 
 private:
@@ -31,8 +31,8 @@ private:
     laplacian_lines::ShapeOperators shape_operators_;
 };
 
-/// Memory that the process takes at most, beyond what it had when this was made. Linux only: the
-/// kernel's mark of the largest resident size is set back, then read.
+/// The process's peak memory beyond that at construction. Linux only: resets the kernel's
+/// high-water mark.
 class PeakMemory {
 public:
     PeakMemory() {
@@ -41,7 +41,6 @@ public:
         before_ = resident("VmRSS:");
     }
 
-    /// In bytes.
     double bytes() const { return resident("VmHWM:") - before_; }
 
 private:

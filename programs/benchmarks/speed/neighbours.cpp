@@ -11,7 +11,6 @@
 #include <cstring>
 #include <stdexcept>
 #include <thread>
-#include <vector>
 
 namespace benchmarks {
 namespace {

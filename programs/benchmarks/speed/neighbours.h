@@ -7,7 +7,6 @@
 
 namespace benchmarks {
 
-/// What else runs on the machine.
 enum class Load {
     Quiet,     ///< nothing of ours
     Stream,    ///< a process that copies memory, more than caches hold
@@ -15,8 +14,8 @@ enum class Load {
     AllCores,  ///< on all processors
 };
 
-/// Processes that make these loads; all are stopped at first, and gone with this object or with the
-/// process that has made it. To be made before threads are. @throws std::runtime_error
+/// Processes that make these loads, first stopped, gone with this object or its process. Make it
+/// before threads. @throws std::runtime_error
 class Neighbours {
 public:
     Neighbours();
@@ -24,7 +23,7 @@ public:
     Neighbours(const Neighbours&) = delete;
     Neighbours& operator=(const Neighbours&) = delete;
 
-    /// Returns when the processes of this load run, and no others of ours.
+    /// Returns when only the processes of this load run.
     void set(Load load) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the core is compared with: each as one would write it down, on one thread, nothing filtered.
+// Plain methods to compare with: one thread, nothing filtered.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace benchmarks {
 
-/// A mesh as programs hold it for drawing, in floats.
+/// As programs hold a mesh for drawing, in floats.
 struct PlainMesh {
     explicit PlainMesh(const laplacian_lines::TriangleMesh& mesh);
 
@@ -19,14 +19,14 @@ struct PlainMesh {
     std::vector<laplacian_lines::Triangle> triangles;
 };
 
-/// All zero crossings of Δn·l (or of n·l: contours) in one loop over the triangles.
+/// All zeros of Δn·l (or of n·l: contours) in one loop over the triangles.
 class PlainLines {
 public:
-    /// Both have to outlive this object. `vectors` are Δn, or n, of the vertices.
+    /// Both outlive this. `vectors` are Δn, or n, of the vertices.
     PlainLines(const PlainMesh& mesh, const std::vector<Eigen::Vector3f>& vectors)
         : mesh_(mesh), vectors_(vectors), values_(mesh.positions.size()) {}
 
-    /// Replaces `segments` by pairs of points, not joined.
+    /// Replaces `segments` by pairs of points.
     void extract(const laplacian_lines::View& view, std::vector<Eigen::Vector3f>& segments);
 
 private:

@@ -31,7 +31,7 @@ const char* name_of(InstructionSet set) {
     }
 }
 
-/// Every zero, as the plain loops find them.
+/// Like the plain loops.
 LineStyle all_zeros(LineKind kind) {
     LineStyle style;
     style.gradient_threshold = style.strength_threshold = 0;

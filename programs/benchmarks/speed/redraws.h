@@ -15,39 +15,37 @@ namespace benchmarks {
 
 constexpr int kEyes = 24;
 
-/// Perspective views from all around a mesh, 1.25 D from its middle, a little from above.
+/// Perspective views all around a mesh, 1.25 D from its middle, a little from above.
 std::vector<laplacian_lines::View> orbit(const laplacian_lines::TriangleMesh& mesh);
 
-/// All ways to redraw one mesh, seen by the eyes of orbit(). Their cases are the eyes.
+/// All ways to redraw one mesh; cases are the eyes of orbit().
 class Redraws {
 public:
-    /// Both have to outlive this object.
+    /// Both outlive this.
     Redraws(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field);
     ~Redraws();  ///< puts instruction set and number of threads back
 
-    /// The extractor in the default style, but for ridges and borders, which do not depend on the
-    /// view; by instruction set and threads. They use this object, as all that follow.
+    /// The default style without ridges and borders, which do not depend on the view, by
+    /// instruction set and threads. They refer to this, like all that follow.
     std::vector<Contender> fast();
-    /// Contours, each other kind whose redraws take time worth telling, the default style and that
-    /// of all kinds, on one thread. Kinds that need C have nothing to draw without it.
+    /// Contours, each other kind worth timing, the default style, and all kinds, on one thread.
+    /// Kinds that need C draw nothing without it.
     std::vector<Contender> kinds();
     /// Plain ways to draw less, on one thread.
     std::vector<Contender> plain();
-    /// Reading the memory of the plain mesh, and as much as the extractor holds.
+    /// Reading the plain mesh's memory, and as much as the extractor holds.
     std::vector<Contender> reading();
 
-    /// @throws std::runtime_error if the zeros that the extractor finds are not as long as those of
-    /// the plain loops.
+    /// @throws std::runtime_error if the extractor's zeros are not as long as the plain loops'
     void check_zeros();
 
     std::size_t view_count() const { return views_.size(); }
     const laplacian_lines::LineExtractor& extractor() const { return *extractor_; }
     double extractor_seconds() const { return extractor_seconds_; }
-    /// Of a view, by fast()'s style, or any other.
     const laplacian_lines::LineSet& lines(std::size_t view) { return lines(view, style_); }
     const laplacian_lines::LineSet& lines(std::size_t view,
                                           const laplacian_lines::LineStyle& style);
-    /// Triangles that zeros of Δn·l and of n·l pass.
+    /// Triangles with zeros of Δn·l and of n·l.
     struct Crossings {
         std::size_t laplacian, contour;
     };

@@ -14,7 +14,7 @@
 namespace benchmarks {
 namespace {
 
-/// Three digits, or all of an integer, in groups of three.
+/// Three digits, or a whole integer, in groups of three.
 std::string number(double value) {
     char text[40];
     const double size = std::abs(value);
@@ -35,7 +35,7 @@ bool same(const Figure& a, const Figure& b) {
     return !std::strcmp(a.section.key, b.section.key) && a.key == b.key;
 }
 
-/// One figure of each row of all meshes; what only some have comes after what is before it there.
+/// One figure for each row of any mesh; rows that only some have stay in place.
 std::vector<Figure> rows_of(const std::vector<MeshFigures>& meshes) {
     std::vector<Figure> rows;
     for (const MeshFigures& mesh : meshes) {

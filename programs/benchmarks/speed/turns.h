@@ -7,10 +7,10 @@
 
 namespace benchmarks {
 
-/// Wall-clock seconds of one call.
+/// By the clock.
 double seconds(const std::function<void()>& work);
 
-/// Work that is timed beside other work, on each of several cases (views, for instance).
+/// Work timed beside other work, on several cases such as views.
 struct Contender {
     std::string key, text;  ///< names for programs and for people
     std::function<void(std::size_t)> run;
@@ -26,9 +26,8 @@ struct Turns {
     double budget = 20;  ///< seconds after which no further round begins
 };
 
-/// Runs all contenders on one case after the other, round by round. They take turns at each case,
-/// so that what else happens on the machine meets all of them; each round begins with another of
-/// them, and every second one goes backwards. Returns the number of rounds.
+/// Runs all contenders case by case and round by round, so that disturbances hit all: each round
+/// starts with another one, every second goes backwards. Returns the number of rounds.
 int take_turns(std::vector<Contender>& contenders, const Turns& turns);
 
 }  // namespace benchmarks

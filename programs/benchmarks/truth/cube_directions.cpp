@@ -19,7 +19,7 @@ PlaneFrame frame_towards(const Eigen::Vector3d& direction) {
     return {right, viewer.cross(right), viewer};
 }
 
-/// The viewer goes aside by the angle, in a direction that no edge of a form has.
+/// Turns by the angle in a direction that no edge of a form has.
 PlaneFrame turned_aside(const PlaneFrame& frame, double angle) {
     const Eigen::Vector3d axis = std::cos(0.6) * frame.right + std::sin(0.6) * frame.up;
     const Eigen::AngleAxisd turn(angle, axis.normalized());

@@ -13,12 +13,10 @@ struct NamedFrame {
     PlaneFrame frame;
 };
 
-/// By their names in directions.py: of a cube's faces, edges and corners "0-0", turned aside
-/// "0-0 by 1e-6" and "0-0 by 1 degree", or any azimuth and elevation "23,31".
-/// @throws std::invalid_argument
+/// By the names of directions.py: a cube's faces, edges and corners "0-0", turned "0-0 by 1e-6" or
+/// "0-0 by 1 degree", or azimuth and elevation "23,31". @throws std::invalid_argument
 NamedFrame direction_named(const std::string& name);
 
-/// A dozen, of each sort.
 std::vector<NamedFrame> few_directions();
 
 }  // namespace benchmarks

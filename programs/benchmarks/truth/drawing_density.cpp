@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How dense measured drawings of a mesh are from the front, so many mm wide: strokes with inner
-// lines a cm² of what the mesh covers, the length in mm so that half of all is in strokes at least
-// so long, and which share of the length of inner lines has less than half a pen of white beside
-// it.
+// How dense front views of a mesh are, so many mm wide: strokes with inner lines per cm² that the
+// mesh covers, the median length of strokes by length, mm, and the share of the length of inner
+// lines with less than half a pen of white beside it.
 #include <QImage>
 #include <QPainter>
 #include <algorithm>
@@ -33,7 +32,7 @@ constexpr double own_course = 6;       // pens of a stroke, beyond which it can 
 constexpr double beside_cosine = 0.7;  // of the angle between a stroke and what is beside it
 constexpr double widest_reach = 1;     // mm
 
-/// A piece of a stroke within which it is not beside itself.
+/// Within a piece a stroke is not beside itself.
 struct Piece {
     std::vector<Vector2d> points;
     double length = 0;
@@ -56,7 +55,7 @@ double sizeOf(const QPainterPath& area) {
     return double(covered) / (pixels_of_mm * pixels_of_mm * 100);
 }
 
-/// Of the inner lines, mm.
+/// Of inner lines, mm.
 double penOf(const line_drawing::Sheet& sheet) {
     for (const auto& layer : sheet.groups[0].layers)
         if (layer.key == "inner" && !layer.paths.empty()) return layer.paths[0].pen_width;
@@ -64,16 +63,8 @@ double penOf(const line_drawing::Sheet& sheet) {
         line_drawing::Weights::Illustrator)[std::size_t(line_drawing::LineClass::Inner)];
 }
 
-double lengthOf(const PlaneLine& line) {
-    double length = 0;
-    for (std::size_t i = 1; i < line.size(); ++i)
-        length += (line[i] - line[i - 1]).norm();
-    return length;
-}
-
-/// The lengths of strokes that are inner lines, or have a part that is one: as they are drawn
-/// where strokes taper, from end to end. `plain`: with even strokes, which change from contours to
-/// inner lines.
+/// Lengths of strokes that are inner lines in whole or part: from end to end where strokes taper.
+/// `plain`: with even strokes, where contours and inner lines differ.
 std::vector<double> strokeLengths(const line_drawing::Sheet& tapered,
                                   const line_drawing::Sheet& plain) {
     std::vector<std::vector<QPointF>> inner;  // places within each inner line
@@ -98,7 +89,7 @@ std::vector<double> strokeLengths(const line_drawing::Sheet& tapered,
                 continue;
             lengths.push_back(0);  // half of the edges
             for (const PlaneLine& line : path.path.flattened(flatness))
-                lengths.back() += lengthOf(line) / 2;
+                lengths.back() += length_of(line) / 2;
         }
     std::sort(lengths.begin(), lengths.end());
     return lengths;
@@ -117,8 +108,8 @@ std::vector<Piece> piecesOf(const PlaneLine& line, double longest) {
     return pieces;
 }
 
-/// The share of the length of inner lines that has less than half a pen of white beside it. Of
-/// strokes of even width.
+/// The share of the length of inner lines with less than half a pen of white beside it. For even
+/// strokes.
 double closeShare(const line_drawing::Sheet& sheet) {
     const double pen = penOf(sheet);
     std::map<double, line_drawing::DrawnLines> all;  // by width
@@ -155,7 +146,7 @@ double closeShare(const line_drawing::Sheet& sheet) {
     return length > 0 ? close / length : 0;
 }
 
-/// The median by length: half of all length is in strokes at least so long.
+/// Median by length.
 double usualLength(const std::vector<double>& lengths) {
     double rest = std::accumulate(lengths.begin(), lengths.end(), 0.) / 2;
     for (const double length : lengths)
@@ -163,7 +154,7 @@ double usualLength(const std::vector<double>& lengths) {
     return 0;
 }
 
-/// With strokes that taper, which are whole, and with even ones.
+/// With tapered strokes, which are whole, and with even ones.
 std::vector<line_drawing::Sheet> draw(const laplacian_lines::TriangleMesh& mesh, double width,
                                       bool segments) {
     line_drawing::SheetOptions options = front_options(mesh, width);

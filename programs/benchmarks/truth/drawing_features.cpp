@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a feature is one stroke on paper, and stays it. Three wavy grooves on a plate, on a dome,
-// and across three others, from the front: the share of the grooves' length that has an inner line
-// within √h, the strokes a groove, and the share of the lines' length that has a groove there. And
-// of each mesh, turned ten times by 2 degrees, the share of the length of inner lines that can be
-// seen before and after a turn and has no line within .6 mm in the other drawing.
+// Whether a feature is one stroke, and stays it. Three wavy grooves on a plate, on a dome, and
+// across three others, from the front: the share of the grooves' length with an inner line within
+// √h, strokes per groove, and the share of the lines' length with a groove there. And for each
+// mesh, turned ten times by 2 degrees, the share of the length of inner lines visible before and
+// after a turn that has no line within .6 mm in the other drawing.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,7 +14,7 @@
 #include "generators.h"
 #include "inner_strokes.h"
 #include "item_buffer.h"
-#include "line_drawing/bounds.h"
+#include "line_drawing/object.h"
 #include "line_scores.h"
 #include "mesh_file.h"
 #include "mesh_noise.h"
@@ -46,7 +46,7 @@ struct Grooved {
     PlaneLines grooves;  // as they look from the front
 };
 
-/// 2.8 by 2, as convex along y as said: three wavy grooves along x, and three across them.
+/// 2.8 by 2, convex along y: three wavy grooves along x, and three across them.
 Grooved relief(const char* name, double convexity, bool crossing, int columns, double deviation) {
     const auto wave = [](int k, double along) { return 0.6 * k + 0.1 * std::sin(3 * along + k); };
     Grooved result{name, {}, {}};
@@ -109,9 +109,9 @@ Vector3d turned(const Vector3d& p, double angle) {
             std::cos(angle) * p.z() - std::sin(angle) * p.x()};
 }
 
-/// A mesh from the front, as it is drawn and filled.
+/// From the front, as drawn and as filled.
 struct SeenMesh {
-    /// `mm`: of paper, in units of the mesh.
+    /// `mm`: of paper, in mesh units.
     SeenMesh(const TriangleMesh& mesh, double mm)
         : strokes(drawn_strokes(mesh, line_drawing::boundsOf(mesh).sizes().x() / mm)),
           surface(mesh, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {1 / mm}) {}
@@ -120,8 +120,7 @@ struct SeenMesh {
     ItemBuffer surface;
 };
 
-/// Of the inner lines of a drawing, without what is hidden in another one, the share with a line
-/// there.
+/// Of the inner lines that are not hidden in the other drawing, the share with a line there.
 Share share_with_partners(const SeenMesh& from, const SeenMesh& to, double angle, double mm) {
     const CurvePoints points = points_along(from.strokes.inner, sample_step * mm);
     CurvePoints seen;
@@ -138,7 +137,7 @@ Share share_with_partners(const SeenMesh& from, const SeenMesh& to, double angle
     return share_near(seen, points_along(to.strokes.all, sample_step * mm), partner_reach * mm);
 }
 
-/// Of `steps` turns, one after the other.
+/// For `steps` turns in sequence.
 void print_turns(const std::string& file) {
     TriangleMesh mesh = test_meshes::read_mesh(file);
     const double mm = line_drawing::boundsOf(mesh).sizes().x() / width;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holds measured drawings of meshes of every kind, 100 mm large, against what the meshes cover of
-// a picture of 20 pixels a mm: which part of the border between surface and background has no line
-// within .15 mm, which has one within .8 mm, and how many jumps of depth lack one. Meshes are those
-// of the tests, and the files that are named, each also beside its mirror image.
+// Compares measured drawings of meshes of every kind, 100 mm large, with what the meshes cover at
+// 20 pixels per mm: how much of the border has no line within .15 mm, how much one within .8 mm,
+// and how many jumps of depth lack one. Meshes are those of the tests, and files, each also beside
+// its mirror image.
 #include <cstdio>
 #include <stdexcept>
 
@@ -44,7 +44,6 @@ DrawingSetup setup_of(const laplacian_lines::TriangleMesh& mesh) {
     return {drawn_size / box.diagonal().norm(), box.center()};
 }
 
-/// Of all views of a mesh.
 struct Row {
     std::string name, worst_view;
     std::size_t views = 0, whole_views = 0;

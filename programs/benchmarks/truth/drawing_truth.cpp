@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drawing_truth [OPTIONS] FILE.part...
-// Holds measured drawings of CAD parts against their exact visible lines, which make_parts.py has
-// written: recall, precision, position, doubled lines, loose ends and closed outlines, for each
-// deflection of the meshes and each class of directions, and the worst drawings.
+// Compares measured drawings of CAD parts with their exact visible lines by make_parts.py: recall,
+// precision, position, doubled lines, loose ends and closed outlines, for each deflection and class
+// of directions, and the worst drawings.
 #include <cstdio>
 #include <stdexcept>
 
@@ -51,9 +51,8 @@ QColor color_of(Mistake mistake) {
     }
 }
 
-/// A drawing and where it is mistaken, 10 pixels a mm, as PNG: exact lines light gray (tangent
-/// edges lighter), drawn ones thin and black; missed exact ones red, wrong ones blue, doubled ones
-/// green, loose ends in orange rings.
+/// A PNG at 10 pixels per mm: exact lines light gray (tangent edges lighter), drawn ones thin and
+/// black; missed red, wrong blue, doubled green, loose ends in orange rings.
 /// @throws std::runtime_error
 void write_truth_picture(const QString& file, const DrawnPaths& drawing, const ExactLines& exact,
                          const TruthDetails& details) {
@@ -127,7 +126,7 @@ private:
     const Arguments& arguments_;
 };
 
-/// Whether the means keep the bounds that were asked for; says which do not.
+/// Reports the bounds that are not kept.
 bool keeps_bounds(const TruthMeans& means, const Arguments& arguments) {
     const double loose = means.sum.ends ? 100. * means.sum.loose_ends / means.sum.ends : 0;
     const bool recalls = means.recall >= arguments.least_recall;

@@ -35,7 +35,7 @@ line_drawing::SheetOptions options_of(const PlaneFrame& frame, double mm_per_uni
     return options;
 }
 
-/// What the projection of the surface takes, mm.
+/// Of the projected surface, mm.
 Eigen::AlignedBox2d extent_of(const TriangleMesh& mesh, const PlaneFrame& frame,
                               const DrawingSetup& setup) {
     Eigen::AlignedBox2d extent;
@@ -57,7 +57,7 @@ std::vector<line_drawing::Sheet> sheets_of(const TriangleMesh& mesh,
     return line_drawing::makeSheets({{mesh, &field}}, options);
 }
 
-/// A box of that size, its middle at the origin.
+/// Centred at the origin.
 TriangleMesh box(const Eigen::Vector3d& size) {
     TriangleMesh mesh;
     for (int corner = 0; corner < 8; ++corner)
@@ -68,7 +68,7 @@ TriangleMesh box(const Eigen::Vector3d& size) {
     return mesh;
 }
 
-/// What the lines of the box take on a sheet of its own, whose width is told.
+/// What the lines of a box take on a sheet of its own, whose width is returned as well.
 Eigen::AlignedBox2d ink_of_box(const Eigen::Vector3d& size, double& sheet_width) {
     const PlaneFrame front = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const auto sheets = sheets_of(box(size), {front}, 1);
@@ -80,7 +80,7 @@ Eigen::AlignedBox2d ink_of_box(const Eigen::Vector3d& size, double& sheet_width)
     return ink;
 }
 
-/// Above a view on its sheet, as drawings of two boxes show it.
+/// Above a view on its sheet, by drawings of two boxes.
 double upper_margin() {
     const auto margin_of = [](const Eigen::Vector3d& size) {
         double width = 0;
@@ -96,7 +96,7 @@ double upper_margin() {
     return margin;
 }
 
-/// From a sheet to the coordinates of its view, whose extent is known.
+/// From a sheet to its view's coordinates; the view's extent is known.
 class SheetPlace {
 public:
     SheetPlace(const Eigen::Vector2d& sheet, const Eigen::AlignedBox2d& extent) {

@@ -19,19 +19,19 @@ using DrawnPaths = std::vector<DrawnPath>;
 
 PlaneLines lines_of(const DrawnPaths& paths);
 
-/// How a mesh is drawn: at 1:1, as plain strokes.
+/// At 1:1, with plain strokes.
 struct DrawingSetup {
     double mm_per_unit = 1;
     Eigen::Vector3d origin = {0, 0, 0};  ///< of the pictures' coordinates, in those of the mesh
 };
 
-/// What makeSheets() draws of a mesh by its contours, borders and creases, a drawing for each
-/// frame, in the frame's coordinates. @throws laplacian_lines::Error
+/// makeSheets() of contours, borders and creases: a drawing for each frame, in its coordinates.
+/// @throws laplacian_lines::Error
 std::vector<DrawnPaths> drawings_of(const laplacian_lines::TriangleMesh& mesh,
                                     const std::vector<PlaneFrame>& frames,
                                     const DrawingSetup& setup = {});
 
-/// The lines of a view on a sheet, flattened to .002 mm, in the sheet's own coordinates, y down.
+/// A view's lines, flattened to .002 mm, in the sheet's coordinates, y down.
 DrawnPaths flattened(const line_drawing::SheetGroup& view);
 
 }  // namespace benchmarks

@@ -2,8 +2,8 @@
 #include "inner_strokes.h"
 
 #include "flat_drawing.h"
-#include "line_drawing/bounds.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/object.h"
 
 namespace benchmarks {
 

@@ -9,16 +9,15 @@
 
 namespace benchmarks {
 
-/// How a mesh is drawn from the front, so many mm wide, alone on its sheet; the area that it covers
-/// is a layer.
+/// A front view, so many mm wide, alone on its sheet; a layer has the area that the mesh covers.
 line_drawing::SheetOptions front_options(const laplacian_lines::TriangleMesh& mesh, double width);
 
 bool is_inner(const line_drawing::SheetLayer& layer);
 
-/// What the mesh covers on the sheet.
+/// By the mesh.
 QPainterPath covered_area(const line_drawing::Sheet& sheet);
 
-/// Lines of a drawing by front_options() with even strokes, in the mesh's x and y.
+/// By front_options() with even strokes, in the mesh's x and y.
 struct DrawnStrokes {
     PlaneLines all, inner;
 };

@@ -24,13 +24,13 @@ bool is_finite(const TriangleMesh& mesh, const Triangle& triangle) {
     return true;
 }
 
-/// Twice the area of a triangle in the picture.
+/// Twice the area, in the picture.
 double area_of(const Eigen::Matrix3d& corners) {
     const Eigen::Vector3d b = corners.col(1) - corners.col(0), c = corners.col(2) - corners.col(0);
     return b.x() * c.y() - b.y() * c.x();
 }
 
-/// Of a triangle in the picture, over its longest side.
+/// Over the longest side, in the picture.
 double height_of(const Eigen::Matrix3d& corners) {
     double longest = 0;
     for (int i = 0; i < 3; ++i)
@@ -38,7 +38,7 @@ double height_of(const Eigen::Matrix3d& corners) {
     return longest > 0 ? std::abs(area_of(corners)) / longest : 0;
 }
 
-/// From where to where a triangle reaches at a height of the picture.
+/// Of a triangle at a height of the picture.
 std::pair<double, double> span_at(double y, const Eigen::Matrix3d& corners) {
     double left = std::numeric_limits<double>::infinity(), right = -left;
     const auto reach = [&](double x) {
@@ -114,7 +114,7 @@ void ItemBuffer::cover(std::uint32_t item, int x, int y, double depth) {
     depths_[i] = float(depth);
 }
 
-/// What is seen from its edge is traced, since it would fall between the pixels' middles.
+/// Triangles seen edge-on are traced: they would fall between pixel centres.
 void ItemBuffer::fill(std::uint32_t item, const Eigen::Matrix3d& c) {
     const double height = height_of(c);
     if (height < seen_from_edge)
@@ -162,7 +162,7 @@ PlaneLine ItemBuffer::border() const {
     });
 }
 
-/// What the two surfaces take between the two pixels does not meet.
+/// The surfaces of the two pixels do not meet between them.
 bool ItemBuffer::is_jump(int x, int y, int right, int up, double least) const {
     const int x2 = x + right, y2 = y + up;
     const std::uint32_t a = items_[index(x, y)], b = items_[index(x2, y2)];

@@ -12,30 +12,29 @@ namespace benchmarks {
 
 constexpr double item_pixels_per_mm = 20;
 
-/// What a mesh covers of a picture: for each pixel the number of the triangle in front.
+/// For each pixel, the number of the triangle in front.
 class ItemBuffer {
 public:
-    /// In the coordinates of drawings_of().
-    /// @throws std::runtime_error if the picture has more than 1e8 pixels
+    /// In the coordinates of drawings_of(). @throws std::runtime_error beyond 1e8 pixels
     ItemBuffer(const laplacian_lines::TriangleMesh& mesh, const PlaneFrame& frame,
                const DrawingSetup& setup);
 
-    /// Places between neighbouring pixels of which one is background.
+    /// Between neighbouring pixels of which one is background.
     PlaneLine border() const;
-    /// Places between neighbouring pixels where depth jumps by more than `least` mm.
-    /// None beside a triangle that is seen from its edge.
+    /// Between neighbouring pixels whose depths jump by more than `least` mm, but not beside
+    /// triangles seen edge-on.
     PlaneLine jumps(double least) const;
 
     bool is_covered(int x, int y) const { return items_[index(x, y)] != nothing; }
     int width() const { return width_; }
     int height() const { return height_; }
     PlanePoint place(double x, double y) const;  ///< of a pixel's middle
-    /// Towards the viewer, in mm; nothing over the background.
+    /// Towards the viewer, mm; none over the background.
     std::optional<double> depth_at(const PlanePoint& place) const;
 
 private:
     static constexpr std::uint32_t nothing = 0xffffffff;
-    /// Depth over a triangle, towards the viewer: in the middle of pixel (0, 0), and a pixel on.
+    /// Depth of a triangle, towards the viewer: at pixel (0, 0), and per pixel.
     struct Plane {
         double at_origin = 0, by_x = 0, by_y = 0;
         bool is_known = false;  ///< not of what is seen from its edge
@@ -59,7 +58,7 @@ private:
     std::vector<Plane> planes_;  ///< by triangle
 };
 
-/// Counts of places between pixels, that add up over drawings.
+/// Places between pixels; adds up over drawings.
 struct SilhouetteScores {
     std::size_t border = 0;       ///< between surface and background
     std::size_t bare_border = 0;  ///< of it, without a line within .15 mm
@@ -67,12 +66,12 @@ struct SilhouetteScores {
     std::size_t jumps = 0;        ///< of depth, by more than .5 mm
     std::size_t bare_jumps = 0;
 
-    /// Of the border, what has a line within .8 mm.
+    /// The share of the border within .8 mm of a line.
     double share() const { return border ? 1 - double(far_border) / double(border) : 1; }
     void add(const SilhouetteScores& other);
 };
 
-/// Those that have no line within .15 mm.
+/// Without a line within .15 mm.
 struct BarePlaces {
     PlaneLine border, jumps;
 };

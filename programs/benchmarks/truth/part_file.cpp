@@ -39,7 +39,7 @@ private:
         if (stream_.status() != QDataStream::Ok) throw std::runtime_error("it ends too early");
         return value;
     }
-    /// Of things that take at least `bytes` each: more than the file can hold is refused.
+    /// Refuses more things of at least `bytes` each than the file can hold.
     std::size_t count(int bytes) {
         const auto value = number<quint32>();
         if (qint64(value) * bytes > bytes_.size()) throw std::runtime_error("a count is too large");

@@ -12,7 +12,7 @@
 
 namespace benchmarks {
 
-/// Where a part is seen from, see directions.py.
+/// See directions.py.
 enum class DirectionClass { Faces, Edges, Corners, AsideByAHair, AsideByADegree, Generic };
 inline constexpr std::array direction_class_names = {"faces",      "edges",          "corners",
                                                      "1e-6 aside", "1 degree aside", "generic"};
@@ -41,8 +41,8 @@ struct CadPart {
 /// @throws std::runtime_error with the file's name
 CadPart read_part(const QString& file);
 
-/// Parts and directions of which the exact lines are wrong, from a file with lines of part,
-/// direction and the reason, parted by tabulators; # begins a comment. A direction "*" is any.
+/// Parts and directions whose exact lines are wrong: a file of part, direction ("*": any) and
+/// reason, separated by tabs; # begins a comment.
 class LeftOut {
 public:
     LeftOut() = default;

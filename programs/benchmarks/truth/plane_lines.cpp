@@ -17,8 +17,8 @@ NearSegments::NearSegments(const PlaneLines& lines, double reach) : reach_(reach
     }
 }
 
-/// Into the cells that pieces of it, shorter than a cell, have their ends in: with the cells around
-/// a point these hold all that is within reach.
+/// Into the cells of its ends, in pieces shorter than a cell: cells around a point then have all
+/// within reach.
 void NearSegments::add(const Segment& segment) {
     const auto number = std::uint32_t(segments_.size());
     segments_.push_back(segment);

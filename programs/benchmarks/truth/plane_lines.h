@@ -10,19 +10,26 @@
 
 namespace benchmarks {
 
-/// In the plane of a picture, mm, x to the right and y up.
+/// In a picture, mm, x right, y up.
 using PlanePoint = Eigen::Vector2d;
 using PlaneLine = std::vector<PlanePoint>;
 using PlaneLines = std::vector<PlaneLine>;
 
-/// How the axes of a picture lie in the coordinates of a mesh, orthonormal.
+inline double length_of(const PlaneLine& line) {
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        length += (line[i + 1] - line[i]).norm();
+    return length;
+}
+
+/// Axes of a picture in mesh coordinates, orthonormal.
 struct PlaneFrame {
     Eigen::Vector3d right, up, viewer;  ///< the last one towards the viewer
 
     PlanePoint project(const Eigen::Vector3d& p) const { return {p.dot(right), p.dot(up)}; }
 };
 
-/// Calls use(point, direction, length) for pieces of at most `step`, at their middles.
+/// Calls use(point, direction, length) at the middles of pieces of at most `step`.
 template <class Use>
 void for_each_piece(const PlaneLine& line, double step, Use use) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -36,7 +43,6 @@ void for_each_piece(const PlaneLine& line, double step, Use use) {
     }
 }
 
-/// A place on a segment of a line that is near some point.
 struct NearPlace {
     double distance = 0;
     PlanePoint foot, direction;  ///< direction: of the segment, of length 1
@@ -45,12 +51,12 @@ struct NearPlace {
     bool is_end = false;         ///< the foot is the begin or the end of its line
 };
 
-/// The segments of lines in a grid of cells as wide as the distance that is asked for.
+/// In a grid with cells as wide as the distance asked for.
 class NearSegments {
 public:
     NearSegments(const PlaneLines& lines, double reach);
 
-    /// Calls use(NearPlace) for each segment within reach, until it returns true; whether it has.
+    /// Calls use(NearPlace) for each segment within reach until it returns true; whether it did.
     template <class Use>
     bool any_near(const PlanePoint& p, Use use) const {
         const Cell middle = cell_of(p);
@@ -66,7 +72,7 @@ public:
         return false;
     }
 
-    /// The distance of the nearest line; infinite beyond the reach.
+    /// To the nearest line; infinite beyond the reach.
     double distance(const PlanePoint& p) const;
 
 private:

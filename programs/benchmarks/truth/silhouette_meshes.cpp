@@ -21,7 +21,7 @@ TriangleMesh mapped(TriangleMesh mesh,
 
 const Eigen::Vector3d kNowhere = Eigen::Vector3d::Zero(), kFar = {1e5, -7e4, 4e4};
 
-/// Triangles with corners of their own, every other one the wrong way around.
+/// Triangles with corners of their own, every other one flipped.
 TriangleMesh soup_of(const TriangleMesh& mesh) {
     TriangleMesh soup = cut_apart(mesh);
     std::mt19937 random(7);
@@ -39,8 +39,7 @@ TriangleMesh with_both_sides(TriangleMesh mesh) {
     return mesh;
 }
 
-/// A box whose sides are divided each in its own way, so that corners of one lie on edges of
-/// others.
+/// A box whose sides are divided differently, so that corners of one lie on edges of others.
 TriangleMesh box_with_t_junctions() {
     TriangleMesh mesh;
     for (int side = 0; side < 6; ++side) {
@@ -56,7 +55,7 @@ TriangleMesh box_with_t_junctions() {
     return mesh;
 }
 
-/// A mesh and its mirror image on its right, which may touch.
+/// With its mirror image on its right, which may touch.
 TriangleMesh mirrored(const TriangleMesh& mesh) {
     double right = -std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : mesh.positions)
@@ -79,7 +78,7 @@ TriangleMesh octahedron() {
         {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 }
 
-/// Points around the z axis at the radii, in turn.
+/// Around the z axis, at the radii in turn.
 std::vector<Eigen::Vector3d> ring(int count, const std::vector<double>& radii, double z) {
     std::vector<Eigen::Vector3d> points;
     for (int i = 0; i < count; ++i) {
@@ -90,8 +89,7 @@ std::vector<Eigen::Vector3d> ring(int count, const std::vector<double>& radii, d
     return points;
 }
 
-/// Triangles from each edge of a ring of `count` vertices, the first of which is named, to a
-/// vertex.
+/// Triangles from each edge of a ring, given its first vertex, to a vertex.
 void close(TriangleMesh& mesh, std::uint32_t first, std::uint32_t count, std::uint32_t to,
            bool downwards) {
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -100,7 +98,7 @@ void close(TriangleMesh& mesh, std::uint32_t first, std::uint32_t count, std::ui
     }
 }
 
-/// A solid between two equal rings, with a middle in its floor and in its lid.
+/// Between two equal rings, with middles in floor and lid.
 TriangleMesh prism(int sides, const std::vector<double>& radii, double height) {
     TriangleMesh mesh;
     const auto n = std::uint32_t(sides);
@@ -129,7 +127,7 @@ TriangleMesh cone(int sides) {
     return mesh;
 }
 
-/// A point between and above each three of an icosahedron's corners.
+/// A point above each three of an icosahedron's corners.
 TriangleMesh spiky_star() {
     TriangleMesh mesh = icosphere(0);
     std::vector<Triangle> faces;
@@ -145,7 +143,7 @@ TriangleMesh spiky_star() {
     return mesh;
 }
 
-/// A cube of 12 x `cells`² triangles without its top.
+/// 12 x `cells`² triangles, no top.
 TriangleMesh open_box(int cells) {
     TriangleMesh mesh = cube(cells);
     std::vector<Triangle> faces;
@@ -158,7 +156,7 @@ TriangleMesh open_box(int cells) {
     return mesh;
 }
 
-/// An L: edges inwards as well as outwards.
+/// An L: edges inwards and outwards.
 TriangleMesh angle_iron() {
     TriangleMesh mesh;
     const double outline[][2] = {{-1, -1}, {1, -1}, {1, -0.5}, {-0.5, -0.5}, {-0.5, 1}, {-1, 1}};
@@ -177,7 +175,7 @@ TriangleMesh angle_iron() {
     return mesh;
 }
 
-/// Forms as programs of construction and lessons have them, of few triangles and of many.
+/// As CAD programs and lessons have them, of few triangles and of many.
 void add_primitives(std::vector<SilhouetteMesh>& list) {
     const auto add = [&](const std::string& name, std::function<TriangleMesh()> make) {
         list.push_back({name, std::move(make)});
@@ -213,8 +211,8 @@ void add_primitives(std::vector<SilhouetteMesh>& list) {
     add("open_cylinder_of_12", [] { return cylinder(12, 1).mesh; });
 }
 
-/// Thousands of triangles on one edge or vertex take a minute each: smaller ones do. Bits of less
-/// than a millimetre have no line that is long enough to be drawn.
+/// Thousands of triangles on one edge or vertex take a minute each; smaller ones do. Bits below a
+/// millimetre have no line long enough to draw.
 bool is_left_out(const std::string& name) {
     for (const char* other : {"star", "cut_star", "book", "one_face_often", "scattered_tetrahedra",
                               "areas_below_floats"})

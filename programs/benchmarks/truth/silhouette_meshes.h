@@ -14,11 +14,11 @@ struct SilhouetteMesh {
     std::function<laplacian_lines::TriangleMesh()> make;
 };
 
-/// Meshes of every kind: those of the tests, wild ones that can be drawn, primitives, soups,
-/// cracks, mirrored, tiny, huge and far ones.
+/// The tests' meshes, wild ones that can be drawn, primitives, soups, cracks, mirrored, tiny, huge
+/// and far ones.
 std::vector<SilhouetteMesh> silhouette_meshes();
 
-/// A mesh from a file; and the same beside its mirror image.
+/// From a file, alone and beside its mirror image.
 std::vector<SilhouetteMesh> scans_of(const std::string& file);
 
 }  // namespace benchmarks

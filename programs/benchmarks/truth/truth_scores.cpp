@@ -13,7 +13,6 @@ constexpr double joint_gap = 0.05;       // mm, within which an end is at anothe
 constexpr double true_end_gap = 0.5;     // mm, within which an end is that of an exact line
 constexpr double own_neighbourhood = 1;  // mm of a path beside its end that are no other line
 
-/// Cuts a line into runs of pieces with a mistake.
 class Runs {
 public:
     Runs(Mistake mistake, TruthDetails* details) : mistake_(mistake), details_(details) {}
@@ -93,21 +92,14 @@ void score_doubles(const DrawnPaths& drawing, const PlaneLines& lines, TruthScor
     }
 }
 
-double length_of(const PlaneLine& line) {
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        length += (line[i + 1] - line[i]).norm();
-    return length;
-}
-
-/// Whether a line other than the one that ends there, or a part of it farther on, is within reach.
+/// Whether another line, or a farther part of the same one, is within reach.
 bool is_at_line(const NearSegments& lines, const PlanePoint& p, std::size_t own, double own_along) {
     return lines.any_near(p, [&](const NearPlace& place) {
         return place.line != own || std::abs(place.along - own_along) > own_neighbourhood;
     });
 }
 
-/// From the end of a line into it, over the neighbourhood of the end; of length 1.
+/// Unit vector from the end into the line, over the end's neighbourhood.
 PlanePoint way_back(const PlaneLine& line, bool from_last) {
     const auto at = [&](std::size_t i) { return line[from_last ? line.size() - 1 - i : i]; };
     double left = own_neighbourhood;
@@ -117,7 +109,7 @@ PlanePoint way_back(const PlaneLine& line, bool from_last) {
     return (at(i) - at(0)).stableNormalized();
 }
 
-/// Whether a place is in the neighbourhood of an end of a line that goes back the same way.
+/// Whether the place is near an end of a line that goes back the same way.
 bool ends_alike(const PlaneLine& line, double along, const PlanePoint& way) {
     const double least_cosine = std::cos(double_turn * M_PI / 180);
     const bool is_first = along <= own_neighbourhood,
@@ -126,8 +118,8 @@ bool ends_alike(const PlaneLine& line, double along, const PlanePoint& way) {
            (is_last && way_back(line, true).dot(way) >= least_cosine);
 }
 
-/// Ends of exact lines from which none leads on: others there end, too, and run back beside them.
-/// Such are the tips of a circle seen nearly along its plane, which pens draw as one line.
+/// Ends of exact lines that nothing continues: others that end there run back beside them, as at
+/// the tips of a circle seen nearly edge-on, which pens draw as one line.
 PlaneLine true_ends(const PlaneLines& exact) {
     const NearSegments near(exact, joint_gap);
     PlaneLine ends;

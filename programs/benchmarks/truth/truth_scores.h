@@ -5,7 +5,7 @@
 
 namespace benchmarks {
 
-/// Counts and lengths (mm) that add up over drawings.
+/// Counts and lengths, mm; add up over drawings.
 struct TruthScores {
     double demanded = 0, found = 0;  ///< of the exact lines; of them, what is drawn
     double drawn = 0, right = 0;     ///< of the drawing; of it, what is near an exact line
@@ -21,14 +21,12 @@ struct TruthScores {
     void add(const TruthScores& other);
 };
 
-/// A part of a line, to be shown.
 enum class Mistake { Missed, Wrong, Doubled };
 struct MistakenPart {
     Mistake mistake;
     PlaneLine points;
 };
 
-/// Where a drawing and the exact lines differ.
 struct TruthDetails {
     std::vector<MistakenPart> parts;
     PlaneLines::value_type loose_ends;
@@ -40,8 +38,8 @@ struct ExactLines {
     const PlaneLines& allowed;
 };
 
-/// Holds a drawing against exact lines. Lines may be `tolerance` mm off; `slack` mm more at true
-/// ends of lines, for a coarse mesh. `details` are added if wanted.
+/// Lines may be `tolerance` mm off, and `slack` mm more at true ends, for coarse meshes. Adds to
+/// `details`, if any.
 TruthScores score(const DrawnPaths& drawing, const ExactLines& exact, double tolerance,
                   double slack = 0, TruthDetails* details = nullptr);
 

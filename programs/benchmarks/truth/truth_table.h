@@ -8,7 +8,7 @@
 
 namespace benchmarks {
 
-/// The scores of a part as one of its meshes is drawn from one direction.
+/// One mesh of a part from one direction.
 struct ScoredDrawing {
     std::string part, view;
     DirectionClass direction_class = DirectionClass::Faces;
@@ -20,8 +20,7 @@ struct ScoredDrawing {
 };
 using ScoredDrawings = std::vector<ScoredDrawing>;
 
-/// What the means of drawings are: of recall and precision by drawing, of the rest by length or
-/// number.
+/// Recall and precision are averaged by drawing, the rest by length or number.
 struct TruthMeans {
     explicit TruthMeans(const ScoredDrawings& drawings);
 
@@ -31,7 +30,7 @@ struct TruthMeans {
     TruthScores sum;
 };
 
-/// Markdown: a row for each deflection and class of directions.
+/// Markdown: a row per deflection and class of directions.
 std::string truth_table(const ScoredDrawings& drawings);
 /// Markdown: the drawings with the least recall or precision.
 std::string worst_drawings(ScoredDrawings drawings, std::size_t count);

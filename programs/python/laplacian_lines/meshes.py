@@ -22,7 +22,7 @@ def read_mesh(file: str | os.PathLike[str]) -> Arrays:
     """The mesh in a PLY, STL, OBJ or OFF file.
 
     Returns vertices, (n, 3), in the unit of the file, and faces, (m, 3), numbers of vertices; polygons are triangles
-    then. Raises OSError if the file cannot be read, Error if it is of another kind or is not whole.
+    then. Raises OSError if the file cannot be read, Error if it is of another kind or is incomplete.
     """
     place = pathlib.Path(file)
     return mesh_in(place, place.read_bytes())
@@ -32,10 +32,10 @@ def mesh_in(place: pathlib.Path, content: bytes) -> Arrays:
     """The mesh in a file with these bytes. Raises Error."""
     read = _core.read_mesh(place.suffix[1:].lower(), content)
     if read is None:
-        raise _core.Error(f"{place}: the ending of the name says no kind of mesh. Save it as .ply, .stl, .obj or .off.")
+        raise _core.Error(f"{place}: this extension is no kind of mesh. Save it as .ply, .stl, .obj or .off.")
     vertices, faces, defect = read
     if defect:
-        raise _core.Error(f"{place} is not whole: {defect}. Save it anew from the program that wrote it.")
+        raise _core.Error(f"{place} is incomplete: {defect}. Save it again from the program that wrote it.")
     return vertices, faces
 
 

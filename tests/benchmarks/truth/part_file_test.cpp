@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of parts: those in the repository, and such as are refused; drawings in the place of exact
-// lines.
+// Files of parts, good and refused; drawings in place of exact lines.
 #include "part_file.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +81,7 @@ TEST_F(LeftOutFile, NeedsAReason) {
     EXPECT_THROW(LeftOut(write("knob 0-0 because\n")), std::runtime_error);
 }
 
-/// A drawing of a box stands where the box does, whatever its size and however it is turned.
+/// Whatever the box's size and orientation.
 TEST(FlatDrawing, IsInTheCoordinatesOfItsView) {
     laplacian_lines::TriangleMesh box = test_meshes::cube(2);
     for (Eigen::Vector3d& p : box.positions)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How measured drawings are held against exact lines, on made lines whose scores are known.
+// Scores of made-up lines are known.
 #include "truth_scores.h"
 
 #include <gtest/gtest.h>
@@ -133,7 +133,7 @@ TEST(TruthScores, TakeEndsOfExactLinesForTrueOnes) {
               1);
 }
 
-/// Both halves of a hole's rim, which pens draw as one line.
+/// Of a hole's rim, which pens draw as one line.
 TEST(TruthScores, TakeTheTipsOfASliverForTrueEnds) {
     PlaneLines halves(2);
     for (int i = 0; i <= 100; ++i) {

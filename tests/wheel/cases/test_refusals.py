@@ -63,7 +63,7 @@ class Refusals(unittest.TestCase):
             (place / "mesh.txt").write_text("ply")
             self.expect(ll.Error, "Save it as .ply", ll.read_mesh, place / "mesh.txt")
             (place / "mesh.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n")
-            self.expect(ll.Error, "is not whole: ", ll.read_mesh, place / "mesh.off")
+            self.expect(ll.Error, "is incomplete: ", ll.read_mesh, place / "mesh.off")
             self.expect(OSError, "", ll.write_drawing, place / "none" / "a.svg", (sphere(steps=2)))
 
     def test_without_pymeshlab(self):
