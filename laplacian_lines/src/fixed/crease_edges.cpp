@@ -83,7 +83,6 @@ private:
     /// Faces of large triangles count for what they are: lofts have few that are flat. Notes in the
     /// graph how often a scan was subdivided.
     bool was_made(bool is_rough) {
-        static const float flat = cosine_of(kFlat);
         struct Counts {
             double edges = 0, flat_edges = 0, area = 0, flat_area = 0;
         };
@@ -92,13 +91,13 @@ private:
             Counts& counts = of_cluster[c];
             for_each_edge(c, [&](unsigned, unsigned, float cosine) {
                 ++counts.edges;
-                counts.flat_edges += cosine >= flat;
+                counts.flat_edges += cosine >= flat_;
             });
             for (unsigned t = 0; t < placed_[c].cluster->triangle_count; ++t) {
                 const std::uint32_t triangle = graph_.first[c] + t;
                 const double area = double(graph_.triangles[triangle].area);
                 counts.area += area;
-                if (graph_.goes_on_flat(triangle, flat)) counts.flat_area += area;
+                if (graph_.goes_on_flat(triangle, flat_)) counts.flat_area += area;
             }
         });
         Counts sum;
@@ -111,7 +110,7 @@ private:
         if (sum.flat_area < kMadeShare * sum.area ||
             (is_rough && sum.flat_edges > kTerracesShare * sum.edges))
             return false;
-        const TriangularFaces faces = find_triangular_faces(graph_, flat);
+        const TriangularFaces faces = find_triangular_faces(graph_, flat_);
         if ((1 - faces.share) * sum.flat_area >= kMadeShare * sum.area) return true;
         graph_.subdivision = std::uint32_t(std::lround(faces.parts));
         return false;
@@ -179,9 +178,8 @@ private:
     CreaseEdge make_edge(const Candidate& candidate, float shown_up_to) const {
         const auto [triangle, side] = candidate.side;
         const TriangleGraph::Node& node = graph_.triangles[triangle];
-        static const float flat = cosine_of(kFlat);
         const auto facet = [&](std::uint32_t t) {
-            return graph_.goes_on_flat(t, flat) ? CreaseEdge::kNone : t;
+            return graph_.goes_on_flat(t, flat_) ? TriangleGraph::kNone : t;
         };
         return {
             {candidate.vertices[0], candidate.vertices[1]},
@@ -193,6 +191,7 @@ private:
     }
 
     const float least_angle_;
+    const float flat_ = cosine_of(kFlat);
     TriangleGraph graph_;
     const std::vector<PlacedCluster> placed_;
     const bool is_rough_, is_made_;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "fixed/segment_tracing.h"
+#include "fixed/triangle_graph.h"
 #include "system/chains.h"
 #include "system/disjoint_sets.h"
 #include "system/three_floats.h"
@@ -30,7 +31,7 @@ public:
             const std::uint32_t begin = crossing(edge, 0);
             graph_.segments.push_back({begin, crossing(edge, 1)});
             for (const std::uint32_t facet : edge.facets)
-                if (facet != CreaseEdge::kNone) ++sides_of_facet_[facet];
+                if (facet != TriangleGraph::kNone) ++sides_of_facet_[facet];
         }
     }
 
@@ -112,7 +113,7 @@ private:
     std::uint32_t count_facets(const CreaseEdge& edge) {
         std::uint32_t count = 0;
         for (const std::uint32_t facet : edge.facets) {
-            if (facet == CreaseEdge::kNone) continue;
+            if (facet == TriangleGraph::kNone) continue;
             std::uint32_t& sides = sides_of_facet_[facet];
             count += sides == 2;
             sides = 0;

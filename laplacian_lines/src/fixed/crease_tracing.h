@@ -15,14 +15,14 @@ struct CreaseEdge {
     std::uint32_t vertices[2];
     Eigen::Vector3f positions[2];
     Eigen::Vector3f normals[2];  ///< of the triangles; as one sees them from the same side
-    /// Of the two triangles those that are in one plane with no neighbour; otherwise kNone.
+    /// Of the two triangles those that are in one plane with no neighbour; otherwise
+    /// TriangleGraph::kNone.
     std::uint32_t facets[2];
     float angle;  ///< between the normals, degrees
     /// The largest LineStyle::crease_angle with which it is drawn: its angle, or 40 if that is less
     /// and the faces around do not explain it.
     float shown_up_to;
 
-    static constexpr std::uint32_t kNone = 0xffffffffu;
     float length() const { return length_of(positions[1] - positions[0]); }
 };
 
