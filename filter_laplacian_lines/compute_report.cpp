@@ -45,6 +45,15 @@ QString weldedLine(const MeshReport& report) {
                : QString();
 }
 
+QString undoneLine(const MeshReport& report) {
+    const int times = report.undone_subdivisions;
+    return times ? QString("Subdivision undone: field and lines are those of the %1 triangles "
+                           "before each was cut in %2")
+                       .arg(report.triangles >> 2 * times)
+                       .arg(1 << 2 * times)
+                 : QString();
+}
+
 QString kernelLine(const FieldScale& scale) {
     return QString(
                "Kernel size %1 in mesh units = %2 mean edges = %3 % of the bounding-box diagonal")
@@ -76,9 +85,10 @@ QString choicesLine(const PrecomputeOptions& options) {
 
 QStringList computeReport(const laplacian_lines::Field& field, const PrecomputeOptions& options,
                           double seconds) {
-    QStringList lines{meshLine(field.report),        leftOutLine(field.report),
-                      weldedLine(field.report),      kernelLine(field.scale),
-                      smoothingLine(field, options), choicesLine(options)};
+    QStringList lines{meshLine(field.report),   leftOutLine(field.report),
+                      weldedLine(field.report), undoneLine(field.report),
+                      kernelLine(field.scale),  smoothingLine(field, options),
+                      choicesLine(options)};
     lines << QString("Computed in %1 s, stored per vertex in %2")
                  .arg(seconds, 0, 'f', 2)
                  .arg(meshlab_host::fieldAttributeNames(field));

@@ -29,6 +29,9 @@ QString specialsOf(const Field& field) {
     if (field.report.welded_vertices)
         specials += QString(", %1 duplicated vertices welded where they cut the surface open")
                         .arg(field.report.welded_vertices);
+    if (field.report.undone_subdivisions)
+        specials += QString(", as before each triangle was cut in %1")
+                        .arg(1 << 2 * field.report.undone_subdivisions);
     const double sigma = laplacian_lines::automatic_normal_sigma(field.report.roughness);
     if (sigma > laplacian_lines::automatic_normal_sigma(0))
         specials += QString(", roughness %1: normals smoothed by %2 mean edges")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_mesh stone|vessel|part|FILE [--subdivide N] FILE.ply: writes as binary PLY a flaked stone of
+// write_mesh stone|vessel|part|FILE [--refine N] FILE.ply: writes as binary PLY a flaked stone of
 // 100 mm, a vessel of 200 mm or a machined part of 100 mm with rounded edges as wide as its
-// triangles, in metres like scans, or a mesh with its triangles cut in four, N times.
+// triangles, in metres like scans, or a mesh with its triangles cut in four and rounded, N times.
 
 #include <cstdio>
 #include <cstdlib>
@@ -49,14 +49,14 @@ void write(const TriangleMesh& mesh, const std::string& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const bool divides = argc == 5 && std::string(argv[2]) == "--subdivide";
-    if (argc != 3 && !divides) {
-        std::fputs("write_mesh stone|vessel|part|FILE [--subdivide N] FILE.ply\n", stderr);
+    const bool refines = argc == 5 && std::string(argv[2]) == "--refine";
+    if (argc != 3 && !refines) {
+        std::fputs("write_mesh stone|vessel|part|FILE [--refine N] FILE.ply\n", stderr);
         return 2;
     }
     try {
         TriangleMesh mesh = make(argv[1]);
-        if (divides) test_meshes::subdivide(mesh, std::atoi(argv[3]));
+        if (refines) test_meshes::refine(mesh, std::atoi(argv[3]));
         write(mesh, argv[argc - 1]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

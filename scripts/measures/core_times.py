@@ -52,7 +52,7 @@ def measure_busy(meshes):
     program, write_mesh = build_benchmarks("busy_table"), build_benchmarks("write_mesh")
     with tempfile.TemporaryDirectory() as work:
         large = f"{work}/large.ply"
-        if run([write_mesh, meshes[-1], "--subdivide", "2", large]) != 0:
+        if run([write_mesh, meshes[-1], "--refine", "2", large]) != 0:
             raise Failure("the large mesh could not be made")
         commands = {"./run --picture": f"--picture {work}/picture.png {meshes[-1]}",
                     "six views on paper": f"--drawing {work}/six.pdf --views six --unit m {meshes[-1]}",

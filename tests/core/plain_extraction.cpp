@@ -81,7 +81,8 @@ constexpr double kSharp = 0.7660444431189781;  // cos 40°
 class PlainExtraction {
 public:
     PlainExtraction(const TriangleMesh& mesh, const Field& field, const View& view)
-        : mesh_(prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left)),
+        : mesh_(prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
+                             {field.report.undone_subdivisions})),
           eye_(local_eye(view, mesh_)),
           light_(view.light ? Eye{view.light->normalized().cast<float>(), 0} : eye_) {
         for (std::uint32_t v = 0; v < mesh_.size(); ++v)

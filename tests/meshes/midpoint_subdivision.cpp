@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "midpoint_subdivision.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -59,12 +60,12 @@ private:
     std::vector<Middle> middles_;
 };
 
-}  // namespace
-
-void subdivide(TriangleMesh& mesh, Field& field) {
+/// Calls add_vertex(a, b) for each edge once, which appends a vertex.
+template <class AddVertex>
+void cut_in_four(TriangleMesh& mesh, AddVertex add_vertex) {
     Middles middles(mesh);
     const auto make = [&](std::uint32_t a, std::uint32_t b) {
-        add_vertex(mesh, field, a, b);
+        add_vertex(a, b);
         return std::uint32_t(mesh.positions.size() - 1);
     };
     std::vector<Triangle> triangles;
@@ -76,18 +77,45 @@ void subdivide(TriangleMesh& mesh, Field& field) {
             triangles.push_back(t);
     }
     mesh.triangles.swap(triangles);
+}
+
+std::vector<Eigen::Vector3d> vertex_normals(const TriangleMesh& mesh) {
+    std::vector<Eigen::Vector3d> normals(mesh.positions.size(), Eigen::Vector3d::Zero());
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Eigen::Vector3d area = (mesh.positions[b] - mesh.positions[a])
+                                         .cross(mesh.positions[c] - mesh.positions[a]);
+        for (const std::uint32_t v : {a, b, c})
+            normals[v] += area;
+    }
+    for (Eigen::Vector3d& n : normals)
+        n.normalize();
+    return normals;
+}
+
+}  // namespace
+
+void subdivide(TriangleMesh& mesh, Field& field) {
+    cut_in_four(mesh, [&](std::uint32_t a, std::uint32_t b) { add_vertex(mesh, field, a, b); });
     field.scale.mean_edge /= 2;
 }
 
 void subdivide(laplacian_lines::TriangleMesh& mesh, int times) {
-    laplacian_lines::Field field;
-    const std::size_t n = mesh.positions.size();
-    field.normals.resize(n, {0, 0, 1});
-    field.laplacian_normals.resize(n, {0, 0, 0});
-    field.shape_operators.resize(n);
-    field.kernel_sizes.resize(n);
     for (int i = 0; i < times; ++i)
-        subdivide(mesh, field);
+        cut_in_four(mesh, [&](std::uint32_t a, std::uint32_t b) {
+            mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]) / 2);
+        });
+}
+
+void refine(laplacian_lines::TriangleMesh& mesh, int times) {
+    for (int i = 0; i < times; ++i) {
+        const std::vector<Eigen::Vector3d> normals = vertex_normals(mesh);
+        cut_in_four(mesh, [&](std::uint32_t a, std::uint32_t b) {
+            const Eigen::Vector3d p = mesh.positions[a], q = mesh.positions[b];
+            const Eigen::Vector3d bend =
+                normals[a] * normals[a].dot(q - p) + normals[b] * normals[b].dot(p - q);
+            mesh.positions.push_back((p + q) / 2 - bend / 8);
+        });
+    }
 }
 
 }  // namespace test_meshes

@@ -12,4 +12,9 @@ void subdivide(laplacian_lines::TriangleMesh& mesh, laplacian_lines::Field& fiel
 /// Repeatedly, without a field.
 void subdivide(laplacian_lines::TriangleMesh& mesh, int times);
 
+/// As many triangles, but round like a finer scan: new vertices are where a cubic curve between the
+/// ends of their edge, at right angles to the normals there, has its middle. A. Vlachos et al.,
+/// "Curved PN Triangles", I3D 2001.
+void refine(laplacian_lines::TriangleMesh& mesh, int times);
+
 }  // namespace test_meshes

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes with faults in scripts: what is left out is counted in the log, and a mesh without a surface is refused. From
+"""Meshes with faults in scripts: what is left out is counted in the log, a subdivision is undone, and a mesh without a surface is refused. From
 2022.02 on, MeshLab itself takes out some of the faults when it opens a mesh."""
 from harness import *
 
@@ -38,6 +38,20 @@ ply("soup.ply", [vertices[int(i)] for face in faces for i in face.split()[1:]],
 expect(compute("soup.ply") == 0, "the soup was refused")
 expect_text("log", "^Cuts closed: 6000 duplicate vertices treated as one with others$")
 expect_text("out.ply", "^element vertex 7200$")
+
+# each triangle cut in four at the middles of its sides
+middles, quarters = {}, []
+for face in faces:
+    a, b, c = map(int, face.split()[1:])
+    ab, bc, ca = (middles.setdefault(frozenset(ends), len(vertices) + len(middles)) for ends in ((a, b), (b, c), (c, a)))
+    quarters += [f"3 {a} {ab} {ca}", f"3 {ab} {b} {bc}", f"3 {ca} {bc} {c}", f"3 {ab} {bc} {ca}"]
+places = [[float(x) for x in vertex.split()] for vertex in vertices]
+ply("cut.ply", vertices + [" ".join(str(sum(x) / 2) for x in zip(*(places[v] for v in ends))) for ends in middles],
+    quarters)
+expect(compute("cut.ply") == 0, "the mesh that was cut was refused")
+expect_text("log", "^Subdivision undone: field and lines are those of the 2400 triangles before each was cut in 4$")
+expect_no_text("log", "Left out")
+expect_text("out.ply", "^element vertex 4800$")
 
 for vertices, faces in ((["0 0 0", "1 0 0", "2 0 0"], ["3 0 1 2"]), (["0 0 0", "1 0 0", "0 nan 0"], ["3 0 1 2"]),
                         (["0 0 0", "1 0 0", "0 1 0"], [])):

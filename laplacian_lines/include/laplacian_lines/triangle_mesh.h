@@ -26,6 +26,9 @@ struct MeshReport {
     std::size_t unreferenced_vertices = 0;  ///< finite, but no usable triangle has it
     std::size_t degenerate_triangles = 0;   ///< zero area, repeated or non-finite corners
     std::size_t welded_vertices = 0;        ///< for which another one at the same place counts
+    /// How often all triangles had been cut in four at the middles of their sides, which was
+    /// undone: lines are those of the mesh before.
+    int undone_subdivisions = 0;
     /// Noise at the scale of the triangles, or terraces of segmented volumes, dimensionless. 0 is
     /// smooth, scans have up to 1.1, terraces 1.5 to 3.
     double roughness = 0;

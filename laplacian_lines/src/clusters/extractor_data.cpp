@@ -31,10 +31,11 @@ std::size_t bytes(const std::vector<T>& v) {
                 "The Laplacian lines field belongs to another mesh; compute it again.");
 }
 
-PreparedMesh prepare(const TriangleMesh& mesh, const Field& field) {
+PreparedMesh prepare(const TriangleMesh& mesh, const Field& field, int undone) {
     if (!has_entries(field, mesh.positions.size())) refuse_field();
     // Where the field was computed across cuts, lines go across them.
-    return prepare_geometry(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left);
+    return prepare_geometry(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
+                            {undone});
 }
 
 }  // namespace
@@ -102,13 +103,13 @@ bool has_needs_of(LineKind kind, const ExtractorData& data) {
 
 LaplacianForms build_laplacian_forms(const TriangleMesh& mesh, const Field& field,
                                      const ExtractorData& data) {
-    const PreparedMesh prepared = prepare(mesh, field);
+    const PreparedMesh prepared = prepare(mesh, field, data.undone_subdivisions);
     if (prepared.size() != data.vertex_count) refuse_field();
     return laplacian_forms(prepared, field, data);
 }
 
 void add_derivatives(const TriangleMesh& mesh, const Field& field, ExtractorData& data) {
-    const PreparedMesh prepared = prepare(mesh, field);
+    const PreparedMesh prepared = prepare(mesh, field, data.undone_subdivisions);
     if (!field.has_derivatives() || prepared.size() != data.vertex_count) refuse_field();
     data.curvatures = curvature_records(prepared, field, data);
 }
@@ -117,8 +118,9 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
                                    const Progress& progress) {
     const StageProgress stage(progress, 0, 1, "Preparing the extraction of lines");
     stage.report(0);
-    const PreparedMesh prepared = prepare(mesh, field);
+    const PreparedMesh prepared = prepare(mesh, field, field.report.undone_subdivisions);
     ExtractorData data;
+    data.undone_subdivisions = prepared.report.undone_subdivisions;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
     data.is_rough = is_rough(field.report);

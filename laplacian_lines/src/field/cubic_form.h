@@ -21,7 +21,7 @@ struct CubicForm {
                 first.real() / 3 - third.real(), first.imag() - third.imag()};
     }
 
-    /// In a frame whose first direction is (cos φ, sin φ) = `direction` in this one.
+    /// In another frame, in which this one's first direction is (cos φ, sin φ) = `direction`.
     CubicForm turned(std::complex<double> direction) const {
         return {first * direction, third * direction * direction * direction};
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/midpoint_values.h"
 #include "field/ring_derivatives.h"
 #include "field/tensor_fits.h"
 #include "system/large_array.h"
@@ -70,6 +71,7 @@ void fill_curvature_derivatives(const PreparedMesh& mesh, const SpatialTree& tre
         curvatures[v] = (smoothed[i] / d).unaryExpr(&to_float);
         derivatives[v] = (forms[i].entries() / d / d).unaryExpr(&to_float);
     });
+    fill_midpoint_derivatives(mesh, field);
     const std::vector<std::uint32_t>& representative = mesh.representative;
     for_each_element(representative.size(), [&](std::size_t v) {
         if (representative[v] == v) return;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/triangles_at.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -24,27 +25,6 @@ constexpr double kMostUneven = 1.5;
 struct Facets {
     double tilt = 0;   ///< of the triangles from the quadric, root mean square; radians
     double share = 0;  ///< tilt over tilt and bend
-};
-
-class TrianglesAt {
-public:
-    explicit TrianglesAt(const PreparedMesh& mesh)
-        : starts_(mesh.size() + 2, 0), triangles_(3 * mesh.triangles.size()) {
-        for (const Triangle& t : mesh.triangles)
-            for (const std::uint32_t v : t)
-                ++starts_[v + 2];
-        for (std::size_t v = 2; v < starts_.size(); ++v)
-            starts_[v] += starts_[v - 1];
-        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-            for (const std::uint32_t v : mesh.triangles[i])
-                triangles_[starts_[v + 1]++] = i;
-    }
-    const std::uint32_t* begin(std::size_t v) const { return triangles_.data() + starts_[v]; }
-    const std::uint32_t* end(std::size_t v) const { return triangles_.data() + starts_[v + 1]; }
-    std::size_t count(std::size_t v) const { return starts_[v + 1] - starts_[v]; }
-
-private:
-    std::vector<std::uint32_t> starts_, triangles_;
 };
 
 /// Memory of FacetFit; keeps its capacity.
@@ -150,7 +130,7 @@ double quantile(std::vector<Facets>& facets, double Facets::*number, double shar
 
 bool has_noisy_facets(const PreparedMesh& mesh) {
     if (!(mesh.mean_edge >= kLeastEdge && mesh.mean_edge <= kLargestEdge)) return false;
-    const TrianglesAt at(mesh);
+    const TrianglesAt at(mesh.size(), mesh.triangles);
     const std::size_t count = std::min(kSamples, mesh.size());
     std::vector<Facets> all(count);
     std::vector<std::uint8_t> is_known(count);

@@ -6,6 +6,7 @@
 
 #include "field/belkin_laplacian.h"
 #include "field/field_steps.h"
+#include "field/midpoint_values.h"
 #include "field/shape_operators.h"
 #include "laplacian_lines/field_columns.h"
 #include "mesh/prepared_mesh.h"
@@ -19,6 +20,10 @@ namespace {
 constexpr int kTensorSmoothingPasses = 2;
 constexpr double kLargestFloat = 1e38;
 constexpr std::size_t kMostBendSamples = 20000;
+// Subdivisions are undone as far as edges are shorter, in D: those of a form that was made of a few
+// large triangles have been cut for a reason.
+constexpr double kLongestUndone = 0.025;
+constexpr int kMostUndone = 16;
 constexpr double kLeastChoice = 2.5;  // mean edges: a kernel that could well be smaller
 constexpr double kFitCost = 20;       // of a pair of vertices in a fit, in those of a direct sum
 
@@ -40,8 +45,12 @@ double chosen_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& op
                : options.normal_sigma * mesh.mean_edge;
 }
 
-Cuts cuts_of(const PrecomputeOptions& options) {
-    return options.weld_duplicates ? Cuts::Stitched : Cuts::Left;
+/// A kernel smaller than that of the mesh before it was cut asks for what cutting has added.
+PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options) {
+    Undoing undoing{kMostUndone};
+    undoing.longest_share = kLongestUndone;
+    if (options.kernel_size > 0) undoing.longest_edge = options.kernel_size / 2;
+    return prepare_mesh(mesh, options.weld_duplicates ? Cuts::Stitched : Cuts::Left, undoing);
 }
 
 /// Clamped: tiny kernels on tiny meshes overflow.
@@ -94,6 +103,7 @@ public:
                                         by_d(s.yz), by_d(s.xz), by_d(s.xy)};
             field.kernel_sizes[v] = float(relative_sizes_[i] * kernel_size_ * d);
         });
+        fill_midpoints(mesh_, field);
         copy_to_welded(field);
         field.scale = scale_of(mesh_, options_, normal_sigma_);
         field.report = mesh_.report;
@@ -212,7 +222,7 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
                  const Progress& progress) {
     validate(options);
     StageProgress(progress, 0, kPrepared, "Preparing the mesh").report(0);
-    PreparedMesh prepared = prepare_mesh(mesh, cuts_of(options));
+    PreparedMesh prepared = prepare(mesh, options);
     const StageProgress sorting(progress, kPrepared, kSorted, "Sorting in space");
     sorting.report(0);
     const SpatialTree tree = sort_in_space(prepared);
@@ -229,14 +239,15 @@ void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Pro
     const StageProgress stage(progress, 0, 1, "Differentiating the curvature");
     stage.report(0);
     PreparedMesh prepared =
-        prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left);
+        prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
+                     {field.report.undone_subdivisions});
     const SpatialTree tree = sort_in_space(prepared);
     fill_curvature_derivatives(prepared, tree, VertexRanges(prepared), stage.part(0.4, 1), field);
 }
 
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     validate(options);
-    const PreparedMesh prepared = prepare_mesh(mesh, cuts_of(options));
+    const PreparedMesh prepared = prepare(mesh, options);
     return scale_of(prepared, options, chosen_normal_sigma(prepared, options));
 }
 

@@ -3,7 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <vector>
 
+#include "laplacian_lines/triangle_mesh.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -20,6 +22,15 @@ Eigen::AlignedBox3d bounding_box(std::size_t count, PointOf point_of) {
     return join_blocks(
         count, Eigen::AlignedBox3d(), of_block,
         [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) { return a.merged(b); });
+}
+
+/// Of the corners of triangles.
+inline Eigen::AlignedBox3d bounding_box(const std::vector<Eigen::Vector3d>& positions,
+                                        const std::vector<Triangle>& triangles) {
+    return bounding_box(3 * triangles.size(),
+                        [&](std::size_t corner) -> const Eigen::Vector3d& {
+                            return positions[triangles[corner / 3][corner % 3]];
+                        });
 }
 
 }  // namespace laplacian_lines

@@ -101,6 +101,28 @@ void stitch(const TriangleMesh& mesh, PreparedMesh& prepared) {
     });
 }
 
+double mean_edge(const Positions& positions, const std::vector<Triangle>& triangles) {
+    const double edges = sum_of(triangles.size(), [&](std::size_t i) {
+        const Triangle& t = triangles[i];
+        const Eigen::Vector3d &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+        return (b - a).norm() + (c - b).norm() + (a - c).norm();
+    });
+    return edges / double(3 * triangles.size());
+}
+
+void undo_subdivisions(const Positions& positions, const Undoing& undoing,
+                       PreparedMesh& prepared) {
+    std::vector<Triangle>& triangles = prepared.triangles;
+    if (undoing.most == 0 || triangles.size() % 4 != 0) return;
+    const double diagonal = bounding_box(positions, triangles).diagonal().stableNorm();
+    const double longest = std::min(undoing.longest_edge, undoing.longest_share * diagonal);
+    double edge = mean_edge(positions, triangles);
+    int& undone = prepared.report.undone_subdivisions;
+    while (undone < undoing.most && 2 * edge <= longest &&
+           undo_subdivision(positions, triangles, prepared.midpoints))
+        ++undone, edge *= 2;
+}
+
 /// Around the mesh's centre, coordinates may be coarser than around the origin. Drops triangles
 /// that lose their area by it and restores the vertices of the others; false if none does.
 bool drop_lost_triangles(PreparedMesh& prepared) {
@@ -186,16 +208,6 @@ void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
     });
 }
 
-double mean_edge(const PreparedMesh& mesh) {
-    const double edges = sum_of(mesh.triangles.size(), [&](std::size_t i) {
-        const Triangle& t = mesh.triangles[i];
-        const Eigen::Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
-                              &c = mesh.positions[t[2]];
-        return (b - a).norm() + (c - b).norm() + (a - c).norm();
-    });
-    return edges / double(3 * mesh.triangles.size());
-}
-
 }  // namespace
 
 Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
@@ -203,25 +215,27 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
     return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
 }
 
-PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts) {
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing) {
     check_indices(mesh);
     PreparedMesh prepared;
     prepared.report.vertices = mesh.positions.size();
     prepared.report.triangles = mesh.triangles.size();
     prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
     if (cuts == Cuts::Stitched) stitch(mesh, prepared);
+    undo_subdivisions(mesh.positions, undoing, prepared);
     do {
         keep_used_vertices(mesh, prepared);
         to_local_coordinates(mesh, prepared);
     } while (drop_lost_triangles(prepared));
-    prepared.report.unreferenced_vertices -= prepared.report.welded_vertices;
+    prepared.report.unreferenced_vertices -=
+        prepared.report.welded_vertices + prepared.midpoints.size();
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
     return prepared;
 }
 
-PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts) {
-    PreparedMesh prepared = prepare_geometry(mesh, cuts);
-    prepared.mean_edge = mean_edge(prepared);
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing) {
+    PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing);
+    prepared.mean_edge = mean_edge(prepared.positions, prepared.triangles);
     return prepared;
 }
 

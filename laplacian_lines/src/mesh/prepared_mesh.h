@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
+#include "mesh/midpoints.h"
 #include "mesh/spatial_tree.h"
 
 namespace laplacian_lines {
@@ -20,6 +22,8 @@ struct PreparedMesh {
     std::vector<std::uint32_t> original_vertex;  ///< [N] -> index in the input
     /// The vertex that counts for each vertex of the input, see stitch_cuts(); empty: itself.
     std::vector<std::uint32_t> representative;
+    /// Vertices of the input that undone subdivisions had added: ends come behind.
+    std::vector<Midpoint> midpoints;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, input units
     double diagonal = 0;                               ///< D, input units
     double mean_edge = 0;                              ///< ē, local
@@ -31,11 +35,18 @@ struct PreparedMesh {
 /// What to do about cuts: see stitch_cuts().
 enum class Cuts { Left, Stitched };
 
+/// Which subdivisions are undone: as many as leave no longer edges, on the mean; by default none.
+struct Undoing {
+    int most = 0;                                                     ///< times
+    double longest_edge = std::numeric_limits<double>::infinity();  ///< mesh units
+    double longest_share = std::numeric_limits<double>::infinity();  ///< D
+};
+
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
-PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts);
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing = {});
 
 /// Without the mean edge.
-PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts);
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing = {});
 
 /// Sorts vertices and triangles so that neighbours in space are neighbours in memory, in the order
 /// of the returned tree. Keeps the cyclic order of corners. Sets the masses.

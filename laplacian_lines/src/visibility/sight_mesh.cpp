@@ -276,10 +276,7 @@ SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage)
     for (const Triangle& t : mesh.triangles)
         if (is_finite(mesh, t)) result.triangles.push_back(t);
     if (result.triangles.empty()) return result;
-    const Eigen::AlignedBox3d box =
-        bounding_box(3 * result.triangles.size(), [&](std::size_t corner) -> const Vector3d& {
-            return mesh.positions[result.triangles[corner / 3][corner % 3]];
-        });
+    const Eigen::AlignedBox3d box = bounding_box(mesh.positions, result.triangles);
     result.centre = box.center();
     if (box.diagonal().norm() > 0) result.size = box.diagonal().norm();
     find_precisions(mesh, result);
