@@ -358,9 +358,14 @@ private:
         const Eigen::Vector3f gradient = interpolate(t, a.shape_operator, b.shape_operator) * v;
         c.gradient_norm = (1 - t) * a.apparent.q + t * b.apparent.q;
         c.opacity = clearance(rules, facing, std::sqrt(dot(gradient, gradient)));
-        c.accepted = c.gradient_norm >= rules.least_gradient &&
+        c.accepted = c.gradient_norm >= least_curvature(rules) &&
                      facing >= rules.least_facing * std::sqrt(dot(v, v));
         return c;
+    }
+
+    /// The rest is asked of means along whole lines.
+    static float least_curvature(const LineRules& rules) {
+        return rules.whole ? rules.least_gradient / (1 + rules.fading) : rules.least_gradient;
     }
 
     void add_apparent_segment(const LineRules& rules, const Triangle& t) {
@@ -371,7 +376,7 @@ private:
             const ApparentCurvature &a = v[k]->apparent, &b = v[(k + 1) % 3]->apparent;
             const float cosine = dot(a.direction, b.direction);
             if (a.q == 0 || !(cosine * cosine >= 0.49f)) return;
-            strong = strong || a.q >= rules.least_gradient;
+            strong = strong || a.q >= least_curvature(rules);
             if ((a.derivative < 0) != ((b.derivative < 0) != (cosine < 0)))
                 edges.push_back(std::minmax(t[k], t[(k + 1) % 3]));
         }

@@ -10,7 +10,6 @@ namespace {
 LineRules rules_of(const LineStyle& s, bool) {
     const Thresholds thresholds(s);
     LineRules rules = rules_by_slope(LineKind::ApparentRidge, s);
-    rules.whole = false;  // fine texture is not in q1
     rules.least_gradient = thresholds.apparent_curvature;
     rules.least_facing = 0;
     rules.leave_out_away = true;

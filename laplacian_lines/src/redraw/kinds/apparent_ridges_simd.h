@@ -59,6 +59,11 @@ static inline VertexBits vertices_where(const Cluster& cluster, const Holds& hol
     return bits;
 }
 
+/// Of crossings. Means along whole lines are asked for the rest.
+static inline float least_curvature(const LineRules& rules) {
+    return rules.whole ? rules.least_gradient / (1 + rules.fading) : rules.least_gradient;
+}
+
 /// Lists the triangles of a cluster that lines pass. Which of its two crossings a line leaves by is
 /// chosen so that neighbours agree.
 class ApparentTriangles {
@@ -93,7 +98,7 @@ private:
                      const ApparentMemory& memory) {
         const float* q = memory.q + slot_ * kClusterVertices;
         const VertexBits strong = vertices_where(
-            cluster_, [&](unsigned i) { return load(q + i) >= rules.least_gradient; });
+            cluster_, [&](unsigned i) { return load(q + i) >= least_curvature(rules); });
         if ((strong.words[0] | strong.words[1]) == 0) return;
         VertexSigns signs;
         signs.set(kStrong, strong);
@@ -215,7 +220,7 @@ static inline void find_apparent_crossings(const LineRules& rules, const Extract
         const Towards v = towards(task.eye, m, i);
         const Floats q = load(apparent.crossing_q + i), facing = load(m.lit + i);
         accept(
-            (q >= rules.least_gradient) & (facing >= rules.least_facing * square_root(v.squared)),
+            (q >= least_curvature(rules)) & (facing >= rules.least_facing * square_root(v.squared)),
             m, i);
         Floats opacity = Floats{} + 1;
         if (rules.contour_clearance > 0) {
