@@ -30,7 +30,7 @@ TriangleMesh subdivided(TriangleMesh mesh, int times) {
 }
 
 TriangleMesh rounded_to_floats(TriangleMesh mesh) {
-    std::vector<Eigen::Vector3f> floats;  // GCC 12 leaves some out where it need not keep them
+    std::vector<Eigen::Vector3f> floats;  // in memory: GCC 12 does not round two at once to and fro
     for (const Eigen::Vector3d& p : mesh.positions)
         floats.push_back(p.cast<float>());
     for (std::size_t v = 0; v < floats.size(); ++v)

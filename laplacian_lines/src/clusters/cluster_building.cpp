@@ -62,7 +62,7 @@ Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
     Eigen::AlignedBox3d box;
     for (const LocalVertex& v : values)
         box.extend(v.position);
-    return box.center().cast<float>().cast<double>();  // as it will be known
+    return box.center();
 }
 
 }  // namespace
