@@ -145,6 +145,7 @@ TEST_P(PlainComparison, GivesTheSameWholeLinesButForFew) {
     all_strokes.single_strokes = false;
     uncut.least_concavity = -1;
     others.whole_lines = true;
+    others.shows[LineKind::ApparentRidge] = false;
     for (const LineStyle& style : {whole, all_strokes, uncut, others}) {
         std::size_t lines = 0, unlike = 0;
         for (const View& view : many_views(mesh(), field_)) {
@@ -159,6 +160,24 @@ TEST_P(PlainComparison, GivesTheSameWholeLinesButForFew) {
         }
         EXPECT_LE(unlike, 9 + lines / 100) << "of " << lines;
     }
+}
+
+/// They have no direction, so that pieces, between which means are known, begin at either end.
+TEST_P(PlainComparison, GivesWholeApparentRidgesAsLong) {
+    if (std::string(GetParam()->name) == "flipped_torus") GTEST_SKIP() << "few and short";
+    const LineExtractor extractor(mesh(), field_);
+    LineStyle style = styles().at(5).style;
+    style.shows = LineKindSet();
+    style.shows[LineKind::ApparentRidge] = style.whole_lines = true;
+    double found = 0, plain = 0, count = 0, plain_count = 0;
+    for (const View& view : many_views(mesh(), field_)) {
+        for (const Polyline& line : helpers::extract(extractor, view, style).lines)
+            found += double(line.length), ++count;
+        for (const PlainLine& line : reference::extract_plainly(mesh(), field_, view, style))
+            plain += double(line.polyline.length), ++plain_count;
+    }
+    EXPECT_NEAR(found, plain, 0.01 * plain);
+    EXPECT_NEAR(count, plain_count, 2 + 0.02 * plain_count);
 }
 
 TEST_P(PlainComparison, GivesTheSameLines) {

@@ -124,8 +124,8 @@ public:
     void extract_apparent(const LineRules& rules, std::vector<PlainLine>& lines) {
         crossings_.clear();
         segments_.clear();
-        for (const Triangle& t : mesh_.triangles)
-            add_apparent_segment(rules, t);
+        for (triangle_ = 0; triangle_ < mesh_.triangles.size(); ++triangle_)
+            add_apparent_segment(rules, mesh_.triangles[triangle_]);
         trace_all(rules, lines);
     }
 
@@ -405,7 +405,8 @@ private:
             (values[1] - values[0]) * w.cross(n) + (values[2] - values[0]) * n.cross(u);
         const float change = -dot(steepest, direction.normalized()) / dot(n, n);
         float slope = change * ((v[0]->slope_scale + v[1]->slope_scale + v[2]->slope_scale) / 3);
-        if (accept_change(rules, change, slope)) segments_.push_back({{edges[0], edges[1]}, slope});
+        if (accept_change(rules, change, slope))
+            segments_.push_back({{edges[0], edges[1]}, slope, clusters_[triangle_]});
     }
 
     void trace_all(const LineRules& rules, std::vector<PlainLine>& lines) {
@@ -532,7 +533,8 @@ std::vector<PlainLine> extract_plainly(const TriangleMesh& mesh, const Field& fi
     extract(suggestive_highlight_strips, &Vertex::radial);
     extract(photic_extremum_strips, &Vertex::photic);
     if (style.shows[LineKind::ApparentRidge])
-        extraction.extract_apparent(apparent_ridge_strips.rules(style, !view.light), lines);
+        extraction.extract_apparent(kernel_of(apparent_ridge_strips.rules(style, !view.light)),
+                                    lines);
     return lines;
 }
 
