@@ -146,6 +146,7 @@ TEST(Midpoints, HaveTheMeansOfTheEndsOfTheirEdges) {
     const Field before = helpers::complete_field(mesh), field = helpers::complete_field(cut);
     EXPECT_EQ(field.report.undone_subdivisions, 1);
     EXPECT_EQ(field.report.unreferenced_vertices, 0u);
+    EXPECT_EQ(field.report.degenerate_triangles, 0u);
     EXPECT_EQ(field.scale.mean_edge, before.scale.mean_edge);
     EXPECT_EQ(field.scale.kernel_size, before.scale.kernel_size);
     const auto same = [](const auto& a, const auto& b, std::size_t v) { return a[v] == b[v]; };

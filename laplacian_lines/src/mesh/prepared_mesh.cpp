@@ -229,7 +229,9 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
     } while (drop_lost_triangles(prepared));
     prepared.report.unreferenced_vertices -=
         prepared.report.welded_vertices + prepared.midpoints.size();
-    prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
+    prepared.report.degenerate_triangles =
+        mesh.triangles.size() -
+        (prepared.triangles.size() << 2 * prepared.report.undone_subdivisions);
     return prepared;
 }
 

@@ -37,8 +37,8 @@ enum class Cuts { Left, Stitched };
 
 /// Which subdivisions are undone: as many as leave no longer edges, on the mean; by default none.
 struct Undoing {
-    int most = 0;                                                     ///< times
-    double longest_edge = std::numeric_limits<double>::infinity();  ///< mesh units
+    int most = 0;                                                    ///< times
+    double longest_edge = std::numeric_limits<double>::infinity();   ///< mesh units
     double longest_share = std::numeric_limits<double>::infinity();  ///< D
 };
 
