@@ -162,22 +162,32 @@ TEST_P(PlainComparison, GivesTheSameWholeLinesButForFew) {
     }
 }
 
-/// They have no direction, so that pieces, between which means are known, begin at either end.
-TEST_P(PlainComparison, GivesWholeApparentRidgesAsLong) {
-    if (std::string(GetParam()->name) == "flipped_torus") GTEST_SKIP() << "few and short";
+/// Their pieces, between which means are known, begin at either end, since they have no direction:
+/// points of some lines have other weights and opacities, but no line has other sums.
+TEST_P(PlainComparison, GivesTheSameWholeApparentRidges) {
+    if (std::string(GetParam()->name) == "flipped_torus") GTEST_SKIP() << "8 of 36 end elsewhere";
     const LineExtractor extractor(mesh(), field_);
     LineStyle style = styles().at(5).style;
     style.shows = LineKindSet();
     style.shows[LineKind::ApparentRidge] = style.whole_lines = true;
-    double found = 0, plain = 0, count = 0, plain_count = 0;
+    std::size_t lines = 0, other_points = 0;
     for (const View& view : many_views(mesh(), field_)) {
-        for (const Polyline& line : helpers::extract(extractor, view, style).lines)
-            found += double(line.length), ++count;
-        for (const PlainLine& line : reference::extract_plainly(mesh(), field_, view, style))
-            plain += double(line.polyline.length), ++plain_count;
+        const LineSet found = helpers::extract(extractor, view, style);
+        auto plain = reference::extract_plainly(mesh(), field_, view, style);
+        lines += found.lines.size();
+        for (const Polyline& line : found.lines) {
+            if (take(plain, line, found.points.data() + line.first, field_.scale.diagonal)) continue;
+            ++other_points;
+            const auto other =
+                std::find_if(plain.begin(), plain.end(),
+                             [&](const PlainLine& p) { return same_sums(line, p.polyline); });
+            ASSERT_NE(other, plain.end()) << "no such line of " << line.count << " points";
+            plain.erase(other);
+        }
+        for (const PlainLine& line : plain)
+            EXPECT_TRUE(line.uncertain);
     }
-    EXPECT_NEAR(found, plain, 0.01 * plain);
-    EXPECT_NEAR(count, plain_count, 2 + 0.02 * plain_count);
+    EXPECT_LE(other_points, lines / 2) << "of " << lines;
 }
 
 TEST_P(PlainComparison, GivesTheSameLines) {

@@ -74,6 +74,8 @@ struct Segment {
     std::pair<std::uint32_t, std::uint32_t> edges[2];  // sorted vertices; begin and end
     float slope;
     std::uint32_t cluster = 0;  // and whether it is coarse
+    std::uint32_t place = 0;    // of its triangle, in the order of clusters
+    bool accepted = true;
 };
 
 constexpr double kSharp = 0.7660444431189781;  // cos 40°
@@ -126,6 +128,10 @@ public:
         segments_.clear();
         for (triangle_ = 0; triangle_ < mesh_.triangles.size(); ++triangle_)
             add_apparent_segment(rules, mesh_.triangles[triangle_]);
+        direct_segments();
+        segments_.erase(std::remove_if(segments_.begin(), segments_.end(),
+                                       [](const Segment& s) { return !s.accepted; }),
+                        segments_.end());
         trace_all(rules, lines);
     }
 
@@ -163,9 +169,12 @@ private:
         const std::vector<std::uint8_t> coarse = find_coarse_triangles(mesh_, field);
         const Partition clusters = partition(mesh_, coarse);
         clusters_.resize(mesh_.triangles.size());
+        places_.resize(mesh_.triangles.size());
         for (std::uint32_t c = 0; c < clusters.ranges.size(); ++c)
-            for (std::uint32_t p = clusters.ranges[c].begin; p < clusters.ranges[c].end; ++p)
+            for (std::uint32_t p = clusters.ranges[c].begin; p < clusters.ranges[c].end; ++p) {
                 clusters_[clusters.order[p]] = 2 * c + (coarse[clusters.order[p]] != 0);
+                places_[clusters.order[p]] = p;
+            }
         convex_around_.assign(mesh_.size(), true);
         for (const Triangle& t : mesh_.triangles)
             for (const std::uint32_t v : t)
@@ -390,7 +399,6 @@ private:
                     apparent_crossing(rules, vertices_[edges[i].first], vertices_[edges[i].second]);
             ends[i] = &found->second;
         }
-        if (!ends[0]->accepted || !ends[1]->accepted) return;
         Eigen::Vector3f direction = Eigen::Vector3f::Zero();
         float values[3];
         for (int k = 0; k < 3; ++k) {
@@ -405,8 +413,41 @@ private:
             (values[1] - values[0]) * w.cross(n) + (values[2] - values[0]) * n.cross(u);
         const float change = -dot(steepest, direction.normalized()) / dot(n, n);
         float slope = change * ((v[0]->slope_scale + v[1]->slope_scale + v[2]->slope_scale) / 3);
-        if (accept_change(rules, change, slope))
-            segments_.push_back({{edges[0], edges[1]}, slope, clusters_[triangle_]});
+        const bool accepted =
+            accept_change(rules, change, slope) && ends[0]->accepted && ends[1]->accepted;
+        const std::pair<std::uint32_t, std::uint32_t> second = std::minmax(t[1], t[2]);
+        if (edges[0] != second && edges[1] != second) std::swap(edges[0], edges[1]);  // cyclic
+        segments_.push_back(
+            {{edges[0], edges[1]}, slope, clusters_[triangle_], places_[triangle_], accepted});
+    }
+
+    /// Apparent ridges have no sides: within a cluster they go as its first triangle has them.
+    void direct_segments() {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> at_edge;
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            order.push_back(i);
+            for (const auto& edge : segments_[i].edges)
+                at_edge[edge].push_back(i);
+        }
+        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return segments_[a].place < segments_[b].place;
+        });
+        std::vector<bool> directed(segments_.size(), false);
+        for (const std::size_t first : order) {
+            if (directed[first]) continue;
+            directed[first] = true;
+            for (const int side : {0, 1})
+                for (std::size_t i = first, next = i;; i = next) {
+                    for (const std::size_t other : at_edge[segments_[i].edges[side]])
+                        if (!directed[other] && segments_[other].cluster == segments_[i].cluster)
+                            next = other;
+                    if (next == i) break;
+                    directed[next] = true;
+                    auto& edges = segments_[next].edges;
+                    if (edges[1 - side] != segments_[i].edges[side]) std::swap(edges[0], edges[1]);
+                }
+        }
     }
 
     void trace_all(const LineRules& rules, std::vector<PlainLine>& lines) {
@@ -501,7 +542,7 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles_of_edge_;
     float Vertex::*function_ = nullptr;
     bool has_edges_ = false;
-    std::vector<std::uint32_t> clusters_;  // by triangle
+    std::vector<std::uint32_t> clusters_, places_;  // by triangle
     std::vector<bool> convex_around_;      // by vertex
     std::size_t triangle_ = 0;             // whose segment is added
     std::map<std::pair<std::uint32_t, std::uint32_t>, Crossing> crossings_;
