@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes with faults in scripts: what is left out is counted in the log, a subdivision is undone, and a mesh without a surface is refused. From
-2022.02 on, MeshLab itself takes out some of the faults when it opens a mesh."""
+"""Meshes with faults in scripts: what is left out is counted in the log, a subdivision is undone, and a mesh without a
+surface is refused. From 2022.02 on, MeshLab itself takes out some of the faults when it opens a mesh."""
 from harness import *
 
 small_torus()
@@ -38,7 +38,6 @@ ply("soup.ply", [vertices[int(i)] for face in faces for i in face.split()[1:]],
 expect(compute("soup.ply") == 0, "the soup was refused")
 expect_text("log", "^Cuts closed: 6000 duplicate vertices treated as one with others$")
 expect_text("out.ply", "^element vertex 7200$")
-
 
 
 def cut_in_four(vertices, faces):
