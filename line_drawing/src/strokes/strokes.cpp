@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "strokes/strokes.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +16,11 @@ using Points = std::vector<Vector2d>;
 constexpr double thinnest_stroke = 0.06;  // mm; where it is less a line is drawn so thin
 constexpr double thinnest_middle = 0.04;  // mm; lines that are nowhere wider are left out
 
-constexpr double least_round_width = 0.1;  // mm; ends of thinner strokes are cut off
+constexpr double largest_unevenness = 0.01;  // share of the width that nobody sees
+constexpr double cosine_of_join = 0.9;       // of 26°; smaller turns are mitred, larger ones round
+constexpr double join_step = 0.4;            // of the turn
+constexpr double covered_share = 0.9;        // of the radius: edges of tapers are near wider places
+constexpr double least_round_width = 0.1;    // mm; ends of thinner strokes are cut off
 constexpr double half_turn = 3.141592653589793;
 
 // mm; as ISO 128 has it for this pen, nearly
@@ -42,44 +47,96 @@ Spine spineOf(const DrawnLine& line, double pen) {
     return spine;
 }
 
-/// Unit, to the right of the direction on a sheet whose y points down.
-Points normalsOf(const Points& points, bool closed) {
-    const std::size_t n = points.size();
-    Points normals(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool is_first = i == 0, is_last = i + 1 == n;
-        const Vector2d& before = is_first ? points[closed ? n - 2 : 0] : points[i - 1];
-        const Vector2d& after = is_last ? points[closed ? 1 : n - 1] : points[i + 1];
-        const Vector2d way = (after - before).stableNormalized();
-        normals[i] = {-way.y(), way.x()};
+/// On a sheet whose y points down.
+Vector2d rightOf(const Vector2d& way) {
+    return {-way.y(), way.x()};
+}
+
+/// The two edges of a stroke: offset curves of its spine, joined round where it turns.
+class StrokeEdges {
+public:
+    StrokeEdges(const Spine& spine, bool closed) : spine_(spine), closed_(closed) {
+        for (std::size_t i = 1; i < spine.points.size(); ++i)
+            ways_.push_back((spine.points[i] - spine.points[i - 1]).normalized());
     }
-    return normals;
-}
 
-Points offset(const Spine& spine, const Points& normals, double sign) {
-    Points edge;
-    for (std::size_t i = 0; i < spine.points.size(); ++i)
-        edge.push_back(spine.points[i] +
-                       sign / 2 * std::max(spine.widths[i], thinnest_stroke) * normals[i]);
-    return edge;
-}
+    /// Unit, of the first and the last piece.
+    const Vector2d& firstWay() const { return ways_.front(); }
+    const Vector2d& lastWay() const { return ways_.back(); }
 
-/// A half circle from the right to the left of a stroke's end.
-void addCap(const Vector2d& end, const Vector2d& normal, double width, double direction,
-            Points& outline) {
+    /// `side`: 1 for the right edge, -1 for the left one. That of a closed line ends as it begins.
+    Points edge(int side) const {
+        Points edge;
+        const std::size_t pieces = ways_.size();
+        for (std::size_t i = 0; i < pieces + (closed_ ? 0 : 1); ++i) {
+            const std::size_t before = i > 0 ? i - 1 : closed_ ? pieces - 1 : 0;
+            join(i, side, ways_[before], ways_[std::min(i, pieces - 1)], edge);
+        }
+        if (closed_ && !edge.empty()) edge.push_back(edge.front());
+        return edge;
+    }
+
+private:
+    double radiusAt(std::size_t i) const { return std::max(spine_.widths[i], thinnest_stroke) / 2; }
+
+    void join(std::size_t i, int side, const Vector2d& before, const Vector2d& after,
+              Points& edge) const {
+        const Vector2d from = side * radiusAt(i) * rightOf(before),
+                       to = side * radiusAt(i) * rightOf(after);
+        const double cosine = std::clamp(before.dot(after), -1., 1.);
+        if (cosine > cosine_of_join) return add(i, (from + to) / (1 + cosine), edge);
+        const double turn = std::atan2(before.x() * after.y() - before.y() * after.x(), cosine);
+        if (side * turn > 0) {  // the inner side
+            add(i, from, edge);
+            return add(i, to, edge);
+        }
+        const double steps = std::ceil(std::abs(turn) / join_step);
+        for (double k = 0; k <= steps; ++k)
+            edge.push_back(spine_.points[i] + Eigen::Rotation2Dd(turn * k / steps) * from);
+    }
+
+    /// On the inner side of a tight turn the stroke covers its own edge, which would be a knot.
+    void add(std::size_t i, const Vector2d& offset, Points& edge) const {
+        const Vector2d place = spine_.points[i] + offset;
+        if (!isCovered(i, place, 1) && !isCovered(i, place, -1)) edge.push_back(place);
+    }
+
+    /// By the pieces before or after a point, as far as they may reach.
+    bool isCovered(std::size_t i, const Vector2d& place, int step) const {
+        const auto count = std::ptrdiff_t(ways_.size());
+        std::ptrdiff_t piece = std::ptrdiff_t(i) - (step < 0);
+        double length = 0;
+        for (std::ptrdiff_t k = 0; k < count && length < 2 * radiusAt(i); ++k, piece += step) {
+            if (closed_) piece = (piece + count) % count;
+            if (piece < 0 || piece >= count) break;
+            const auto first = std::size_t(piece);
+            const Vector2d way = spine_.points[first + 1] - spine_.points[first];
+            const Vector2d from_first = place - spine_.points[first];
+            const double t = std::clamp(way.dot(from_first) / way.squaredNorm(), 0., 1.);
+            const double radius = (1 - t) * radiusAt(first) + t * radiusAt(first + 1);
+            if ((from_first - t * way).norm() < covered_share * radius) return true;
+            length += way.norm();
+        }
+        return false;
+    }
+
+    const Spine& spine_;
+    const bool closed_;
+    Points ways_;
+};
+
+/// A half circle from the right to the left of a stroke's end; `way`: out of the stroke.
+void addCap(const Vector2d& end, const Vector2d& way, double width, Points& outline) {
     constexpr int points = 8;
     if (width < least_round_width) return;
-    const Vector2d way = direction * Vector2d(normal.y(), -normal.x());
-    for (int i = 1; i < points; ++i) {
-        const double angle = half_turn * i / points;
-        outline.push_back(end + width / 2 *
-                                    (direction * std::cos(angle) * normal + std::sin(angle) * way));
-    }
+    for (int i = 1; i < points; ++i)
+        outline.push_back(end +
+                          Eigen::Rotation2Dd(-half_turn * i / points) * (width / 2 * rightOf(way)));
 }
 
 Path taperedStroke(const Spine& spine, bool closed, double tolerance) {
-    const Points normals = normalsOf(spine.points, closed);
-    Points right = offset(spine, normals, 1), left = offset(spine, normals, -1);
+    const StrokeEdges edges(spine, closed);
+    Points right = edges.edge(1), left = edges.edge(-1);
     std::reverse(left.begin(), left.end());
     Path path;
     path.fill_rule = FillRule::NonZero;
@@ -87,13 +144,19 @@ Path taperedStroke(const Spine& spine, bool closed, double tolerance) {
         fitCurve(right, true, tolerance, path);
         fitCurve(left, true, tolerance, path);
     } else {
-        addCap(spine.points.back(), normals.back(), spine.widths.back(), 1, right);
+        addCap(spine.points.back(), edges.lastWay(), spine.widths.back(), right);
         right.insert(right.end(), left.begin(), left.end());
-        addCap(spine.points.front(), normals.front(), spine.widths.front(), -1, right);
+        addCap(spine.points.front(), -edges.firstWay(), spine.widths.front(), right);
         right.push_back(right.front());
         fitCurve(right, true, tolerance, path);
     }
     return path;
+}
+
+/// As lines that do not end within the form are: any program draws these with a pen.
+bool isEven(const Spine& spine) {
+    const auto [least, most] = std::minmax_element(spine.widths.begin(), spine.widths.end());
+    return *most - *least < largest_unevenness * *most;
 }
 
 }  // namespace
@@ -112,10 +175,10 @@ std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& o
     if (*std::max_element(spine.widths.begin(), spine.widths.end()) < thinnest_middle) return {};
     const bool closed = line.closed && spine.points.size() > 3;
     SheetPath result;
-    if (is_tapered) {
+    if (is_tapered && !isEven(spine)) {
         result.path = taperedStroke(spine, closed, options.tolerance);
     } else {
-        result.pen_width = pen;
+        result.pen_width = is_tapered ? std::max(spine.widths[0], thinnest_stroke) : pen;
         if (is_hidden) result.dash = dash;
         fitCurve(spine.points, closed, options.tolerance, result.path);
     }
