@@ -17,6 +17,9 @@ namespace {
 constexpr float kDominance = 2;
 // 1/D; less is the roundness of the whole form. The same whatever the mesh and the kernel.
 constexpr float kLeastCurvature = 4;
+// D; over a longer way within one triangle nothing tells where the surface bends most.
+constexpr float kLongestPiece = 0.06f;
+constexpr float kMostOfLongPieces = 0.25f;  // of a line's length
 
 /// The sharpest bend at a vertex.
 struct Bend {
@@ -111,6 +114,17 @@ private:
     Bend bends_[kClusterVertices];
 };
 
+/// Whether too much of a line runs over triangles that are long along it, such as those of a CAD
+/// part's fillets, which have vertices at their ends alone.
+bool is_guessed(const Polyline& line, const LinePoint* points, float diagonal) {
+    float guessed = 0;
+    for (std::uint32_t i = 1; i < line.count; ++i) {
+        const float piece = length_of(points[i].position - points[i - 1].position) / diagonal;
+        if (piece > kLongestPiece) guessed += piece;
+    }
+    return guessed > kMostOfLongPieces * line.length;
+}
+
 }  // namespace
 
 std::vector<ZeroPieces> find_ridge_pieces(const std::vector<PlacedCluster>& placed, Crest crest) {
@@ -123,8 +137,17 @@ std::vector<ZeroPieces> find_ridge_pieces(const std::vector<PlacedCluster>& plac
 
 RidgeCandidates find_ridge_candidates(const ExtractorData& data,
                                       const std::vector<PlacedCluster>& placed, Crest crest) {
-    return trace_zeros(data, crest.kind, kLeastRidgeLength / SharpLength::kMostWeight,
-                       find_ridge_pieces(placed, crest));
+    RidgeCandidates found =
+        trace_zeros(data, crest.kind, kLeastRidgeLength / SharpLength::kMostWeight,
+                    find_ridge_pieces(placed, crest));
+    std::vector<Polyline>& lines = found.lines.lines;
+    lines.erase(std::remove_if(lines.begin(), lines.end(),
+                               [&](const Polyline& line) {
+                                   return is_guessed(line, found.lines.points.data() + line.first,
+                                                     float(data.diagonal));
+                               }),
+                lines.end());
+    return found;
 }
 
 }  // namespace laplacian_lines

@@ -19,7 +19,7 @@ EvenPoints bendLeast(const EvenPoints& points, const std::vector<double>& reach,
 
 /// Smooths the triangles' edges out of contours of curved surfaces: between exact points lines bend
 /// as little as they can within `reach`, on the sheet, and lines that end at them follow.
-/// Afterwards all points of contours are exact.
+/// Afterwards all points of contours are eased.
 void easeLines(std::vector<DrawnLine>& lines, double reach);
 
 /// The same for inner lines as drawn; what continues them stays.

@@ -20,7 +20,7 @@ inline Eigen::Vector2d between(const Eigen::Vector2d& a, const Eigen::Vector2d& 
 }
 inline DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
     return {between(a.position, b.position, t), a.weight + t * (b.weight - a.weight),
-            laplacian_lines::kNoSightNode, a.is_exact && b.is_exact};
+            laplacian_lines::kNoSightNode, a.is_exact && b.is_exact, a.is_eased && b.is_eased};
 }
 
 /// With points at most `step` apart and no repeated ones, which have no direction.

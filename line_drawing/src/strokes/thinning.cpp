@@ -16,6 +16,9 @@ using Eigen::Vector2d;
 // in pens of inner lines
 constexpr double between_lines = 3;  // from middle to middle: two pens of white, as in ISO 128
 constexpr double least_white = 0.5;  // beside outlines
+// A part of a line has this much more white somewhere: what runs along another about as near as
+// that is left out whole, not where it happens to be nearer.
+constexpr double clear_white = 1;
 constexpr double shortest_stroke = 6;
 constexpr double least_extent = 4;    // √h: what is folded within it is a knot
 constexpr double least_ink = 6;       // mean weight times length
@@ -63,6 +66,12 @@ double strengthOf(const DrawnLine& line) {
     return meanWeight(line) * std::sqrt(lengthOf(line.points));
 }
 
+void sortByStrength(std::vector<DrawnLine>& lines) {
+    std::stable_sort(lines.begin(), lines.end(), [](const DrawnLine& a, const DrawnLine& b) {
+        return strengthOf(a) > strengthOf(b);
+    });
+}
+
 class Thinning {
 public:
     explicit Thinning(const std::array<double, line_class_count>& pens)
@@ -73,6 +82,18 @@ public:
 
     void addOutline(const DrawnLine& line) {
         outlines_[std::size_t(line.line_class)].add(positionsOf(line));
+    }
+
+    /// Whether there is white between a contour and stronger lines for most of its length.
+    bool addContour(const DrawnLine& line) {
+        const double own = (pens_[std::size_t(LineClass::Contour)] - pen_) / 2;
+        const std::vector<DrawnPoint> points = refine(line.points, step * pen_);
+        std::vector<bool> is_apart(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            is_apart[i] = isBesideNone(points[i].position, own);
+        if (shareOf(points, is_apart) < least_share) return false;
+        addOutline(line);
+        return true;
     }
 
     /// Whether all of it was added.
@@ -89,8 +110,13 @@ public:
             std::size_t end = begin;
             while (end < points.size() && is_free[end])
                 ++end;
-            if (end - begin == points.size()) return keep(line, shortest, result);
-            if (end > begin + 1)
+            const auto is_clear = [&](const DrawnPoint& p) {
+                return isFree(p.position, clear_white);
+            };
+            const bool is_apart = std::any_of(points.begin() + std::ptrdiff_t(begin),
+                                              points.begin() + std::ptrdiff_t(end), is_clear);
+            if (is_apart && end - begin == points.size()) return keep(line, shortest, result);
+            if (is_apart && end > begin + 1)
                 keep({line.line_class,
                       false,
                       {points.begin() + std::ptrdiff_t(begin),
@@ -104,10 +130,16 @@ public:
 private:
     double whiteBeside(double pen) const { return pen / 2 + (0.5 + least_white) * pen_; }
 
-    bool isFree(const Vector2d& point) const {
-        if (kept_.isBeside(point, between_lines * pen_)) return false;
+    /// `more`: white than there has to be, in pens.
+    bool isFree(const Vector2d& point, double more = 0) const {
+        return !kept_.isBeside(point, (between_lines + more) * pen_) &&
+               isBesideNone(point, more * pen_);
+    }
+
+    /// Of the outlines; `more`: mm beyond what inner lines keep to.
+    bool isBesideNone(const Vector2d& point, double more) const {
         for (std::size_t c = 0; c < line_class_count; ++c)
-            if (outlines_[c].isBeside(point, whiteBeside(pens_[c]))) return false;
+            if (outlines_[c].isBeside(point, whiteBeside(pens_[c]) + more)) return false;
         return true;
     }
 
@@ -186,14 +218,17 @@ private:
 std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines,
                                const std::array<double, line_class_count>& pens) {
     Thinning thinning(pens);
-    std::vector<DrawnLine> result, inner;
+    std::vector<DrawnLine> result, contours, inner;
     for (DrawnLine& line : lines) {
-        if (line.line_class != LineClass::Hidden && !isInner(line)) thinning.addOutline(line);
-        (isInner(line) ? inner : result).push_back(std::move(line));
+        const bool is_curved = line.line_class == LineClass::Contour && isSmooth(line);
+        if (line.line_class != LineClass::Hidden && !isInner(line) && !is_curved)
+            thinning.addOutline(line);
+        (isInner(line) ? inner : is_curved ? contours : result).push_back(std::move(line));
     }
-    std::stable_sort(inner.begin(), inner.end(), [](const DrawnLine& a, const DrawnLine& b) {
-        return strengthOf(a) > strengthOf(b);
-    });
+    sortByStrength(contours);
+    for (DrawnLine& line : contours)
+        if (thinning.addContour(line)) result.push_back(std::move(line));
+    sortByStrength(inner);
     std::vector<double> strengths;
     for (const DrawnLine& line : inner)
         strengths.push_back(strengthOf(line));

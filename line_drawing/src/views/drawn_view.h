@@ -18,7 +18,8 @@ struct DrawnPoint {
     double weight = 1;  ///< 0..1, share of the full width
     /// Equal where lines meet.
     std::uint32_t node = laplacian_lines::kNoSightNode;
-    bool is_exact = true;  ///< to be kept where it is when lines are smoothed
+    bool is_exact = true;   ///< on an edge of the form or where lines meet, not of a curved surface
+    bool is_eased = false;  ///< has been smoothed, and stays
 };
 
 struct DrawnLine {
