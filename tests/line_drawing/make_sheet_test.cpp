@@ -20,6 +20,7 @@ using made_sheets::extentOf;
 using made_sheets::painterPath;
 using made_sheets::plainViews;
 using made_sheets::sheetOf;
+using Eigen::Vector2d;
 
 namespace {
 
@@ -163,23 +164,20 @@ TEST(MeasuredDrawing, HiddenEdgesAreDashedIfWanted) {
     }
 }
 
-TEST(MeasuredDrawing, StrokesSwellToThePen) {
+TEST(MeasuredDrawing, OutlinesHaveThePenEverywhere) {
     SheetOptions options = plainViews("front");
     options.mm_per_unit = 40;
     options.strokes = StrokeStyle::Tapered;
     const Sheet sheet = sheetOf(test_meshes::sphere(5).mesh, options);
     const SheetPath& ring = sheet.groups[0].layers.back().paths.at(0);
-    EXPECT_EQ(ring.pen_width, 0);
-    EXPECT_NEAR(painterPath(ring.path).boundingRect().width(), 80 + options.pens[0], 0.1);
-    EXPECT_TRUE(painterPath(ring.path).contains(
-        QPointF(painterPath(ring.path).boundingRect().left() + 0.25,
-                painterPath(ring.path).boundingRect().center().y())));
-    EXPECT_FALSE(painterPath(ring.path).contains(painterPath(ring.path).boundingRect().center()));
+    EXPECT_EQ(ring.pen_width, options.pens[0]);
+    EXPECT_NEAR(painterPath(ring.path).boundingRect().width(), 80, 0.1);
 }
 
 TEST(MeasuredDrawing, StrokesEndRound) {
     SheetOptions options;
-    const DrawnLine line{LineClass::Outline, false, {{{10, 10}, 1}, {{15, 10}, 1}, {{20, 10}, 1}}};
+    const DrawnLine line{
+        LineClass::Outline, false, {{{10, 10}, 1}, {{15, 10}, 0.8}, {{20, 10}, 1}}};
     const auto stroke = drawStroke(line, options);
     ASSERT_TRUE(stroke);
     const double half = options.pens[0] / 2;
@@ -189,6 +187,26 @@ TEST(MeasuredDrawing, StrokesEndRound) {
     EXPECT_NEAR(box.height(), 2 * half, 0.05);
     EXPECT_FALSE(painterPath(stroke->path).contains(QPointF(20 + 0.9 * half, 10 + 0.9 * half)));
     EXPECT_TRUE(painterPath(stroke->path).contains(QPointF(20 + 0.6 * half, 10 - 0.6 * half)));
+}
+
+/// Of each side, whatever the length of the one beside it, and of a line that turns back.
+TEST(MeasuredDrawing, TaperedStrokesHaveTheirWidthAtCorners) {
+    for (const Vector2d& end : {Vector2d(20, 12), Vector2d(19, 8), Vector2d(10, 10)}) {
+        const DrawnLine line{LineClass::Inner, false, {{{10, 10}, 1}, {{20, 10}, 0.9}, {end, 1}}};
+        const auto stroke = drawStroke(line, SheetOptions());
+        ASSERT_TRUE(stroke);
+        const QPainterPath path = painterPath(stroke->path);
+        const double half = 0.45 * SheetOptions().pens[std::size_t(LineClass::Inner)];
+        for (std::size_t i = 1; i < 3; ++i)
+            for (const double t : {0.02, 0.5, 0.98}) {
+                const Vector2d &a = line.points[i - 1].position, &b = line.points[i].position;
+                const Vector2d p = a + t * (b - a), way = (b - a).normalized();
+                for (const double side : {-0.95, 0., 0.95})
+                    EXPECT_TRUE(path.contains(
+                        QPointF(p.x() - side * half * way.y(), p.y() + side * half * way.x())))
+                        << end.transpose() << ": " << i << ' ' << t << ' ' << side;
+            }
+    }
 }
 
 TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {

@@ -117,11 +117,11 @@ TEST(Overlaps, ShortLinesThatJoinAnEndToAnotherLineStay) {
 TEST(Overlaps, AreFoundLeftOfAndAboveZero) {
     DrawnLines there(reach);
     there.add({{-7, -3}, {-5, -3}});
-    EXPECT_NEAR(there.distanceAlong({-6, -3.1}, {1, 0}), 0.1, 1e-12);
-    EXPECT_NEAR(there.distanceAlong({-6, -2.9}, {-1, 0}), 0.1, 1e-12);
-    EXPECT_EQ(there.distanceAlong({-6, -2.7}, {1, 0}), reach);
-    EXPECT_EQ(there.distanceAlong({-6, -3}, {0, 1}), reach);
-    EXPECT_EQ(there.distanceAlong({-4, -3}, {1, 0}), reach);
+    EXPECT_TRUE(there.runAlong({-6, -3.1}, {1, 0}, 0.11));
+    EXPECT_TRUE(there.runAlong({-6, -2.9}, {-1, 0}, 0.11));
+    EXPECT_FALSE(there.runAlong({-6, -2.9}, {-1, 0}, 0.09));
+    EXPECT_FALSE(there.runAlong({-6, -3}, {0, 1}, reach));
+    EXPECT_FALSE(there.runAlong({-4, -3}, {1, 0}, reach));
 }
 
 TEST(Overlaps, ShortPartsThatLieOnAnotherLineAreLeftOut) {

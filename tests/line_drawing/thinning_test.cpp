@@ -83,12 +83,16 @@ TEST(Thinning, LeavesNoIslands) {
 TEST(Thinning, LeavesWhiteBesideOutlinesAndEdgesWhichStay) {
     for (const LineClass c : {LineClass::Outline, LineClass::Contour, LineClass::Edge}) {
         const double touching = pens[std::size_t(c)] / 2 + pen / 2;
-        for (const auto& [white, count] : {std::pair(0.4 * pen, 1u), std::pair(0.6 * pen, 2u)}) {
-            const double y = touching + white;
-            EXPECT_EQ(
-                thinOut({straight({0, 0}, {20, 0}, 1, c), straight({0, y}, {20, y})}, pens).size(),
-                count);
-        }
+        const auto left = [&](double white, double rise) {
+            const double y = touching + white * pen;
+            return lengthOfAll(thinOut(
+                       {straight({0, 0}, {20, 0}, 1, c), straight({0, y}, {20, y + rise})}, pens)) -
+                   20;
+        };
+        EXPECT_EQ(left(1.4, 0), 0);
+        EXPECT_NEAR(left(1.6, 0), 20, 1e-9);
+        EXPECT_NEAR(left(0.6, pen), 20, 0.1);  // whole, or not at all
+        EXPECT_EQ(left(0.6, 0.8 * pen), 0);
     }
 }
 

@@ -137,11 +137,12 @@ public:
         }
     }
 
-    /// Calls visit(number) for the elements whose boxes meet `box` until it returns false.
+    /// Calls visit(number) for the elements whose boxes meet `box`, which it may make smaller,
+    /// until it returns false; false if it did.
     template <class Visit>
-    void visit(const Box& box, Visit visit) const {
-        if (!levels_.empty())
-            visit_nodes(top(), 0, box, 0, [&](std::size_t i) { return visit((*order_)[i]); });
+    bool visit(const Box& box, Visit visit) const {
+        return levels_.empty() ||
+               visit_nodes(top(), 0, box, 0, [&](std::size_t i) { return visit((*order_)[i]); });
     }
 
     /// Parts of the tree whose boxes meet, or one twice.

@@ -9,6 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 double cross(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
@@ -17,13 +19,11 @@ bool is_less(const Vector3d& a, const Vector3d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
 }
 
-Eigen::AlignedBox2f flat_box(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-    const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c).head<2>(),
-                          high = a.cwiseMax(b).cwiseMax(c).head<2>();
-    // outwards by more than floats round
-    const auto wider = [](const Eigen::Vector2d& corner, float sign) {
-        const Eigen::Vector2f f = corner.cast<float>();
-        return Eigen::Vector2f(f.array() + sign * (2e-7f * f.array().abs() + 1e-12f));
+/// Rounded outwards.
+Eigen::AlignedBox3f box_of(const Vector3d& low, const Vector3d& high) {
+    const auto wider = [](const Vector3d& corner, float sign) {
+        const Eigen::Vector3f f = corner.cast<float>();
+        return Eigen::Vector3f(f.array() + sign * (2e-7f * f.array().abs() + 1e-12f));
     };
     return {wider(low, -1), wider(high, 1)};
 }
@@ -44,8 +44,10 @@ Picture::Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgre
         facing_[t] = std::int8_t(turn(corner(t, 0), corner(t, 1), corner(t, 2)));
     });
     stage.report(0.4);
-    tree_ = {mesh.along_curve,
-             [&](std::uint32_t t) { return flat_box(corner(t, 0), corner(t, 1), corner(t, 2)); }};
+    tree_ = {mesh.along_curve, [&](std::uint32_t t) {
+                 const Vector3d &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
+                 return box_of(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+             }};
     stage.report(1);
 }
 
@@ -68,7 +70,7 @@ bool Picture::covers(std::uint32_t triangle, const Vector3d& place) const {
 }
 
 Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::size_t own_count,
-                      double precision) const {
+                      double precision, std::uint32_t& hider) const {
     const Vector3d at = frame_.place(point), to_eye = frame_.towards_eye(point);
     const auto is_own = [&](std::uint32_t triangle) {
         const auto place = std::lower_bound(
@@ -77,16 +79,30 @@ Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::si
         return place != own + own_count && place->triangle == triangle;
     };
     Backing result;
-    tree_.visit(Eigen::AlignedBox2f(at.head<2>().cast<float>().eval()),
-                [&](std::uint32_t triangle) {
-                    if (is_own(triangle) || !covers(triangle, at)) return true;
-                    const Vector3d& corner = mesh_.positions[mesh_.triangles[triangle][0]];
-                    const Vector3d normal = facing_[triangle] * mesh_.normal(triangle);
-                    const double height = normal.dot(point - corner);  // above it for the eye
-                    result.is_hidden = height < -precision;
-                    result.gap = std::min(result.gap, std::max(height, 0.) / normal.dot(to_eye));
-                    return !result.is_hidden;
-                });
+    // From the nearest surface behind the point, as far as it is known, to the eye: where faces are
+    // seen along their planes, thousands of triangles are behind it.
+    const auto column = [&] {
+        return box_of({at.x(), at.y(), behind(at.z(), result.gap)}, {at.x(), at.y(), infinity});
+    };
+    Eigen::AlignedBox3f box = column();
+    const auto is_before = [&](std::uint32_t triangle) {
+        if (is_own(triangle) || !covers(triangle, at)) return true;
+        const Vector3d& corner = mesh_.positions[mesh_.triangles[triangle][0]];
+        const Vector3d normal = facing_[triangle] * mesh_.normal(triangle);
+        const double height = normal.dot(point - corner);  // above it for the eye
+        if (height < -precision) {
+            hider = triangle;
+            return false;
+        }
+        const double gap = std::max(height, 0.) / normal.dot(to_eye);
+        if (gap < result.gap) {
+            result.gap = gap;
+            box = column();
+        }
+        return true;
+    };
+    result.is_hidden = !is_before(hider) || !tree_.visit(box, is_before);
+    if (result.is_hidden) result.gap = 0;
     return result;
 }
 

@@ -15,7 +15,7 @@ namespace laplacian_lines {
 /// What is before and behind a point.
 struct Backing {
     bool is_hidden = false;
-    /// To the next surface behind it, local; infinite if there is none.
+    /// From a point that is seen to the next surface behind it, local; infinite if there is none.
     double gap = std::numeric_limits<double>::infinity();
 };
 
@@ -46,6 +46,11 @@ public:
         return frame_.has_perspective() ? distance * z * z : distance;
     }
 
+    /// z at a local distance behind a place, or less.
+    double behind(double z, double distance) const {
+        return frame_.has_perspective() ? z / (1 + distance * z) : z - distance;
+    }
+
     /// The share in space of a share of the line between two places of the picture.
     double share_in_space(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double t) const {
         return frame_.has_perspective() ? t * to.z() / ((1 - t) * from.z() + t * to.z()) : t;
@@ -53,8 +58,10 @@ public:
 
     /// By a ray through a local point of the surface, which is part of the triangles `own`, in
     /// order; it ignores these. Points up to `precision`, local, from a triangle's plane are on it.
+    /// `hider`: a triangle that is tried first, then the one that hides the point, if any does; the
+    /// same mostly hides what is beside it.
     Backing look(const Eigen::Vector3d& point, const SightMesh::Side* own, std::size_t own_count,
-                 double precision) const;
+                 double precision, std::uint32_t& hider) const;
 
 private:
     bool covers(std::uint32_t triangle, const Eigen::Vector3d& place) const;
@@ -63,7 +70,7 @@ private:
     const EyeFrame frame_;
     std::vector<Eigen::Vector3d> places_;
     std::vector<std::int8_t> facing_;  // of triangles: 1 if counter-clockwise in the picture
-    BoxTree<2> tree_;                  // of triangles
+    BoxTree<3> tree_;                  // of triangles
 };
 
 }  // namespace laplacian_lines

@@ -52,8 +52,8 @@ Eigen::Vector2f middle_of(const SightSegments& all, const SightPiece& piece) {
     return (a + t * (b - a)).head<2>().cast<float>();
 }
 
-/// Looks at the middle of a piece.
-void decide(const SightSegments& all, SightPiece& piece) {
+/// Looks at the middle of a piece; `hider` as Picture::look() has it.
+void decide(const SightSegments& all, SightPiece& piece, std::uint32_t& hider) {
     const SightSegment& segment = all.segments[piece.segment];
     const SightMesh& mesh = all.picture.mesh();
     const double t = (piece.shares[0] + piece.shares[1]) / 2;
@@ -61,9 +61,9 @@ void decide(const SightSegments& all, SightPiece& piece) {
         all.picture.share_in_space(all.place(segment.points[0]), all.place(segment.points[1]), t);
     const Vector3d &a = all.position(segment.points[0]), &b = all.position(segment.points[1]);
     const bool is_edge = segment.edge != SightSegment::kNone;
-    const Backing backing =
-        all.picture.look(a + share * (b - a), is_edge ? mesh.sides_of(segment.edge) : nullptr,
-                         is_edge ? mesh.side_count(segment.edge) : 0, reach_of(mesh, segment));
+    const Backing backing = all.picture.look(
+        a + share * (b - a), is_edge ? mesh.sides_of(segment.edge) : nullptr,
+        is_edge ? mesh.side_count(segment.edge) : 0, reach_of(mesh, segment), hider);
     piece.is_hidden = backing.is_hidden;
     piece.gap = float(backing.gap);
     piece.is_outline = !backing.is_hidden && std::isinf(backing.gap) && segment.divides &&
@@ -105,11 +105,14 @@ void decide_runs(const SightSegments& all, const std::vector<std::size_t>& runs,
     // Neighbouring rays read the same memory.
     const std::vector<std::uint32_t> order = order_along_curve<2>(
         runs.size() - 1, bounds, [&](std::uint32_t run) { return middle_of(all, chosen(run)); });
-    parallel_for<NoScratch>(
+    struct Hider {
+        std::uint32_t triangle = 0;
+    };
+    parallel_for<Hider>(
         order.size(), stage,
-        [&](std::size_t i, NoScratch&) {
+        [&](std::size_t i, Hider& hider) {
             const std::uint32_t run = order[i];
-            decide(all, chosen(run));
+            decide(all, chosen(run), hider.triangle);
             for (std::size_t k = runs[run]; k < runs[run + 1]; ++k)
                 pieces[k].is_hidden = chosen(run).is_hidden;
         },

@@ -44,7 +44,7 @@ public:
           pens_(pens),
           pen_(pens[std::size_t(LineClass::Inner)]),
           mixes_kinds_(mixes_kinds),
-          all_(allOf(lines_, longest_gap * pen_)) {
+          all_(allOf(lines_, pen_)) {
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             const bool is_chained =
                 isInner(lines_[i]) || lines_[i].line_class == LineClass::Contour;

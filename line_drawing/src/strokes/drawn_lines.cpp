@@ -26,7 +26,7 @@ double distanceTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p)
 }  // namespace
 
 std::int64_t DrawnLines::squareOf(double coordinate) const {
-    return std::int64_t(std::floor(coordinate / (2 * reach_)));
+    return std::int64_t(std::floor(coordinate / reach_));
 }
 
 DrawnLines::Cell DrawnLines::cell(std::int64_t x, std::int64_t y) {
@@ -47,8 +47,8 @@ void DrawnLines::add(const std::vector<Vector2d>& line, std::size_t number) {
 }
 
 /// By squares that hold the middle of a piece as near as this: pieces are at most `reach` long.
-template <class Visit>
-void DrawnLines::forEachPieceNear(const Vector2d& point, double within, Visit visit) const {
+template <class Test>
+bool DrawnLines::anyPieceNear(const Vector2d& point, double within, Test test) const {
     const double to_middle = within + piece_share * reach_;
     const auto low = [&](double x) { return squareOf(x - to_middle); };
     const auto high = [&](double x) { return squareOf(x + to_middle); };
@@ -56,42 +56,46 @@ void DrawnLines::forEachPieceNear(const Vector2d& point, double within, Visit vi
         for (std::int64_t y = low(point.y()); y <= high(point.y()); ++y) {
             const auto found = pieces_.find(cell(x, y));
             if (found == pieces_.end()) continue;
-            for (const Piece& piece : found->second)
-                visit(piece);
+            if (std::any_of(found->second.begin(), found->second.end(), test)) return true;
         }
+    return false;
 }
 
-double DrawnLines::distanceAlong(const Vector2d& point, const Vector2d& way) const {
-    double least = reach_;
-    forEachPieceNear(point, reach_, [&](const Piece& piece) {
+bool DrawnLines::runAlong(const Vector2d& point, const Vector2d& way, double within) const {
+    return anyPieceNear(point, within, [&](const Piece& piece) {
         const Vector2d along = (piece.end - piece.begin).normalized();
-        if (std::abs(along.dot(way)) >= least_cosine)
-            least = std::min(least, distanceTo(piece.begin, piece.end, point));
+        return std::abs(along.dot(way)) >= least_cosine &&
+               distanceTo(piece.begin, piece.end, point) < within;
     });
-    return least;
 }
 
 bool DrawnLines::isBeside(const Vector2d& point, double within) const {
-    bool is_beside = false;
-    forEachPieceNear(point, within, [&](const Piece& piece) {
+    return anyPieceNear(point, within, [&](const Piece& piece) {
         const Vector2d way = piece.end - piece.begin;
         const double t = way.dot(point - piece.begin) / way.squaredNorm();
         const bool is_past = t < -end_share || t > 1 + end_share;
-        is_beside |= !is_past && distanceTo(piece.begin, piece.end, point) < within;
+        return !is_past && distanceTo(piece.begin, piece.end, point) < within;
     });
-    return is_beside;
+}
+
+bool DrawnLines::isNear(const Vector2d& point, const Numbers& except, double within) const {
+    return anyPieceNear(point, within, [&](const Piece& piece) {
+        return (piece.line < except.first || piece.line > except.last) &&
+               distanceTo(piece.begin, piece.end, point) <= within;
+    });
 }
 
 std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, const Numbers& except,
                                                        double within) const {
     std::optional<Place> nearest;
-    forEachPieceNear(point, within, [&](const Piece& piece) {
-        if (piece.line >= except.first && piece.line <= except.last) return;
+    anyPieceNear(point, within, [&](const Piece& piece) {
+        if (piece.line >= except.first && piece.line <= except.last) return false;
         const Vector2d place = nearestTo(piece.begin, piece.end, point);
         const double distance = (place - point).norm();
-        if (distance > within) return;
+        if (distance > within) return false;
         within = distance;
         nearest = Place{place, piece.line};
+        return false;
     });
     return nearest;
 }
@@ -101,16 +105,17 @@ std::optional<DrawnLines::Neighbour> DrawnLines::nextOn(
     const std::function<bool(std::size_t)>& skips) const {
     std::optional<Neighbour> nearest;
     double most = distances.most;
-    forEachPieceNear(point, distances.most, [&](const Piece& piece) {
+    anyPieceNear(point, distances.most, [&](const Piece& piece) {
         const Vector2d across = nearestTo(piece.begin, piece.end, point) - point;
         const Vector2d way = (piece.end - piece.begin).normalized();
         const double distance = across.norm();
         if (distance < distances.least || distance > most ||
             across.dot(side) < least_cosine * distance || std::abs(way.dot(side)) > largest_sine ||
             skips(piece.line))
-            return;
+            return false;
         most = distance;
         nearest = Neighbour{point + across, way, piece.line};
+        return false;
     });
     return nearest;
 }

@@ -22,14 +22,13 @@ constexpr double reversal = -0.5;
 /// Lines already on the paper, to ask whether another would double them. Millimetres.
 class DrawnLines {
 public:
-    /// Lines nearer than `reach` that run along one double it.
+    /// `reach`: about as far as questions go; the larger, the more lines each of them looks at.
     explicit DrawnLines(double reach) : reach_(reach) {}
 
     void add(const std::vector<Eigen::Vector2d>& line, std::size_t number = 0);
 
-    /// Distance to the nearest line that runs along the unit direction `way`, within 20°; at most
-    /// the reach.
-    double distanceAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way) const;
+    /// Whether a line this near runs along the unit direction `way`, within 20°.
+    bool runAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within) const;
 
     /// Whether `point` is this near beside a line in any direction, not beyond its end.
     bool isBeside(const Eigen::Vector2d& point, double within) const;
@@ -40,6 +39,8 @@ public:
         Numbers(std::size_t from, std::size_t to) : first(from), last(to) {}
         std::size_t first, last;
     };
+    /// Whether any but these is this near.
+    bool isNear(const Eigen::Vector2d& point, const Numbers& except, double within) const;
     /// The nearest place on a line without these numbers, and its number.
     struct Place {
         Eigen::Vector2d position;
@@ -70,11 +71,12 @@ private:
 
     std::int64_t squareOf(double coordinate) const;
     static Cell cell(std::int64_t x, std::int64_t y);
-    template <class Visit>
-    void forEachPieceNear(const Eigen::Vector2d& point, double within, Visit visit) const;
+    /// Until test(piece) is true; whether it was.
+    template <class Test>
+    bool anyPieceNear(const Eigen::Vector2d& point, double within, Test test) const;
 
     const double reach_;
-    std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares of twice the reach
+    std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares as wide as the reach
 };
 
 DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach);

@@ -49,7 +49,7 @@ std::size_t beginOfHook(const std::vector<DrawnPoint>& points, double pen) {
 }  // namespace
 
 void cutHooks(std::vector<DrawnLine>& lines, double pen) {
-    const DrawnLines all = allOf(lines, longest_hook * pen);
+    const DrawnLines all = allOf(lines, pen);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         DrawnLine& line = lines[i];
         if (!isInner(line) || line.closed || lengthOf(line.points) < 2 * longest_hook * pen)
@@ -57,7 +57,7 @@ void cutHooks(std::vector<DrawnLine>& lines, double pen) {
         std::vector<DrawnPoint> points = refine(line.points, step * pen);
         for (int end = 0; end < 2; ++end) {
             std::reverse(points.begin(), points.end());
-            if (!all.nearestOn(points.back().position, i, same_place * pen))
+            if (!all.isNear(points.back().position, i, same_place * pen))
                 points.resize(beginOfHook(points, pen) + 1);
         }
         line.points = std::move(points);

@@ -45,7 +45,7 @@ public:
 
 private:
     bool isLoose(std::size_t line, const Vector2d& end) const {
-        return !all_.nearestOn(end, line, same_reach * reach_);
+        return !all_.isNear(end, line, same_reach * reach_);
     }
 
     /// Outlines are closed; sections may end where the surface does.
@@ -65,7 +65,7 @@ private:
         for (int k = 0; k < 2; ++k) {
             const auto from = loose.nearestOn(ends[k], none, 2 * same_reach * reach_);
             if (from && isLoose(from->line, from->position) &&
-                all_.nearestOn(ends[1 - k], from->line, beside_reach * reach_))
+                all_.isNear(ends[1 - k], from->line, beside_reach * reach_))
                 return true;
         }
         return false;

@@ -76,9 +76,9 @@ public:
           is_double_(points_.size()) {
         std::vector<bool> is_same(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            const double distance = there.distanceAlong(points_[i].position, wayAt(i));
-            is_double_[i] = distance < reach;
-            is_same[i] = distance < same_reach * reach;
+            is_double_[i] = there.runAlong(points_[i].position, wayAt(i), reach);
+            is_same[i] =
+                is_double_[i] && there.runAlong(points_[i].position, wayAt(i), same_reach * reach);
         }
         forgetShortRuns(is_double_, shortest_double * reach);
         forgetShortRuns(is_same, step_share * reach / 2);

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 // in pens of inner lines
 constexpr double between_lines = 3;  // from middle to middle: two pens of white, as in ISO 128
 constexpr double least_white = 0.5;  // beside outlines
-// A part of a line has this much more white somewhere: what runs along another about as near as
+// A part of a line has this much more white somewhere: what runs along an outline about as near as
 // that is left out whole, not where it happens to be nearer.
 constexpr double clear_white = 1;
 constexpr double shortest_stroke = 6;
@@ -47,12 +47,12 @@ double extentOf(const DrawnLine& line) {
 /// Removes contours of bumps of a curved surface that are shorter than inner lines and meet
 /// nothing.
 std::vector<DrawnLine> withoutSpecks(std::vector<DrawnLine> lines, double pen) {
-    const DrawnLines all = allOf(lines, shortest_stroke * pen);
+    const DrawnLines all = allOf(lines, pen);
     std::vector<DrawnLine> rest;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const DrawnLine& line = lines[i];
         const auto meets = [&](const DrawnPoint& end) {
-            return all.nearestOn(end.position, i, same_end * pen);
+            return all.isNear(end.position, i, same_end * pen);
         };
         if (line.line_class != LineClass::Contour || !isSmooth(line) || line.closed ||
             lengthOf(line.points) >= shortest_stroke * pen || meets(line.points.front()) ||
@@ -111,7 +111,7 @@ public:
             while (end < points.size() && is_free[end])
                 ++end;
             const auto is_clear = [&](const DrawnPoint& p) {
-                return isFree(p.position, clear_white);
+                return isBesideNone(p.position, clear_white * pen_);
             };
             const bool is_apart = std::any_of(points.begin() + std::ptrdiff_t(begin),
                                               points.begin() + std::ptrdiff_t(end), is_clear);
@@ -130,10 +130,8 @@ public:
 private:
     double whiteBeside(double pen) const { return pen / 2 + (0.5 + least_white) * pen_; }
 
-    /// `more`: white than there has to be, in pens.
-    bool isFree(const Vector2d& point, double more = 0) const {
-        return !kept_.isBeside(point, (between_lines + more) * pen_) &&
-               isBesideNone(point, more * pen_);
+    bool isFree(const Vector2d& point) const {
+        return !kept_.isBeside(point, between_lines * pen_) && isBesideNone(point, 0);
     }
 
     /// Of the outlines; `more`: mm beyond what inner lines keep to.
