@@ -8,6 +8,7 @@
 
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
+#include "mesh/needles.h"
 #include "mesh/stitching.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
@@ -227,6 +228,7 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
         keep_used_vertices(mesh, prepared);
         to_local_coordinates(mesh, prepared);
     } while (drop_lost_triangles(prepared));
+    unfold_needles(prepared.positions, prepared.triangles);
     prepared.report.unreferenced_vertices -=
         prepared.report.welded_vertices + prepared.midpoints.size();
     prepared.report.degenerate_triangles =

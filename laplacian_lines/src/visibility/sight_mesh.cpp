@@ -11,6 +11,7 @@
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
 #include "mesh/equal_positions.h"
+#include "mesh/needles.h"
 #include "system/disjoint_sets.h"
 #include "visibility/box_tree.h"
 #include "visibility/sight_edges.h"
@@ -260,6 +261,7 @@ void divide_edges(const std::vector<SurfaceContacts::OnEdge>& on_edges, SightMes
 
 void find_edges(SightMesh& mesh, const StageProgress& stage) {
     weld_equal(mesh);
+    unfold_needles(mesh.positions, mesh.triangles);
     build_edges(mesh);
     stage.report(0.3);
     if (weld_borders(mesh)) build_edges(mesh);
