@@ -8,8 +8,8 @@ namespace {
 
 /// Shares of the edges; open surfaces of a few hundred triangles have borders of 5 %.
 constexpr double kMostBorders = 0.2, kMostOpposed = 0.02;
-/// Share of the triangles: of more, all are inside out but for what hardly hangs together.
-constexpr double kMostTurned = 0.9;
+/// Shares of the triangles that were turned: specks of scans; all but what hardly hangs together.
+constexpr double kLeastTurned = 1e-3, kMostTurned = 0.9;
 /// Angle, in radians, by which most of the surface turns within the kernel.
 constexpr double kMostBend = 0.7;
 
@@ -24,10 +24,11 @@ std::vector<MeshFault> faults_of(const MeshReport& report) {
     if (report.border_share > kMostBorders) faults.push_back(MeshFault::Torn);
     if (report.opposed_share > kMostOpposed) faults.push_back(MeshFault::Disagreeing);
     if (!faults.empty()) return faults;  // which hide the others
-    if (report.turned_triangles > 0)
-        faults.push_back(double(report.turned_triangles) > kMostTurned * double(report.triangles)
-                             ? MeshFault::InsideOut
-                             : MeshFault::Turned);
+    const double turned = double(report.turned_triangles) / double(report.triangles);
+    if (turned > kMostTurned)
+        faults.push_back(MeshFault::InsideOut);
+    else if (turned > kLeastTurned)
+        faults.push_back(MeshFault::Turned);
     if (report.kernel_bend > kMostBend) faults.push_back(MeshFault::CoarseKernel);
     return faults;
 }

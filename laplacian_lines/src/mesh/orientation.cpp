@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "mesh/edge_table.h"
+#include "system/disjoint_sets.h"
+#include "system/equal_elements.h"
 
 namespace laplacian_lines {
 namespace {
@@ -63,14 +65,26 @@ struct Body {
     Eigen::AlignedBox3d box;
     Vector3d area_vectors = Vector3d::Zero();
     double area = 0, turned_area = 0, volume = 0;  // twice, twice, six times
-    std::size_t edges = 0, borders = 0;
+    std::size_t sides = 0, borders = 0;
     bool is_orientable = true, is_closed = false, is_turned = false;
     std::vector<std::uint32_t> around = {};  // closed bodies that it lies in
+
+    void add(const PreparedMesh& mesh, const Triangle& t, double sign) {
+        const Vector3d vector = area_vector(mesh, t);
+        area += vector.norm();
+        if (sign < 0) turned_area += vector.norm();
+        area_vectors += sign * vector;
+        volume += sign * mesh.positions[t[0]].dot(vector);
+        sides += 3;
+        for (const std::uint32_t v : t)
+            box.extend(mesh.positions[v]);
+    }
 
     void decide() {
         const double about_middle = volume - area_vectors.dot(box.center());
         const bool is_whole = borders == 0;
-        is_closed = is_orientable && double(borders) <= kMostBordersOfHoles * double(edges) &&
+        is_closed = is_orientable &&
+                    double(2 * borders) <= kMostBordersOfHoles * double(sides + borders) &&
                     area_vectors.norm() < kMostOpen * area &&
                     std::abs(about_middle) > (is_whole ? kLeastVolumeOfClosed : kLeastVolume) *
                                                  area * box.diagonal().norm();
@@ -193,12 +207,10 @@ private:
         return torn;
     }
 
-    /// A triangle twice.
+    /// Whether neighbours have the same third corner.
     bool is_same(std::uint32_t a, std::uint32_t b) const {
-        Triangle t = mesh_.triangles[a], u = mesh_.triangles[b];
-        std::sort(t.begin(), t.end());
-        std::sort(u.begin(), u.end());
-        return t == u;
+        const Triangle &t = mesh_.triangles[a], &u = mesh_.triangles[b];
+        return t[0] + t[1] + t[2] == u[0] + u[1] + u[2];
     }
 
     void find_bodies(const std::vector<std::uint32_t>& torn) {
@@ -209,23 +221,13 @@ private:
             const std::uint32_t root = patches_.root(t);  // no later triangle
             if (root == t) number[t] = std::uint32_t(bodies_.size()), bodies_.emplace_back();
             body_of_[t] = number[root];
-            Body& body = bodies_[body_of_[t]];
-            const Vector3d vector = area_vector(mesh_, triangles[t]);
-            const double sign = patches_.is_turned(t) ? -1 : 1;
-            body.area += vector.norm();
-            if (sign < 0) body.turned_area += vector.norm();
-            body.area_vectors += sign * vector;
-            body.volume += sign * mesh_.positions[triangles[t][0]].dot(vector);
-            for (const std::uint32_t v : triangles[t])
-                body.box.extend(mesh_.positions[v]);
+            bodies_[body_of_[t]].add(mesh_, triangles[t], patches_.is_turned(t) ? -1 : 1);
         }
         for (const std::uint32_t t : torn)
             bodies_[body_of_[t]].is_orientable = false;
         std::size_t borders = 0;
         for (std::uint32_t e = 0; e < table_.edge_count(); ++e) {
-            Body& body = bodies_[body_of_[table_.sides_of(e)->triangle]];
-            ++body.edges;
-            body.borders += table_.is_border(e);
+            bodies_[body_of_[table_.sides_of(e)->triangle]].borders += table_.is_border(e);
             borders += table_.is_border(e);
         }
         if (bodies_.size() > 1)  // the borders of one are its form
@@ -258,10 +260,59 @@ private:
     std::vector<std::uint32_t> body_of_;  // by triangle
 };
 
+/// Sides that may have a border there, or a neighbour that disagrees: else each vertex around one
+/// comes as often before another as behind it.
+std::vector<LooseSide> uneven_sides(const PreparedMesh& mesh) {
+    std::vector<std::uint64_t> balance(mesh.size(), 0);
+    for (const Triangle& t : mesh.triangles) {
+        const std::uint64_t h[3] = {mix_hash(1, t[0]), mix_hash(1, t[1]), mix_hash(1, t[2])};
+        for (std::size_t k = 0; k < 3; ++k)
+            balance[t[k]] += h[(k + 1) % 3] - h[(k + 2) % 3];
+    }
+    return collect<LooseSide>(mesh.triangles.size(), [&](std::uint32_t i, auto& found) {
+        const Triangle& t = mesh.triangles[i];
+        for (std::size_t k = 0; k < 3; ++k)
+            if (balance[t[k]] != 0 && balance[t[(k + 1) % 3]] != 0)
+                found.push_back(side_between(t[k], t[(k + 1) % 3], i));
+    });
+}
+
+/// What most meshes are, found without all of their edges.
+bool faces_outwards(PreparedMesh& mesh) {
+    EdgeTable table;
+    const std::vector<LooseSide> sides = uneven_sides(mesh);
+    const auto side_of = [&](std::uint32_t i) { return sides[i]; };
+    gather_edges(sides.size(), side_of, mesh.size(), table);
+    DisjointSets pieces(mesh.size());
+    for (const Triangle& t : mesh.triangles)
+        pieces.unite(pieces.unite(t[0], t[1]), t[2]);
+    std::vector<Body> bodies(mesh.size());  // by root
+    std::size_t borders = 0, count = 0;
+    for (std::uint32_t e = 0; e < table.edge_count(); ++e) {
+        const EdgeTable::Side* const side = table.sides_of(e);
+        const bool is_border = table.is_border(e);
+        if (!is_border && (table.side_count(e) > 2 || side[0].is_reversed == side[1].is_reversed))
+            return false;
+        bodies[pieces.root(table.edges[e].vertices[0])].borders += is_border;
+        borders += is_border;
+    }
+    for (const Triangle& t : mesh.triangles)
+        bodies[pieces.root(t[0])].add(mesh, t, 1);
+    for (Body& body : bodies) {
+        if (body.area > 0) body.decide();
+        if (body.is_turned) return false;
+        count += body.area > 0;
+    }
+    if (count > 1)
+        mesh.report.border_share =
+            2. * double(borders) / double(3 * mesh.triangles.size() + borders);
+    return true;
+}
+
 }  // namespace
 
 void orient(PreparedMesh& mesh) {
-    Turning(mesh).run();
+    if (!faces_outwards(mesh)) Turning(mesh).run();
 }
 
 }  // namespace laplacian_lines
