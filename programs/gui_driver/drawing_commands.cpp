@@ -53,9 +53,19 @@ QString refusal() {
     return place < 0 ? QString() : log.mid(place + beginning.size()).section('\n', 0, 0);
 }
 
+/// What the log has to say of meshes, once.
+void sayWarnings() {
+    static int told = 0;  // characters of the log
+    const QString log = logText();
+    for (const QString& line : log.mid(log.size() < told ? 0 : told).split('\n'))
+        if (line.contains(": Warning: ")) say("warning: " + line.trimmed().toStdString());
+    told = log.size();
+}
+
 void drawLines(const Command&) {
     QAction* action = requireAction(decoration);
     if (!action->isChecked()) action->trigger();
+    sayWarnings();
     if (action->isChecked()) return;
     const QString reason = refusal();
     throw CommandError(reason.isEmpty() ? "MeshLab does not draw the lines" : reason);

@@ -182,6 +182,7 @@ nb::dict measures(const Surface& surface) {
     d["unreferenced_vertices"] = report.unreferenced_vertices;
     d["degenerate_triangles"] = report.degenerate_triangles;
     d["welded_vertices"] = report.welded_vertices;
+    d["turned_triangles"] = report.turned_triangles;
     d["undone_subdivisions"] = report.undone_subdivisions;
     return d;
 }

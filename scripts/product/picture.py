@@ -15,7 +15,7 @@ from environment.files import put_file
 from environment.messages import Failure, Obstacle, say
 from environment.python_environments import ensure_python
 from product.display import display, private_home
-from product.meshlab import DRIVER_ERROR, MINUTES, drivable_mesh, explain_failure, run_meshlab
+from product.meshlab import DRIVER_ERROR, MINUTES, drivable_mesh, explain_failure, log_lines, run_meshlab
 from product.sheet import make_sheet, plain_label
 
 NOISE_SEED = 1
@@ -23,6 +23,7 @@ LINE_SIDE = 900  # pixels of a picture's shorter side, above which lines get wid
 LINE_WIDTH = 1.6  # pixels, as in the decoration's table
 VIEWS = {"front": "0,0", "right": "90,0", "back": "180,0", "left": "-90,0", "top": "0,90", "bottom": "0,-90"}
 IMAGE_TOOLS = ("scikit-image==0.25.2", "numpy==2.2.6", "scipy==1.15.3", "pillow==11.3.0")
+WARNING = "meshlab_driver: warning: "
 NUMBER = r"[0-9]+(\.[0-9]+)?"
 
 
@@ -208,6 +209,9 @@ class Pictures:
         first = 0
         while first < len(self.rows):
             code = run_meshlab(self.stage, self.folder, self.script(first), env=private_home(self.folder / "home"))
+            for line in dict.fromkeys(log_lines(self.folder)):
+                if line.startswith(WARNING):
+                    say(line.removeprefix(WARNING))
             undrawn = first
             while undrawn < len(self.rows) and self.drawing(undrawn, len(self.views) - 1,
                                                             len(self.columns) - 1).exists():

@@ -174,6 +174,24 @@ TEST(ClosedOutlines, OfMeshesWithTJunctions) {
     }
 }
 
+/// Boxes on a grid share faces, edges and corners, but for rounding.
+TEST(ClosedOutlines, OfBoxesThatTouchWithinRounding) {
+    for (unsigned seed = 0; seed < 24; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        TriangleMesh mesh;
+        for (unsigned boxes = 2 + seed % 4; boxes > 0; --boxes) {
+            const Vector3d low = grid_corner(random), size = Vector3d::Ones() + grid_corner(random);
+            TriangleMesh box = test_meshes::cube(1);
+            for (Vector3d& p : box.positions)
+                p = low + size.cwiseProduct(p + Vector3d::Ones()) +
+                    3e-7 * (2 * random_vector(random) - Vector3d::Ones());
+            test_meshes::append(mesh, box);
+        }
+        expect_closed_outlines(mesh, some_directions(seed), false);
+    }
+}
+
 TEST(ClosedOutlines, OfBoxesThroughEachOther) {
     for (unsigned seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);

@@ -87,16 +87,16 @@ TEST(Invariance, ScaleAndOffsetTogether) {
     expect_equivariant(kTurn, 1e-3, {10, 0, -5}, 1e-4);
 }
 
-TEST(Invariance, MirroringTurnsTheNormals) {
+/// The mirrored mesh is inside out, and read the right way round.
+TEST(Invariance, MirroringMirrorsTheNormals) {
     TriangleMesh mirrored = base();
     for (Eigen::Vector3d& p : mirrored.positions)
         p.x() = -p.x();
-    const Field field = precompute(base()), inside_out = precompute(mirrored);
+    const Field field = precompute(base()), other = precompute(mirrored);
     const Eigen::Matrix3d mirror = Eigen::Vector3d(-1, 1, 1).asDiagonal();
-    EXPECT_LT(relative_error(inside_out.normals, applied(-mirror, field.normals)), 1e-6);
-    EXPECT_LT(
-        relative_error(inside_out.laplacian_normals, applied(-mirror, field.laplacian_normals)),
-        2e-4);  // the vertices lie otherwise in the grid of the sums
+    EXPECT_LT(relative_error(other.normals, applied(mirror, field.normals)), 1e-6);
+    EXPECT_LT(relative_error(other.laplacian_normals, applied(mirror, field.laplacian_normals)),
+              2e-4);  // the vertices lie otherwise in the grid of the sums
 }
 
 TEST(Invariance, NumberingOfVerticesAndTriangles) {

@@ -201,7 +201,7 @@ TEST(Ridges, AreOnlyWhereOneConvexCurvatureRules) {
     style.ridge_angle = 10;
     EXPECT_TRUE(ridges(test_meshes::mesh_named("sphere").mesh, style).lines.empty());
     EXPECT_TRUE(ridges(test_meshes::mesh_named("plane").mesh, style).lines.empty());
-    for (const LinePoint& p : ridges(test_meshes::inside_out(rounded_cube()), style).points)
+    for (const LinePoint& p : ridges(test_meshes::cavity(rounded_cube()), style).points)
         EXPECT_EQ(edge_of(p.position), -1);
 }
 

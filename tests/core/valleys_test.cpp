@@ -48,8 +48,7 @@ TEST(Valleys, FollowTheBottomsOfGrooves) {
 }
 
 TEST(Valleys, AreTheRidgesOfTheOtherSide) {
-    for (const TriangleMesh& mesh :
-         {groove(), test_meshes::rounded_cube(40, 0.1), test_meshes::hills(80).mesh}) {
+    for (const TriangleMesh& mesh : {groove(), test_meshes::hills(80).mesh}) {
         const LineSet valleys = lines_of(inside_out(mesh), LineKind::Valley),
                       ridges = lines_of(mesh, LineKind::Ridge);
         EXPECT_EQ(valleys.lines.size(), ridges.lines.size());
@@ -71,7 +70,7 @@ TEST(Valleys, OfAnEllipsoidSeenFromWithinAreItsRim) {
     TriangleMesh mesh = test_meshes::icosphere(5);
     for (Eigen::Vector3d& p : mesh.positions)
         p = p.cwiseProduct(Eigen::Vector3d(1, 0.8, 0.2));
-    mesh = inside_out(mesh);
+    mesh = test_meshes::cavity(mesh);
     const ExtractorData data = build_extractor_data(mesh, precompute(mesh));
     const auto found = find_ridge_candidates(data, place_clusters(data), kConcaveCrest);
     double rim = 0;

@@ -67,6 +67,18 @@ off("metres.off", moved(1e-5))
 expect_said(draw("metres.svg", "--scale", "1:1", "--unit", "m", *BARE, "metres.off"), "1 x 1 x 1 mm in size")
 expect_said(draw("metres.svg", *BARE, "metres.off"), "if it is in metres, say --unit m")
 
+# faces that face inwards, or some of them, make no difference, but are told of
+turned = [" ".join(reversed(face.split())) for face in FACES]
+drawings = set()
+for name, faces, remark in (("cube", FACES, ""), ("inverted", turned, "inside out"),
+                            ("mixed", [*FACES[:4], *turned[4:]], "8 of 12 triangles face inwards")):
+    off(f"{name}/cube.off", VERTICES, faces)
+    said = draw("views.svg", "--views", "front,30,30", f"{name}/cube.off")
+    expect(remark in said and bool(remark) == ("MeshLab's filter" in said), f"{name}: {said}")
+    draw("section.svg", "--section", "x=0.5", f"{name}/cube.off")
+    drawings.add((re.sub("<metadata.*?</metadata>", "", text_of("views.svg"), flags=re.S), paths("section.svg")))
+expect(len(drawings) == 1, "a cube whose faces face inwards is drawn otherwise")
+
 # texts of PDF can be searched
 draw("searched.pdf", "--views", "front", "--title", "Find 17 äöü", "cube.off")
 run(["pdftotext", "searched.pdf", "searched.txt"])

@@ -63,6 +63,7 @@ TriangleMesh cut_apart(const TriangleMesh& mesh);
 void append(TriangleMesh& mesh, const TriangleMesh& other);
 void flip_triangles(TriangleMesh& mesh, int every);  ///< reverses each `every`-th triangle
 TriangleMesh inside_out(TriangleMesh mesh);
+TriangleMesh cavity(TriangleMesh mesh);  ///< in a box: what is read as inside out, closed or not
 TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by,
                    double factor = 1);  ///< scaled first
 /// Adds what real files hold: NaN and infinite vertices with triangles, triangles without area or

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "generators.h"
 
@@ -120,6 +121,18 @@ void flip_triangles(TriangleMesh& mesh, int every) {
 
 TriangleMesh inside_out(TriangleMesh mesh) {
     flip_triangles(mesh, 1);
+    return mesh;
+}
+
+TriangleMesh cavity(TriangleMesh mesh) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : mesh.positions)
+        box.extend(p);
+    TriangleMesh around = cube(1);
+    for (Eigen::Vector3d& p : around.positions)
+        p = box.center() + 0.51 * box.sizes().cwiseProduct(p);
+    mesh = inside_out(std::move(mesh));
+    append(mesh, around);
     return mesh;
 }
 

@@ -100,8 +100,7 @@ public:
     LineVisibility& operator=(LineVisibility&&) noexcept;
 
     /// Whether a point is inside: its winding number (Jacobson et al., "Robust Inside-Outside
-    /// Segmentation Using Generalized Winding Numbers", 2013) is above 1/2. Works with holes;
-    /// nothing is inside a surface that faces inwards.
+    /// Segmentation Using Generalized Winding Numbers", 2013) is above 1/2. Works with holes.
     bool encloses(const Eigen::Vector3d& point) const;
 
     /// What is seen of the mesh's own edges and of `lines`: a set from extract_on_surface() for

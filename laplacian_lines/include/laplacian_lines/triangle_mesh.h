@@ -11,7 +11,7 @@ namespace laplacian_lines {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// An indexed triangle mesh: any topology, scale and offset; triangles counter-clockwise seen from
-/// outside. Vertices that are not finite or not used and triangles without area or with such
+/// outside, or turned that way, see MeshReport. Vertices that are not finite or not used and triangles without area or with such
 /// corners are left out and counted, see MeshReport.
 struct TriangleMesh {
     std::vector<Eigen::Vector3d> positions;  ///< [V], in the mesh's own length unit
@@ -32,12 +32,13 @@ struct MeshReport {
     /// Noise at the scale of the triangles, or terraces of segmented volumes, dimensionless. 0 is
     /// smooth, scans have up to 1.1, terraces 1.5 to 3.
     double roughness = 0;
+    /// Those read the other way round, so that neighbours agree about the outside and closed bodies
+    /// face outwards: normals are those of the mesh that results.
+    std::size_t turned_triangles = 0;
     // For faults_of(): of the surface that is left, its cuts closed.
-    double border_share = 0;     ///< of its edges, those of one triangle
-    double opposed_share = 0;    ///< those of two triangles that disagree about the outside
-    double openness = 0;         ///< |Σ area vectors| / area: 0 closed, 1 a plane
-    double relative_volume = 0;  ///< 3 volume / (area · D), about the centre; negative: inside out
-    double kernel_bend = 0;      ///< median of curvature · kernel size; 0: as small as may be
+    double border_share = 0;   ///< of its edges, those of one triangle, if it is in pieces
+    double opposed_share = 0;  ///< those of two triangles that disagree about the outside
+    double kernel_bend = 0;    ///< median of curvature · kernel size; 0: as small as may be
 };
 
 }  // namespace laplacian_lines

@@ -35,7 +35,8 @@ PreparedMesh prepare(const TriangleMesh& mesh, const Field& field, int undone) {
     if (!has_entries(field, mesh.positions.size())) refuse_field();
     // Where the field was computed across cuts, lines go across them.
     return prepare_geometry(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
-                            {undone});
+                            {undone},
+                            field.report.turned_triangles > 0 ? Facing::Outwards : Facing::Kept);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "field/shape_operators.h"
 #include "laplacian_lines/field_columns.h"
 #include "mesh/prepared_mesh.h"
-#include "mesh/soundness.h"
 #include "sums/summation_cost.h"
 #include "system/large_array.h"
 
@@ -46,11 +45,12 @@ double chosen_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& op
 }
 
 /// A kernel smaller than that of the mesh before it was cut asks for what cutting has added.
-PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options) {
+PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options, Facing facing) {
     Undoing undoing{kMostUndone};
     undoing.longest_share = kLongestUndone;
     if (options.kernel_size > 0) undoing.longest_edge = options.kernel_size / 2;
-    return prepare_mesh(mesh, options.weld_duplicates ? Cuts::Stitched : Cuts::Left, undoing);
+    return prepare_mesh(mesh, options.weld_duplicates ? Cuts::Stitched : Cuts::Left, undoing,
+                        facing);
 }
 
 /// Clamped: tiny kernels on tiny meshes overflow.
@@ -109,7 +109,6 @@ public:
         field.report = mesh_.report;
         field.report.roughness = roughness_;
         field.report.kernel_bend = kernel_bend();
-        measure_soundness(mesh_, ranges_, field.report);
         if (options_.curvature_derivatives)
             fill_curvature_derivatives(mesh_, tree_, ranges_,
                                        stage(laplacian_end(), 1, "Differentiating the curvature"),
@@ -222,7 +221,7 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
                  const Progress& progress) {
     validate(options);
     StageProgress(progress, 0, kPrepared, "Preparing the mesh").report(0);
-    PreparedMesh prepared = prepare(mesh, options);
+    PreparedMesh prepared = prepare(mesh, options, Facing::Outwards);
     const StageProgress sorting(progress, kPrepared, kSorted, "Sorting in space");
     sorting.report(0);
     const SpatialTree tree = sort_in_space(prepared);
@@ -240,14 +239,15 @@ void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Pro
     stage.report(0);
     PreparedMesh prepared =
         prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
-                     {field.report.undone_subdivisions});
+                     {field.report.undone_subdivisions},
+                     field.report.turned_triangles > 0 ? Facing::Outwards : Facing::Kept);
     const SpatialTree tree = sort_in_space(prepared);
     fill_curvature_derivatives(prepared, tree, VertexRanges(prepared), stage.part(0.4, 1), field);
 }
 
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     validate(options);
-    const PreparedMesh prepared = prepare(mesh, options);
+    const PreparedMesh prepared = prepare(mesh, options, Facing::Kept);
     return scale_of(prepared, options, chosen_normal_sigma(prepared, options));
 }
 

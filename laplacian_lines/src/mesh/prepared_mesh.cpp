@@ -8,6 +8,8 @@
 
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
+#include "mesh/needles.h"
+#include "mesh/orientation.h"
 #include "mesh/stitching.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
@@ -110,8 +112,7 @@ double mean_edge(const Positions& positions, const std::vector<Triangle>& triang
     return edges / double(3 * triangles.size());
 }
 
-void undo_subdivisions(const Positions& positions, const Undoing& undoing,
-                       PreparedMesh& prepared) {
+void undo_subdivisions(const Positions& positions, const Undoing& undoing, PreparedMesh& prepared) {
     std::vector<Triangle>& triangles = prepared.triangles;
     if (undoing.most == 0 || triangles.size() % 4 != 0) return;
     const double diagonal = bounding_box(positions, triangles).diagonal().stableNorm();
@@ -215,7 +216,8 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
     return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
 }
 
-PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing) {
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing,
+                              Facing facing) {
     check_indices(mesh);
     PreparedMesh prepared;
     prepared.report.vertices = mesh.positions.size();
@@ -227,6 +229,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
         keep_used_vertices(mesh, prepared);
         to_local_coordinates(mesh, prepared);
     } while (drop_lost_triangles(prepared));
+    unfold_needles(prepared.positions, prepared.triangles);
+    if (facing == Facing::Outwards) orient(prepared);
     prepared.report.unreferenced_vertices -=
         prepared.report.welded_vertices + prepared.midpoints.size();
     prepared.report.degenerate_triangles =
@@ -235,8 +239,9 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
     return prepared;
 }
 
-PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing) {
-    PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing);
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing,
+                          Facing facing) {
+    PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing, facing);
     prepared.mean_edge = mean_edge(prepared.positions, prepared.triangles);
     return prepared;
 }

@@ -35,6 +35,9 @@ struct PreparedMesh {
 /// What to do about cuts: see stitch_cuts().
 enum class Cuts { Left, Stitched };
 
+/// Whether triangles are turned: see orient().
+enum class Facing { Kept, Outwards };
+
 /// Which subdivisions are undone: as many as leave no longer edges, on the mean; by default none.
 struct Undoing {
     int most = 0;                                                    ///< times
@@ -43,10 +46,12 @@ struct Undoing {
 };
 
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
-PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing = {});
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing = {},
+                          Facing facing = Facing::Kept);
 
 /// Without the mean edge.
-PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing = {});
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing = {},
+                              Facing facing = Facing::Kept);
 
 /// Sorts vertices and triangles so that neighbours in space are neighbours in memory, in the order
 /// of the returned tree. Keeps the cyclic order of corners. Sets the masses.

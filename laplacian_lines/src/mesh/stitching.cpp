@@ -48,6 +48,7 @@ Places find_places(const std::vector<Eigen::Vector3d>& positions) {
 
 struct Side {
     std::uint32_t from, to;
+    std::uint32_t third;  // corner of the triangle
 
     std::pair<std::uint32_t, std::uint32_t> edge() const { return std::minmax(from, to); }
 };
@@ -72,13 +73,26 @@ std::vector<Side> find_cut_sides(const std::vector<Triangle>& triangles, const P
     for (const Triangle& t : triangles)
         for (unsigned k = 0; k < 3; ++k)
             if (is_shared(t[k]) && is_shared(t[(k + 1) % 3]))
-                sides.push_back({t[k], t[(k + 1) % 3]});
+                sides.push_back({t[k], t[(k + 1) % 3], t[(k + 2) % 3]});
     for_each_run(
         sides, [](const Side& side) { return side.edge(); },
         [&](auto begin, auto end) {
             if (end - begin == 1) cuts.push_back(*begin);
         });
     return cuts;
+}
+
+/// Of triangles with the same direction along one edge: whether they are sheets that lie on each
+/// other rather than neighbours that face opposite ways.
+bool are_on_each_other(const Side& a, const Side& b,
+                       const std::vector<Eigen::Vector3d>& positions) {
+    constexpr double kLeastCosine = 0.999;
+    const Eigen::Vector3d along = positions[a.to] - positions[a.from];
+    const auto across = [&](const Side& side) {
+        const Eigen::Vector3d to = positions[side.third] - positions[side.from];
+        return (to - to.dot(along) / along.squaredNorm() * along).stableNormalized();
+    };
+    return across(a).dot(across(b)) > kLeastCosine;
 }
 
 }  // namespace
@@ -90,7 +104,7 @@ std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& posit
     if (!places.any_shared) return {};
     std::vector<Side> cuts = find_cut_sides(triangles, places);
     const auto at_places = [&](const Side& side) {
-        return Side{places.of_vertex[side.from], places.of_vertex[side.to]};
+        return Side{places.of_vertex[side.from], places.of_vertex[side.to], side.third};
     };
     DisjointSets sets(positions.size());
     bool any = false;
@@ -98,10 +112,14 @@ std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& posit
         cuts, [&](const Side& side) { return at_places(side).edge(); },
         [&](auto begin, auto end) {
             if (end - begin != 2) return;
-            const Side a = begin[0], b = begin[1];
-            if (at_places(a).from != at_places(b).to) return;  // they disagree about the outside
-            sets.unite(a.from, b.to);
-            sets.unite(a.to, b.from);
+            const Side a = begin[0];
+            Side b = begin[1];
+            if (at_places(a).from == at_places(b).to)
+                std::swap(b.from, b.to);
+            else if (are_on_each_other(a, b, positions))
+                return;
+            sets.unite(a.from, b.from);
+            sets.unite(a.to, b.to);
             any = true;
         });
     return any ? sets.take_roots() : std::vector<std::uint32_t>();

@@ -14,7 +14,7 @@ bool is_closed(const std::vector<Triangle>& triangles);
 
 /// Texture seams and triangle soups cut closed surfaces open: where two triangles meet, each has
 /// vertices of its own at equal coordinates. Closes pairs of borders that run between the same
-/// places in opposite directions, where no third one does; holes and sheets that touch stay.
+/// places, where no third one does; holes and sheets that touch or lie on each other stay.
 /// Returns for each vertex the one that counts for it, with the smallest number; nothing if no
 /// vertex has another. `triangles` have an area.
 std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& positions,

@@ -7,6 +7,7 @@
 
 #include "clusters/coarseness.h"
 #include "laplacian_lines/precompute_options.h"
+#include "mesh/orientation.h"
 #include "visibility/crease_marks.h"
 #include "visibility/eye_frame.h"
 #include "visibility/picture.h"
@@ -28,7 +29,7 @@ double solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
 }
 
 /// Solid angles of all triangles over 4π; +1 inside a closed surface that faces outwards.
-double winding_number(const SightMesh& mesh, const Eigen::Vector3d& point) {
+double winding_number(const PreparedMesh& mesh, const Eigen::Vector3d& point) {
     const double sum = sum_of(mesh.triangles.size(), [&](std::size_t i) {
         const Triangle& t = mesh.triangles[i];
         return solid_angle(mesh.positions[t[0]] - point, mesh.positions[t[1]] - point,
@@ -139,7 +140,11 @@ LineVisibility::LineVisibility(LineVisibility&&) noexcept = default;
 LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;
 
 bool LineVisibility::encloses(const Eigen::Vector3d& point) const {
-    return winding_number(data_->mesh, data_->mesh.local(point)) > 0.5;
+    PreparedMesh turned;
+    turned.positions = data_->mesh.positions;
+    turned.triangles = data_->mesh.triangles;
+    orient(turned);
+    return winding_number(turned, data_->mesh.local(point)) > 0.5;
 }
 
 std::vector<SightLine> LineVisibility::look(const View& view, const std::vector<LineSet>& lines,

@@ -3,12 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <iterator>
-#include <numeric>
 #include <tuple>
 #include <utility>
-
-#include "system/buckets.h"
-#include "system/large_array.h"
 
 namespace laplacian_lines {
 namespace {
@@ -31,74 +27,9 @@ void keep_triangles(SightMesh& mesh, Keep keep) {
     mesh.triangles.resize(count);
 }
 
-/// The sides side_of(i) by edges, in the order of their vertices, then of the triangles, once each.
-template <class SideOf>
-void gather_edges(std::size_t count, SideOf side_of, std::size_t vertices, SightMesh& mesh) {
-    struct Key {
-        std::uint32_t vertex, side, number;  // the edge's second vertex
-        bool operator<(const Key& other) const {
-            return vertex != other.vertex ? vertex < other.vertex : side < other.side;
-        }
-        bool operator==(const Key& other) const {
-            return vertex == other.vertex && side == other.side;
-        }
-    };
-    constexpr std::size_t kBucket = 1024;
-    const std::size_t bucket_count = count / kBucket + 1;
-    const auto bucket_of = [&](std::size_t vertex) { return vertex * bucket_count / vertices; };
-    Buckets buckets = sort_in_buckets(
-        count, bucket_count, [&](std::uint32_t i) { return bucket_of(side_of(i).vertices[0]); });
-    std::vector<std::uint32_t> first_edges(bucket_count + 1), first_sides(bucket_count + 1);
-    buckets.for_each([&](std::size_t bucket, std::uint32_t* begin, std::uint32_t* end) {
-        // first by the edges' first vertices, at each of which are but a few
-        const std::size_t first = (bucket * vertices + bucket_count - 1) / bucket_count,
-                          last = ((bucket + 1) * vertices + bucket_count - 1) / bucket_count;
-        std::vector<std::uint32_t> ends(last - first + 2);
-        for (const std::uint32_t* i = begin; i != end; ++i)
-            ++ends[side_of(*i).vertices[0] - first + 2];
-        std::partial_sum(ends.begin(), ends.end(), ends.begin());
-        std::vector<Key> keys(std::size_t(end - begin));
-        for (const std::uint32_t* i = begin; i != end; ++i) {
-            const LooseSide side = side_of(*i);
-            keys[ends[side.vertices[0] - first + 1]++] = {side.vertices[1],
-                                                          2 * side.triangle + side.is_reversed, *i};
-        }
-        std::uint32_t edge_count = 0, side_count = 0;
-        for (std::size_t v = first; v < last; ++v) {
-            const auto from = keys.begin() + ends[v - first],
-                       to = keys.begin() + ends[v - first + 1];
-            std::sort(from, to);
-            for (auto key = from; key != to; ++key) {
-                if (key != from && *key == key[-1]) continue;
-                edge_count += key == from || key->vertex != key[-1].vertex;
-                begin[side_count++] = key->number;
-            }
-        }
-        first_edges[bucket] = edge_count;
-        first_sides[bucket] = side_count;
-    });
-    std::exclusive_scan(first_edges.begin(), first_edges.end(), first_edges.begin(), 0u);
-    std::exclusive_scan(first_sides.begin(), first_sides.end(), first_sides.begin(), 0u);
-    mesh.edges = large_array<SightMesh::Edge>(first_edges[bucket_count] + 1);
-    mesh.sides = large_array<SightMesh::Side>(first_sides[bucket_count]);
-    buckets.for_each([&](std::size_t bucket, const std::uint32_t* number, std::uint32_t*) {
-        std::uint32_t next = first_edges[bucket];
-        for (std::uint32_t s = first_sides[bucket]; s < first_sides[bucket + 1]; ++s, ++number) {
-            const LooseSide side = side_of(*number);
-            const SightMesh::Edge edge = {{side.vertices[0], side.vertices[1]}, s};
-            const bool is_new = s == first_sides[bucket] ||
-                                edge.vertices[0] != mesh.edges[next - 1].vertices[0] ||
-                                edge.vertices[1] != mesh.edges[next - 1].vertices[1];
-            if (is_new) mesh.edges[next++] = edge;
-            mesh.sides[s] = {side.triangle, side.is_reversed};
-        }
-    });
-    mesh.edges.back() = {{0, 0}, first_sides[bucket_count]};
-}
-
-void gather_edges(const std::vector<LooseSide>& sides, std::size_t vertices, SightMesh& mesh) {
-    gather_edges(
-        sides.size(), [&](std::uint32_t i) { return sides[i]; }, vertices, mesh);
+void gather_edges(const std::vector<LooseSide>& sides, std::size_t vertices, EdgeTable& table) {
+    const auto side_of = [&](std::uint32_t i) { return sides[i]; };
+    gather_edges(sides.size(), side_of, vertices, table);
 }
 
 /// Triangles with the corners of an earlier one.
@@ -128,15 +59,7 @@ std::vector<std::uint8_t> find_equal_triangles(const SightMesh& mesh) {
 void build_edges(SightMesh& mesh) {
     keep_triangles(
         mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
-    const auto gather = [&] {
-        gather_edges(
-            3 * mesh.triangles.size(),
-            [&](std::uint32_t i) {
-                const Triangle& t = mesh.triangles[i / 3];
-                return side_between(t[i % 3], t[(i + 1) % 3], i / 3);
-            },
-            mesh.positions.size(), mesh);
-    };
+    const auto gather = [&] { gather_edges(mesh.triangles, mesh.positions.size(), mesh); };
     gather();
     const std::vector<std::uint8_t> are_equal = find_equal_triangles(mesh);
     if (std::find(are_equal.begin(), are_equal.end(), 1) == are_equal.end()) return;
@@ -146,14 +69,14 @@ void build_edges(SightMesh& mesh) {
 
 void change_edges(const std::vector<LooseSide>& sides, const std::vector<std::uint32_t>& gone,
                   SightMesh& mesh) {
-    SightMesh added, all;
+    EdgeTable added, all;
     gather_edges(sides, mesh.positions.size(), added);
     all.edges.reserve(mesh.edges.size() + added.edges.size());
     all.sides.reserve(mesh.sides.size() + added.sides.size());
-    const auto ends = [](const SightMesh& of, std::uint32_t e) {
+    const auto ends = [](const EdgeTable& of, std::uint32_t e) {
         return std::tie(of.edges[e].vertices[0], of.edges[e].vertices[1]);
     };
-    const auto append = [&](const SightMesh& from, std::uint32_t e) {
+    const auto append = [&](const EdgeTable& from, std::uint32_t e) {
         const SightMesh::Edge& edge = from.edges[e];
         all.edges.push_back(
             {{edge.vertices[0], edge.vertices[1]}, std::uint32_t(all.sides.size())});
@@ -162,7 +85,7 @@ void change_edges(const std::vector<LooseSide>& sides, const std::vector<std::ui
     const auto append_both = [&](std::uint32_t e, std::uint32_t a) {
         all.edges.push_back({{mesh.edges[e].vertices[0], mesh.edges[e].vertices[1]},
                              std::uint32_t(all.sides.size())});
-        const auto less = [](const SightMesh::Side& s, const SightMesh::Side& t) {
+        const auto less = [](const EdgeTable::Side& s, const EdgeTable::Side& t) {
             return s.triangle != t.triangle ? s.triangle < t.triangle
                                             : s.is_reversed < t.is_reversed;
         };

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -10,6 +11,7 @@
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
 #include "mesh/equal_positions.h"
+#include "mesh/needles.h"
 #include "system/disjoint_sets.h"
 #include "visibility/box_tree.h"
 #include "visibility/sight_edges.h"
@@ -58,7 +60,17 @@ void weld_equal(SightMesh& mesh) {
     replace_vertices(first_equal_positions(mesh.positions), mesh);
 }
 
-/// Merges border vertices at one place, with the smallest of their numbers.
+/// Merges pairs of vertices, with the smallest of their numbers.
+bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, SightMesh& mesh) {
+    if (pairs.empty()) return false;
+    DisjointSets sets(mesh.positions.size());
+    for (const auto& [a, b] : pairs)
+        sets.unite(a, b);
+    replace_vertices(sets.take_roots(), mesh);
+    return true;
+}
+
+/// Merges border vertices at one place.
 bool weld_borders(SightMesh& mesh) {
     std::vector<bool> on_border(mesh.positions.size());
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
@@ -67,19 +79,16 @@ bool weld_borders(SightMesh& mesh) {
                 on_border[v] = true;
     if (std::find(on_border.begin(), on_border.end(), true) == on_border.end()) return false;
     const VertexPlaces places(mesh, on_border);
-    DisjointSets sets(mesh.positions.size());
-    bool any = false;
+    std::vector<std::array<std::uint32_t, 2>> pairs;
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
         if (!on_border[v]) continue;
         const Vector3d& p = mesh.positions[v];
         places.visit_along(p, p, mesh.precision, [&](std::uint32_t other) {
-            if (other >= v || (mesh.positions[other] - p).norm() > mesh.precision) return;
-            sets.unite(v, other);
-            any = true;
+            if (other < v && (mesh.positions[other] - p).norm() <= mesh.precision)
+                pairs.push_back({v, other});
         });
     }
-    if (any) replace_vertices(sets.take_roots(), mesh);
-    return any;
+    return weld(pairs, mesh);
 }
 
 /// For each end of cuts, from `first_end` on, the first vertex at its place.
@@ -195,6 +204,19 @@ void add_cuts(const std::vector<SurfaceContacts::Cut>& cuts, SightMesh& mesh) {
     change_edges(sides, {}, mesh);
 }
 
+/// Moves vertices onto the edges that they lie on: within the precision, but an edge that bends
+/// there would leave its triangles, and faces seen along their planes would be beside it.
+void straighten(const std::vector<SurfaceContacts::OnEdge>& on_edges, SightMesh& mesh) {
+    constexpr int kRounds = 3;  // for vertices on several edges
+    for (int round = 0; round < kRounds; ++round)
+        for (const SurfaceContacts::OnEdge& on : on_edges) {
+            const Vector3d& from = mesh.positions[on.edge[0]];
+            const Vector3d span = mesh.positions[on.edge[1]] - from;
+            Vector3d& p = mesh.positions[on.vertex];
+            p = from + span.dot(p - from) / span.squaredNorm() * span;
+        }
+}
+
 /// The vertices on an edge, in its direction.
 std::vector<std::uint32_t> path_along(const SightMesh& mesh, const SightMesh::Edge& edge,
                                       const SurfaceContacts::OnEdge* begin,
@@ -239,14 +261,20 @@ void divide_edges(const std::vector<SurfaceContacts::OnEdge>& on_edges, SightMes
 
 void find_edges(SightMesh& mesh, const StageProgress& stage) {
     weld_equal(mesh);
+    unfold_needles(mesh.positions, mesh.triangles);
     build_edges(mesh);
     stage.report(0.3);
     if (weld_borders(mesh)) build_edges(mesh);
     const std::size_t corners = mesh.positions.size();
     SurfaceContacts contacts = find_surface_contacts(mesh, stage.part(0.4, 1));
+    while (weld(contacts.at_one_place, mesh)) {
+        build_edges(mesh);
+        contacts = find_surface_contacts(mesh, stage.part(1, 1));
+    }
     weld_ends(corners, mesh, contacts);
     find_on_cuts(mesh, contacts);
     add_cuts(contacts.cuts, mesh);
+    straighten(contacts.on_edges, mesh);
     divide_edges(contacts.on_edges, mesh);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
+#include "mesh/edge_table.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -14,19 +15,7 @@ namespace laplacian_lines {
 /// triangles without height are gone, and edges are cut at vertices that lie on them, so that
 /// surfaces which touch share edges. Triangles that run through each other share an edge, too,
 /// which has both on both sides. In local coordinates x' = (x − centre) / size.
-struct SightMesh {
-    /// A side of a triangle, or a part of one between vertices on it. A triangle on both sides of
-    /// an edge has two, of both directions.
-    struct Side {
-        std::uint32_t triangle : 31;
-        std::uint32_t
-            is_reversed : 1;  ///< the triangle goes from the edge's second vertex to its first
-    };
-    struct Edge {
-        std::uint32_t vertices[2];  ///< ascending
-        std::uint32_t first_side;   ///< in `sides`, up to that of the next edge
-    };
-
+struct SightMesh : EdgeTable {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double size = 1;            ///< D, mesh units
     double precision = 0;       ///< local: what is as near as that is at one place
@@ -34,15 +23,6 @@ struct SightMesh {
     std::vector<Eigen::Vector3d> positions;
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> along_curve;  ///< numbers of triangles: see order_along_curve()
-    std::vector<Edge> edges;                 ///< and one more, behind the last
-    std::vector<Side> sides;
-
-    std::size_t edge_count() const { return edges.empty() ? 0 : edges.size() - 1; }
-    std::size_t side_count(std::uint32_t edge) const {
-        return edges[edge + 1].first_side - edges[edge].first_side;
-    }
-    const Side* sides_of(std::uint32_t edge) const { return &sides[edges[edge].first_side]; }
-    bool is_border(std::uint32_t edge) const { return side_count(edge) == 1; }
 
     Eigen::Vector3d local(const Eigen::Vector3d& point) const { return (point - centre) / size; }
     Eigen::Vector3d in_mesh(const Eigen::Vector3d& local) const { return centre + size * local; }

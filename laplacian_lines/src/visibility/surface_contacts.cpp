@@ -79,6 +79,7 @@ struct Found {
     std::vector<FoundCut> cuts;
     std::vector<CutAlongEdge> along_edges;
     std::vector<SurfaceContacts::OnEdge> on_edges;
+    std::vector<std::array<std::uint32_t, 2>> at_one_place;
     std::vector<std::uint8_t> near_cuts;
 };
 
@@ -201,6 +202,10 @@ private:
                        Found& found) const {
         for (std::size_t k = 0; k < 3; ++k) {
             if (std::abs(heights.over[k]) > reach() || has_corner(sides, corners[k])) continue;
+            for (const std::uint32_t other : sides)
+                if ((mesh_.positions[other] - mesh_.positions[corners[k]]).norm() <=
+                    mesh_.precision / 2)
+                    found.at_one_place.push_back({corners[k], other});
             for (std::size_t s = 0; s < 3; ++s)
                 if (lies_on(corners[k], sides[s], sides[(s + 1) % 3]))
                     found.on_edges.push_back({{std::min(sides[s], sides[(s + 1) % 3]),
@@ -333,6 +338,7 @@ Found find_pairs(SightMesh& mesh, const StageProgress& stage) {
         append(of_pair.cuts, all.cuts);
         append(of_pair.along_edges, all.along_edges);
         append(of_pair.on_edges, all.on_edges);
+        append(of_pair.at_one_place, all.at_one_place);
     }
     std::sort(all.cuts.begin(), all.cuts.end(),
               [](const FoundCut& a, const FoundCut& b) { return a.place < b.place; });
@@ -363,8 +369,9 @@ void add_cuts_along_edges(Found& found) {
 
 SurfaceContacts find_surface_contacts(SightMesh& mesh, const StageProgress& stage) {
     Found found = find_pairs(mesh, stage);
+    if (!found.at_one_place.empty()) return {{}, {}, {}, std::move(found.at_one_place)};
     add_cuts_along_edges(found);
-    SurfaceContacts contacts{{}, std::move(found.on_edges), std::move(found.near_cuts)};
+    SurfaceContacts contacts{{}, std::move(found.on_edges), std::move(found.near_cuts), {}};
     using Key = std::pair<std::array<std::uint32_t, 2>, std::uint32_t>;
     std::map<Key, std::uint32_t> vertices;
     const auto vertex_of = [&](const CutEnd& end) {

@@ -26,6 +26,9 @@ struct SurfaceContacts {
     std::vector<OnEdge> on_edges;  ///< sorted by edges; may hold one twice
     /// By old vertex: corners of triangles that may be at the place of a cut.
     std::vector<std::uint8_t> near_cuts;
+    /// Vertices nearer than half the precision, as rounding moves them. If there are any, they are
+    /// all that is known: once they are one, other triangles touch.
+    std::vector<std::array<std::uint32_t, 2>> at_one_place;
 };
 
 /// Two triangles run through each other if both have corners on both sides of the other's plane,

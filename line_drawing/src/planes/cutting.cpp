@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <tuple>
 
 namespace line_drawing {
 namespace {
@@ -47,7 +49,7 @@ std::vector<Piece> piecesOf(const TriangleMesh& mesh, int axis, double height) {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             if (above[k] == above[next]) continue;
-            // From a side that rises to one that falls: neighbours agree.
+            // From a side that rises to one that falls: neighbours agree if they face alike.
             (above[next] ? piece.begin : piece.end) = crossingOf(p[k], p[next], axis, height);
             ++found;
         }
@@ -82,30 +84,36 @@ std::vector<Strip> stripsAt(const std::vector<Loops>& areas, const Vector2d& dir
 
 std::vector<Cut> cutMesh(const TriangleMesh& mesh, int axis, double height) {
     std::vector<Piece> pieces = piecesOf(mesh, axis, height);
-    std::multimap<Place, std::size_t> beginning;
-    std::map<Place, int> ending;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        beginning.emplace(placeOf(pieces[i].begin), i);
-        ++ending[placeOf(pieces[i].end)];
-    }
+    std::multimap<Place, std::pair<std::size_t, bool>> ends;  // begins before others
+    for (const bool is_end : {false, true})
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            ends.emplace(placeOf(is_end ? pieces[i].end : pieces[i].begin), std::pair(i, is_end));
     std::vector<Cut> cuts;
-    const auto follow = [&](std::size_t i) {
-        Cut cut = {pieces[i].begin};
-        for (std::size_t next = i; next < pieces.size();) {
-            pieces[next].used = true;
-            cut.push_back(pieces[next].end);
-            const auto [first, last] = beginning.equal_range(placeOf(cut.back()));
+    const auto follow = [&](std::size_t i, bool is_backwards) {
+        Cut cut = {is_backwards ? pieces[i].end : pieces[i].begin};
+        for (bool goes_on = true; goes_on;) {
+            pieces[i].used = true;
+            cut.push_back(is_backwards ? pieces[i].begin : pieces[i].end);
+            const auto [first, last] = ends.equal_range(placeOf(cut.back()));
             const auto on = std::find_if(
-                first, last, [&](const auto& entry) { return !pieces[entry.second].used; });
-            next = on == last ? pieces.size() : on->second;
+                first, last, [&](const auto& end) { return !pieces[end.second.first].used; });
+            goes_on = on != last;
+            if (goes_on) std::tie(i, is_backwards) = on->second;
         }
         cuts.push_back(std::move(cut));
     };
+    const auto is_open = [&](const Vector3d& place) {
+        const auto [first, last] = ends.equal_range(placeOf(place));
+        return std::distance(first, last) % 2 == 1 &&
+               first->second.second == std::prev(last)->second.second;  // all begin or all end
+    };
     // Open lines first, from their ends.
+    for (const bool is_end : {false, true})
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            if (!pieces[i].used && is_open(is_end ? pieces[i].end : pieces[i].begin))
+                follow(i, is_end);
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (!pieces[i].used && ending.count(placeOf(pieces[i].begin)) == 0) follow(i);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (!pieces[i].used) follow(i);
+        if (!pieces[i].used) follow(i, false);
     return cuts;
 }
 

@@ -93,7 +93,8 @@ struct Draft {
     SheetOptions options;
     std::vector<DrawnView> views;  ///< and behind these the sections
     SheetLayout layout;
-    std::vector<std::vector<laplacian_lines::LineSet>> lines;  ///< within faces, by view
+    std::vector<std::vector<laplacian_lines::LineSet>> lines = {};  ///< within faces, by view
+    std::vector<std::string> remarks = {};                          ///< of the objects' meshes
 };
 
 Draft layOut(const Observer& observer, const SheetOptions& options) {
@@ -105,7 +106,7 @@ Draft layOut(const Observer& observer, const SheetOptions& options) {
     nameSections(views);
     SheetLayout layout = layOut(views, options);
     SheetOptions with_pens = withPensFor(layout, options);
-    return {std::move(with_pens), std::move(views), std::move(layout), {}};
+    return {std::move(with_pens), std::move(views), std::move(layout)};
 }
 
 void findLines(const Observer& observer, ObjectLines& lines, Draft& draft,
@@ -114,6 +115,7 @@ void findLines(const Observer& observer, ObjectLines& lines, Draft& draft,
     if (options.views.empty()) return;  // sections have their lines
     const double scale = draft.layout.placements[0].scale;
     lines.makeReady(options, scale, progress);
+    draft.remarks = lines.remarks();
     options.kernel = {lines.kernelSize() * options.mm_per_unit * scale, false};
     for (std::size_t i = 0; i < options.views.size(); ++i)
         draft.lines.push_back(observer.linesOf(draft.views[i], options, lines));
@@ -152,6 +154,7 @@ Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
                 {},
                 layout.scale,
                 options.views.empty() ? 0 : options.kernel.size};
+    sheet.remarks = draft.remarks;
     const std::vector<double> missing = look(observer, draft, progress);
     for (std::size_t i = 0; i < missing.size(); ++i) {
         if (missing[i] > 0) sheet.remarks.push_back(remarkOn(views[i], missing[i]));

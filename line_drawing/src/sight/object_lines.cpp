@@ -5,6 +5,7 @@
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/mesh_faults.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/object.h"
 #include "options/progress_part.h"
@@ -13,6 +14,7 @@ namespace line_drawing {
 namespace {
 
 using laplacian_lines::Field;
+using laplacian_lines::MeshFault;
 using laplacian_lines::PrecomputeOptions;
 using laplacian_lines::Progress;
 
@@ -62,6 +64,7 @@ void ObjectLines::makeReady(const SheetOptions& options, double scale, const Pro
     if (!extractors_.empty() && (are_given || are_equal)) return;
     extractors_.clear();
     kernel_size_ = 0;
+    remarks_.clear();
     made_ = wanted;
     const auto count = double(objects_.size());
     for (const Object& object : objects_) {
@@ -72,6 +75,10 @@ void ObjectLines::makeReady(const SheetOptions& options, double scale, const Pro
             computed = computeField(object, wanted, options, mm, part(own, 0, field_share));
         const Field& field = object.field ? *object.field : computed;
         kernel_size_ = std::max(kernel_size_, field.scale.kernel_size);
+        for (const MeshFault fault : laplacian_lines::faults_of(field.report))
+            if (fault != MeshFault::CoarseKernel)  // as the scale or the user asks for
+                remarks_.push_back((object.name.empty() ? "" : object.name + ": ") +
+                                   describe(fault, field.report));
         extractors_.emplace_back(object.mesh, field, part(own, field_share, 1));
     }
 }

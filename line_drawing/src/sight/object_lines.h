@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "laplacian_lines/line_extractor.h"
@@ -26,6 +27,9 @@ public:
     std::vector<laplacian_lines::LineSet> extract(const laplacian_lines::View& view,
                                                   const laplacian_lines::LineStyle& style);
 
+    /// What users should know of the objects' meshes.
+    std::vector<std::string> remarks() const { return remarks_; }
+
     /// The largest √h, mesh units.
     double kernelSize() const { return kernel_size_; }
 
@@ -34,6 +38,7 @@ private:
     laplacian_lines::PrecomputeOptions made_;  ///< of the extractors
     std::vector<laplacian_lines::LineExtractor> extractors_;
     double kernel_size_ = 0;
+    std::vector<std::string> remarks_;
     laplacian_lines::ExtractionScratch scratch_;
 };
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laplacian_lines/mesh_faults.h"
+
+#include <cmath>
+
+namespace laplacian_lines {
+namespace {
+
+/// Shares of the edges; open surfaces of a few hundred triangles have borders of 5 %.
+constexpr double kMostBorders = 0.2, kMostOpposed = 0.02;
+/// Shares of the triangles that were turned: specks of scans; all but what hardly hangs together.
+constexpr double kLeastTurned = 1e-3, kMostTurned = 0.9;
+/// Angle, in radians, by which most of the surface turns within the kernel.
+constexpr double kMostBend = 0.7;
+
+std::string percent(double share) {
+    return std::to_string(std::lround(100 * share)) + " %";
+}
+
+}  // namespace
+
+std::vector<MeshFault> faults_of(const MeshReport& report) {
+    std::vector<MeshFault> faults;
+    if (report.border_share > kMostBorders) faults.push_back(MeshFault::Torn);
+    if (report.opposed_share > kMostOpposed) faults.push_back(MeshFault::Disagreeing);
+    if (!faults.empty()) return faults;  // which hide the others
+    const double turned = double(report.turned_triangles) / double(report.triangles);
+    if (turned > kMostTurned)
+        faults.push_back(MeshFault::InsideOut);
+    else if (turned > kLeastTurned)
+        faults.push_back(MeshFault::Turned);
+    if (report.kernel_bend > kMostBend) faults.push_back(MeshFault::CoarseKernel);
+    return faults;
+}
+
+std::string describe(MeshFault fault, const MeshReport& report) {
+    switch (fault) {
+        case MeshFault::Torn:
+            return percent(report.border_share) +
+                   " of the edges are borders, so there is hardly a surface to draw: run MeshLab's "
+                   "filter Merge Close Vertices.";
+        case MeshFault::Disagreeing:
+            return percent(report.opposed_share) +
+                   " of the edges join triangles that face opposite ways, which cannot be made to "
+                   "agree: run MeshLab's filter Re-Orient All Faces Coherently.";
+        case MeshFault::InsideOut:
+            return "The surface is inside out. It is drawn the right way round; MeshLab's filter "
+                   "Invert Faces Orientation mends the mesh.";
+        case MeshFault::Turned:
+            return std::to_string(report.turned_triangles) + " of " +
+                   std::to_string(report.triangles) +
+                   " triangles face inwards, or unlike their neighbours. They are drawn the right "
+                   "way round; MeshLab's filter Re-Orient All Faces Coherently mends the mesh.";
+        case MeshFault::CoarseKernel:
+            return "Most of the surface bends within the kernel, so its features are blurred: run "
+                   "Compute Laplacian Lines with a smaller Kernel Size.";
+    }
+    return {};
+}
+
+}  // namespace laplacian_lines

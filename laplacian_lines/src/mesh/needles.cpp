@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/needles.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+using Eigen::Vector3d;
+using Positions = std::vector<Vector3d>;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+constexpr double kSlender = 0.01;     // height over the longest side
+constexpr double kNeedle = 1e-4;      // height, D
+constexpr double kLeastCosine = 0.9;  // of the angle between triangles that are folded flat
+
+Edge edge_of(std::uint32_t a, std::uint32_t b) {
+    return std::minmax(a, b);
+}
+
+/// Begins with the ends of the longest side.
+Triangle from_longest(const Positions& positions, const Triangle& t) {
+    const auto square = [&](std::size_t k) {
+        return (positions[t[(k + 1) % 3]] - positions[t[k]]).squaredNorm();
+    };
+    const std::size_t k = square(0) >= square(1) ? (square(0) >= square(2) ? 0 : 2)
+                                                 : (square(1) >= square(2) ? 1 : 2);
+    return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
+}
+
+/// From the line through two points to a third.
+Vector3d across(const Positions& positions, std::uint32_t a, std::uint32_t b, std::uint32_t v) {
+    const Vector3d along = positions[b] - positions[a], to = positions[v] - positions[a];
+    const double square = along.squaredNorm();
+    return square > 0 ? Vector3d(to - to.dot(along) / square * along) : to;
+}
+
+bool is_needle(const Positions& positions, const Triangle& t) {
+    const auto [a, b, v] = from_longest(positions, t);
+    const double most = std::min(kNeedle, kSlender * (positions[b] - positions[a]).norm());
+    return across(positions, a, b, v).squaredNorm() < most * most;
+}
+
+bool has_three_corners(const Triangle& t) {
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+std::uint32_t third_of(const Triangle& t, const Edge& edge) {
+    return *std::find_if(t.begin(), t.end(),
+                         [&](std::uint32_t v) { return v != edge.first && v != edge.second; });
+}
+
+}  // namespace
+
+void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles) {
+    const auto needles =
+        collect<std::uint32_t>(triangles.size(), [&](std::uint32_t t, auto& found) {
+            if (has_three_corners(triangles[t]) && is_needle(positions, triangles[t]))
+                found.push_back(t);
+        });
+    if (needles.empty()) return;
+    std::map<Edge, std::vector<std::uint32_t>> at;  // triangles at the needles' longest sides
+    std::vector<bool> is_end(positions.size());     // of one, as few vertices are
+    for (const std::uint32_t n : needles) {
+        const Triangle needle = from_longest(positions, triangles[n]);
+        at[edge_of(needle[0], needle[1])];
+        is_end[needle[0]] = is_end[needle[1]] = true;
+    }
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
+            if (!is_end[a] || !is_end[b] || !has_three_corners(triangles[t])) continue;
+            const auto edge = at.find(edge_of(a, b));
+            if (edge != at.end()) edge->second.push_back(t);
+        }
+    std::vector<bool> is_changed(triangles.size());
+    for (const std::uint32_t n : needles) {
+        const auto [a, b, v] = from_longest(positions, triangles[n]);
+        const std::vector<std::uint32_t>& two = at[edge_of(a, b)];
+        if (two.size() != 2 || is_changed[two[0]] || is_changed[two[1]]) continue;
+        const std::uint32_t other = two[two[0] == n];
+        const Triangle whole = triangles[other];
+        const std::uint32_t o = third_of(whole, edge_of(a, b));
+        Triangle parts[2] = {whole, whole};  // the way round of the neighbour
+        std::replace(parts[0].begin(), parts[0].end(), b, v);
+        std::replace(parts[1].begin(), parts[1].end(), a, v);
+        const Vector3d to_v = across(positions, a, b, v), to_o = across(positions, a, b, o);
+        const bool is_folded = o != v && to_v.dot(to_o) > kLeastCosine * to_v.norm() * to_o.norm();
+        if (!is_folded || is_needle(positions, parts[0]) || is_needle(positions, parts[1]))
+            continue;
+        triangles[other] = parts[0];
+        triangles[n] = parts[1];
+        is_changed[other] = is_changed[n] = true;
+    }
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/orientation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "mesh/edge_table.h"
+#include "system/disjoint_sets.h"
+#include "system/equal_elements.h"
+
+namespace laplacian_lines {
+namespace {
+
+using Eigen::Vector3d;
+
+// A surface that does not close up but for holes has no inside, nor has one without a volume.
+constexpr double kMostBordersOfHoles = 0.02;  // share of the edges
+constexpr double kMostOpen = 0.1;             // |Σ area vectors| / area
+// 3 volume / (area · D): what shows which side is inside; plates without holes are thin.
+constexpr double kLeastVolume = 0.02, kLeastVolumeOfClosed = 1e-6;
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+/// Sets of triangles, each the same way round as its root or the other.
+class Patches {
+public:
+    explicit Patches(std::size_t triangles) : parent_(triangles), is_turned_(triangles, 0) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    std::uint32_t root(std::uint32_t t) {
+        if (parent_[parent_[t]] == parent_[t]) return parent_[t];
+        std::uint32_t root = t;
+        std::uint8_t turned = 0;
+        while (parent_[root] != root)
+            turned ^= is_turned_[root], root = parent_[root];
+        while (parent_[t] != root) {
+            const std::uint8_t here = is_turned_[t];
+            is_turned_[t] = turned;
+            turned ^= here;
+            t = std::exchange(parent_[t], root);
+        }
+        return root;
+    }
+    /// Against the root; after root().
+    bool is_turned(std::uint32_t t) const { return is_turned_[t]; }
+    /// False if that contradicts what was said before.
+    bool unite(std::uint32_t a, std::uint32_t b, bool is_turned) {
+        const std::uint32_t root_a = root(a), root_b = root(b);
+        const std::uint8_t turned = is_turned_[a] ^ is_turned_[b] ^ std::uint8_t(is_turned);
+        if (root_a == root_b) return !turned;
+        parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
+        is_turned_[std::max(root_a, root_b)] = turned;
+        return true;
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+    std::vector<std::uint8_t> is_turned_;  // against the parent
+};
+
+/// A connected surface, with the orientation of its first triangle.
+struct Body {
+    Eigen::AlignedBox3d box;
+    Vector3d area_vectors = Vector3d::Zero();
+    double area = 0, turned_area = 0, volume = 0;  // twice, twice, six times
+    std::size_t sides = 0, borders = 0;
+    bool is_orientable = true, is_closed = false, is_turned = false;
+    std::vector<std::uint32_t> around = {};  // closed bodies that it lies in
+
+    void add(const PreparedMesh& mesh, const Triangle& t, double sign) {
+        const Vector3d vector = area_vector(mesh, t);
+        area += vector.norm();
+        if (sign < 0) turned_area += vector.norm();
+        area_vectors += sign * vector;
+        volume += sign * mesh.positions[t[0]].dot(vector);
+        sides += 3;
+        for (const std::uint32_t v : t)
+            box.extend(mesh.positions[v]);
+    }
+
+    void decide() {
+        const double about_middle = volume - area_vectors.dot(box.center());
+        const bool is_whole = borders == 0;
+        is_closed = is_orientable &&
+                    double(2 * borders) <= kMostBordersOfHoles * double(sides + borders) &&
+                    area_vectors.norm() < kMostOpen * area &&
+                    std::abs(about_middle) > (is_whole ? kLeastVolumeOfClosed : kLeastVolume) *
+                                                 area * box.diagonal().norm();
+        volume = about_middle;
+        is_turned = is_closed ? volume < 0 : is_orientable && 2 * turned_area > area;
+    }
+};
+
+/// Which bodies lie in which: along a ray from one of their corners, by how often it meets each.
+class Nesting {
+public:
+    Nesting(const PreparedMesh& mesh, const std::vector<std::uint32_t>& body_of,
+            std::vector<Body>& bodies)
+        : mesh_(mesh), body_of_(body_of), bodies_(bodies) {}
+
+    void find() {
+        std::vector<std::uint32_t> corner(bodies_.size(), kNone);
+        for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
+            if (bodies_[body_of_[t]].is_closed) corner[body_of_[t]] = mesh_.triangles[t][0];
+        for (std::uint32_t b = 0; b < bodies_.size(); ++b)
+            if (corner[b] != kNone) rays_.push_back({mesh_.positions[corner[b]], b});
+        std::sort(rays_.begin(), rays_.end(),
+                  [](const Ray& a, const Ray& b) { return a.from.y() < b.from.y(); });
+        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+            if (bodies_[body_of_[t]].is_closed) pierce(t);
+        for (const auto& [pair, count] : crossings_)
+            if (count % 2 == 1) bodies_[pair.first].around.push_back(pair.second);
+    }
+
+private:
+    struct Ray {  // along x
+        Vector3d from;
+        std::uint32_t body;
+    };
+
+    void pierce(std::uint32_t triangle) {
+        const Triangle& t = mesh_.triangles[triangle];
+        const Vector3d corners[3] = {mesh_.positions[t[0]], mesh_.positions[t[1]],
+                                     mesh_.positions[t[2]]};
+        const auto [low, high] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
+        auto ray = std::lower_bound(rays_.begin(), rays_.end(), low,
+                                    [](const Ray& r, double y) { return r.from.y() < y; });
+        const std::uint32_t body = body_of_[triangle];
+        for (; ray != rays_.end() && ray->from.y() <= high; ++ray)
+            if (ray->body != body && bodies_[body].box.contains(bodies_[ray->body].box) &&
+                is_pierced(corners, ray->from))
+                ++crossings_[{ray->body, body}];
+    }
+
+    /// The same for both triangles of a side, so that a ray that meets it passes one of them.
+    static bool is_pierced(const Vector3d corners[3], const Vector3d& from) {
+        const auto is_left = [&](const Vector3d& a, const Vector3d& b) {
+            const bool is_first = a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
+            const Vector3d &p = is_first ? a : b, &q = is_first ? b : a;
+            const double turn =
+                (q.y() - p.y()) * (from.z() - p.z()) - (q.z() - p.z()) * (from.y() - p.y());
+            return (turn >= 0) == is_first;
+        };
+        const bool left = is_left(corners[0], corners[1]);
+        if (is_left(corners[1], corners[2]) != left || is_left(corners[2], corners[0]) != left)
+            return false;
+        const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        return normal.dot(corners[0] - from) * normal.x() > 0;
+    }
+
+    const PreparedMesh& mesh_;
+    const std::vector<std::uint32_t>& body_of_;
+    std::vector<Body>& bodies_;
+    std::vector<Ray> rays_;  // by y
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> crossings_;
+};
+
+/// From the outside inwards: what lies in solid matter, a cavity or another body, turns with it.
+void turn_together(std::vector<Body>& bodies) {
+    std::vector<std::uint32_t> order(bodies.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto depth = [&](std::uint32_t b) { return bodies[b].around.size(); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return depth(a) < depth(b); });
+    for (const std::uint32_t b : order) {
+        const std::vector<std::uint32_t>& around = bodies[b].around;
+        if (around.empty()) continue;
+        const Body& next = bodies[*std::max_element(
+            around.begin(), around.end(),
+            [&](std::uint32_t a, std::uint32_t c) { return depth(a) < depth(c); })];
+        if ((next.volume > 0) != next.is_turned) bodies[b].is_turned = next.is_turned;
+    }
+}
+
+class Turning {
+public:
+    explicit Turning(PreparedMesh& mesh) : mesh_(mesh), patches_(mesh.triangles.size()) {
+        gather_edges(mesh.triangles, mesh.size(), table_);
+    }
+
+    void run() {
+        const std::vector<std::uint32_t> torn = unite_neighbours();
+        find_bodies(torn);
+        for (Body& body : bodies_)
+            body.decide();
+        if (std::any_of(bodies_.begin(), bodies_.end(),
+                        [](const Body& body) { return body.is_closed && body.is_turned; })) {
+            Nesting(mesh_, body_of_, bodies_).find();
+            turn_together(bodies_);
+        }
+        turn();
+    }
+
+private:
+    /// Returns a triangle of each contradiction.
+    std::vector<std::uint32_t> unite_neighbours() {
+        std::vector<std::uint32_t> torn;
+        for (std::uint32_t e = 0; e < table_.edge_count(); ++e) {
+            if (table_.side_count(e) != 2) continue;
+            const EdgeTable::Side *a = table_.sides_of(e), *b = a + 1;
+            if (!is_same(a->triangle, b->triangle) &&
+                !patches_.unite(a->triangle, b->triangle, a->is_reversed == b->is_reversed))
+                torn.push_back(a->triangle);
+        }
+        return torn;
+    }
+
+    /// Whether neighbours have the same third corner.
+    bool is_same(std::uint32_t a, std::uint32_t b) const {
+        const Triangle &t = mesh_.triangles[a], &u = mesh_.triangles[b];
+        return t[0] + t[1] + t[2] == u[0] + u[1] + u[2];
+    }
+
+    void find_bodies(const std::vector<std::uint32_t>& torn) {
+        const std::vector<Triangle>& triangles = mesh_.triangles;
+        std::vector<std::uint32_t> number(triangles.size(), kNone);
+        body_of_.resize(triangles.size());
+        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+            const std::uint32_t root = patches_.root(t);  // no later triangle
+            if (root == t) number[t] = std::uint32_t(bodies_.size()), bodies_.emplace_back();
+            body_of_[t] = number[root];
+            bodies_[body_of_[t]].add(mesh_, triangles[t], patches_.is_turned(t) ? -1 : 1);
+        }
+        for (const std::uint32_t t : torn)
+            bodies_[body_of_[t]].is_orientable = false;
+        std::size_t borders = 0;
+        for (std::uint32_t e = 0; e < table_.edge_count(); ++e) {
+            bodies_[body_of_[table_.sides_of(e)->triangle]].borders += table_.is_border(e);
+            borders += table_.is_border(e);
+        }
+        if (bodies_.size() > 1)  // the borders of one are its form
+            mesh_.report.border_share = double(borders) / double(table_.edge_count());
+    }
+
+    bool turns(std::uint32_t t) const {
+        const Body& body = bodies_[body_of_[t]];
+        return body.is_orientable && body.is_turned != patches_.is_turned(t);
+    }
+
+    void turn() {
+        std::size_t opposed = 0, turned = 0;
+        for (std::uint32_t e = 0; e < table_.edge_count(); ++e) {
+            if (table_.side_count(e) != 2) continue;
+            const EdgeTable::Side *a = table_.sides_of(e), *b = a + 1;
+            opposed +=
+                (a->is_reversed == b->is_reversed) == (turns(a->triangle) == turns(b->triangle));
+        }
+        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+            if (turns(t)) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]), ++turned;
+        mesh_.report.opposed_share = double(opposed) / double(table_.edge_count());
+        mesh_.report.turned_triangles = turned << 2 * mesh_.report.undone_subdivisions;
+    }
+
+    PreparedMesh& mesh_;
+    EdgeTable table_;
+    Patches patches_;
+    std::vector<Body> bodies_;
+    std::vector<std::uint32_t> body_of_;  // by triangle
+};
+
+/// Sides that may have a border there, or a neighbour that disagrees: else each vertex around one
+/// comes as often before another as behind it.
+std::vector<LooseSide> uneven_sides(const PreparedMesh& mesh) {
+    std::vector<std::uint64_t> balance(mesh.size(), 0);
+    for (const Triangle& t : mesh.triangles) {
+        const std::uint64_t h[3] = {mix_hash(1, t[0]), mix_hash(1, t[1]), mix_hash(1, t[2])};
+        for (std::size_t k = 0; k < 3; ++k)
+            balance[t[k]] += h[(k + 1) % 3] - h[(k + 2) % 3];
+    }
+    return collect<LooseSide>(mesh.triangles.size(), [&](std::uint32_t i, auto& found) {
+        const Triangle& t = mesh.triangles[i];
+        for (std::size_t k = 0; k < 3; ++k)
+            if (balance[t[k]] != 0 && balance[t[(k + 1) % 3]] != 0)
+                found.push_back(side_between(t[k], t[(k + 1) % 3], i));
+    });
+}
+
+/// What most meshes are, found without all of their edges.
+bool faces_outwards(PreparedMesh& mesh) {
+    EdgeTable table;
+    const std::vector<LooseSide> sides = uneven_sides(mesh);
+    const auto side_of = [&](std::uint32_t i) { return sides[i]; };
+    gather_edges(sides.size(), side_of, mesh.size(), table);
+    DisjointSets pieces(mesh.size());
+    for (const Triangle& t : mesh.triangles)
+        pieces.unite(pieces.unite(t[0], t[1]), t[2]);
+    std::vector<Body> bodies(mesh.size());  // by root
+    std::size_t borders = 0, count = 0;
+    for (std::uint32_t e = 0; e < table.edge_count(); ++e) {
+        const EdgeTable::Side* const side = table.sides_of(e);
+        const bool is_border = table.is_border(e);
+        if (!is_border && (table.side_count(e) > 2 || side[0].is_reversed == side[1].is_reversed))
+            return false;
+        bodies[pieces.root(table.edges[e].vertices[0])].borders += is_border;
+        borders += is_border;
+    }
+    for (const Triangle& t : mesh.triangles)
+        bodies[pieces.root(t[0])].add(mesh, t, 1);
+    for (Body& body : bodies) {
+        if (body.area > 0) body.decide();
+        if (body.is_turned) return false;
+        count += body.area > 0;
+    }
+    if (count > 1)
+        mesh.report.border_share =
+            2. * double(borders) / double(3 * mesh.triangles.size() + borders);
+    return true;
+}
+
+}  // namespace
+
+void orient(PreparedMesh& mesh) {
+    if (!faces_outwards(mesh)) Turning(mesh).run();
+}
+
+}  // namespace laplacian_lines
