@@ -17,12 +17,6 @@ using laplacian_lines::TriangleMesh;
 
 constexpr std::size_t kMostWork = 1000000000;  // seconds
 
-std::uint32_t vertex(std::int64_t number) {
-    if (number < 0 || number >= std::numeric_limits<std::uint32_t>::max())
-        throw Defect{"a face names vertex " + std::to_string(number)};
-    return std::uint32_t(number);
-}
-
 /// Newell's: summed over the edges, twice the area long.
 Vector3d normal_of(const std::vector<Vector3d>& polygon) {
     Vector3d sum = Vector3d::Zero();
@@ -137,13 +131,23 @@ bool triangulate(const std::vector<Vector3d>& positions, const std::uint32_t* co
     return true;
 }
 
+std::uint32_t MeshBuilder::vertex(std::int64_t number) const {
+    constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+    if (number < 0 || std::uint64_t(number) >= std::min(expected_, most))
+        throw Defect{"a face names vertex " + std::to_string(number) + ", counted from 0, of " +
+                     std::to_string(std::max(expected_, std::uint64_t(vertex_count())))};
+    return std::uint32_t(number);
+}
+
 void MeshBuilder::add_triangle(std::int64_t a, std::int64_t b, std::int64_t c) {
     mesh_.triangles.push_back({vertex(a), vertex(b), vertex(c)});
 }
 
 void MeshBuilder::add(const std::vector<std::int64_t>& corners) {
-    if (corners.size() < 3)
-        throw Defect{"a face has " + std::to_string(corners.size()) + " corners"};
+    if (corners.size() < 3) {
+        ++skipped_faces_;
+        return;
+    }
     if (corners.size() == 3) return add_triangle(corners[0], corners[1], corners[2]);
     for (const std::int64_t corner : corners)
         corners_.push_back(vertex(corner));
@@ -151,15 +155,7 @@ void MeshBuilder::add(const std::vector<std::int64_t>& corners) {
 }
 
 TriangleMesh MeshBuilder::finish(std::string& defect) {
-    const auto note = [&](const std::string& what) {
-        if (defect.empty()) defect = what;
-    };
-    const auto is_there = [&](std::uint32_t corner) {
-        if (corner < mesh_.positions.size()) return true;
-        note("a face names vertex " + std::to_string(corner) + ", counted from 0, of " +
-             std::to_string(mesh_.positions.size()));
-        return false;
-    };
+    const auto is_there = [&](std::uint32_t corner) { return corner < mesh_.positions.size(); };
     const auto is_missing = [&](const Triangle& t) {
         return !std::all_of(t.begin(), t.end(), is_there);
     };
@@ -171,8 +167,9 @@ TriangleMesh MeshBuilder::finish(std::string& defect) {
         const std::uint32_t* corners = corners_.data() + begin;
         if (std::all_of(corners, corners + (end - begin), is_there) &&
             !triangulate(mesh_.positions, corners, end - begin, work, mesh_.triangles)) {
-            note("a face of " + std::to_string(end - begin) +
-                 " corners is too intricate; make triangles of it first");
+            if (defect.empty())
+                defect = "a face of " + std::to_string(end - begin) +
+                         " corners is too intricate; make triangles of it first";
             break;
         }
         begin = end;

@@ -13,6 +13,7 @@ QStringList meshesOf(const QStringList& named);
 struct ReadMesh {
     laplacian_lines::TriangleMesh mesh;
     QString defect;  ///< of a damaged file: why the mesh is not whole
+    QString remark;  ///< what of a sound file was skipped
     /// Of the file, in hexadecimal; computed while the mesh is drawn.
     std::shared_future<std::string> sha256;
 };

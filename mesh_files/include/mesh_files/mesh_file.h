@@ -22,6 +22,8 @@ struct MeshInFile {
     /// Where and why the file is malformed: "line 12: a vertex has two coordinates". The mesh has
     /// what comes before. Empty: the file is sound.
     std::string defect;
+    /// What of a sound file was skipped: "faces skipped that have fewer than three corners: 2".
+    std::string remark;
 };
 
 /// Reads any bytes, in time and memory proportional to their number; of vertices x, y and z only.
