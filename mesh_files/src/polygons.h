@@ -38,6 +38,7 @@ private:
 };
 
 /// Cuts ears (Meisters 1975) off a polygon in its plane; one that crosses itself is cut up somehow.
+/// One that is not planar, unless it has many corners, is cut into the triangles of least area.
 /// `work`, in looks at a corner, is what may still be spent; false if it ran out.
 bool triangulate(const std::vector<Eigen::Vector3d>& positions, const std::uint32_t* corners,
                  std::size_t count, std::size_t& work,
