@@ -41,6 +41,15 @@ QStringList meshesOf(const QStringList& named) {
     return meshes;
 }
 
+double expectedTriangles(const QString& name) {
+    QFile file(name);
+    const auto format = formatOf(name);
+    if (!format || !file.open(QIODevice::ReadOnly)) return 0;
+    const QByteArray begin = file.read(4096);  // more than most headers
+    return mesh_files::expected_triangles(*format, {begin.constData(), std::size_t(begin.size())},
+                                          double(file.size()));
+}
+
 ReadMesh readMesh(const QString& name, bool draws_damaged) {
     const auto format = formatOf(name);
     QFile file(name);

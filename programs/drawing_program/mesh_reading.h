@@ -10,6 +10,9 @@
 /// folder has none
 QStringList meshesOf(const QStringList& named);
 
+/// From the file's beginning and size; 0 if it cannot be read.
+double expectedTriangles(const QString& name);
+
 struct ReadMesh {
     laplacian_lines::TriangleMesh mesh;
     QString defect;  ///< of a damaged file: why the mesh is not whole

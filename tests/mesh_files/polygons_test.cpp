@@ -62,17 +62,6 @@ TEST(Polygons, AreFilledByTheirTrianglesWithoutOverlaps) {
         }
 }
 
-/// An L from each of its corners: most fans would leave it.
-TEST(Polygons, ThatAreConcaveAreNotLeft) {
-    Polygon polygon = {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
-    for (std::size_t begin = 0; begin < polygon.size(); ++begin) {
-        const Areas areas = areas_of(polygon, Vector3d::UnitZ());
-        EXPECT_NEAR(areas.sum, 5, 1e-12) << begin;
-        EXPECT_EQ(areas.against, 0) << begin;
-        std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
-    }
-}
-
 TEST(Polygons, OfAnyFormHaveTwoTrianglesFewerThanCorners) {
     const Polygon crossed = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
     const Polygon flat = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5, 0, 0}};
