@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "ply_header.h"
 #include "readers.h"
 #include "text.h"
 
@@ -11,11 +12,28 @@ namespace {
 
 struct Reader {
     const char* ending;
-    void (*read)(std::string_view bytes, MeshBuilder& mesh);
+    std::string (*read)(std::string_view bytes, MeshBuilder& mesh);
 };
 /// By Format.
 constexpr std::array<Reader, 4> kReaders = {
     {{"ply", read_ply}, {"stl", read_stl}, {"obj", read_obj}, {"off", read_off}}};
+
+constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
+
+/// With or without a mark, of letters of ASCII.
+bool is_utf16(std::string_view bytes) {
+    const std::string_view begin = bytes.substr(0, 2);
+    if (begin == "\xff\xfe" || begin == "\xfe\xff") return true;
+    const auto is_letter = [&](std::size_t i) { return bytes[i] >= ' ' && bytes[i] < '\x7f'; };
+    return bytes.size() > 3 && ((is_letter(0) && !bytes[1] && is_letter(2) && !bytes[3]) ||
+                                (!bytes[0] && is_letter(1) && !bytes[2] && is_letter(3)));
+}
+
+std::string joined(const std::string& remark, std::size_t skipped_faces) {
+    if (skipped_faces == 0) return remark;
+    return (remark.empty() ? "" : remark + "; ") +
+           "faces skipped that have fewer than three corners: " + std::to_string(skipped_faces);
+}
 
 }  // namespace
 
@@ -32,12 +50,29 @@ std::vector<std::string> endings() {
     return all;
 }
 
+double expected_triangles(Format format, std::string_view begin, double size) {
+    const bool is_text = begin.find('\0') == std::string_view::npos;
+    if (format == Format::Stl) return size / (is_text ? 150 : 50);
+    if (format != Format::Ply) return size / 35;  // half a vertex and three numbers
+    double faces = 0;
+    try {
+        Text text(begin);
+        for (const PlyElement& element : read_ply_header(text).elements)
+            if (element.name == "face") faces += double(element.count);
+    } catch (const Defect&) {
+    }
+    return faces > 0 ? faces : size / 4;  // of strips
+}
+
 MeshInFile read_mesh(Format format, std::string_view bytes) {
     MeshBuilder builder;
     MeshInFile file;
     try {
         if (bytes.empty()) throw Defect{"it is empty"};
-        kReaders[std::size_t(format)].read(bytes, builder);
+        if (is_utf16(bytes)) throw Defect{"it is text in UTF-16; save it as UTF-8 or ASCII"};
+        if (bytes.substr(0, kUtf8Mark.size()) == kUtf8Mark) bytes.remove_prefix(kUtf8Mark.size());
+        const std::string remark = kReaders[std::size_t(format)].read(bytes, builder);
+        file.remark = joined(remark, builder.skipped_faces());
     } catch (const Defect& defect) {
         file.defect = defect.what;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront's OBJ: vertices and faces; other statements only have to be the format's.
+// Wavefront's OBJ: vertices and faces; statements that are not the format's are counted.
 #include <algorithm>
 #include <iterator>
 
@@ -21,7 +21,7 @@ class ObjReader {
 public:
     ObjReader(Text& text, MeshBuilder& mesh) : text_(text), mesh_(mesh) {}
 
-    void read() {
+    std::string read() {
         for (std::string_view line; next(line);) {
             const std::string_view statement = take_word(line);
             if (statement == "v")
@@ -29,8 +29,16 @@ public:
             else if (statement == "f" || statement == "fo")
                 read_face(line);
             else if (!is_other(statement))
-                throw Defect{quoted(statement) + " is not a statement of OBJ files"};
+                skip(statement);
         }
+        for (const Ahead& face : ahead_)
+            if (face.vertex >= std::int64_t(mesh_.vertex_count()))
+                throw Defect{"a face names vertex " + std::to_string(face.vertex + 1) + " of " +
+                                 std::to_string(mesh_.vertex_count()),
+                             face.line};
+        if (skipped_ == 0) return {};
+        return "lines skipped that are no statements of OBJ files: " + std::to_string(skipped_) +
+               ", the first is " + first_skipped_;
     }
 
 private:
@@ -56,6 +64,14 @@ private:
                std::end(kOtherStatements);
     }
 
+    /// Other programs have statements of their own. None is a number: that is a damaged line.
+    void skip(std::string_view statement) {
+        if (statement.find_first_of("0123456789") < 2)
+            throw Defect{quoted(statement) + " is not a statement of OBJ files"};
+        if (++skipped_ == 1)
+            first_skipped_ = "line " + std::to_string(text_.line()) + ", " + quoted(statement);
+    }
+
     /// A weight, or a colour of three or four numbers, may follow.
     void read_vertex(std::string_view line) {
         mesh_.add(coordinates_in(line));
@@ -71,23 +87,37 @@ private:
             // From 1, or back from the last vertex.
             const std::int64_t vertex =
                 number < 0 ? std::int64_t(mesh_.vertex_count()) + number : number - 1;
-            if (number == 0 || vertex < 0) throw Defect{"a face names vertex " + quoted(word)};
+            if (number == 0 || vertex < 0)
+                throw Defect{"a face names vertex " + quoted(word) + " of " +
+                             std::to_string(mesh_.vertex_count())};
             corners_.push_back(vertex);
         }
+        const auto last = std::max_element(corners_.begin(), corners_.end());
+        if (last != corners_.end() && *last >= std::int64_t(mesh_.vertex_count()))
+            ahead_.push_back({*last, text_.line()});
         mesh_.add(corners_);
     }
+
+    /// A face before one of its vertices.
+    struct Ahead {
+        std::int64_t vertex;
+        std::size_t line;
+    };
 
     Text& text_;
     MeshBuilder& mesh_;
     std::string joined_;
     std::vector<std::int64_t> corners_;
+    std::vector<Ahead> ahead_;
+    std::size_t skipped_ = 0;
+    std::string first_skipped_;
 };
 
 }  // namespace
 
-void read_obj(std::string_view bytes, MeshBuilder& mesh) {
+std::string read_obj(std::string_view bytes, MeshBuilder& mesh) {
     Text text(bytes);
-    read_lines(text, [&] { ObjReader(text, mesh).read(); });
+    return read_lines(text, [&] { return ObjReader(text, mesh).read(); });
 }
 
 }  // namespace mesh_files

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Geomview's OFF: a vertex or a face per line, colours and normals behind.
+// Geomview's OFF: words, as a rule with a vertex or a face per line, colours and normals behind.
+#include <algorithm>
+
 #include "readers.h"
 #include "text.h"
 
 namespace mesh_files {
 namespace {
 
+/// Where a vertex or a face ends. Few writers keep to the format, which ends a vertex by the number
+/// of its words and a face with its line.
+enum class Layout { Lines, Format, Words };
+
 class OffReader {
 public:
-    OffReader(Text& text, MeshBuilder& mesh) : text_(text), mesh_(mesh) {}
+    OffReader(Text& text, MeshBuilder& mesh, Layout layout)
+        : text_(text), mesh_(mesh), layout_(layout) {}
 
     void read() {
         read_head();
@@ -16,63 +23,78 @@ public:
             read_vertex(i);
         for (std::uint64_t i = 0; i < faces_; ++i)
             read_face(i);
-        std::string_view line;
-        if (next(line)) throw Defect{"it goes on after what its header promises"};
     }
+    /// Comments apart.
+    bool is_at_end() { return next_word().empty(); }
 
 private:
-    /// The next line that is not blank or a comment.
-    bool next(std::string_view& line) {
-        while (text_.next_line(line)) {
-            std::string_view rest = line;
-            if (const std::string_view word = take_word(rest); !word.empty() && word[0] != '#')
-                return true;
+    std::string_view next_word() {
+        std::string_view word;
+        while (!(word = text_.next_word()).empty() && word[0] == '#')
+            text_.skip_line();
+        return word;
+    }
+
+    /// Or these words in a line.
+    std::string_view demanded_line(std::size_t words, const char* what, std::uint64_t i,
+                                   std::uint64_t count) {
+        joined_.clear();
+        for (std::size_t k = 0; k < words; ++k) {
+            const std::string_view word = next_word();
+            if (word.empty())
+                throw Defect{std::string("it ends before ") + what + ' ' + std::to_string(i + 1) +
+                             " of " + std::to_string(count)};
+            if (layout_ == Layout::Lines) {
+                std::string_view line;
+                text_.put_back(word);
+                text_.next_line(line);
+                return line;
+            }
+            joined_.append(word) += ' ';
         }
-        return false;
+        return joined_;
     }
 
-    std::string_view demanded_line(const char* what, std::uint64_t i, std::uint64_t count) {
-        std::string_view line;
-        if (!next(line))
-            throw Defect{std::string("it ends before ") + what + ' ' + std::to_string(i + 1) +
-                         " of " + std::to_string(count)};
-        return line;
-    }
-
-    /// The word OFF may lack, or share its line with the numbers.
+    /// The word OFF may be missing, or run into the numbers.
     void read_head() {
-        std::string_view line;
-        if (!next(line)) throw Defect{"it holds nothing"};
-        std::string_view rest = line;
-        const std::string_view word = take_word(rest);
-        if (word.size() >= 3 && word.substr(word.size() - 3) == "OFF") {
-            const std::string_view prefix = word.substr(0, word.size() - 3);
-            for (const char* known : {"", "C", "N", "CN", "ST", "STC", "STN", "STCN"})
-                if (prefix == known) return read_counts(rest);
-            throw Defect{"of OFF files, " + quoted(word) + " are not read"};
+        const std::string_view word = next_word();
+        if (word.empty()) throw Defect{"it holds nothing"};
+        const std::size_t at = word.find("OFF");
+        if (at == word.npos) {
+            text_.put_back(word);
+        } else {
+            read_prefix(word.substr(0, at));
+            text_.put_back(word.substr(at + 3));
         }
-        read_counts(line);
+        vertices_ = count_in(next_word());
+        faces_ = count_in(next_word());
+        if (layout_ == Layout::Lines)  // few have the number of edges
+            text_.skip_line();
+        else
+            next_word();
+        mesh_.expect_vertices(vertices_);
     }
 
-    void read_counts(std::string_view rest) {
-        std::string_view word = take_word(rest);
-        if (word == "BINARY") throw Defect{"binary OFF files are not read"};
-        if (word.empty()) {
-            if (!next(rest)) throw Defect{"it ends after its header"};
-            word = take_word(rest);
-        }
-        vertices_ = count_in(word);
-        faces_ = count_in(take_word(rest));
+    void read_prefix(std::string_view prefix) {
+        for (const auto& [name, words] : {std::pair("ST", 2), {"C", 4}, {"N", 3}})
+            if (prefix.substr(0, std::string_view(name).size()) == name) {
+                prefix.remove_prefix(std::string_view(name).size());
+                words_of_vertex_ += std::size_t(words);
+            }
+        if (!prefix.empty()) throw Defect{"of OFF files, those in 4 or n dimensions are not read"};
     }
 
     static std::uint64_t count_in(std::string_view word) {
+        if (word.empty()) throw Defect{"it ends within its header"};
+        if (word == "BINARY")
+            throw Defect{"binary OFF files are not read; save it as text, or as PLY"};
         const std::int64_t count = integer_in(word);
         if (count < 0) throw Defect{quoted(word) + " is not a number of vertices or faces"};
         return std::uint64_t(count);
     }
 
     void read_vertex(std::uint64_t i) {
-        std::string_view line = demanded_line("vertex", i, vertices_);
+        std::string_view line = demanded_line(words_of_vertex_, "vertex", i, vertices_);
         mesh_.add(coordinates_in(line));
         // A missing number would make one of the next line a coordinate.
         const std::size_t more = words_in(line);
@@ -83,8 +105,10 @@ private:
     }
 
     void read_face(std::uint64_t i) {
-        std::string_view line = demanded_line("face", i, faces_);
+        std::string_view line = demanded_line(1, "face", i, faces_);
         const std::int64_t count = integer_in(take_word(line));
+        if (layout_ != Layout::Lines)
+            line = demanded_line(std::size_t(std::max<std::int64_t>(count, 0)), "face", i, faces_);
         corners_.clear();
         for (std::int64_t k = 0; k < count; ++k) {
             const std::string_view word = take_word(line);
@@ -94,20 +118,43 @@ private:
             corners_.push_back(integer_in(word));
         }
         mesh_.add(corners_);
+        if (layout_ == Layout::Format) text_.skip_line();
     }
 
     Text& text_;
     MeshBuilder& mesh_;
+    const Layout layout_;
     std::uint64_t vertices_ = 0, faces_ = 0;
+    std::size_t words_of_vertex_ = 3;
     std::size_t more_words_ = 0;  // of a vertex, behind its coordinates
+    std::string joined_;
     std::vector<std::int64_t> corners_;
 };
 
+/// Whether nothing is left over.
+bool is_all(std::string_view bytes, Layout layout, MeshBuilder& mesh) {
+    Text text(bytes);
+    MeshBuilder all;
+    try {
+        OffReader reader(text, all, layout);
+        reader.read();
+        if (!reader.is_at_end() || (layout != Layout::Lines && all.skipped_faces() > 0))
+            return false;
+    } catch (const Defect&) {
+        return false;
+    }
+    mesh = std::move(all);
+    return true;
+}
+
 }  // namespace
 
-void read_off(std::string_view bytes, MeshBuilder& mesh) {
+std::string read_off(std::string_view bytes, MeshBuilder& mesh) {
+    for (const Layout layout : {Layout::Lines, Layout::Format, Layout::Words})
+        if (is_all(bytes, layout, mesh)) return {};
     Text text(bytes);
-    read_lines(text, [&] { OffReader(text, mesh).read(); });
+    read_lines(text, [&] { OffReader(text, mesh, Layout::Lines).read(); });
+    return unread(text.rest());
 }
 
 }  // namespace mesh_files

@@ -21,10 +21,7 @@ public:
         const double number = number_in(word);
         return type == PlyType::Float32 ? double(float(number)) : number;  // as binary files do
     }
-    bool is_at_end() const {
-        std::string_view rest = text_.rest();
-        return take_word(rest).empty();
-    }
+    std::string_view rest() const { return text_.rest(); }
 
 private:
     Text& text_;
@@ -59,10 +56,7 @@ public:
         }
         return number<double>(at);
     }
-    bool is_at_end() const {
-        std::string_view rest = bytes_;
-        return take_word(rest).empty();
-    }
+    std::string_view rest() const { return bytes_; }
 
 private:
     template <class Number>
@@ -108,9 +102,7 @@ public:
         }
     }
 
-    void expect_end() const {
-        if (!values_.is_at_end()) throw Defect{"it goes on after what its header promises"};
-    }
+    std::string_view rest() const { return values_.rest(); }
 
 private:
     void read_item(const PlyElement& element, bool is_vertex) {
@@ -165,28 +157,31 @@ void expect_coordinates(const PlyElement& vertices) {
 }
 
 /// At most what the bytes can hold.
-void reserve(const PlyHeader& header, std::size_t bytes, MeshBuilder& mesh) {
+void prepare(const PlyHeader& header, std::size_t bytes, MeshBuilder& mesh) {
     const bool is_text = header.encoding == PlyHeader::Encoding::Text;
     for (const PlyElement& element : header.elements) {
         if (element.properties.empty()) continue;
         const auto most = std::size_t(
             std::min<std::uint64_t>(element.count, bytes / element.least_size(is_text)));
-        if (element.name == "vertex") mesh.reserve_vertices(most);
+        if (element.name == "vertex") {
+            mesh.reserve_vertices(most);
+            mesh.expect_vertices(element.count);
+        }
         if (element.name == "face") mesh.reserve_triangles(std::min(most, bytes / 3));
     }
 }
 
 template <class Values>
-void read_elements(const PlyHeader& header, Values values, MeshBuilder& mesh) {
+std::string read_elements(const PlyHeader& header, Values values, MeshBuilder& mesh) {
     PlyReader<Values> reader(std::move(values), mesh);
     for (const PlyElement& element : header.elements)
         reader.read(element);
-    reader.expect_end();
+    return unread(reader.rest());
 }
 
 }  // namespace
 
-void read_ply(std::string_view bytes, MeshBuilder& mesh) {
+std::string read_ply(std::string_view bytes, MeshBuilder& mesh) {
     Text text(bytes);
     PlyHeader header;
     read_lines(text, [&] {
@@ -194,13 +189,12 @@ void read_ply(std::string_view bytes, MeshBuilder& mesh) {
         for (const PlyElement& element : header.elements)
             if (element.name == "vertex") expect_coordinates(element);
     });
-    reserve(header, text.rest().size(), mesh);
+    prepare(header, text.rest().size(), mesh);
     if (header.encoding == PlyHeader::Encoding::Text)
-        read_lines(text, [&] { read_elements(header, TextValues(text), mesh); });
-    else if (header.encoding == PlyHeader::Encoding::LittleEndian)
-        read_elements(header, BinaryValues<false>(text.rest()), mesh);
-    else
-        read_elements(header, BinaryValues<true>(text.rest()), mesh);
+        return read_lines(text, [&] { return read_elements(header, TextValues(text), mesh); });
+    if (header.encoding == PlyHeader::Encoding::LittleEndian)
+        return read_elements(header, BinaryValues<false>(text.rest()), mesh);
+    return read_elements(header, BinaryValues<true>(text.rest()), mesh);
 }
 
 }  // namespace mesh_files

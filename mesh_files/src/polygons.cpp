@@ -16,12 +16,9 @@ using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
 
 constexpr std::size_t kMostWork = 1000000000;  // seconds
-
-std::uint32_t vertex(std::int64_t number) {
-    if (number < 0 || number >= std::numeric_limits<std::uint32_t>::max())
-        throw Defect{"a face names vertex " + std::to_string(number)};
-    return std::uint32_t(number);
-}
+constexpr double kPlanar = 1e-6;               // of the size; as far as coordinates are rounded
+constexpr std::size_t kMostLeastArea = 32;     // corners: the cube of them is worked
+constexpr double kFolded = 1000;
 
 /// Newell's: summed over the edges, twice the area long.
 Vector3d normal_of(const std::vector<Vector3d>& polygon) {
@@ -31,24 +28,79 @@ Vector3d normal_of(const std::vector<Vector3d>& polygon) {
     return sum;
 }
 
-/// Counter-clockwise, projected. Empty without an area that is a number.
-std::vector<Vector2d> in_plane(const std::vector<Vector3d>& polygon) {
+/// Of the largest side 1, from the first corner. Empty without a size that is a number.
+std::vector<Vector3d> scaled(const std::vector<Vector3d>& polygon) {
     Vector3d sides = Vector3d::Zero();
     for (const Vector3d& p : polygon)
         sides = sides.cwiseMax((p - polygon[0]).cwiseAbs());
     const double size = sides.maxCoeff();
     if (!(size > 0 && size < std::numeric_limits<double>::max())) return {};
-    std::vector<Vector3d> scaled;
+    std::vector<Vector3d> all;
     for (const Vector3d& p : polygon)
-        scaled.push_back((p - polygon[0]) / size);
-    const Vector3d normal = normal_of(scaled).stableNormalized();
-    if (!(normal.squaredNorm() > 0)) return {};
+        all.push_back((p - polygon[0]) / size);
+    return all;
+}
+
+/// Counter-clockwise, projected.
+std::vector<Vector2d> in_plane(const std::vector<Vector3d>& polygon, const Vector3d& normal) {
     const Vector3d right = normal.unitOrthogonal(), up = normal.cross(right);
     std::vector<Vector2d> flat;
-    for (const Vector3d& p : scaled)
+    for (const Vector3d& p : polygon)
         flat.emplace_back(right.dot(p), up.dot(p));
     return flat;
 }
+
+bool is_planar(const std::vector<Vector3d>& polygon, const Vector3d& normal) {
+    return std::all_of(polygon.begin(), polygon.end(),
+                       [&](const Vector3d& p) { return std::abs(normal.dot(p)) < kPlanar; });
+}
+
+/// Cuts a polygon into triangles of the least area together, those that are folded back counting
+/// more: by the best of all ways for each run of corners (Klincsek 1980).
+class LeastArea {
+public:
+    LeastArea(const std::vector<Vector3d>& polygon, const Vector3d& normal)
+        : polygon_(polygon), normal_(normal), best_(polygon.size() * polygon.size()) {
+        for (std::size_t length = 2; length < polygon.size(); ++length)
+            for (std::size_t a = 0; a + length < polygon.size(); ++a)
+                choose(a, a + length);
+    }
+
+    template <class Add>
+    void cut(std::size_t a, std::size_t c, Add add) const {
+        if (c < a + 2) return;
+        const std::size_t b = best(a, c).tip;
+        cut(a, b, add);
+        cut(b, c, add);
+        add(a, b, c);
+    }
+
+private:
+    struct Best {
+        double cost = 0;
+        std::size_t tip = 0;
+    };
+
+    const Best& best(std::size_t a, std::size_t c) const { return best_[a * polygon_.size() + c]; }
+
+    void choose(std::size_t a, std::size_t c) {
+        Best& found = best_[a * polygon_.size() + c];
+        found.cost = std::numeric_limits<double>::infinity();
+        for (std::size_t b = a + 1; b < c; ++b) {
+            const double cost = best(a, b).cost + best(b, c).cost + cost_of(a, b, c);
+            if (cost < found.cost) found = {cost, b};
+        }
+    }
+
+    double cost_of(std::size_t a, std::size_t b, std::size_t c) const {
+        const Vector3d twice = (polygon_[b] - polygon_[a]).cross(polygon_[c] - polygon_[a]);
+        return twice.norm() * (twice.dot(normal_) < 0 ? kFolded : 1);
+    }
+
+    const std::vector<Vector3d>& polygon_;
+    const Vector3d normal_;
+    std::vector<Best> best_;  // by first and last corner
+};
 
 /// Twice the area, positive if counter-clockwise.
 double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
@@ -130,11 +182,26 @@ bool triangulate(const std::vector<Vector3d>& positions, const std::uint32_t* co
     std::vector<Vector3d> polygon;
     for (std::size_t i = 0; i < count; ++i)
         polygon.push_back(positions[corners[i]]);
-    std::vector<Vector2d> flat = in_plane(polygon);
-    if (!flat.empty()) return EarClipping(std::move(flat)).clip(work, add);
-    for (std::size_t i = 2; i < count; ++i)
-        add(0, i - 1, i);
+    polygon = scaled(polygon);
+    const Vector3d normal =
+        polygon.empty() ? Vector3d::Zero() : normal_of(polygon).stableNormalized().eval();
+    if (!(normal.squaredNorm() > 0)) {
+        for (std::size_t i = 2; i < count; ++i)
+            add(0, i - 1, i);
+        return true;
+    }
+    if (count > kMostLeastArea || is_planar(polygon, normal))
+        return EarClipping(in_plane(polygon, normal)).clip(work, add);
+    LeastArea(polygon, normal).cut(0, count - 1, add);
     return true;
+}
+
+std::uint32_t MeshBuilder::vertex(std::int64_t number) const {
+    constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+    if (number < 0 || std::uint64_t(number) >= std::min(expected_, most))
+        throw Defect{"a face names vertex " + std::to_string(number) + ", counted from 0, of " +
+                     std::to_string(std::max(expected_, std::uint64_t(vertex_count())))};
+    return std::uint32_t(number);
 }
 
 void MeshBuilder::add_triangle(std::int64_t a, std::int64_t b, std::int64_t c) {
@@ -142,8 +209,10 @@ void MeshBuilder::add_triangle(std::int64_t a, std::int64_t b, std::int64_t c) {
 }
 
 void MeshBuilder::add(const std::vector<std::int64_t>& corners) {
-    if (corners.size() < 3)
-        throw Defect{"a face has " + std::to_string(corners.size()) + " corners"};
+    if (corners.size() < 3) {
+        ++skipped_faces_;
+        return;
+    }
     if (corners.size() == 3) return add_triangle(corners[0], corners[1], corners[2]);
     for (const std::int64_t corner : corners)
         corners_.push_back(vertex(corner));
@@ -151,15 +220,7 @@ void MeshBuilder::add(const std::vector<std::int64_t>& corners) {
 }
 
 TriangleMesh MeshBuilder::finish(std::string& defect) {
-    const auto note = [&](const std::string& what) {
-        if (defect.empty()) defect = what;
-    };
-    const auto is_there = [&](std::uint32_t corner) {
-        if (corner < mesh_.positions.size()) return true;
-        note("a face names vertex " + std::to_string(corner) + ", counted from 0, of " +
-             std::to_string(mesh_.positions.size()));
-        return false;
-    };
+    const auto is_there = [&](std::uint32_t corner) { return corner < mesh_.positions.size(); };
     const auto is_missing = [&](const Triangle& t) {
         return !std::all_of(t.begin(), t.end(), is_there);
     };
@@ -171,8 +232,9 @@ TriangleMesh MeshBuilder::finish(std::string& defect) {
         const std::uint32_t* corners = corners_.data() + begin;
         if (std::all_of(corners, corners + (end - begin), is_there) &&
             !triangulate(mesh_.positions, corners, end - begin, work, mesh_.triangles)) {
-            note("a face of " + std::to_string(end - begin) +
-                 " corners is too intricate; make triangles of it first");
+            if (defect.empty())
+                defect = "a face of " + std::to_string(end - begin) +
+                         " corners is too intricate; make triangles of it first";
             break;
         }
         begin = end;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
@@ -11,24 +12,33 @@ namespace mesh_files {
 class MeshBuilder {
 public:
     void add(const Eigen::Vector3d& position) { mesh_.positions.push_back(position); }
-    /// @throws Defect for fewer than three corners, or a number that no vertex can have
+    /// Skips those with fewer than three corners.
+    /// @throws Defect for a number that no vertex has
     void add(const std::vector<std::int64_t>& corners);
     void add_triangle(std::int64_t a, std::int64_t b, std::int64_t c);
+    /// Until then, any number may be one of a vertex that follows.
+    void expect_vertices(std::uint64_t count) { expected_ = count; }
     void reserve_vertices(std::size_t count) { mesh_.positions.reserve(count); }
     void reserve_triangles(std::size_t count) { mesh_.triangles.reserve(count); }
     std::size_t vertex_count() const { return mesh_.positions.size(); }
 
-    /// Triangulates all faces whose vertices exist. `defect`, unless set, names the first that does
-    /// not.
+    std::size_t skipped_faces() const { return skipped_faces_; }
+
+    /// Triangulates all faces whose vertices exist. `defect`, unless set, names one that cannot be.
     laplacian_lines::TriangleMesh finish(std::string& defect);
 
 private:
+    std::uint32_t vertex(std::int64_t number) const;
+
     laplacian_lines::TriangleMesh mesh_;
+    std::uint64_t expected_ = std::numeric_limits<std::uint32_t>::max();
+    std::size_t skipped_faces_ = 0;
     std::vector<std::uint32_t> corners_;  // of faces that are no triangles
     std::vector<std::size_t> ends_;       // in corners_, by face
 };
 
 /// Cuts ears (Meisters 1975) off a polygon in its plane; one that crosses itself is cut up somehow.
+/// One that is not planar, unless it has many corners, is cut into the triangles of least area.
 /// `work`, in looks at a corner, is what may still be spent; false if it ran out.
 bool triangulate(const std::vector<Eigen::Vector3d>& positions, const std::uint32_t* corners,
                  std::size_t count, std::size_t& work,

@@ -30,12 +30,19 @@ class TextReader {
 public:
     TextReader(Text& text, MeshBuilder& mesh) : text_(text), mesh_(mesh) {}
 
-    void read() {
+    std::string read() {
+        std::size_t skipped = 0;
         for (std::string_view word; !(word = text_.next_word()).empty();) {
-            if (!equals(word, "solid")) throw Defect{"expected \"solid\", not " + quoted(word)};
+            const bool is_solid = equals(word, "solid");
+            if (equals(word, "facet")) throw Defect{"expected \"solid\", not " + quoted(word)};
             text_.skip_line();
-            read_solid();
+            if (is_solid)
+                read_solid();
+            else
+                ++skipped;
         }
+        if (skipped == 0) return {};
+        return "lines skipped after \"endsolid\": " + std::to_string(skipped);
     }
 
 private:
@@ -51,7 +58,7 @@ private:
     void read_facet() {
         demand("normal");
         for (int k = 0; k < 3; ++k)
-            number_in(next());
+            next();  // not used, whatever it is
         demand("outer");
         demand("loop");
         corners_.clear();
@@ -86,7 +93,7 @@ private:
     std::vector<std::int64_t> corners_;
 };
 
-void read_binary(std::string_view bytes, MeshBuilder& mesh) {
+std::string read_binary(std::string_view bytes, MeshBuilder& mesh) {
     if (bytes.size() < kHeadSize) throw Defect{"it ends within its header"};
     const std::size_t said = little_endian<std::uint32_t>(bytes.data() + kCountAt);
     const std::size_t held = (bytes.size() - kHeadSize) / kTriangleSize;
@@ -100,18 +107,19 @@ void read_binary(std::string_view bytes, MeshBuilder& mesh) {
                                      little_endian<float>(at + 8)));
         mesh.add_triangle(first, first + 1, first + 2);
     }
-    if (bytes.size() != kHeadSize + kTriangleSize * said)
+    if (said > held)
         throw Defect{"it has " + std::to_string(bytes.size()) + " bytes, but " +
                      std::to_string(said) + " triangles take " +
                      std::to_string(kHeadSize + kTriangleSize * said)};
+    return unread(bytes.substr(kHeadSize + kTriangleSize * said));
 }
 
 }  // namespace
 
-void read_stl(std::string_view bytes, MeshBuilder& mesh) {
+std::string read_stl(std::string_view bytes, MeshBuilder& mesh) {
     if (!is_text(bytes)) return read_binary(bytes, mesh);
     Text text(bytes);
-    read_lines(text, [&] { TextReader(text, mesh).read(); });
+    return read_lines(text, [&] { return TextReader(text, mesh).read(); });
 }
 
 }  // namespace mesh_files

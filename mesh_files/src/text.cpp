@@ -73,6 +73,10 @@ void Text::skip_line() {
     next_line(line);
 }
 
+void Text::put_back(std::string_view end) {
+    rest_ = {end.data(), std::size_t(rest_.data() + rest_.size() - end.data())};
+}
+
 double number_in(std::string_view word) {
     if (word.find("1.#") < 2) return NAN;  // Microsoft's "-1.#IND" and the like
     return parsed<double>(word, "number");
@@ -106,6 +110,14 @@ std::string quoted(std::string_view word) {
         shown += c > ' ' && c < '\x7f' && c != '"' ? c : '?';
     if (word.size() > kMostShown) shown += "...";
     return '"' + shown + '"';
+}
+
+std::string unread(std::string_view rest) {
+    std::string_view behind = rest;
+    const std::string_view word = take_word(behind);
+    if (word.empty()) return {};
+    return "its last " + std::to_string(word.size() + behind.size()) +
+           " bytes, after what its header promises, are not read";
 }
 
 }  // namespace mesh_files

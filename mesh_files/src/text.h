@@ -12,6 +12,7 @@ namespace mesh_files {
 /// The file is malformed. what(): a part of a sentence.
 struct Defect {
     std::string what;
+    std::size_t line = 0;  ///< 0: the one that is being read
 };
 
 /// Removes the first word; empty if there is none.
@@ -26,7 +27,10 @@ public:
     bool next_line(std::string_view& line);
     /// On any line; empty at the end.
     std::string_view next_word();
+    /// Or what is left of it.
     void skip_line();
+    /// The end of the last word is the next.
+    void put_back(std::string_view end);
 
     std::string_view rest() const { return rest_; }
     /// Of the last word or line, from 1.
@@ -40,11 +44,12 @@ private:
 
 /// Prefixes defects with the line.
 template <class Read>
-void read_lines(const Text& text, Read read) {
+auto read_lines(const Text& text, Read read) {
     try {
-        read();
+        return read();
     } catch (const Defect& defect) {
-        throw Defect{"line " + std::to_string(text.line()) + ": " + defect.what};
+        throw Defect{"line " + std::to_string(defect.line ? defect.line : text.line()) + ": " +
+                     defect.what};
     }
 }
 
@@ -57,5 +62,7 @@ Eigen::Vector3d coordinates_in(std::string_view& line);
 std::size_t words_in(std::string_view line);
 /// Short and printable, for messages.
 std::string quoted(std::string_view word);
+/// A remark on bytes after those that the header promises; "" if they are blank.
+std::string unread(std::string_view rest);
 
 }  // namespace mesh_files

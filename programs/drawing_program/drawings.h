@@ -20,9 +20,6 @@ struct Job {
 void runJobs(const QString& program, const std::vector<Job>& jobs,
              const std::function<void(const Job&, const QString& why)>& end);
 
-/// At most, from the file's size.
-double memoryFor(const QString& mesh);
-
 /// Draws the meshes together into the file and, if wanted, the view for a contact sheet.
 /// @throws laplacian_lines::Error with a sentence for users; std::bad_alloc
 void drawOne(const CommandLine& commands);

@@ -41,6 +41,15 @@ QStringList meshesOf(const QStringList& named) {
     return meshes;
 }
 
+double expectedTriangles(const QString& name) {
+    QFile file(name);
+    const auto format = formatOf(name);
+    if (!format || !file.open(QIODevice::ReadOnly)) return 0;
+    const QByteArray begin = file.read(4096);  // more than most headers
+    return mesh_files::expected_triangles(*format, {begin.constData(), std::size_t(begin.size())},
+                                          double(file.size()));
+}
+
 ReadMesh readMesh(const QString& name, bool draws_damaged) {
     const auto format = formatOf(name);
     QFile file(name);
@@ -56,15 +65,18 @@ ReadMesh readMesh(const QString& name, bool draws_damaged) {
     mesh_files::MeshInFile read =
         mesh_files::read_mesh(*format, {bytes.constData(), std::size_t(bytes.size())});
     const std::size_t triangles = read.mesh.triangles.size();
-    const QString defect = QString::fromStdString(read.defect);
+    const QString defect = QString::fromStdString(read.defect),
+                  remark = QString::fromStdString(read.remark);
     if (triangles == 0 && !defect.isEmpty())
         refuse(name, QString("the mesh cannot be read: %1.").arg(defect));
-    if (triangles == 0) refuse(name, "the mesh has no faces; lines are drawn on surfaces.");
+    if (triangles == 0)
+        refuse(name, "the mesh has no faces; lines are drawn on surfaces." +
+                         (remark.isEmpty() ? "" : " Of the file, " + remark + '.'));
     if (!defect.isEmpty() && !draws_damaged)
         refuse(name,
                QString("the file is damaged: %1. With --damaged draw, the %2 triangles before "
                        "that are drawn.")
                    .arg(defect)
                    .arg(triangles));
-    return {std::move(read.mesh), defect, hash.share()};
+    return {std::move(read.mesh), defect, remark, hash.share()};
 }

@@ -10,9 +10,13 @@
 /// folder has none
 QStringList meshesOf(const QStringList& named);
 
+/// From the file's beginning and size; 0 if it cannot be read.
+double expectedTriangles(const QString& name);
+
 struct ReadMesh {
     laplacian_lines::TriangleMesh mesh;
     QString defect;  ///< of a damaged file: why the mesh is not whole
+    QString remark;  ///< what of a sound file was skipped
     /// Of the file, in hexadecimal; computed while the mesh is drawn.
     std::shared_future<std::string> sha256;
 };

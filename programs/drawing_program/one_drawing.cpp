@@ -36,8 +36,11 @@ void saySize(const std::vector<ReadMesh>& meshes, double unit) {
 
 std::vector<ReadMesh> readMeshes(const CommandLine& commands) {
     std::vector<ReadMesh> meshes;
-    for (const QString& file : commands.meshes)
+    for (const QString& file : commands.meshes) {
         meshes.push_back(readMesh(file, commands.choices.draws_damaged));
+        if (!meshes.back().remark.isEmpty())
+            say(stderr, QString("%1: %2").arg(file, meshes.back().remark));
+    }
     return meshes;
 }
 

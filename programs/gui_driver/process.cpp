@@ -50,6 +50,11 @@ void Watchdog::watch(const std::string& what) {
     changed_.notify_one();
 }
 
+void Watchdog::progress() {
+    std::lock_guard<std::mutex> lock(mutex_);
+    spent_ = {};
+}
+
 void Watchdog::rest() {
     std::lock_guard<std::mutex> lock(mutex_);
     watching_ = false;

@@ -14,8 +14,9 @@ void say(const std::string& text);                       // one line on stderr
 [[noreturn]] void endWithError(const std::string& why);  // from any thread
 [[noreturn]] void endProcess(int exitCode);  // at once: no "save changes?" box, no teardown
 
-// Ends the process when a script line takes too long. On its own thread: a GUI timer never fires
-// while a filter or drawing hangs. Time while the machine is suspended does not count.
+// Ends the process when a script line takes too long, or MeshLab shows no progress for as long. On
+// its own thread: a GUI timer never fires while a filter or drawing hangs. Time while the machine
+// is suspended does not count.
 class Watchdog {
 public:
     explicit Watchdog(std::chrono::milliseconds limit);
@@ -23,6 +24,7 @@ public:
 
     void setLimit(std::chrono::milliseconds limit);
     void watch(const std::string& what);  // restarts the clock
+    void progress();                      // restarts it, too
     void rest();                          // nothing to watch
 
 private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "runner.h"
 #include <QApplication>
+#include <QMainWindow>
+#include <QProgressBar>
 #include <QTimer>
 #include "gui.h"
 #include "times.h"
@@ -72,6 +74,9 @@ void Runner::scheduleStep(int milliseconds) {
 void Runner::step() {
     QWidget* window = mainWindow();
     if (!window || !window->isVisible()) return scheduleStep(between_retries);
+    if (next_ == 0)
+        for (QProgressBar* bar : window->findChildren<QProgressBar*>())
+            connect(bar, &QProgressBar::valueChanged, this, [this] { watchdog_.progress(); });
     if (next_ >= script_.size())
         return watchdog_.rest();  // no "quit" at the end: the user goes on by hand
 

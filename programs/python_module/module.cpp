@@ -193,7 +193,7 @@ nb::object read_mesh(const std::string& ending, const nb::bytes& bytes) {
     const mesh_files::MeshInFile read = unlocked([&](const Progress&) {
         return mesh_files::read_mesh(*format, {bytes.c_str(), bytes.size()});
     });
-    return arrays_of(read.mesh) + nb::make_tuple(read.defect);
+    return arrays_of(read.mesh) + nb::make_tuple(read.defect, read.remark);
 }
 
 /// `meshes`: positions, triangles, file name and file hash of each.

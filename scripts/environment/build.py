@@ -40,10 +40,13 @@ def build_targets(*targets, preset=None, options=(), extra_packages=None, checko
     """Configures by a preset of CMakePresets.json and compiles all targets, or those named. With extra_packages,
     installs these and all that building takes first."""
     build = build_folder(checkout)
+    words = [*(["--preset", preset] if preset else []), *options]
+    circumstances, wanted = circumstances_of(checkout, options), repr((targets, preset, extra_packages))
+    if wanted in latest_builds(checkout, build, circumstances):
+        return
     with turn(build):
-        words = [*(["--preset", preset] if preset else []), *options]
-        described = description(checkout, *targets, *words, *(extra_packages or ()))
-        if is_built(checkout, build, described):
+        built = latest_builds(checkout, build, circumstances)
+        if wanted in built:
             return
         if extra_packages is not None:
             ensure_toolchain(*extra_packages)
@@ -52,28 +55,30 @@ def build_targets(*targets, preset=None, options=(), extra_packages=None, checko
         configure(checkout, build, words)
         compile_targets(checkout, build, targets)
         (build / ".begun").rename(build / ".sources")  # what is changed while it is compiled may not be in it
-        (build / ".built").write_text(described)
+        (build / ".built").write_text("\n".join((circumstances, *built, wanted)))
 
 
-def description(*words):
-    named = (os.environ.get(name, "") for name in ("MESHLAB_SOURCE_DIR", "CXX", "CXXFLAGS",
-                                                   "CMAKE_CXX_COMPILER_LAUNCHER"))
-    return "\n".join(map(str, (*words, *named)))
+def circumstances_of(checkout, options):
+    """What changes all that is built, in a line."""
+    return repr((str(checkout), *options, *map(os.environ.get, ("MESHLAB_SOURCE_DIR", "CXX", "CXXFLAGS",
+                                                                "CMAKE_CXX_COMPILER_LAUNCHER"))))
 
 
-def is_built(checkout, build, described):
-    """Whether the latest build was the same and nothing that CMake or make look at was touched since: folders of
-    sources, packages, and what was made. CMake and make take seconds to find that out."""
+def latest_builds(checkout, build, circumstances):
+    """Those since which nothing that CMake or make look at was touched: folders of sources, packages, and what was made.
+    CMake and make take seconds to find that out."""
     try:
-        if (build / ".built").read_text() != described:
-            return False
+        circumstances_then, *built = (build / ".built").read_text().split("\n")
+        if circumstances_then != circumstances:
+            return []
         sources = [place for place in checkout.iterdir() if place.is_dir() and place.name != ".git"
                    and not place.samefile(build)]
         made = [place for name in ("plugins", "driver", "bin") if (place := build / name).is_dir()]
-        return not (newer(build / ".sources", *all_in(*sources), *checkout.glob("CMake*"), "/var/lib/dpkg/status") or
-                    newer(build / ".built", *all_in(*made), build / "CMakeCache.txt"))
+        touched = (newer(build / ".sources", *all_in(*sources), *checkout.glob("CMake*"), "/var/lib/dpkg/status") or
+                   newer(build / ".built", *all_in(*made), build / "CMakeCache.txt"))
+        return [] if touched else built
     except OSError:
-        return False
+        return []
 
 
 def all_in(*folders):

@@ -12,6 +12,7 @@ from environment.messages import Failure, run, say
 from product import drawing, picture, pymeshlab
 from product.display import display
 from product.extra_plugins import expect_extra_plugins, has_extra_plugins, install_plugins, uninstall_plugins
+from product.filter_scripts import complete
 from product.meshlab import is_project, open_window, settings_commands
 from product.models import check_mesh
 from product.package import make_packages
@@ -70,6 +71,8 @@ def build_and_stage(*extra_packages):
 def run_server(words, begun):
     server = build_and_stage() / "bin/meshlabserver"
     begun.touch()
+    words = [complete(word, begun.with_name(f"{number}.mlx")) if words[number - 1:number] == ["-s"] else word
+             for number, word in enumerate(words)]
     with contextlib.ExitStack() as shown:
         if not os.environ.get("DISPLAY") and not has_extra_plugins():
             # MeshLab 2020.09's meshlabserver needs an X display with OpenGL even for filters

@@ -10,6 +10,8 @@ from environment.messages import Failure, run, say
 from product.models import prepare_mesh
 
 MINUTES = 15  # more than a mesh of ten million triangles takes to load and prepare
+LIMIT = f"time-limit {MINUTES * 60}"
+STILL = 120  # seconds without progress, after which a reader of MeshLab's does not end
 DRIVER_ERROR = 3  # the exit code of MeshLab when the driver ends it
 
 
@@ -52,6 +54,11 @@ def run_meshlab(stage, folder, lines, **options):
         return run([stage / "bin/meshlab"], stdout=log, stderr=log, env=environment, **options)
 
 
+def loading(file):
+    """The driver's commands that load a mesh."""
+    return [f"time-limit {STILL}", f"load {file}", LIMIT]
+
+
 def log_lines(folder):
     return (folder / "log").read_text(errors="surrogateescape").splitlines()
 
@@ -59,6 +66,8 @@ def log_lines(folder):
 def explain_failure(folder, code):
     """Why MeshLab ended, in a line."""
     log = "\n".join(log_lines(folder))
+    if found := re.search(r"^meshlab_driver: error: line \d+: load .*\.(.*): time-out", log, re.M):
+        return f"MeshLab's own reader of .{found[1]} files was ended, without progress for {STILL} s; the file may be damaged"
     for kind in ("reason", "error"):
         if found := re.findall(f"^meshlab_driver: {kind}: (.*)$", log, re.M):
             return found[-1]
@@ -74,21 +83,21 @@ def is_project(name):
 
 
 def opening(name, folder):
-    """The driver's command that opens a mesh, a project or, without a name, the dragon."""
+    """The driver's commands that open a mesh, a project or, without a name, the dragon."""
     if is_project(name):
         project = os.path.realpath(name)  # no link elsewhere: the names in it are of files beside it
         if is_odd_name(project):
             raise Failure(f"MeshLab cannot open a project of this name, {name}: rename it or its folder")
-        return f"open-project {project}"
+        return [f"open-project {project}"]
     folder.mkdir(parents=True)
-    return f"load {drivable_mesh(name, folder)}"
+    return loading(drivable_mesh(name, folder))
 
 
 def open_window(stage, folder, names, settings=()):
     """Meshes and projects in one window. MeshLab only keeps its dialogs' settings if told to."""
-    openings = [opening(name, folder / str(number)) for number, name in enumerate(names)]
+    openings = [line for number, name in enumerate(names) for line in opening(name, folder / str(number))]
     say("opening MeshLab; Laplacian Lines is under Render")
-    code = run_meshlab(stage, folder, [f"time-limit {MINUTES * 60}", "wait", *openings, "draw-all-lines", *settings])
+    code = run_meshlab(stage, folder, [LIMIT, "wait", *openings, "draw-all-lines", *settings])
     if code != 0:
         opened = re.findall(r"^meshlab_driver: line \d+: (?:load|open-project) (.*)$", "\n".join(log_lines(folder)),
                             re.M)

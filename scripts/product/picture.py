@@ -15,7 +15,7 @@ from environment.files import put_file
 from environment.messages import Failure, Obstacle, say
 from environment.python_environments import ensure_python
 from product.display import display, private_home
-from product.meshlab import DRIVER_ERROR, MINUTES, drivable_mesh, explain_failure, log_lines, run_meshlab
+from product.meshlab import DRIVER_ERROR, LIMIT, drivable_mesh, explain_failure, loading, log_lines, run_meshlab
 from product.sheet import make_sheet, plain_label
 
 NOISE_SEED = 1
@@ -177,7 +177,7 @@ class Pictures:
         mesh takes its time. The style Publication looks the same, but what the user sets besides would not count. Lines
         show what is large enough for the picture, while kinds are compared at one kernel."""
         row, options = self.rows[number], self.options
-        yield f"load {row.file}"
+        yield from loading(row.file)
         if row.noise:
             noisy = self.folder / f"noisy_{number}.ply"
             yield from (f'write-noisy {row.noise} {NOISE_SEED} "{noisy}"', "trigger Delete Current Mesh",
@@ -196,7 +196,7 @@ class Pictures:
 
     def script(self, first):
         """Draws the rows from the first-th on in one MeshLab, on white paper."""
-        yield from (f"time-limit {MINUTES * 60}", "wait", "check Show Layer Dialog on", "check Show Info Panel off",
+        yield from (LIMIT, "wait", "check Show Layer Dialog on", "check Show Info Panel off",
                     "check Show Trackball off",
                     f"size {self.options.size[0]}x{self.options.size[1]}", f"scale-lines {LINE_SIDE}",
                     "wait-for-levels")

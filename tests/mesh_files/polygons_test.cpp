@@ -62,17 +62,6 @@ TEST(Polygons, AreFilledByTheirTrianglesWithoutOverlaps) {
         }
 }
 
-/// An L from each of its corners: most fans would leave it.
-TEST(Polygons, ThatAreConcaveAreNotLeft) {
-    Polygon polygon = {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
-    for (std::size_t begin = 0; begin < polygon.size(); ++begin) {
-        const Areas areas = areas_of(polygon, Vector3d::UnitZ());
-        EXPECT_NEAR(areas.sum, 5, 1e-12) << begin;
-        EXPECT_EQ(areas.against, 0) << begin;
-        std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
-    }
-}
-
 TEST(Polygons, OfAnyFormHaveTwoTrianglesFewerThanCorners) {
     const Polygon crossed = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
     const Polygon flat = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5, 0, 0}};
@@ -81,6 +70,31 @@ TEST(Polygons, OfAnyFormHaveTwoTrianglesFewerThanCorners) {
         {0, 0, 0}, {NAN, 0, 0}, {1, INFINITY, 0}, {1e300, 1e300, -1e300}, {0, 1, 0}};
     for (const Polygon& polygon : {crossed, flat, point, beyond})
         EXPECT_EQ(triangles_of(polygon).size(), polygon.size() - 2);
+}
+
+double area_of(const Polygon& polygon) {
+    double sum = 0;
+    for (const Triangle& t : triangles_of(polygon))
+        sum += (polygon[t[1]] - polygon[t[0]]).cross(polygon[t[2]] - polygon[t[0]]).norm() / 2;
+    return sum;
+}
+
+/// A roof over a square: its ridge is a diagonal, the ends' middles, or a line between other
+/// corners.
+TEST(Polygons, ThatAreBentAreCutAlongTheBend) {
+    const double bent = std::sqrt(1.25);
+    Polygon valley = {{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}};
+    Polygon gable = {{0, 0, 0}, {1, 0, .5}, {2, 0, 0}, {2, 3, 0}, {1, 3, .5}, {0, 3, 0}};
+    Polygon dart = {{0, 0, 0}, {3, 0, 0}, {1, 1, .1}, {0, 3, 0}};  // beyond a diagonal
+    for (int begin = 0; begin < 12; ++begin) {
+        EXPECT_NEAR(area_of(valley), std::sqrt(3), 1e-12) << begin;
+        EXPECT_NEAR(area_of(gable), 6 * bent, 1e-12) << begin;
+        EXPECT_LT(areas_of(dart, Vector3d::UnitZ()).against, 1e-12) << begin;
+        for (Polygon* polygon : {&valley, &gable, &dart})
+            std::rotate(polygon->begin(), polygon->begin() + 1, polygon->end());
+    }
+    const Polygon sheared = {{0, 0, 0}, {4, 0, 0}, {5, 1, 1}, {1, 1, 0}};
+    EXPECT_NEAR(area_of(sheared), area_of({sheared[1], sheared[2], sheared[3], sheared[0]}), 1e-12);
 }
 
 TEST(Polygons, OfManyCornersAreQuickOrRefused) {

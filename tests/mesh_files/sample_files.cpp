@@ -111,6 +111,11 @@ const std::vector<Sample>& tetrahedra() {
         {"off", Format::Off, off("OFF\n# of a test\n4 4 6\n", "")},
         {"off without a word", Format::Off, off("4 4\n\n", "")},
         {"off with colours", Format::Off, off("COFF 4 4 0\n", " 255 128 0 255")},
+        {"off on a line", Format::Off,
+         "OFF4 4 6 0 0 0 2 0 0 0 3 0 0 0 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3"},
+        {"off over lines", Format::Off,
+         "NOFF # of a test\n4\n4 6\n0 0 0\n0 0 1 2 0 0\n0 0 1\n0 3 0 0\n0 1 0 0 4 0 0 1\n"
+         "3 0\n2 1 255 0\n3 0 1 3\n3\n0 3 2\n3 1 2 3 .5\n"},
         {"stl", Format::Stl, stl_text()},
         {"binary stl", Format::Stl, stl_binary("of a test")},
         {"binary stl of a solid", Format::Stl, stl_binary("solid of a test")},

@@ -23,7 +23,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(WholeFiles, HoldATetrahedron) {
     for (const Sample& sample : tetrahedra()) {
         const MeshInFile file = read_mesh(sample.format, sample.bytes);
-        EXPECT_EQ(file.defect, "") << sample.name;
+        EXPECT_EQ(file.defect + file.remark, "") << sample.name;
         ASSERT_TRUE(sample_files::is_sound(file.mesh)) << sample.name;
         EXPECT_EQ(file.mesh.triangles.size(), 4u) << sample.name;
         EXPECT_NEAR(sample_files::volume(file.mesh), 4, 1e-12) << sample.name;
@@ -61,6 +61,29 @@ TEST(WholeFiles, OfObjMayCountVerticesBackAndJoinLines) {
     ASSERT_EQ(file.mesh.triangles.size(), 2u);
     EXPECT_EQ(file.mesh.triangles[0], (laplacian_lines::Triangle{0, 1, 2}));
     EXPECT_EQ(file.mesh.triangles[1], (laplacian_lines::Triangle{1, 0, 3}));
+}
+
+/// As other programs write and read them.
+TEST(WholeFiles, MayHaveMoreThanTheirFormatThenItIsSaid) {
+    const auto expect = [](const char* name, const std::string& before, const std::string& behind,
+                           const char* remark) {
+        for (const Sample& sample : tetrahedra()) {
+            if (sample.name != name) continue;
+            const MeshInFile file = read_mesh(sample.format, before + sample.bytes + behind);
+            EXPECT_EQ(file.defect, "") << name;
+            EXPECT_EQ(file.remark, remark);
+            EXPECT_NEAR(sample_files::volume(file.mesh), 4, 1e-12) << name;
+        }
+    };
+    expect("obj", "\xef\xbb\xbf", "", "");
+    expect(
+        "obj", "\n$\nc 1 0 0\n", "f 1\nf\n",
+        "lines skipped that are no statements of OBJ files: 2, the first is line 2, \"$\"; faces "
+        "skipped that have fewer than three corners: 2");
+    expect("stl", "", "of others\nsolid\nendsolid\n", "lines skipped after \"endsolid\": 1");
+    for (const char* name : {"binary stl", "ply", "big ply", "off"})
+        expect(name, "", "3 0 1\n",
+               "its last 6 bytes, after what its header promises, are not read");
 }
 
 /// Such vertices are left out and counted later.

@@ -4,6 +4,7 @@ from harness import *
 
 small_torus()
 pathlib.Path("broken.ply").write_text("not a mesh\n")
+os.mkfifo("still.off")
 for regex, *commands in (
         ("line 2: jump: unknown command 'jump'", "jump"),
         ("line 2: open nothing.ply: MeshLab says: .*does not exist", "open nothing.ply", "sleep 500"),
@@ -12,6 +13,7 @@ for regex, *commands in (
         ("line 4: set No Such Field = 1: no field 'No Such Field' among .*'Smoothing steps'", "open torus.ply",
          "trigger Laplacian Smooth", "set No Such Field = 1"),
         ("line 3: expect-modal .*: time-out after 1", "time-limit 1", "expect-modal a box that never comes"),
+        ("line 3: load still.off: time-out after 1", "time-limit 1", "load still.off"),
         ("line 4: expect-log no such text: the log does not say so", "open torus.ply", "expect-log Opened mesh",
          "expect-log no such text")):
     drive_to_failure(regex, "\n".join(["wait", *commands]))

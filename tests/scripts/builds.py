@@ -151,13 +151,13 @@ class MovedBuild(ScriptTest):
 
 
 class UnchangedBuild(ScriptTest):
-    def expect_asked(self, when, asked, *options):
+    def expect_asked(self, when, asked, *options, package="some"):
         """Whether building asks for packages, CMake and make."""
         log, made = self.work / "build/configure.log", self.work / "build/plugins/program"
         log.unlink(missing_ok=True)
         with mock.patch("environment.build.ensure_toolchain") as ensure:
-            self.said_by(build_targets, "program", options=options, extra_packages=["some"], checkout=self.work)
-        self.assertEqual([call.args for call in ensure.mock_calls], [("some",)] if asked else [], when)
+            self.said_by(build_targets, "program", options=options, extra_packages=[package], checkout=self.work)
+        self.assertEqual([call.args for call in ensure.mock_calls], [(package,)] if asked else [], when)
         self.assertEqual(log.exists(), asked, when)
         self.assertTrue(made.exists(), when)
         time.sleep(0.02)  # more than the steps of a file system's clock
@@ -183,6 +183,13 @@ class UnchangedBuild(ScriptTest):
         self.expect_asked("nothing has changed", False)
         self.expect_asked("another option", True, "-DANYTHING=ON")
         self.expect_asked("the same option", False, "-DANYTHING=ON")
+        self.expect_asked("for another command", True, "-DANYTHING=ON", package="other")
+        for _ in range(2):  # in turns
+            self.expect_asked("for the first command", False, "-DANYTHING=ON")
+            self.expect_asked("for the other command", False, "-DANYTHING=ON", package="other")
+        main.touch()
+        self.expect_asked("a source was changed", True, "-DANYTHING=ON")
+        self.expect_asked("it was built for the first only", True, "-DANYTHING=ON", package="other")
         subprocess.run(["cmake", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Debug"], check=True,
                        stdout=subprocess.DEVNULL)
         self.expect_asked("configured by hand", True, "-DANYTHING=ON")

@@ -58,6 +58,17 @@ class Options(ScriptTest):
         for mode in ("--server", "--python"):
             self.expect_refused("--zoom goes with --picture", "--zoom", "2", mode)
 
+    def test_filter_scripts(self):
+        from product.filter_scripts import complete
+
+        example = CHECKOUT / "docs/examples/laplacian_lines.mlx"
+        self.assertEqual(complete(example, self.work / "copy.mlx"), example)
+        lines = example.read_text().splitlines(keepends=True)
+        pathlib.Path("script.mlx").write_text("".join(line for line in lines if "accuracy" not in line))
+        said = self.said_by(complete, "script.mlx", self.work / "copy.mlx")
+        self.assertIn("script.mlx: these parameters have their defaults: accuracy", said)
+        self.assertEqual(pathlib.Path("copy.mlx").read_text().count("<Param "), example.read_text().count("<Param "))
+
     def test_pictures(self):
         from product.picture import Options as Picture
         from product.picture import Pictures, Row

@@ -22,10 +22,15 @@ struct MeshInFile {
     /// Where and why the file is malformed: "line 12: a vertex has two coordinates". The mesh has
     /// what comes before. Empty: the file is sound.
     std::string defect;
+    /// What of a sound file was skipped: "faces skipped that have fewer than three corners: 2".
+    std::string remark;
 };
 
 /// Reads any bytes, in time and memory proportional to their number; of vertices x, y and z only.
 /// An OBJ file that was cut off between lines cannot be told from a whole one. Thread-safe.
 MeshInFile read_mesh(Format format, std::string_view bytes);
+
+/// About as many as a file of that many bytes has, which begins with some of them; seldom fewer.
+double expected_triangles(Format format, std::string_view begin, double size);
 
 }  // namespace mesh_files

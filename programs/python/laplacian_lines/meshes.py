@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import pathlib
+import warnings
 from typing import Any
 
 import numpy
@@ -33,9 +34,11 @@ def mesh_in(place: pathlib.Path, content: bytes) -> Arrays:
     read = _core.read_mesh(place.suffix[1:].lower(), content)
     if read is None:
         raise _core.Error(f"{place}: this extension is no kind of mesh. Save it as .ply, .stl, .obj or .off.")
-    vertices, faces, defect = read
+    vertices, faces, defect, remark = read
     if defect:
         raise _core.Error(f"{place} is incomplete: {defect}. Save it again from the program that wrote it.")
+    if remark:
+        warnings.warn(f"{place}: {remark}", stacklevel=3)
     return vertices, faces
 
 
@@ -59,7 +62,7 @@ def _parts(mesh):
         if not hasattr(mesh, "faces"):
             raise TypeError(f"A {type(mesh).__name__} is no surface: give its extract_surface().")
         cells = numpy.asarray(mesh.faces).reshape(-1)
-        if len(cells) % 4 or (cells[::4] != 3).any():
+        if len(cells) % 4 or (cells[::4] != 3).any() or mesh.n_strips:
             mesh = mesh.triangulate()
         return mesh.points, numpy.asarray(mesh.faces).reshape(-1, 4)[:, 1:]
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):  # of trimesh

@@ -43,6 +43,8 @@ class OtherPackages(unittest.TestCase):
         self.expect_same(mesh)
         quads = pyvista.Plane(i_resolution=3, j_resolution=3)
         self.assertEqual(ll.as_arrays(quads)[1].shape, (18, 3))
+        strip = pyvista.PolyData(vertices[:5], [3, 0, 1, 2], strips=[4, 1, 2, 3, 4])
+        self.assertEqual(ll.as_arrays(strip)[1].shape, (3, 3))
         with self.assertRaisesRegex(TypeError, r"extract_surface\(\)"):
             ll.field(pyvista.ImageData(dimensions=(3, 3, 3)))
 
