@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/lettering.h"
+#include "planes/lettering.h"
 #include "formats/pdf_parts.h"
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/version.h"

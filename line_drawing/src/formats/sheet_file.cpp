@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/sheet_file.h"
 
-#include "formats/lettering.h"
+#include "planes/lettering.h"
 #include "formats/sheet_writers.h"
 #include "line_drawing/words.h"
 
