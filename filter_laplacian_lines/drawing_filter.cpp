@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QPointer>
@@ -12,6 +13,7 @@
 #include "line_drawing/sheet_file.h"
 #include "line_drawing/whole_file.h"
 #include "meshlab_host/current_view.h"
+#include "meshlab_host/documents.h"
 #include "meshlab_host/progress.h"
 #include "placed_layers.h"
 
@@ -32,10 +34,6 @@ Eigen::Vector3d sizeOf(const PlacedLayers& layers) {
     return box.sizes();
 }
 
-QString lengths(const Eigen::Vector3d& size) {
-    return QString("%1 x %2 x %3 mm").arg(size.x()).arg(size.y()).arg(size.z());
-}
-
 /// Name, scale and paper of the drawing, and the assumed size of the object.
 QString report(const PlacedLayers& layers, const QString& file, const Sheet& sheet,
                const Eigen::Vector3d& size, const SheetOptions& options) {
@@ -47,9 +45,9 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
                                   : "in perspective and so without a scale"),
              QString::number(sheet.size.x()), QString::number(sheet.size.y()),
              QString(layers.size() > 1 ? "Together the objects are" : "The object is"),
-             lengths(size), QString::number(options.mm_per_unit),
+             inQt(line_drawing::sizeInWords(size, " x ")), QString::number(options.mm_per_unit),
              sheet.kernel > 0 ? QString(" Inner lines have a kernel of √h = %1 mm on paper.")
-                                    .arg(sheet.kernel, 0, 'g', 2)
+                                    .arg(inQt(line_drawing::kernelInWords(sheet.kernel)))
                               : QString());
 }
 
@@ -59,6 +57,22 @@ std::string provenanceOf(const PlacedLayers& layers) {
     for (const PlacedLayer& layer : layers)
         meshes.push_back({layer.name.toStdString(), {}});
     return line_drawing::provenanceText(meshes);
+}
+
+/// Of a file that has no drawing of other meshes: with a number, if that named has one.
+QString freeName(const QString& name, const std::string& provenance) {
+    const QByteArray key = "\"meshes\":";
+    const QByteArray meshes =
+        QByteArray::fromStdString(provenance.substr(provenance.find(key.toStdString())));
+    const QFileInfo info(name);
+    QString result = name;
+    for (int number = 2;; ++number) {
+        QFile file(result);
+        const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        if (!bytes.contains(key) || bytes.contains(meshes)) return result;
+        result = info.dir().filePath(
+            QString("%1_%2.%3").arg(info.completeBaseName()).arg(number).arg(info.suffix()));
+    }
 }
 
 }  // namespace
@@ -96,16 +110,25 @@ std::vector<meshlab_host::ParameterDescription> DrawingFilter::describeParameter
 
 void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const DrawingParameters chosen = readDrawingParameters(run.parameters);
-    const QString name = inQt(chosen.file);
-    const std::string place = QFile::encodeName(name).toStdString();  // as the system has it
+    QString name = inQt(fileFor(*run.document.mm(), chosen.file));
+    std::string place = QFile::encodeName(name).toStdString();  // as the system has it
     const line_drawing::SheetFormat format = line_drawing::formatOf(place);
     line_drawing::checkWritable(place);
     const QString mesh = run.document.mm()->fullName();  // before layers may go
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::currentView();
     SheetOptions options = sheetOptions(chosen, window);
+    if (window) {
+        RichParameterList recorded;
+        listDrawingParameters(forAnyMesh(chosen, *run.document.mm(), *window), recorded);
+        meshlab_host::recordAs(filter_name, recorded, run.document);
+    }
     const PlacedLayers layers = placeLayers(
         {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, field_share);
     options.source = namesOf(layers).toStdString();
+    line_drawing::Words names;
+    for (const PlacedLayer& layer : layers)
+        names.push_back(QFileInfo(layer.name).completeBaseName().toStdString());
+    options.title = line_drawing::titleOf(options.title, names);
     for (const std::string& remark : line_drawing::checkTexts(options, format))
         run.say(inQt(remark));
     Sheet sheet =
@@ -114,13 +137,19 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
             .front();
     meshlab_host::beginStep(run.progress, 1, "Writing the drawing");
     sheet.provenance = provenanceOf(layers);
+    const bool has_dialog = meshlab_host::FilterDialog::isOpen(filter_name);
+    if (!has_dialog) {  // scripts run over a folder
+        name = freeName(name, sheet.provenance);
+        place = QFile::encodeName(name).toStdString();
+    }
     line_drawing::writeWhole(place, writeSheet(sheet, format));
     const QString file = QFileInfo(name).absoluteFilePath();
     const Eigen::Vector3d size = options.mm_per_unit * sizeOf(layers);
     run.say(report(layers, file, sheet, size, options));
     for (const std::string& remark : sheet.remarks)
         run.say(inQt(remark));
-    if (meshlab_host::FilterDialog::isOpen(filter_name)) keepSettings(chosen, mesh);
+    if (has_dialog) keepSettings(chosen, mesh);
+    run.results["file"] = file;
     run.results["scale"] = sheet.scale;
     meshlab_host::addResult("paper", {sheet.size.x(), sheet.size.y(), 0}, run.results);
     meshlab_host::addResult("object", size, run.results);

@@ -9,23 +9,7 @@
 
 namespace {
 
-constexpr int digits = 3;
-
-QString number(double value) {
-    return QString::number(value, 'g', value >= 100 ? 6 : digits);
-}
-
-/// "87 × 50 × 20 mm", "2.8 × 2.8 × 0.9 m"
-QString lengths(const Eigen::Vector3d& mm) {
-    const bool in_metres = mm.maxCoeff() >= 1000;
-    QStringList sides;
-    for (int axis = 0; axis < 3; ++axis)
-        sides << (in_metres ? number(mm[axis] / 1000)
-                            : QString::number(mm[axis], 'f', mm[axis] < 10));
-    return sides.join(" × ") + (in_metres ? " m" : " mm");
-}
-
-QString sizeInWords(const PlacedLayers& layers, const DrawingParameters& chosen) {
+QString objectInWords(const PlacedLayers& layers, const DrawingParameters& chosen) {
     const line_drawing::MeshUnit& unit = line_drawing::mesh_units[chosen.unit];
     Eigen::AlignedBox3d box;
     for (const PlacedLayer& layer : layers)
@@ -33,7 +17,7 @@ QString sizeInWords(const PlacedLayers& layers, const DrawingParameters& chosen)
     if (box.isEmpty()) return "There is nothing to draw.";
     return QString("1 unit = 1 %1: %2 %3 in size.")
         .arg(unit.name, layers.size() > 1 ? "together the objects are" : "the object is",
-             lengths(unit.mm * box.sizes()));
+             inQt(line_drawing::sizeInWords(unit.mm * box.sizes())));
 }
 
 QString planInWords(const line_drawing::SheetPlan& plan, const std::string& paper) {
@@ -81,7 +65,7 @@ std::optional<QString> DrawingOutlook::inWords(
     try {
         const DrawingParameters chosen = drawingParametersIn(text_of);
         look(document, chosen.is_of_all_layers);
-        words = sizeInWords(layers_, chosen);
+        words = objectInWords(layers_, chosen);
         const line_drawing::SheetOptions options =
             sheetOptions(chosen, meshlab_host::currentView());
         words +=

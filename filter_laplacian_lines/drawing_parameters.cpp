@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drawing_dialog.h"
+#include "line_drawing/words.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/parameters.h"
@@ -47,6 +48,15 @@ double diagonalOf(const MeshModel& layer) {
     const Eigen::Matrix4d transform = meshlab_host::layerTransform(layer.cm);
     const double factor = std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
     return factor * double(layer.cm.bbox.Diag());
+}
+
+const QString folder_place = "{folder}", name_place = "{name}";
+
+QString folderOf(const MeshModel& mesh) {
+    return QFileInfo(mesh.fullName()).absolutePath();
+}
+QString nameOf(const MeshModel& mesh) {
+    return QFileInfo(mesh.fullName().isEmpty() ? mesh.label() : mesh.fullName()).completeBaseName();
 }
 
 ViewFrame frameOf(const CurrentView& window) {
@@ -127,6 +137,28 @@ DrawingParameters readDrawingParameters(const RichParameterList& list) {
             option.row.set(result, meshlab_host::readParameter(describe(option),
                                                                option.row.get(result), list));
     return result;
+}
+
+std::string fileFor(const MeshModel& mesh, const std::string& file) {
+    return inQt(file)
+        .replace(folder_place, folderOf(mesh))
+        .replace(name_place, nameOf(mesh))
+        .toStdString();
+}
+
+DrawingParameters forAnyMesh(DrawingParameters chosen, const MeshModel& mesh,
+                             const CurrentView& window) {
+    line_drawing::Words views = line_drawing::wordsOf(chosen.views);
+    for (std::string& view : views)
+        if (line_drawing::lower(view) == window_view) view = frameInWords(frameOf(window));
+    chosen.views = line_drawing::joined(views, " ");
+    const QFileInfo file(inQt(chosen.file));
+    QString name = file.fileName();
+    if (!mesh.fullName().isEmpty() && file.absolutePath() == folderOf(mesh)) {
+        if (name.startsWith(nameOf(mesh))) name.replace(0, nameOf(mesh).size(), name_place);
+        chosen.file = (folder_place + '/' + name).toStdString();
+    }
+    return chosen;
 }
 
 SheetOptions sheetOptions(const DrawingParameters& chosen,

@@ -55,6 +55,13 @@ std::vector<meshlab_host::ParameterDescription> describeDrawingParameters();
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter out of range
 DrawingParameters readDrawingParameters(const RichParameterList& list);
 
+// Places in the file's name that differ from mesh to mesh: {folder} and {name}.
+
+std::string fileFor(const MeshModel& mesh, const std::string& file);
+/// For scripts: with these places, and with the window's view in words.
+DrawingParameters forAnyMesh(DrawingParameters chosen, const MeshModel& mesh,
+                             const meshlab_host::CurrentView& window);
+
 /// Views are in world coordinates, `window` is the window's current one.
 /// @throws laplacian_lines::Error(InvalidOption) with what is understood, also if there is no view
 /// of a window or decoration to follow

@@ -11,6 +11,7 @@
 #include "line_drawing/object.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/current_view.h"
+#include "meshlab_host/documents.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/layer_drawing.h"
@@ -25,6 +26,8 @@ using laplacian_lines::LineSet;
 using laplacian_lines::View;
 
 namespace {
+
+const char* const filter_name = "Generate Laplacian Lines Polylines";
 
 // Progress at the end of each step, the last of which removes hidden parts.
 constexpr double field_share = 0.5, sight_share = 0.7, extractor_share = 0.85, lines_share = 0.87;
@@ -125,6 +128,16 @@ void addLayer(const LineSet& lines, const Source& source, const laplacian_lines:
     meshlab_host::showAsLines(document, layer->id());
 }
 
+/// From where it was seen, for scripts.
+void recordView(const meshlab_host::FilterRun& run, PolylineParameters seen, const Eye& eye) {
+    const bool is_perspective = eye.place.w() != 0;
+    seen.view = is_perspective ? ViewChoice::Perspective : ViewChoice::Orthographic;
+    (is_perspective ? seen.viewpoint : seen.view_direction) = eye.place.head<3>();
+    RichParameterList recorded;
+    listPolylineParameters(seen, recorded);
+    meshlab_host::recordAs(filter_name, recorded, run.document);
+}
+
 }  // namespace
 
 QString kindsInWords(const LineSet& lines) {
@@ -140,7 +153,7 @@ QString kindsInWords(const LineSet& lines) {
 
 meshlab_host::FilterDescription PolylineFilter::description() const {
     meshlab_host::FilterDescription result;
-    result.name = "Generate Laplacian Lines Polylines";
+    result.name = filter_name;
     result.python_name = "generate_polyline_from_laplacian_lines";
     result.help = help();
     result.filter_class =
@@ -164,6 +177,7 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     Eigen::AlignedBox3d box = line_drawing::boundsOf(source.triangles);
     if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.layer));
     const Eye eye = eyeOf(chosen, box.center(), meshlab_host::currentView());
+    if (chosen.view == ViewChoice::CurrentView) recordView(run, chosen, eye);
     const View view = viewOf(eye, chosen, source.layer);
     meshlab_host::FieldSource field_source = meshlab_host::fieldSource(mesh.cm);
     if (chosen.style.shows.needs_derivatives())

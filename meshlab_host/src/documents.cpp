@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/documents.h"
 
+#include <QTimer>
 #include <algorithm>
 
 #include "scene.h"
@@ -15,6 +16,14 @@ std::vector<int> idsOf(const MeshDocument& document) {
         ids.push_back(int(layer->id()));
     std::sort(ids.begin(), ids.end());
     return ids;
+}
+
+/// MeshLab 2020.09 has a pointer to its history.
+[[maybe_unused]] FilterScript& itself(FilterScript* script) {
+    return *script;
+}
+[[maybe_unused]] FilterScript& itself(FilterScript& script) {
+    return script;
 }
 
 }  // namespace
@@ -70,6 +79,15 @@ void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, co
 #else
     log.realTimeLog(title, mesh, text);
 #endif
+}
+
+void recordAs(const QString& filter, const RichParameterList& parameters, MeshDocument& document) {
+    QTimer::singleShot(0, &document,
+                       [filter, parameters, &document] {  // MeshLab records afterwards
+                           FilterScript& history = itself(document.filterHistory);
+                           if (!history.isEmpty() && history.last().first == filter)
+                               history.last().second = parameters;
+                       });
 }
 
 }  // namespace meshlab_host

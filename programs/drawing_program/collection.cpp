@@ -52,6 +52,8 @@ void writeContactSheet(const std::vector<CollectionItem>& items, const Collectio
     const std::string& title = commands.options.title;
     line_drawing::Sheet sheet = line_drawing::makeContactSheet(
         entries, title.find("{name}") == title.npos ? title : std::string());
+    if (commands.options.text == line_drawing::TextStyle::Outlines)
+        line_drawing::outlineTexts(sheet);
     sheet.provenance = line_drawing::provenanceText(meshes, inUtf8(commands.words));
     line_drawing::writeWhole(
         fileName(file),

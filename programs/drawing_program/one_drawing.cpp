@@ -17,19 +17,19 @@ namespace {
 using line_drawing::SourceMesh;
 
 /// Scans come in metres, too, and files do not tell.
-void saySize(const std::vector<ReadMesh>& meshes, double unit) {
+void saySize(const std::vector<ReadMesh>& meshes, const CommandLine& commands) {
     Eigen::AlignedBox3d box;
     for (const ReadMesh& read : meshes)
         box.extend(line_drawing::boundsOf(read.mesh));
     if (box.isEmpty()) return;
+    const double unit = commands.options.mm_per_unit;
     const Eigen::Vector3d size = unit * box.sizes();
-    const char* advice =
-        size.maxCoeff() < 1 ? "if it is in metres, say --unit m" : "--unit says otherwise";
-    say(stdout, QString("%1 %2 x %3 x %4 mm in size, with %5 mm to the unit of the mesh; %6")
-                    .arg(meshes.size() > 1 ? "together the objects are" : "the object is")
-                    .arg(size.x())
-                    .arg(size.y())
-                    .arg(size.z())
+    const char* advice = commands.words.contains("--unit") ? ""
+                         : size.maxCoeff() < 1             ? "; if it is in metres, say --unit m"
+                                                           : "; --unit says otherwise";
+    say(stdout, QString("%1 %2 in size, with %3 mm to the unit of the mesh%4")
+                    .arg(meshes.size() > 1 ? "together the objects are" : "the object is",
+                         inQt(line_drawing::sizeInWords(size, " x ")))
                     .arg(unit)
                     .arg(advice));
 }
@@ -85,7 +85,7 @@ void drawOne(const CommandLine& commands) {
     const std::vector<ReadMesh> meshes = readMeshes(commands);
     const auto origins = [&] { return originsOf(commands.meshes, meshes); };
     if (commands.like) sayWhatDiffers(*commands.like, origins());
-    saySize(meshes, commands.options.mm_per_unit);
+    saySize(meshes, commands);
     std::vector<line_drawing::SheetOptions> options = {commands.options};
     options[0].source = sourcesOf(commands.meshes, meshes).toStdString();
     const std::vector<std::string> remarks = line_drawing::checkTexts(options[0], format);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/lettering.h"
+#include "planes/lettering.h"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +64,11 @@ TEST(Lettering, HasBoxesForLettersThatItLacks) {
     const Lettering box = letteringOf("\xe2\x96\xa1"), han = letteringOf("\xe6\x97\xa5");
     EXPECT_DOUBLE_EQ(han.width, box.width);
     EXPECT_EQ(painterPath(han.path), painterPath(box.path));
+}
+
+TEST(Lettering, DrawsLettersThatLookAlike) {
+    EXPECT_EQ(painterPath(letteringOf("⌀").path), painterPath(letteringOf("Ø").path));
+    EXPECT_EQ(lackingLetter("⌀ 5"), "");
 }
 
 TEST(Lettering, RefusesTitlesWithLettersThatItLacks) {

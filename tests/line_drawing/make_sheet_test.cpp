@@ -80,7 +80,7 @@ TEST(MeasuredDrawing, TellsSmallSizes) {
     SheetOptions options = plainViews("front");
     options.scale = 1000;
     const Sheet sheet = sheetOf(cube, options);
-    EXPECT_NE(furnitureOf(sheet).find("0.00123 × 0.00123 × 0.00123 mm"), std::string::npos)
+    EXPECT_NE(furnitureOf(sheet).find("1.23 × 1.23 × 1.23 µm"), std::string::npos)
         << furnitureOf(sheet);
 }
 

@@ -152,8 +152,10 @@ TEST(SeveralObjects, EachHasItsOwnAreaIfWanted) {
     const Sheet sheet = sheetOfAll({moved(cubeOf100(), {70, 0, 0}), frame}, options);
     const SheetLayer& layer = layerOf(sheet.groups[0], "area");
     ASSERT_EQ(layer.paths.size(), 2u);
-    EXPECT_NEAR(made_sheets::areaOf(layer.paths[0]), 100 * 100, 10);
-    EXPECT_NEAR(made_sheets::areaOf(layer.paths[1]), 160 * 160 - 120 * 120, 15);
+    EXPECT_NEAR(made_sheets::areaOf(layer.paths[0]), 100 * 100, 1e-6);
+    EXPECT_NEAR(made_sheets::areaOf(layer.paths[1]), 160 * 160 - 120 * 120, 1e-6);
+    EXPECT_EQ(layer.paths[0].path.pieces.size(), 5u);  // four corners, and back
+    EXPECT_EQ(layer.paths[1].path.pieces.size(), 10u);
     options.area = OutlineArea::Filled;
     const Sheet together = sheetOfAll({moved(cubeOf100(), {70, 0, 0}), frame}, options);
     ASSERT_EQ(layerOf(together.groups[0], "area").paths.size(), 1u);

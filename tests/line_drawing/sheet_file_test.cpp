@@ -80,9 +80,9 @@ TEST(SheetFiles, OfDxfHaveTextsAsData) {
     Sheet sheet = smallSheet();
     SheetText& text = sheet.groups[0].layers[1].texts[0];
     const std::string before = writeDxf(sheet);
-    text.text = "a\n0\nLINE\r8 100 %c \xc3\xbc \xf0\x9f\x98\x80";
+    text.text = "a\n0\nLINE\r8 100 %c 5%% %° \xc3\xbc \xf0\x9f\x98\x80";
     const std::string dxf = writeDxf(sheet);
-    EXPECT_TRUE(has(dxf, "\n1\na 0 LINE 8 100 %%%c \\U+00FC ?\n"));
+    EXPECT_TRUE(has(dxf, "\n1\na 0 LINE 8 100 %c 5%%%%%% %%%%%d \\U+00FC ?\n"));
     EXPECT_EQ(count(dxf, "\n"), count(before, "\n"));
 }
 

@@ -66,6 +66,26 @@ TEST(SheetLayout, ViewsDoNotOverlapAndStayOnThePaper) {
     }
 }
 
+/// Thirty in one row would not fit at any scale.
+TEST(SheetLayout, ManySectionsStandInRows) {
+    for (const char* names : {"", "front,top"}) {
+        std::vector<DrawnView> views;
+        if (*names) views = viewsOfABox(names);
+        SheetOptions options;
+        options.sections.resize(30);
+        const Eigen::Vector2d half(20, 10);
+        for (const Section& section : options.sections) {
+            views.push_back({frameOfSection(section, UpAxis::Z), {-half, half}, {}});
+            views.back().is_section = true;
+        }
+        const SheetLayout layout = layOut(views, options);
+        EXPECT_GE(layout.scale, 0.5);
+        for (std::size_t i = 0; i < layout.places.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_TRUE(layout.places[i].intersection(layout.places[k]).isEmpty()) << names;
+    }
+}
+
 TEST(SheetLayout, TakesTheLargestUsualScaleThatFits) {
     SheetOptions options;
     EXPECT_EQ(layOut(viewsOfABox("front"), options).scale, 4);  // 240 mm on lying A4
@@ -116,6 +136,23 @@ TEST(SheetFurniture, ScaleBarsAreOfRoundLengths) {
     EXPECT_EQ(lengthInWords(100), "10 cm");
     EXPECT_EQ(lengthInWords(2000), "2 m");
     EXPECT_EQ(lengthInWords(0.5), "0.5 mm");
+}
+
+TEST(SheetFurniture, LongTitlesAreWhole) {
+    SheetOptions options = made_sheets::plainViews("front", "a4");
+    for (int i = 0; i < 30; ++i)
+        options.title += (i ? " word" : "word") + std::to_string(i);
+    const auto title_of = [&] {
+        const Sheet sheet = made_sheets::sheetOf(test_meshes::torus(30, 15).mesh, options);
+        EXPECT_EQ(sheet.remarks.size(), 1u);
+        Words lines;
+        for (const SheetText& text : made_sheets::layerOf(sheet.groups.back(), "title").texts)
+            if (text.text.find("word") != text.text.npos) lines.insert(lines.begin(), text.text);
+        return joined(lines, " ");
+    };
+    EXPECT_EQ(title_of(), options.title);
+    options.title += options.title + options.title + options.title;
+    EXPECT_TRUE(endsWith(title_of(), "…"));
 }
 
 TEST(SheetPlans, AreWhatIsMade) {

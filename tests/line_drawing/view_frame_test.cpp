@@ -65,7 +65,7 @@ TEST(ViewFrames, AreNamed) {
     ASSERT_EQ(views.size(), 4u);
     EXPECT_EQ(views[0].name, "Front");
     EXPECT_EQ(views[1].side, Side::Top);
-    EXPECT_EQ(views[2].name, "30°, -15°");
+    EXPECT_EQ(views[2].name, "View 30°, -15°");
     EXPECT_EQ(views[3].side, Side::Left);
     EXPECT_EQ(parseViews("six", UpAxis::Z).size(), 6u);
 }
@@ -74,9 +74,22 @@ TEST(ViewFrames, MayHaveNamesOfAProgram) {
     const NamedViews others = {{"window", frameOfDirection(10, 20, UpAxis::Z)}};
     const std::vector<ViewFrame> views = parseViews("top,Window 30,15", UpAxis::Z, others);
     ASSERT_EQ(views.size(), 3u);
-    EXPECT_EQ(views[1].name, "10°, 20°");
-    EXPECT_EQ(views[2].name, "30°, 15°");
+    EXPECT_EQ(views[1].name, "View 10°, 20°");
+    EXPECT_EQ(views[2].name, "View 30°, 15°");
     EXPECT_THROW(parseViews("30,window", UpAxis::Z, others), laplacian_lines::Error);
+}
+
+TEST(ViewFrames, AreReadFromTheirWords) {
+    ViewFrame frame = frameOfDirection(10, 20, UpAxis::X);
+    for (const bool has_eye : {false, true}) {
+        if (has_eye) frame.eye = Vector3d(1, -2.5, 1e7);
+        const ViewFrame read = parseViews("top, " + frameInWords(frame), UpAxis::Z).back();
+        EXPECT_LT((read.right - frame.right).norm() + (read.up - frame.up).norm(), 1e-7);
+        EXPECT_EQ(read.eye, frame.eye);
+    }
+    for (const char* words :
+         {"toward", "toward 1 0 0 0 1", "toward 1 0 0 2 0 0", "toward 0 0 0 0 1 0"})
+        EXPECT_THROW(parseViews(words, UpAxis::Z), laplacian_lines::Error) << words;
 }
 
 TEST(DrawnLines, AreFineWhereTheyAreLessThanHalfAsWideOnTheMean) {

@@ -119,15 +119,15 @@ TEST(DrawingOutlook, FollowsFieldsAndLayers) {
             .value_or("busy")
             .toStdString();
     };
-    EXPECT_EQ(words(), "1 unit = 1 mm: the object is 40 × 30 × 0.0 mm in size. Fits A4 at 5:1.");
+    EXPECT_EQ(words(), "1 unit = 1 mm: the object is 40.0 × 30.0 × 0 mm in size. Fits A4 at 5:1.");
     fields["Unit of the Mesh"] = "cm";
-    EXPECT_EQ(words(), "1 unit = 1 cm: the object is 400 × 300 × 0.0 mm in size. Fits A4 at 1:2.");
+    EXPECT_EQ(words(), "1 unit = 1 cm: the object is 400.0 × 300.0 × 0 mm in size. Fits A4 at 1:2.");
     fields["Scale"] = "1:1";
     EXPECT_EQ(
-        words().find("1 unit = 1 cm: the object is 400 × 300 × 0.0 mm in size. At the scale "), 0u);
+        words().find("1 unit = 1 cm: the object is 400.0 × 300.0 × 0 mm in size. At the scale "), 0u);
     fields["Scale"] = "fit";
     scene.layer->cm.Tr.SetScale(10, 10, 10);
-    EXPECT_EQ(words(), "1 unit = 1 cm: the object is 4 × 3 × 0 m in size. Fits A4 at 1:20.");
+    EXPECT_EQ(words(), "1 unit = 1 cm: the object is 4000 × 3000 × 0 mm in size. Fits A4 at 1:20.");
     scene.document.setBusy(true);
     EXPECT_EQ(words(), "busy");
     scene.document.setBusy(false);

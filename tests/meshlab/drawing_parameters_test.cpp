@@ -28,7 +28,7 @@ line_drawing::Words viewNames(const char* views, const char* sections = "") {
 }
 
 TEST(DrawingParameters, ViewsKeepTheirOrder) {
-    EXPECT_EQ(line_drawing::joined(viewNames("top, WINDOW;30,15 front"), "/"), "Top/View/30°, 15°/Front");
+    EXPECT_EQ(line_drawing::joined(viewNames("top, WINDOW;30,15 front"), "/"), "Top/View/View 30°, 15°/Front");
     EXPECT_EQ(viewNames("six window").size(), 7u);
     EXPECT_THROW(viewNames(""), Error);
     EXPECT_TRUE(viewNames("", "x=0.5").empty());
@@ -130,6 +130,21 @@ TEST(DrawingParameters, StartBesideTheMeshAndAtTheWindow) {
     EXPECT_EQ(drawingDefaults(mesh, true).unit, 2);
     mesh->cm.Tr.SetScale(1000, 1000, 1000);
     EXPECT_EQ(drawingDefaults(mesh, true).unit, 0);
+}
+
+TEST(DrawingParameters, AreRecordedForAnyMesh) {
+    MeshDocument document;
+    const MeshModel& mesh = *document.addNewMesh("/finds/find.17.ply", "find");
+    const MeshModel& next = *document.addNewMesh("/more/18.ply", "next");
+    DrawingParameters chosen = drawingDefaults(&mesh, true);
+    chosen.views = "front, window";
+    const DrawingParameters recorded = forAnyMesh(chosen, mesh, window);
+    EXPECT_EQ(recorded.views, "front toward 1 0 0 0 0 1");
+    EXPECT_EQ(fileFor(mesh, recorded.file), chosen.file);
+    EXPECT_EQ(fileFor(next, recorded.file), "/more/18_drawing.svg");
+    EXPECT_EQ(sheetOptions(recorded, std::nullopt).views.at(1).right, Eigen::Vector3d(0, 1, 0));
+    chosen.file = "/elsewhere/find.17.svg";
+    EXPECT_EQ(forAnyMesh(chosen, mesh, window).file, chosen.file);
 }
 
 TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {

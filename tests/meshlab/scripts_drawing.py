@@ -56,6 +56,20 @@ draw("plate.png", "--views", "six", views="six")
 draw("hidden.svg", *"--views 30,40 --hidden dashed".split(), views="30,40", hidden=1)
 draw("iso.svg", *"--views 30,40 --weights iso".split(), views="30,40", weights=1)
 
+# places of the mesh in names; a drawing of another mesh is kept
+os.makedirs("scans", exist_ok=True)
+for name in ("a.ply", "a.stl.ply"):
+    shutil.copy("torus.ply", f"scans/{name}")
+    filter_script(EXAMPLE, {"file": "{folder}/{name}_1.svg", "title": "Find {name}"})
+    expect(serve("-i", f"scans/{name}", "-s", "script.mlx") == 0, "places in names are refused")
+    expect_text(f"scans/{name[:-4]}_1.svg", f">Find {name[:-4]}<")
+    filter_script(EXAMPLE, {"file": "scans/same.svg"})
+    for _ in range(2):
+        expect(serve("-i", f"scans/{name}", "-s", "script.mlx") == 0, "the same name twice is refused")
+expect_text("scans/same.svg", ">[^<]*a\\.ply<")
+expect_text("scans/same_2.svg", ">[^<]*a\\.stl\\.ply<")
+expect(not os.path.exists("scans/same_3.svg"), "a drawing of the same mesh is not replaced")
+
 # layers together
 ply("points.ply", ["0 0 9"])
 lines = [line.split() for line in text_of("torus.ply").split("end_header\n")[1].splitlines()]

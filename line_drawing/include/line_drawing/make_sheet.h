@@ -35,6 +35,9 @@ struct SheetPlan {
 /// surface
 SheetPlan planSheet(const Objects& objects, const SheetOptions& options);
 
+/// Puts areas of the shape of letters in place of all texts.
+void outlineTexts(Sheet& sheet);
+
 /// Options for one mesh of a contact sheet: its first view, small, no furniture; the title is its
 /// size.
 SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& options);

@@ -52,8 +52,10 @@ struct Sheet {
     Eigen::Vector2d size;  ///< width, height
     std::string title;
     std::vector<SheetGroup> groups;
-    double scale = 1;   ///< drawn length over true length; 0: all views are in perspective
-    double kernel = 0;  ///< √h of the inner lines in mm of the sheet; 0: there are none
+    double scale = 1;  ///< drawn length over true length; 0: all views are in perspective
+    /// √h of the inner lines in mm of the sheet; 0: there are none, or the mesh is too coarse for
+    /// any.
+    double kernel = 0;
     std::string provenance = {};  ///< metadata of files, as provenanceText() has it; empty: none
     std::vector<std::string> remarks = {};  ///< what is to be said of the drawing besides
 };

@@ -31,6 +31,9 @@ enum class Weights { Illustrator, Iso };
 /// Outlines to add as areas, without their holes: of the drawing, or of each object as if alone.
 enum class OutlineArea { None, Filled, Objects };
 
+/// Letters of readers' fonts, or areas of the shape of letters, for print shops and plotters.
+enum class TextStyle { Letters, Outlines };
+
 /// Of outlines, borders and creases.
 enum class HiddenLines { LeftOut, Dashed };
 
@@ -72,6 +75,7 @@ struct SheetLook {
     WallStyle wall = WallStyle::Hatched;
     HiddenLines hidden = HiddenLines::LeftOut;
     OutlineArea area = OutlineArea::None;
+    TextStyle text = TextStyle::Letters;
 };
 
 struct SheetOptions : SheetLook {
@@ -111,5 +115,9 @@ double parseScale(std::string_view text);
 DetailSize parseDetailSize(std::string_view text);
 /// "1:2" for 0.5.
 std::string scaleInWords(double scale);
+/// "50.0 × 20.0 × 1.00 mm", or in µm, m, km.
+std::string sizeInWords(const Eigen::Vector3d& mm, const char* times = " × ");
+/// "1", "0.85" or "230", of mm on paper.
+std::string kernelInWords(double mm);
 
 }  // namespace line_drawing

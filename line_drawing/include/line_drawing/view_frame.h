@@ -20,7 +20,7 @@ enum class Side { Front, Back, Left, Right, Top, Bottom, Other };
 /// The axes of a picture in mesh coordinates: orthonormal, right × up = towards_viewer.
 struct ViewFrame {
     Side side = Side::Front;
-    std::string name;  ///< for people, "Front" or "30°, 15°"
+    std::string name;  ///< for people, "Front" or "View 30°, 15°"
     Eigen::Vector3d right, up, towards_viewer;
     /// Left of a vessel's axis the section with what is behind it, right of it the outside.
     bool is_half_section = false;
@@ -49,11 +49,15 @@ ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis up);
 /// A half section from the front.
 ViewFrame frameOfVessel(UpAxis up);
 
+/// For any view: "toward", the direction to the viewer, that of the picture's upper edge and, in
+/// perspective, "from" and the eye, all in mesh coordinates.
+std::string frameInWords(const ViewFrame& frame);
+
 /// A program's own views.
 using NamedViews = std::map<std::string, ViewFrame>;
 
 /// From names separated by commas or spaces: front, back, left, right, top, bottom, six (all of
-/// these), vessel, azimuth and elevation, or names in `others`.
+/// these), vessel, azimuth and elevation, frameInWords(), or names in `others`.
 /// @throws laplacian_lines::Error(InvalidOption) that says what is understood
 std::vector<ViewFrame> parseViews(std::string_view text, UpAxis up, const NamedViews& others = {});
 

@@ -169,16 +169,26 @@ private:
         write(8, layer);
     }
 
-    /// DXF's codes have up to four digits; letters beyond, such as emoji, become "?".
+    /// %% begins a code, and %%% is a percent sign, needed only beside another or a code. Codes of
+    /// letters have four digits: those beyond, such as emoji, become "?".
     static std::string inLetters(const std::string& text) {
+        const std::map<char32_t, std::string> codes = {
+            {U'\u00b0', "%%d"}, {U'\u2300', "%%c"}, {U'\u00b1', "%%p"}};
+        const std::u32string all = lettersOf(text);
+        const auto begins_code = [&](std::size_t i) {
+            return i < all.size() && (all[i] == '%' || codes.count(all[i]) > 0);
+        };
         std::string letters;
-        for (const char32_t c : lettersOf(text)) {
-            if (c == '%')
-                letters += "%%%";
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const char32_t c = all[i];
+            const auto code = codes.find(c);
+            const bool follows_percent = i > 0 && all[i - 1] == '%';
+            if (code != codes.end())
+                letters += code->second;
+            else if (c == '%')
+                letters += follows_percent || begins_code(i + 1) ? "%%%" : "%";
             else if (c < 128)
                 letters += c < ' ' ? ' ' : char(c);
-            else if (c == 0x00b0)
-                letters += "%%d";
             else if (c < 0x10000)
                 letters += "\\U+" + inHexadecimal(c);
             else

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/lettering.h"
 #include "formats/pdf_parts.h"
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/version.h"
 #include "line_drawing/words.h"
+#include "planes/lettering.h"
 
 namespace line_drawing {
 namespace {
@@ -114,7 +114,7 @@ class PdfWriter {
 public:
     std::string write(const Sheet& sheet) {
         const Vector2d size = points_per_mm * sheet.size;
-        object("<</Type /Catalog /Pages 2 0 R" +
+        object("<</Type /Catalog /Pages 2 0 R /ViewerPreferences <</PrintScaling /None>>" +
                std::string(sheet.provenance.empty() ? "" : " /Metadata 8 0 R") + ">>");
         object("<</Type /Pages /Kids [3 0 R] /Count 1>>");
         object("<</Type /Page /Parent 2 0 R /MediaBox [0 0 " + inDigits(size.x(), 10) + ' ' +
@@ -151,7 +151,7 @@ private:
                std::to_string(table) + "\n%%EOF\n";
     }
 
-    std::string pdf_ = "%PDF-1.4\n%\xc2\xb5\xc2\xb6\n";  // other bytes than ASCII: a binary file
+    std::string pdf_ = "%PDF-1.6\n%\xc2\xb5\xc2\xb6\n";  // other bytes than ASCII: a binary file
     std::vector<std::size_t> places_;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "formats/lettering.h"
 #include "formats/sheet_writers.h"
 #include "line_drawing/words.h"
 #include "pixels/canvas.h"
+#include "planes/lettering.h"
 
 namespace line_drawing {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/sheet_file.h"
 
-#include "formats/lettering.h"
 #include "formats/sheet_writers.h"
 #include "line_drawing/words.h"
+#include "planes/lettering.h"
 
 namespace line_drawing {
 
@@ -24,15 +24,16 @@ std::string writeSheet(const Sheet& sheet, SheetFormat format, double dpi) {
 }
 
 std::vector<std::string> checkTexts(const SheetOptions& options, SheetFormat format) {
-    if (format != SheetFormat::Pdf && format != SheetFormat::Png) return {};
+    const bool has_own_letters = format == SheetFormat::Svg || format == SheetFormat::Dxf;
+    if (has_own_letters && options.text == TextStyle::Letters) return {};
     const std::string of_title = lackingLetter(oneLine(options.title)),
                       of_source = lackingLetter(oneLine(options.source));
     if (!of_title.empty())
-        refuse("PDF and PNG files cannot have the letter \"" + of_title +
+        refuse("PDF and PNG files, and outlines of letters, cannot have the letter \"" + of_title +
                "\" of the title. Write an SVG or DXF file, or take another title.");
     if (of_source.empty()) return {};
-    return {"PDF and PNG files cannot have the letter \"" + of_source + "\" of \"" +
-            oneLine(options.source) +
+    return {"PDF and PNG files, and outlines of letters, cannot have the letter \"" + of_source +
+            "\" of \"" + oneLine(options.source) +
             "\": a box stands for each such letter. SVG and DXF files have them."};
 }
 

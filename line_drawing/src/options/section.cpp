@@ -42,7 +42,7 @@ ViewFrame frameOfSection(const Section& section, UpAxis up) {
     }
     frame.side = Side::Other;
     frame.name = std::string("Section ") + axes[std::size_t(section.axis)] + " = " +
-                 inDigits(100 * section.share) + " %";
+                 inDigits(100 * section.share, 3) + " %";
     return frame;
 }
 

@@ -36,7 +36,7 @@ std::vector<SheetOption> makeTable() {
     return {
         {textRow("file", "File",
                  "The extension sets the format: .svg, .pdf, .dxf or .png. A file of this name is "
-                 "replaced."),
+                 "replaced. {folder}, {name}: the mesh's."),
          Place::Filter, &S::file},
         {textRow("views", "Views",
                  "Several with commas: front, back, left, right, top, bottom, six (all of these), "
@@ -73,8 +73,7 @@ std::vector<SheetOption> makeTable() {
          {},
          "x|y|z=0..1",
          true},
-        {textRow("title", "Title",
-                 "Above the note of scale, size and file. {name}: the mesh's, in commands."),
+        {textRow("title", "Title", "Above the note of scale, size and file. {name}: the mesh's."),
          Place::Both,
          &S::title,
          nullptr,
@@ -142,6 +141,10 @@ std::vector<SheetOption> makeTable() {
         {rows::choice<look, &SheetLook::area>(
              "area", "Areas", {"None", "Filled", "Objects"},
              "What the outline of all, or of each object alone, encloses, as areas besides."),
+         Place::Command},
+        {rows::choice<look, &SheetLook::text>(
+             "text", "Text", {"Letters", "Outlines"},
+             "Letters of the reader's font, or their outlines, for print shops and plotters."),
          Place::Command},
         {rows::choice<&S::draws_damaged>(
              "damaged", "Damaged Files", {"Refuse", "Draw"},

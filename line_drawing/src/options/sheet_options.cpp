@@ -2,6 +2,8 @@
 #include "line_drawing/sheet_options.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "line_drawing/words.h"
 
@@ -9,6 +11,19 @@ namespace line_drawing {
 namespace {
 
 constexpr double largest_scale = 1e9;  // and one in as many
+
+/// By what it is the unit of, mm.
+struct LengthUnit {
+    const char* name;
+    double mm, below;
+};
+constexpr LengthUnit length_units[] = {
+    {" µm", 1e-3, 0.1}, {" mm", 1, 1e4}, {" m", 1e3, 1e7}, {" km", 1e6, 0}};
+
+std::string rounded(double x) {
+    if (x < 0.0995) return inDigits(std::round(1000 * x) / 1000);
+    return inDecimals(x, x < 10 ? 2 : x < 1000 ? 1 : 0);
+}
 
 }  // namespace
 
@@ -40,7 +55,23 @@ DetailSize parseDetailSize(std::string_view text) {
 }
 
 std::string scaleInWords(double scale) {
-    return scale < 1 ? "1:" + inDigits(1 / scale) : inDigits(scale) + ":1";
+    constexpr int digits = 9;
+    return scale < 1 ? "1:" + inDigits(1 / scale, digits) : inDigits(scale, digits) + ":1";
+}
+
+std::string sizeInWords(const Eigen::Vector3d& mm, const char* times) {
+    const double longest = mm.maxCoeff() > 0 ? mm.maxCoeff() : 1;
+    const LengthUnit* unit = length_units;
+    while (unit + 1 != std::end(length_units) && longest >= unit->below)
+        ++unit;
+    Words sides;
+    for (int axis = 0; axis < 3; ++axis)
+        sides.push_back(rounded(mm[axis] / unit->mm));
+    return joined(sides, times) + unit->name;
+}
+
+std::string kernelInWords(double mm) {
+    return mm < 100 ? inDigits(mm, 2) : inDecimals(mm, 0);
 }
 
 }  // namespace line_drawing

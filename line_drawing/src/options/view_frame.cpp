@@ -11,6 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+const char* const toward = "toward";
+const char* const from = "from";
 constexpr std::array<const char*, 6> side_names = {"Front", "Back", "Left",
                                                    "Right", "Top",  "Bottom"};
 
@@ -52,6 +54,7 @@ private:
         for (std::size_t side = 0; side < side_names.size(); ++side)
             if (name == lower(side_names[side])) return frameOfSide(Side(side), up_);
         if (name == "vessel") return frameOfVessel(up_);
+        if (name == toward) return readFrame();
         for (const auto& [other, frame] : others_)
             if (name == lower(other)) return frame;
         const std::optional<double> azimuth = numberIn(word);
@@ -59,6 +62,28 @@ private:
         const std::optional<double> elevation = numberIn(words_[next_++]);
         if (!elevation) refuseWord(words_[next_ - 1]);
         return frameOfDirection(*azimuth, *elevation, up_);
+    }
+
+    ViewFrame readFrame() {
+        const Vector3d viewer = readVector().stableNormalized(), up = readVector();
+        const Vector3d right = up.cross(viewer).stableNormalized();
+        if (!(viewer.allFinite() && right.norm() > 0.5)) refuseWord(toward);
+        ViewFrame frame = makeFrame(Side::Other, "View", viewer, viewer.cross(right));
+        if (next_ == words_.size() || lower(words_[next_]) != from) return frame;
+        ++next_;
+        frame.eye = readVector();
+        return frame;
+    }
+
+    Vector3d readVector() {
+        Vector3d vector;
+        for (double& x : vector) {
+            const std::optional<double> number =
+                next_ < words_.size() ? numberIn(words_[next_++]) : std::nullopt;
+            if (!number) refuseWord(toward);
+            x = *number;
+        }
+        return vector;
     }
 
     [[noreturn]] static void refuseWord(const std::string& word) {
@@ -119,9 +144,25 @@ ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {
     const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
     const double a = azimuth * degree, e = elevation * degree;
     const Vector3d outwards = std::cos(a) * front + std::sin(a) * right;
-    const std::string name = inDigits(azimuth) + "°, " + inDigits(elevation) + "°";
+    // No digit first: readers of SVG take that for a layer's number.
+    const std::string name = "View " + inDigits(azimuth) + "°, " + inDigits(elevation) + "°";
     return makeFrame(Side::Other, name, std::cos(e) * outwards + std::sin(e) * up,
                      std::cos(e) * up - std::sin(e) * outwards);
+}
+
+std::string frameInWords(const ViewFrame& frame) {
+    constexpr int digits = 9;
+    std::string words = toward;
+    const auto add = [&](const Vector3d& vector) {
+        for (const double x : vector)
+            words += ' ' + inDigits(x + 0., digits);  // no -0
+    };
+    add(frame.towards_viewer);
+    add(frame.up);
+    if (!frame.eye) return words;
+    words += std::string(" ") + from;
+    add(*frame.eye);
+    return words;
 }
 
 std::vector<ViewFrame> parseViews(std::string_view text, UpAxis up, const NamedViews& others) {

@@ -75,7 +75,7 @@ Box extentOf(const Sheet& sheet) {
 SheetGroup placeIn(const Box& cell, const ContactEntry& entry, int number) {
     const double scale = cell.sizes().x() / view_size;
     const Vector2d shift = cell.center() - scale * extentOf(entry.view).center();
-    SheetGroup result{"object-" + std::to_string(number), entry.name, {}};
+    SheetGroup result{"object-" + std::to_string(number), "Object " + entry.name, {}};
     for (const SheetGroup& group : entry.view.groups)
         for (SheetLayer layer : group.layers) {
             for (SheetPath& path : layer.paths) {

@@ -8,6 +8,7 @@
 
 #include "line_drawing/words.h"
 #include "options/progress_part.h"
+#include "planes/lettering.h"
 #include "sheet/sheet_layout.h"
 #include "sight/observer.h"
 #include "system/parallel.h"
@@ -19,7 +20,8 @@ namespace {
 using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
-constexpr double check_pixel = 0.25;  // mm on the sheet
+constexpr double check_pixel = 0.25;       // mm on the sheet
+constexpr double largest_kernel = 0.0401;  // of the diagonal: meshes without detail have none
 // Progress at which lines are found, and what hides them is prepared.
 constexpr double lines_share = 0.4, sight_share = 0.55;
 constexpr std::size_t most_triangles_at_once = 2000000;  // in views that are found together
@@ -95,6 +97,7 @@ struct Draft {
     SheetLayout layout;
     std::vector<std::vector<laplacian_lines::LineSet>> lines = {};  ///< within faces, by view
     std::vector<std::string> remarks = {};                          ///< of the objects' meshes
+    double kernel = 0;                                              ///< as Sheet's
 };
 
 Draft layOut(const Observer& observer, const SheetOptions& options) {
@@ -116,7 +119,10 @@ void findLines(const Observer& observer, ObjectLines& lines, Draft& draft,
     const double scale = draft.layout.placements[0].scale;
     lines.makeReady(options, scale, progress);
     draft.remarks = lines.remarks();
+    const bool is_given = options.kernel.size > 0,
+               is_detail = lines.kernelSize() <= largest_kernel * observer.objectSize().norm();
     options.kernel = {lines.kernelSize() * options.mm_per_unit * scale, false};
+    if (is_given || is_detail) draft.kernel = options.kernel.size;
     for (std::size_t i = 0; i < options.views.size(); ++i)
         draft.lines.push_back(observer.linesOf(draft.views[i], options, lines));
 }
@@ -149,11 +155,7 @@ Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
     const SheetOptions& options = draft.options;
     const SheetLayout& layout = draft.layout;
     std::vector<DrawnView>& views = draft.views;
-    Sheet sheet{layout.size,
-                options.title,
-                {},
-                layout.scale,
-                options.views.empty() ? 0 : options.kernel.size};
+    Sheet sheet{layout.size, options.title, {}, layout.scale, draft.kernel};
     sheet.remarks = draft.remarks;
     const std::vector<double> missing = look(observer, draft, progress);
     for (std::size_t i = 0; i < missing.size(); ++i) {
@@ -168,8 +170,9 @@ Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
         });
     tellApart(sheet.groups);
     SheetGroup furniture =
-        drawFurniture(views, layout, options.mm_per_unit * observer.objectSize(), options);
+        drawFurniture(views, layout, options.mm_per_unit * observer.objectSize(), options, sheet);
     if (!furniture.layers.empty()) sheet.groups.push_back(std::move(furniture));
+    if (options.text == TextStyle::Outlines) outlineTexts(sheet);
     return sheet;
 }
 
@@ -184,6 +187,15 @@ void forEach(Items& items, const Progress& progress, Run run) {
 }
 
 }  // namespace
+
+void outlineTexts(Sheet& sheet) {
+    for (SheetGroup& group : sheet.groups)
+        for (SheetLayer& layer : group.layers) {
+            for (const SheetText& text : layer.texts)
+                layer.paths.push_back(outlinesOf(text));
+            layer.texts.clear();
+        }
+}
 
 std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOptions>& options,
                               const Progress& progress) {
@@ -220,6 +232,7 @@ SheetPlan planSheet(const Objects& objects, const SheetOptions& options) {
         views.push_back(standBefore(surface.mesh(), bounds, frame, options));
     for (const Section& section : options.sections)
         views.push_back(standBefore(surface.mesh(), bounds, section, options));
+    nameSections(views);
     const SheetLayout layout = layOut(views, options);
     return {layout.size, layout.scale};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "line_drawing/words.h"
+#include "planes/lettering.h"
 #include "sections/section_marks.h"
 
 namespace line_drawing {
@@ -15,6 +16,9 @@ using Eigen::Vector2d;
 // mm
 constexpr double thin_pen = 0.18;
 constexpr double title_height = 4, note_height = 2.6, longest_bar = 50, bar_height = 1.2;
+constexpr double least_height = 1.8, smaller = 0.94;              // of letters; a step towards it
+constexpr double height_of_two_lines = 3.2, line_distance = 1.3;  // of a title; of its height
+constexpr double widest_font = 1.15;                              // of our letters' width
 constexpr double symbol_height = 5, symbol_width = 14, strip_gap = 6;
 const char* const no_scale = "perspective, not to scale";
 
@@ -25,13 +29,46 @@ SheetPath rectangle(const Vector2d& corner, double width, double height, double 
     return result;
 }
 
-std::string inMillimetres(double x) {
-    if (x < 0.1) return inDigits(x, 3);
-    return inDecimals(x, x < 10 ? 2 : x < 1000 ? 1 : 0);
+/// How many letters fit, 1 at least.
+std::size_t fitting(std::u32string_view letters, double height, double width) {
+    std::size_t count = 0;
+    for (; count < letters.size() && width >= 0; ++count)
+        width -= widest_font * height * widthOf(letters[count]);
+    return width < 0 && count > 1 ? count - 1 : count;
 }
 
-std::string nameOf(const ViewFrame& frame, bool beside_scale) {
-    return frame.eye && beside_scale ? frame.name + " (" + no_scale + ')' : frame.name;
+struct FittedText {
+    double height;
+    std::vector<std::u32string> lines;
+    bool is_cut = false;
+};
+
+/// Lines end between words if they can; the last one with "…" if that is not all.
+FittedText wrapped(std::u32string_view rest, double height, double width, std::size_t most_lines) {
+    FittedText text{height, {}};
+    while (!rest.empty() && text.lines.size() < most_lines) {
+        std::size_t count = fitting(rest, height, width);
+        const std::size_t space = rest.substr(0, count + 1).rfind(U' ');
+        if (count < rest.size() && space != rest.npos && space > 0) count = space;
+        text.lines.emplace_back(rest.substr(0, count));
+        rest.remove_prefix(count);
+        rest.remove_prefix(std::min(rest.find_first_not_of(U' '), rest.size()));
+    }
+    text.is_cut = !rest.empty();
+    return text;
+}
+
+/// In letters of `height`, or smaller ones if that is not enough.
+FittedText fit(const std::string& text, double height, double least, double width,
+               std::size_t most_lines) {
+    const std::u32string letters = lettersOf(text);
+    FittedText fitted = wrapped(letters, height, width, most_lines);
+    for (; fitted.is_cut && height > least; height *= smaller)
+        fitted = wrapped(letters, std::max(least, height * smaller), width, most_lines);
+    if (!fitted.is_cut) return fitted;
+    fitted.lines.back() =
+        lettersOf(elided(inUtf8(fitted.lines.back() + U" \u2026"), fitted.height, width));
+    return fitted;
 }
 
 SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& layout) {
@@ -91,24 +128,40 @@ void addProjectionSymbol(const Vector2d& corner, Arrangement arrangement, SheetL
 }
 
 std::string noteOf(const std::vector<DrawnView>& views, const SheetLayout& layout,
-                   const Eigen::Vector3d& size, const SheetOptions& options) {
+                   const Eigen::Vector3d& size, const SheetOptions& options, double kernel) {
     Words parts = {layout.scale > 0 ? scaleInWords(layout.scale) : no_scale, sizeInWords(size)};
-    if (options.kernel.size > 0) parts.push_back("√h " + inDigits(options.kernel.size, 2) + " mm");
+    if (kernel > 0) parts.push_back("√h " + kernelInWords(kernel) + " mm");
     for (const DrawnView& view : views)
         if (!view.note.empty()) parts.push_back(view.note);
     if (!options.source.empty()) parts.push_back(options.source);
     return joined(parts, " · ");
 }
 
+/// Adds lines of text from below, the last one with its left end at `corner`.
+void addLines(const FittedText& text, const Vector2d& corner, SheetLayer& layer) {
+    double base = corner.y();
+    for (std::size_t i = text.lines.size(); i-- > 0; base -= line_distance * text.height)
+        layer.texts.push_back(
+            {{corner.x(), base}, text.height, TextAnchor::Left, inUtf8(text.lines[i])});
+}
+
+std::string remarkOn(const char* what, const FittedText& text) {
+    return std::string(what) +
+           (text.is_cut ? " is too long for the sheet: its end is left out."
+                        : " is long: its letters are " + inDigits(text.height, 2) + " mm high.");
+}
+
 /// Text with the lower left corner at `corner`.
 SheetLayer notes(const Vector2d& corner, double width, const std::string& note,
-                 const std::string& title) {
+                 const std::string& title, std::vector<std::string>& remarks) {
     SheetLayer layer{"title", "Title", {}, {}};
-    layer.texts.push_back(
-        {corner, note_height, TextAnchor::Left, elided(note, note_height, width)});
-    if (!title.empty())
-        layer.texts.push_back({corner - Vector2d(0, 1.6 * note_height), title_height,
-                               TextAnchor::Left, elided(title, title_height, width)});
+    const FittedText below = fit(note, note_height, least_height, width, 1);
+    addLines(below, corner, layer);
+    if (below.is_cut) remarks.push_back(remarkOn("The note below the drawing", below));
+    FittedText above = fit(title, title_height, height_of_two_lines, width, 1);
+    if (above.is_cut) above = fit(title, height_of_two_lines, least_height, width, 2);
+    addLines(above, corner - Vector2d(0, 1.6 * note_height), layer);
+    if (above.height < title_height) remarks.push_back(remarkOn("The title", above));
     return layer;
 }
 
@@ -119,6 +172,14 @@ bool showsSides(const std::vector<DrawnView>& views) {
 
 }  // namespace
 
+std::string nameOf(const ViewFrame& frame, bool beside_scale) {
+    return frame.eye && beside_scale ? frame.name + " (" + no_scale + ')' : frame.name;
+}
+
+double widthInAnyFont(const std::string& text, double height) {
+    return widest_font * height * letteringOf(text).width;
+}
+
 double barLength(double scale, double most) {
     double power = std::pow(10, std::floor(std::log10(most / scale) + 1e-9));
     for (const double first : {5., 2.})
@@ -126,26 +187,23 @@ double barLength(double scale, double most) {
     return power;
 }
 
-std::string sizeInWords(const Eigen::Vector3d& size) {
-    return inMillimetres(size.x()) + " × " + inMillimetres(size.y()) + " × " +
-           inMillimetres(size.z()) + " mm";
-}
-
 std::string elided(const std::string& text, double height, double width) {
-    constexpr double letter_width = 0.6;  // of a font's height, on average
     const std::u32string letters = lettersOf(text);
-    const auto most = std::size_t(std::max(1., width / (letter_width * height)));
-    return letters.size() <= most ? text : inUtf8(letters.substr(0, most - 1)) + "…";
+    if (fitting(letters, height, width) == letters.size()) return text;
+    const double dots = widest_font * height * widthOf(U'\u2026');
+    return inUtf8(letters.substr(0, fitting(letters, height, width - dots))) + "…";
 }
 
 std::string lengthInWords(double mm) {
+    if (mm >= 1e6) return inDigits(mm / 1e6) + " km";
     if (mm >= 1000) return inDigits(mm / 1000) + " m";
     if (mm >= 10) return inDigits(mm / 10) + " cm";
-    return inDigits(mm) + " mm";
+    return mm < 0.1 ? inDigits(mm * 1000) + " µm" : inDigits(mm) + " mm";
 }
 
 SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
-                         const Eigen::Vector3d& object_size, const SheetOptions& options) {
+                         const Eigen::Vector3d& object_size, const SheetOptions& options,
+                         Sheet& sheet) {
     SheetGroup group{"sheet", "Sheet", {}};
     if (options.has_view_names && views.size() > 1)
         group.layers.push_back(viewNames(views, layout));
@@ -163,7 +221,8 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
     }
     if (options.has_notes)
         group.layers.push_back(notes({sheet_margin, bottom}, right - sheet_margin,
-                                     noteOf(views, layout, object_size, options), options.title));
+                                     noteOf(views, layout, object_size, options, sheet.kernel),
+                                     options.title, sheet.remarks));
     return group;
 }
 

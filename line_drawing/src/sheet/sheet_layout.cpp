@@ -87,7 +87,25 @@ void placeBesideTheFront(const std::vector<DrawnView>& views, UpAxis up, std::ve
     }
 }
 
-std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, const SheetOptions& options) {
+/// Sections, if there are too many for a row: in rows of so many, below the views.
+void placeInRows(const std::vector<DrawnView>& views, int in_a_row, std::vector<Cell>& cells) {
+    int row = 0, column = 0;
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (!views[i].is_section) {
+            row = std::max(row, cells[i].row + 1);
+            column = std::min(column, cells[i].column);
+        }
+    int number = 0;
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (views[i].is_section) {
+            cells[i] = {row + number / in_a_row, column + number % in_a_row};
+            ++number;
+        }
+}
+
+/// `sections_in_a_row`: 0 if they stand beside the front view.
+std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, const SheetOptions& options,
+                          int sections_in_a_row) {
     const Arrangement arrangement = options.arrangement;
     constexpr int in_a_row = 4;
     std::vector<Cell> cells;
@@ -106,6 +124,7 @@ std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, const SheetOption
         ++others;
     }
     placeBesideTheFront(views, options.up, cells);
+    if (sections_in_a_row > 0) placeInRows(views, sections_in_a_row, cells);
     return cells;
 }
 
@@ -113,6 +132,7 @@ std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, const SheetOption
 struct Band {
     double before = 0, behind = 0;
     double room = 0;    // for marks at both ends, mm on the sheet
+    double name = 0;    // width of the widest name, likewise
     double middle = 0;  // on the sheet, mm, once it is placed
 
     void hold(double b, double a, double r) {
@@ -128,20 +148,28 @@ double place(Bands& bands, double start, double scale, double gap) {
     double end = start;
     for (auto& [number, band] : bands) {
         if (end != start) end += gap;
-        band.middle = end + band.room + scale * band.before;
-        end = band.middle + scale * band.behind + band.room;
+        const double width = scale * (band.before + band.behind) + 2 * band.room;
+        const double room = band.room + std::max(0., band.name - width) / 2;
+        band.middle = end + room + scale * band.before;
+        end = band.middle + scale * band.behind + room;
     }
     return end;
 }
 
 class Layout {
 public:
-    Layout(const std::vector<DrawnView>& views, const SheetOptions& options)
-        : views_(views), options_(options), cells_(cellsOf(views, options)) {
+    Layout(const std::vector<DrawnView>& views, const SheetOptions& options,
+           int sections_in_a_row = 0)
+        : views_(views), options_(options), cells_(cellsOf(views, options, sections_in_a_row)) {
         for (std::size_t i = 0; i < views.size(); ++i) {
             const auto& box = views[i].bounds;
             const Vector2d room = roomOfMarks(views[i]);
-            columns_[cells_[i].column].hold(-box.min().x(), box.max().x(), room.x());
+            Band& column = columns_[cells_[i].column];
+            column.hold(-box.min().x(), box.max().x(), room.x());
+            if (options.has_view_names && views.size() > 1)
+                column.name = std::max(
+                    column.name, widthInAnyFont(nameOf(views[i].frame, !areInPerspective(views)),
+                                                view_name_height));
             rows_[cells_[i].row].hold(box.max().y(), -box.min().y(), room.y());
         }
     }
@@ -192,6 +220,31 @@ std::optional<double> largestScale(Layout& layout, const Vector2d& paper) {
     return {};
 }
 
+/// 0 if sections stand beside the front view, where they are in line with it: rows below have to be
+/// twice as large, or the only ones that fit.
+int sectionsInARow(const std::vector<DrawnView>& views, const SheetOptions& options,
+                   const Vector2d& paper) {
+    constexpr double least_gain = 2;
+    const auto sections = int(options.sections.size());
+    const auto scale_of = [&](int in_a_row) {
+        Layout layout(views, options, in_a_row);
+        double largest = 0;
+        for (const Vector2d& side : {paper, Vector2d(paper.reverse())})
+            largest =
+                std::max(largest, options.scale == 0 ? largestScale(layout, side).value_or(0)
+                                                     : fits(layout.sizeAt(options.scale), side));
+        return largest;
+    };
+    const double beside = scale_of(0);
+    int best = 0;
+    double best_scale = least_gain * beside;
+    for (int in_a_row = 1; in_a_row < sections; ++in_a_row)
+        if (const double scale = scale_of(in_a_row);
+            scale > 0 && scale >= best_scale && (best == 0 || scale > best_scale))
+            best = in_a_row, best_scale = scale;
+    return best;
+}
+
 /// On paper as large as the drawing.
 SheetLayout layOutFreely(Layout& layout, double scale) {
     constexpr double least_width = 90;  // of the strip below the drawing
@@ -202,7 +255,8 @@ SheetLayout layOutFreely(Layout& layout, double scale) {
 
 /// Views just fit: gaps between them do not scale.
 double fillingScale(Layout& layout, const Vector2d& paper) {
-    const Vector2d fixed = layout.sizeAt(0), growing = layout.sizeAt(1) - fixed;
+    constexpr double far = 1e6;  // where views are wider than their names
+    const Vector2d fixed = layout.sizeAt(0), growing = (layout.sizeAt(far) - fixed) / far;
     return (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
 }
 
@@ -224,7 +278,11 @@ SheetLayout layOutFilling(Layout& layout, const std::optional<Vector2d>& paper) 
 SheetLayout layOutLargest(Layout& layout, const Vector2d& upright) {
     const Vector2d lying = upright.reverse();
     const auto a = largestScale(layout, upright), b = largestScale(layout, lying);
-    if (!a && !b) refuse("The object is too large for any scale. Is the unit of the mesh right?");
+    if (!a && !b && (fits(layout.sizeAt(0), upright) || fits(layout.sizeAt(0), lying)))
+        refuse("The object is too large for any scale. Is the unit of the mesh right?");
+    if (!a && !b)
+        refuse(
+            "The paper has no room for so many views and sections. Take a larger one, or fewer.");
     return b.value_or(0) > a.value_or(0) ? layout.layOut(*b, lying) : layout.layOut(*a, upright);
 }
 
@@ -258,8 +316,8 @@ bool areInPerspective(const std::vector<DrawnView>& views) {
 }
 
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {
-    Layout layout(views, options);
     const std::optional<Vector2d> paper = paperSize(options.paper);
+    Layout layout(views, options, paper ? sectionsInARow(views, options, *paper) : 0);
     if (areInPerspective(views)) return layOutFilling(layout, paper);
     if (!paper) return layOutFreely(layout, options.scale > 0 ? options.scale : 1);
     if (options.scale > 0) return layOutAt(layout, options.scale, *paper, options.paper);

@@ -25,16 +25,21 @@ bool areInPerspective(const std::vector<DrawnView>& views);
 /// paper or the views do not fit
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options);
 
-/// Names of views, scale bar, projection symbol, title.
+/// Names of views, scale bar, projection symbol, title. Adds remarks to the sheet if texts are too
+/// long.
 SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
-                         const Eigen::Vector3d& object_size, const SheetOptions& options);
+                         const Eigen::Vector3d& object_size, const SheetOptions& options,
+                         Sheet& sheet);
+
+/// Below its view.
+std::string nameOf(const ViewFrame& frame, bool beside_scale);
+/// Of a text in the widest usual font, mm: SVG has the reader's.
+double widthInAnyFont(const std::string& text, double height);
 
 /// The longest usual length, 1, 2 or 5 times a power of ten, drawn at most `most` long; in the
 /// object's mm.
 double barLength(double scale, double most);
-/// "50.0 × 20.0 × 1.00 mm"
-std::string sizeInWords(const Eigen::Vector3d& size);
-/// The text, or its beginning and "…", by estimated widths: no font is at hand.
+/// The text, or its beginning and "…".
 std::string elided(const std::string& text, double height, double width);
 /// "5 cm" for 50.
 std::string lengthInWords(double mm);

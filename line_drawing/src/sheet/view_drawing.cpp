@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sheet/sheet_layout.h"
 
+#include <algorithm>
+
 #include "line_drawing/words.h"
 #include "planes/cutting.h"
 #include "sections/section_marks.h"
@@ -13,7 +15,8 @@ namespace {
 /// Nearer lines merge in print, in widths of outlines.
 constexpr double double_reach = 0.4;
 constexpr double area_tone = 0.9;
-constexpr double eased_share = 0.16;  // of the width of outlines, by which contours may move
+constexpr double area_tolerance = 0.001;  // mm: what files have
+constexpr double eased_share = 0.16;      // of the width of outlines, by which contours may move
 constexpr double eased_share_of_inner = 0.6;  // of the width of inner lines, by which these may
 constexpr double hatch_spacing = 1.5, hatch_width = 0.5;  // mm; share of an inner line's width
 
@@ -67,24 +70,66 @@ SheetPath filled(const Wall& loops, double tone = 0) {
     return area;
 }
 
-SheetPath areaOf(const std::vector<DrawnLine>& lines) {
+using Loop = std::vector<Eigen::Vector2d>;
+
+/// Appends the corners from the first point to the last one, without that: what is between is
+/// within area_tolerance of straight lines.
+void appendCorners(const Loop& loop, std::size_t first, std::size_t last, Loop& corners) {
+    std::vector<std::pair<std::size_t, std::size_t>> parts = {{first, last}};
+    while (!parts.empty()) {
+        const auto [begin, end] = parts.back();
+        parts.pop_back();
+        const Eigen::Vector2d way = (loop[end] - loop[begin]).stableNormalized();
+        std::size_t farthest = begin;
+        double most = area_tolerance;
+        for (std::size_t i = begin + 1; i < end; ++i) {
+            const Eigen::Vector2d p = loop[i] - loop[begin];
+            const double along = std::clamp(way.dot(p), 0., way.dot(loop[end] - loop[begin]));
+            if ((p - along * way).norm() <= most) continue;
+            most = (p - along * way).norm();
+            farthest = i;
+        }
+        if (farthest == begin) {
+            corners.push_back(loop[begin]);
+            continue;
+        }
+        parts.emplace_back(farthest, end);
+        parts.emplace_back(begin, farthest);
+    }
+}
+
+/// Closed loops keep their corners alone, wherever they begin.
+Loop cornersOf(Loop loop) {
+    loop.pop_back();
+    const auto by_place = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+    };
+    const auto leftmost = std::min_element(loop.begin(), loop.end(), by_place);
+    std::rotate(loop.begin(), leftmost, loop.end());
+    const auto rightmost =
+        std::size_t(std::max_element(loop.begin(), loop.end(), by_place) - loop.begin());
+    loop.push_back(loop.front());
+    Loop corners;
+    appendCorners(loop, 0, rightmost, corners);
+    appendCorners(loop, rightmost, loop.size() - 1, corners);
+    return corners;
+}
+
+/// What closed outlines enclose, exactly: neither eased nor left out.
+SheetPath areaOf(const std::vector<DrawnLine>& lines, const Placement& placement) {
     Wall loops;
-    for (const DrawnLine& line : lines)
-        if (line.line_class == LineClass::Outline && line.closed)
-            loops.push_back(positionsOf(line));
+    for (const DrawnLine& line : place(lines, placement))
+        if (line.line_class == LineClass::Outline && line.closed && line.points.size() > 3)
+            loops.push_back(cornersOf(positionsOf(line)));
     return filled(loops, area_tone);
 }
 
 /// Of the drawing, or of each object.
-SheetLayer areas(const DrawnView& view, const std::vector<DrawnLine>& lines,
-                 const Placement& placement, double reach) {
+SheetLayer areas(const DrawnView& view, const Placement& placement) {
     SheetLayer layer{"area", "Area", {}, {}};
-    for (const auto& silhouette : view.silhouettes) {
-        std::vector<DrawnLine> placed = place(silhouette, placement);
-        easeLines(placed, reach);
-        layer.paths.push_back(areaOf(placed));
-    }
-    if (view.silhouettes.empty()) layer.paths.push_back(areaOf(lines));
+    for (const auto& silhouette : view.silhouettes)
+        layer.paths.push_back(areaOf(silhouette, placement));
+    if (view.silhouettes.empty()) layer.paths.push_back(areaOf(view.lines, placement));
     return layer;
 }
 
@@ -114,8 +159,7 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     followMet(met, inner_pen, lines);
     const std::vector<MergedWalls> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
-    if (options.area != OutlineArea::None)
-        group.layers.push_back(areas(view, lines, placement, eased_share * pen));
+    if (options.area != OutlineArea::None) group.layers.push_back(areas(view, placement));
     for (std::size_t c = line_class_count; c-- > 0;) {
         SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
         if (c == std::size_t(LineClass::Section) && options.wall == WallStyle::Filled)

@@ -39,4 +39,8 @@ bool hasLine(const GLLogStream& log, const QString& line);
 /// have the same title. GUI thread only, while drawing.
 void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text);
 
+/// Once the filter that runs is done, puts these parameters into MeshLab's record of it, from which
+/// scripts are saved: they mean the same without a window.
+void recordAs(const QString& filter, const RichParameterList& parameters, MeshDocument& document);
+
 }  // namespace meshlab_host

@@ -16,12 +16,16 @@ struct Lettering {
     double width = 0;
 };
 
-/// Letters that the font lacks become boxes.
+/// Letters that the font lacks are drawn by others that look alike, such as Ø for ⌀, or become
+/// boxes.
 Lettering letteringOf(const std::string& text);
+
+/// For a font of height 1.
+double widthOf(char32_t letter);
 
 SheetPath outlinesOf(const SheetText& text);
 
-/// The first letter that the font lacks, or nothing.
+/// The first letter that would become a box, or nothing.
 std::string lackingLetter(const std::string& text);
 
 /// ../../letters/letters.ttf; CMake writes its source.

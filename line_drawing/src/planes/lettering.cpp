@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/lettering.h"
+#include "planes/lettering.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -14,6 +14,10 @@ using Point = Path::Point;
 
 constexpr char32_t no_character = 0xfffd;
 
+/// Letters that the font lacks, and what is drawn for them.
+constexpr std::u32string_view lacking = U"\u2300\u2205\u2011\u2236";
+constexpr std::u32string_view substitutes = U"\u00d8\u00d8-:";
+
 struct OutlinePoint {
     Point place;
     bool is_corner;
@@ -23,20 +27,11 @@ struct OutlinePoint {
 /// scaled. The font is our own, so it is trusted.
 class Font {
 public:
-    /// 0 if there is none.
+    /// 0 if there is none, nor a substitute.
     int glyphOf(char32_t letter) const {
-        const std::size_t map = table("cmap") + long4(table("cmap") + 8);
-        const std::size_t bytes = short2(map + 6);  // of each of four lists
-        for (std::size_t i = 0; i < bytes && letter <= 0xffff; i += 2) {
-            const std::size_t end = map + 14 + i, start = end + bytes + 2, delta = start + bytes,
-                              range = delta + bytes;
-            if (letter > short2(end)) continue;
-            if (letter < short2(start)) return 0;
-            if (short2(range) == 0) return int((letter + short2(delta)) & 0xffff);
-            const int glyph = int(short2(range + short2(range) + 2 * (letter - short2(start))));
-            return glyph == 0 ? 0 : (glyph + int(short2(delta))) & 0xffff;
-        }
-        return 0;
+        if (const int own = ownGlyphOf(letter)) return own;
+        const std::size_t place = lacking.find(letter);
+        return place == lacking.npos ? 0 : ownGlyphOf(substitutes[place]);
     }
 
     double advanceOf(int glyph) const {
@@ -57,6 +52,21 @@ public:
     }
 
 private:
+    int ownGlyphOf(char32_t letter) const {
+        const std::size_t map = table("cmap") + long4(table("cmap") + 8);
+        const std::size_t bytes = short2(map + 6);  // of each of four lists
+        for (std::size_t i = 0; i < bytes && letter <= 0xffff; i += 2) {
+            const std::size_t end = map + 14 + i, start = end + bytes + 2, delta = start + bytes,
+                              range = delta + bytes;
+            if (letter > short2(end)) continue;
+            if (letter < short2(start)) return 0;
+            if (short2(range) == 0) return int((letter + short2(delta)) & 0xffff);
+            const int glyph = int(short2(range + short2(range) + 2 * (letter - short2(start))));
+            return glyph == 0 ? 0 : (glyph + int(short2(delta))) & 0xffff;
+        }
+        return 0;
+    }
+
     double units() const { return short2(table("head") + 18); }
 
     void appendParts(std::size_t place, const Point& shift, const Point& begin, Path& path) const {
@@ -161,15 +171,25 @@ private:
     }
 };
 
+/// A box if the font has neither the letter nor a substitute.
+int drawnGlyphOf(char32_t letter, const Font& font) {
+    const int glyph = font.glyphOf(letter == no_character ? U'?' : letter);
+    return glyph ? glyph : font.glyphOf(U'\u25a1');
+}
+
 }  // namespace
+
+double widthOf(char32_t letter) {
+    const Font font;
+    return font.advanceOf(drawnGlyphOf(letter, font));
+}
 
 Lettering letteringOf(const std::string& text) {
     const Font font;
     Lettering result;
     result.path.fill_rule = FillRule::NonZero;
     for (const char32_t letter : lettersOf(text)) {
-        int glyph = font.glyphOf(letter == no_character ? U'?' : letter);
-        if (glyph == 0) glyph = font.glyphOf(U'\u25a1');
+        const int glyph = drawnGlyphOf(letter, font);
         font.append(glyph, Point::Zero(), {result.width, 0}, result.path);
         result.width += font.advanceOf(glyph);
     }
