@@ -190,6 +190,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
         complaints_.forget(log, mesh.id());
     else if (!complaints_.isSaid(log, mesh.id(), refusalLine(mesh, refusal)))
         complain(mesh, &log, refusal);
+    tellOfNewLayers(mesh, view);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
     emit drawingEnds(mesh, valid.chosen, kernels_, is_drawn ? &lines_ : nullptr, refusal);
@@ -231,15 +232,33 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
 }
 
 void DecorateLaplacianLines::keep(const MeshModel& mesh, const PreparedLinesPointer& lines) {
-    QObject* const document = meshlab_host::documentOf(mesh);
+    MeshDocument* const document = meshlab_host::documentOf(mesh);
     if (!document) return;
-    if (watched_documents_.insert(document).second) {
+    const auto [known, is_new] = known_layers_.try_emplace(document);
+    if (is_new) {
         meshlab_host::whenMeshesChange(document, this, [=](const std::vector<int>& alive) {
             kept_.forgetAllBut(document, alive);
         });
-        connect(document, &QObject::destroyed, this, [=] { watched_documents_.erase(document); });
+        connect(document, &QObject::destroyed, this, [=] { known_layers_.erase(document); });
+        const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
+        known->second.insert(alive.begin(), alive.end());
     }
+    known->second.insert(mesh.id());
     kept_.keep(document, mesh.id(), lines);
+}
+
+void DecorateLaplacianLines::tellOfNewLayers(const MeshModel& mesh, GLArea* view) {
+    const MeshDocument* document = meshlab_host::documentOf(mesh);
+    const auto known = known_layers_.find(document);
+    if (known == known_layers_.end()) return;
+    for (const MeshModel* layer : meshlab_host::layersOf(*document)) {
+        if (layer->cm.fn == 0 || !layer->isVisible()) continue;
+        if (!known->second.insert(int(layer->id())).second) continue;
+        if (!cache_.at(view, layer->id()))
+            say(QString("%1: %2 came later and has no lines yet: with it as the current layer, "
+                        "switch on Render > %1")
+                    .arg(title, layer->label()));
+    }
 }
 
 PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh, GLArea* view,
@@ -286,6 +305,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     clock.count(RedrawClock::Extraction);
 
     layer.is_first = beginsRedraw(painter);
+    if (layer.is_first) layer.shown = meshlab_host::shownMeshIds(mesh);
     drawing_.draw(layer, lines_, chosen, clock);
     if (!lines->first_redraw) lines->first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};

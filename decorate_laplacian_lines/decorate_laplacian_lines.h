@@ -66,6 +66,8 @@ private:
     /// Logs why a mesh has no lines; `log` is its document's.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
+    /// Says once of each layer that came after the lines of others why it has none.
+    void tellOfNewLayers(const MeshModel& mesh, GLArea* view);
     /// While the mesh and its document live and memory allows.
     void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 
@@ -74,7 +76,8 @@ private:
     LineCache cache_;
     KeptLines kept_;
     ViewLevels levels_{[this] { kept_.fit(); }};
-    std::set<QObject*> watched_documents_;
+    std::map<const MeshDocument*, std::set<int>>
+        known_layers_;  ///< of the documents that are watched
     Complaints complaints_;
     meshlab_host::SnapshotTiles tiles_;
     ViewDrawing drawing_;

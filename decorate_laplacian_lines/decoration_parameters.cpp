@@ -101,11 +101,10 @@ void putMixtureIntoEffect(DecorationParameters& parameters) {
     parameters.lines.colored = mixture->colored;
 }
 
-/// A mixture's colored kinds would be mistaken for others without their color.
 void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
     if (style == DrawingStyle::Custom) return;
     for (const auto& kind : laplacian_lines::line_kinds)
-        if (!mixtureOf(parameters) || !parameters.lines.colored[kind.kind])
+        if (!keepsColor(kind.kind, parameters))
             parameters.appearance.looks[std::size_t(kind.kind)].color = Qt::black;
     parameters.surface.style = line_renderer::SurfaceAppearance::Paper;
     parameters.surface.paper = Qt::white;
@@ -140,6 +139,12 @@ std::vector<DecorationField> decorationFields() {
 const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters) {
     if (parameters.mixture == as_switched) return nullptr;
     return &laplacian_lines::line_mixtures.at(std::size_t(parameters.mixture - 1));
+}
+
+bool keepsColor(laplacian_lines::LineKind kind, const DecorationParameters& parameters) {
+    const laplacian_lines::LineMixture* mixture = mixtureOf(parameters);
+    const auto in_colors = laplacian_lines::kinds_with_key_color();
+    return mixture && mixture->colored == in_colors && in_colors[kind];
 }
 
 ValidParameters readValidParameters(const RichParameterList& list,

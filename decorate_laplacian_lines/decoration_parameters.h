@@ -63,6 +63,9 @@ std::vector<DecorationField> decorationFields();
 /// Null if the switches count.
 const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters);
 
+/// In any drawing style: the mixture tells its kinds apart by their colors.
+bool keepsColor(laplacian_lines::LineKind kind, const DecorationParameters& parameters);
+
 /// With drawing style and mixture applied. Values out of range are those of the last time.
 struct ValidParameters {
     DecorationParameters chosen;

@@ -227,11 +227,9 @@ const ColorRow* colorRow(const std::string& key) {
     return nullptr;
 }
 
-/// In any style the mixture needs it to tell a kind from others.
-bool isColorOfMixture(const std::string& key, const DecorationParameters& chosen) {
-    const laplacian_lines::LineMixture* lines = mixtureOf(chosen);
+bool isKeptColor(const std::string& key, const DecorationParameters& chosen) {
     const ColorRow* color = colorRow(key);
-    return lines && color && color->kind && lines->colored[*color->kind];
+    return color && color->kind && keepsColor(*color->kind, chosen);
 }
 
 }  // namespace
@@ -245,6 +243,5 @@ const Override* overrideOf(const std::string& key) {
 bool isOverridden(const std::string& key, const DecorationParameters& chosen) {
     const Override* overriding = overrideOf(key);
     if (overriding == &mixture_override) return mixtureOf(chosen);
-    return overriding && chosen.drawing_style != DrawingStyle::Custom &&
-           !isColorOfMixture(key, chosen);
+    return overriding && chosen.drawing_style != DrawingStyle::Custom && !isKeptColor(key, chosen);
 }

@@ -26,6 +26,7 @@ void ViewDrawing::forget(ViewLayers::View view) {
 DepthTexture ViewDrawing::prepare(const LayerInView& layer, bool has_lines,
                                   const DecorationParameters& chosen) {
     if (layer.is_first) {
+        layers_.keepOnly(layer.view, layer.shown);
         depth_.forgetDepthBuffer();
         if (chosen.background == Background::Paper) background_.paint(chosen.surface.paper);
     }

@@ -15,6 +15,7 @@ struct LayerInView {
     QWidget* widget = nullptr;  ///< shows the view, or null
     int mesh = 0;
     bool is_first = true;       ///< of the redraw
+    std::vector<int> shown;     ///< meshes of the document, ascending, if it is the first
     Eigen::Matrix4d modelview;  ///< of the camera: world to eye coordinates
     line_renderer::SurfaceLayer surface;
     line_renderer::LinePlacement placement;  ///< without depths

@@ -39,6 +39,13 @@ bool ViewLayers::note(View view, QWidget* widget, int mesh, const SurfaceLayer& 
     return is_expected;
 }
 
+void ViewLayers::keepOnly(View view, const std::vector<int>& shown) {
+    auto& layers = views_[view].layers;
+    for (auto layer = layers.begin(); layer != layers.end();)
+        layer = std::binary_search(shown.begin(), shown.end(), layer->first) ? std::next(layer)
+                                                                             : layers.erase(layer);
+}
+
 void ViewLayers::begin(Redraw& redraw) {
     dropMissing(redraw);
     for (auto& layer : redraw.layers)

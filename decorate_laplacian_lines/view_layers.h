@@ -20,6 +20,8 @@ public:
     /// `is_first`. Whether it is as expected.
     bool note(View view, QWidget* widget, int mesh, const line_renderer::SurfaceLayer& layer,
               bool is_first);
+    /// Only these layers, ascending, are still there and shown.
+    void keepOnly(View view, const std::vector<int>& shown);
     /// As far as they are known. Valid until the next call.
     const std::vector<line_renderer::SurfaceLayer>& of(View view);
     /// Whether the depth buffer has the faces of all layers, and nothing else of them.

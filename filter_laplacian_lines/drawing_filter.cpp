@@ -14,6 +14,7 @@
 #include "line_drawing/whole_file.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/documents.h"
+#include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/progress.h"
 #include "placed_layers.h"
 
@@ -153,4 +154,5 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     run.results["scale"] = sheet.scale;
     meshlab_host::addResult("paper", {sheet.size.x(), sheet.size.y(), 0}, run.results);
     meshlab_host::addResult("object", size, run.results);
+    meshlab_host::keepUnmodified(run.document);
 }

@@ -81,8 +81,10 @@ void setPlacement(const LineProgram& program, const LinePlacement& placement, do
     glUniformMatrix4fv(program.to_eye, 1, GL_FALSE, to_eye.data());
     glUniformMatrix4fv(program.projection, 1, GL_FALSE, projection.data());
     glUniform2fv(program.half_viewport, 1, halfViewport().data());
-    // A mark's corner at the far side of a line.
-    const double to_horizon = placement.mark_pixels > 0 ? 0.71 * placement.mark_pixels + radius : 0;
+    // A mark's corner at the far side of a line. Another layer's marks have this one's faces count
+    // twice, in the texture and in the depth buffer, which must not hide a line's inner half.
+    const double to_horizon =
+        placement.depths.is_complete ? 0 : 0.71 * placement.mark_pixels + radius;
     glUniform1f(program.mark_reach,
                 float(placement.diagonal * meanScale(placement.to_eye) * to_horizon));
     glBindTexture(GL_TEXTURE_2D, placement.depths.id);

@@ -10,10 +10,10 @@ namespace meshlab_host {
 
 namespace {
 
-std::vector<int> idsOf(const MeshDocument& document) {
+std::vector<int> idsOf(const MeshDocument& document, bool only_shown = false) {
     std::vector<int> ids;
     for (const MeshModel* layer : layersOf(document))
-        ids.push_back(int(layer->id()));
+        if (!only_shown || layer->isVisible()) ids.push_back(int(layer->id()));
     std::sort(ids.begin(), ids.end());
     return ids;
 }
@@ -33,16 +33,20 @@ std::vector<int> liveMeshIds(const MeshModel& mesh) {
     return scene ? idsOf(scene->meshDoc()) : std::vector<int>();
 }
 
-QObject* documentOf(const MeshModel& mesh) {
+std::vector<int> shownMeshIds(const MeshModel& mesh) {
+    MLSceneGLSharedDataContext* scene = sceneOf(mesh);
+    return scene ? idsOf(scene->meshDoc(), true) : std::vector<int>();
+}
+
+MeshDocument* documentOf(const MeshModel& mesh) {
     MLSceneGLSharedDataContext* scene = sceneOf(mesh);
     return scene ? &scene->meshDoc() : nullptr;
 }
 
-void whenMeshesChange(QObject* document, QObject* receiver,
+void whenMeshesChange(const MeshDocument* document, QObject* receiver,
                       const std::function<void(const std::vector<int>&)>& changed) {
-    const auto* sender = static_cast<const MeshDocument*>(document);
-    QObject::connect(sender, &MeshDocument::meshSetChanged, receiver,
-                     [=] { changed(idsOf(*sender)); });
+    QObject::connect(document, &MeshDocument::meshSetChanged, receiver,
+                     [=] { changed(idsOf(*document)); });
     QObject::connect(document, &QObject::destroyed, receiver, [=] { changed({}); });
 }
 

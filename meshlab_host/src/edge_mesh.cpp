@@ -2,6 +2,7 @@
 #include "meshlab_host/edge_mesh.h"
 
 #include <vcg/space/index/kdtree/kdtree.h>
+#include <algorithm>
 
 #include <QColor>
 
@@ -91,7 +92,9 @@ void toEdgeMesh(const LineSet& lines, CMeshO& mesh) {
         [](const LinePoint&, const Polyline& line, std::size_t) { return int(line.kind); });
     add("ll_strength",
         [](const LinePoint&, const Polyline& line, std::size_t) { return line.strength; });
-    add("ll_slope", [](const LinePoint&, const Polyline& line, std::size_t) { return line.slope; });
+    add("ll_slope", [](const LinePoint&, const Polyline& line, std::size_t) {
+        return std::max(line.slope, 0.f);
+    });
     add("ll_weight",
         [](const LinePoint& point, const Polyline&, std::size_t) { return point.weight; });
     add("ll_gradient",

@@ -26,16 +26,13 @@ const FieldStore& store() {
 
 const char* describe(FieldStatus status) {
     switch (status) {
-        case FieldStatus::Current:
-            return "precomputed attributes";
-        case FieldStatus::Missing:
-            return "no precomputed attributes";
         case FieldStatus::Stale:
-            return "changed since its attributes were computed";
+            return " has changed since its attributes were computed";
         case FieldStatus::WrongType:
-            return "attributes of another kind under the same names";
+            return " has attributes of another kind under the names of ours";
+        default:
+            return "";
     }
-    return "";
 }
 
 QString fieldAttributeNames(const Field& field) {

@@ -43,8 +43,8 @@ QString specialsOf(const Field& field) {
 QString computedLine(const QString& mesh_name, FieldStatus status, const Field& field,
                      double seconds) {
     return QString(
-               "Laplacian Lines: %1 has %2; computed with the default options in %3 s%4 (to "
-               "choose others, run the filter Compute Laplacian Lines)")
+               "Laplacian Lines: %1%2: computed with the default options in %3 s%4 (the filter "
+               "Compute Laplacian Lines has others)")
         .arg(mesh_name, describe(status), QString::number(seconds, 'f', 2), specialsOf(field));
 }
 

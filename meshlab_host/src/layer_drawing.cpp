@@ -97,4 +97,14 @@ void showAsLines(const MeshDocument& document, int mesh_id) {
     });
 }
 
+void keepUnmodified(const MeshDocument& document) {
+    MLSceneGLSharedDataContext* scene = sceneOf(document);
+    const MeshModel* current = const_cast<MeshDocument&>(document).mm();  // which changes nothing
+    if (!scene || !current || current->meshModified()) return;
+    QTimer::singleShot(0, scene, [scene, id = current->id()] {
+        if (MeshModel* mesh = scene->meshDoc().getMesh(id)) mesh->setMeshModified(false);
+        refreshWindow();
+    });
+}
+
 }  // namespace meshlab_host

@@ -2,6 +2,8 @@
 #include "panel_grid.h"
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,7 +21,7 @@ bool isNumber(const QString& text) {
 }
 
 /// MeshLab reads as 0 what is not a number: when a field is left, a decimal comma becomes a point,
-/// and other text "nan", which is refused wherever it is read.
+/// a unit goes, and other text becomes "nan", which is refused wherever it is read.
 class NumberValidator : public QValidator {
 public:
     using QValidator::QValidator;
@@ -29,8 +31,19 @@ public:
     }
     void fixup(QString& text) const override {
         QString number = text.trimmed();
+        if (number.endsWith('%') || number.endsWith(QChar(0xb0))) number.chop(1);  // or degrees
         if (number.count(',') == 1 && !number.contains('.')) number.replace(',', '.');
         text = isNumber(number) ? number : "nan";
+    }
+};
+
+/// Lets the wheel scroll the panel instead of choosing something else in a box on its way.
+class WheelPassesBy : public QObject {
+public:
+    bool eventFilter(QObject* receiver, QEvent* event) override {
+        if (event->type() != QEvent::Wheel) return QObject::eventFilter(receiver, event);
+        event->ignore();
+        return true;
     }
 };
 
@@ -132,6 +145,8 @@ void show(QLayoutItem* item, const PanelField& field, const QString& tool_tip) {
         mark(*widget, !field.fault.isEmpty());
         auto* text = qobject_cast<QLineEdit*>(widget);
         if (text && !text->validator()) text->setValidator(new NumberValidator(text));
+        static WheelPassesBy wheel_passes_by;
+        if (qobject_cast<QComboBox*>(widget)) widget->installEventFilter(&wheel_passes_by);
     }
     if (QLayout* layout = item->layout())
         for (int i = 0; i < layout->count(); ++i)

@@ -65,7 +65,7 @@ double diagonalOfMost(const Points& points) {
         const auto low = coordinates.begin() + std::ptrdiff_t(aside),
                    high = coordinates.end() - 1 - std::ptrdiff_t(aside);
         std::nth_element(coordinates.begin(), low, coordinates.end());
-        std::nth_element(low, high, coordinates.end());
+        std::nth_element(std::next(low), high, coordinates.end());  // leaves *low in its place
         sizes[k] = *high - *low;
     }
     return sizes.norm();

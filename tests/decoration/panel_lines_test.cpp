@@ -56,19 +56,25 @@ TEST(PanelLines, ShowThoseForExpertsWhenAsked) {
 /// As far as drawing styles and mixtures matter.
 bool drawAlike(const DecorationParameters& a, const DecorationParameters& b) {
     bool looks_alike = true;
-    for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind)
-        looks_alike =
-            looks_alike && a.appearance.looks[kind].color == b.appearance.looks[kind].color;
+    for (const auto& kind : laplacian_lines::line_kinds) {
+        const auto look = std::size_t(kind.kind);
+        if (a.style.shows[kind.kind] &&
+            a.appearance.looks[look].color != b.appearance.looks[look].color)
+            looks_alike = false;
+    }
+    const bool is_lit = a.style.shows[laplacian_lines::LineKind::Laplacian] ||
+                        a.style.shows[laplacian_lines::LineKind::PhoticExtremum];
     const bool is_toon = a.surface.style == SurfaceAppearance::Toon;
     for (const auto& kind : laplacian_lines::line_kinds)
         looks_alike = looks_alike && a.style.shows[kind.kind] == b.style.shows[kind.kind];
     return looks_alike && a.surface.style == b.surface.style &&
            a.surface.paper == b.surface.paper && a.background == b.background &&
-           a.light == b.light &&
            (!is_toon ||
             (a.surface.tones == b.surface.tones && a.surface.shade == b.surface.shade)) &&
-           (a.light == Light::AtTheEye || (a.camera_light.azimuth == b.camera_light.azimuth &&
-                                           a.camera_light.elevation == b.camera_light.elevation));
+           (!is_lit || a.light == b.light) &&
+           (!is_lit || a.light == Light::AtTheEye ||
+            (a.camera_light.azimuth == b.camera_light.azimuth &&
+             a.camera_light.elevation == b.camera_light.elevation));
 }
 
 /// Changes each parameter of this kind.
@@ -119,6 +125,16 @@ TEST(PanelLines, SwitchOffWhatHasNoEffect) {
         for (int surface : {0, 1, 2})
             for (int lines = 0; lines <= int(laplacian_lines::line_mixtures.size()); ++lines)
                 expectOffIsWithoutEffect(style, surface, lines);
+}
+
+TEST(PanelLines, SwitchOffWhatOtherKindsNeed) {
+    RichParameterList list;
+    list.addParam(RichEnum(kPrefix + "lines", 4, QStringList(), "", ""));  // apparent ridges
+    const auto fields = fieldsFor(readValidParameters(list));
+    for (const char* key : {"single_strokes", "ridge_angle", "crease_angle", "scale", "light"})
+        EXPECT_FALSE(fields.at(key).obstacle.isEmpty()) << key;
+    for (const char* key : {"detail", "whole_lines", "fading", "contour_color", "line_color"})
+        EXPECT_TRUE(fields.at(key).obstacle.isEmpty()) << key;
 }
 
 TEST(PanelLines, ShowWhatIsOutOfRange) {

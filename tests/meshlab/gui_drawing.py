@@ -50,7 +50,7 @@ set File = mixed.svg
 apply
 expect-log mixed.svg, scale
 """
-RING = r"""expect-no-log has no precomputed attributes
+RING = r"""expect-no-log computed with the default options
 expect-log Drawing of torus.ply, ring.ply: \S*both.svg, .* Together the objects are 3
 set Layers = Current Layer
 set File = ring.svg

@@ -20,7 +20,7 @@ size 800x600
 look 0.5 -2 3  0 0 0
 # the view of the window is what the dialog begins with
 {GENERATE}
-expect-log torus.ply has no precomputed attributes; computed with the default options in
+expect-log torus.ply: computed with the default options in
 expect-log {counts}perspective, from the viewpoint 0.5 -2 3\n
 show-layer torus_laplacian_lines
 show-layer torus_laplacian_lines

@@ -22,7 +22,7 @@ def segments_told():
 torus()
 visible = lines_of("lines.ply", "[1-9][0-9]* Laplacian lines, [1-9][0-9]* occluding contours, .*; orthographic, "
                    r"along the view direction 0 0 1 \(Front\)")
-expect_text("log", r"torus\.ply has no precomputed attributes; computed with the default options")
+expect_text("log", r"torus\.ply: computed with the default options")
 expect_no_text("log", WARNING)
 # MeshLab writes no edges into PLY files, but the vertices
 expect_text("lines.ply", "^element vertex [1-9]")

@@ -37,7 +37,7 @@ with gzip.open("packed.ply.gz", "wb") as packed:
     packed.write(open("torus.ply", "rb").read())
 os.environ["LC_ALL"] = "C.UTF-8"
 expect_window(0, ["torus.ply", f"odd/{odd}", latin, "packed.ply.gz"], lines_of_layers(4))
-expect_text("window/log", rf"Laplacian Lines: {re.escape(odd)} has no precomputed attributes.* options in [0-9.]+ s")
+expect_text("window/log", rf"Laplacian Lines: {re.escape(odd)}: computed with the default options in [0-9.]+ s")
 
 scene = 'odd/a "scene" & more ü.mlp'
 project(scene, "../torus.ply", odd)

@@ -19,13 +19,15 @@ bool isBusy(const MeshDocument& document);
 /// GUI.
 std::vector<int> liveMeshIds(const MeshModel& mesh);
 
-/// The document of `mesh`, as a key and signal sender. Null if there is none.
-QObject* documentOf(const MeshModel& mesh);
+/// Of these, those that MeshLab shows.
+std::vector<int> shownMeshIds(const MeshModel& mesh);
+
+/// The document of `mesh`. Null if there is none.
+MeshDocument* documentOf(const MeshModel& mesh);
 
 /// Calls `changed` with the ids of the document's meshes, ascending, when meshes come or go, and
-/// with none when it closes, as long as `receiver` lives. `document` is from documentOf(). GUI
-/// thread only.
-void whenMeshesChange(QObject* document, QObject* receiver,
+/// with none when it closes, as long as `receiver` lives. GUI thread only.
+void whenMeshesChange(const MeshDocument* document, QObject* receiver,
                       const std::function<void(const std::vector<int>&)>& changed);
 
 /// The log of the document of `mesh`. Null if there is no document, as without a GUI. GUI thread

@@ -34,7 +34,7 @@ enum class FieldStatus {
     WrongType,  ///< somebody else's attribute has one of the names
 };
 
-/// A clause for the log, after "the mesh has ".
+/// For the log, after the name of a mesh; empty if there is nothing remarkable.
 const char* describe(FieldStatus status);
 
 /// Separated by commas.

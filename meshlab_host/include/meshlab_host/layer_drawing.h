@@ -20,4 +20,8 @@ LayerDrawing layerDrawing(const MeshModel& mesh);
 /// show it. Does nothing without GL views. GUI thread only.
 void showAsLines(const MeshDocument& document, int mesh_id);
 
+/// For filters that only write files: after a filter MeshLab marks the current layer as modified,
+/// and asks whether to save it. Takes effect after the filter. GUI thread only.
+void keepUnmodified(const MeshDocument& document);
+
 }  // namespace meshlab_host
