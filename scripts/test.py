@@ -11,7 +11,6 @@ from environment.messages import Failure, run_main
 from environment.packages import meshlab_version
 from hosts import aarch64, hosts, reach
 from hosts.results import Results
-from measures import mutants
 
 ABOUT = f"""\
 Without options, ./test tests the core, and the plugins in the MeshLab installed here. Only tests whose names match a
@@ -32,7 +31,7 @@ def parse(words):
                         help="static analysis, the core under sanitizers, its coverage, some fuzzing; after the tests")
     parser.add_argument("--nightly", action="store_true",
                         help="everything: all tests in all hosts, long checks, large meshes, --sanitized, --threads, "
-                        f"{mutants.NIGHTLY_COUNT} mutants, --reach")
+                        "--reach")
     parser.add_argument("--fuzz", type=int, metavar="SECONDS", help="fuzzing alone")
     parser.add_argument("--sanitized", action="store_true", help="GUI tests with plugins compiled with sanitizers, "
                         f"without a REGEX {' '.join(sanitized.GUI_TESTS)}")
@@ -42,11 +41,6 @@ def parse(words):
                         help="the portable plugins in MeshLabs that did not build them, the packages, the wheel, and --aarch64")
     parser.add_argument("--aarch64", action="store_true",
                         help="of --reach, only that another processor computes the same, and the oldest compiler")
-    parser.add_argument("--mutants", action="store_true",
-                        help="which changes of the product no test notices, for a long time; REGEX is a room")
-    parser.add_argument("--count", type=int, default=300, help="of mutants")
-    parser.add_argument("--seed", type=int, default=1, help="of the places of mutants")
-    parser.add_argument("--most", type=int, default=1000, metavar="SECONDS", help="of the processor for a mutant")
     return parser.parse_intermixed_args(words)
 
 
@@ -71,9 +65,6 @@ def main():
         return sanitized.test_gui(options.regex)
     if options.threads:
         return sanitized.test_threads(options.regex)
-    if options.mutants:
-        mutants.run(options.regex, options.count, options.seed, options.most)
-        return 0
     if not (options.host or options.checks or options.reach or options.aarch64):
         return hosts.test_here(options.regex)
     if options.regex and not options.host:
@@ -87,7 +78,6 @@ def main():
     if options.nightly:
         results.stage("GUI under sanitizers", sanitized.test_gui, [])
         results.stage("threads", sanitized.test_threads, [])
-        results.stage("mutants", mutants.run_nightly)
     if options.reach:
         reach.run_stages(results)
     elif options.aarch64:
