@@ -38,8 +38,6 @@ def parse(words):
                         "other processors busy, in turns with those with nothing else on the machine: a minute or two; without MESH "
                         "also pictures and drawings of the dragon, with 16 times its triangles, too, and what lines add to a "
                         "frame in MeshLab: half an hour")
-    parser.add_argument("--instructions", action="store_true",
-                        help="counts the instructions of redraws and the memory that they read, in valgrind")
     return parser.parse_intermixed_args(words)
 
 
@@ -75,12 +73,7 @@ def main():
         if not options.mesh:
             return write_json(core_times.measure_busy(core_times.table_models("bunny", "igea", "dragon")), options.json)
         return write_json(core_times.measure(core_times.build_benchmarks("busy_table"), *options.mesh), options.json)
-    if not options.instructions:
-        return make_table(options.mesh, options.json, options.quick)
-    meshes = options.mesh or core_times.table_models("dragon_res2")
-    if len(meshes) != 1:
-        raise Failure("--instructions needs one MESH")
-    return core_times.count_instructions(core_times.build_benchmarks("extraction_instructions", "valgrind"), meshes[0])
+    return make_table(options.mesh, options.json, options.quick)
 
 
 run_main(main)

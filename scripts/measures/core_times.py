@@ -3,7 +3,6 @@
 
 import json
 import pathlib
-import re
 import tempfile
 
 from environment import packages
@@ -79,32 +78,3 @@ def measure_in_meshlab(mesh):
         what, unit = name.rsplit("_", 1)
         print(f"| {what.replace('_', ' ')}, {unit} | {value} |")
     return figures
-
-
-def count_instructions(program, mesh):
-    """Prints instructions of redraws, and the memory they read: each begins with an empty cache that holds all it
-    reads, so that misses are first reads."""
-    with tempfile.TemporaryDirectory() as name:
-        work = pathlib.Path(name)
-        say("counting instructions and memory in callgrind: some minutes")
-        with (work / "redraws").open("w") as redraws, (work / "log").open("w") as log:
-            if run([program, "--prepare", work / "mesh", mesh], stdout=redraws, stderr=log) or run(
-                    ["valgrind", "--tool=callgrind", "--instr-atstart=no", "--cache-sim=yes", "--LL=268435456,16,64",
-                     f"--callgrind-out-file={work}/dump", program, work / "mesh"],
-                    stdout=redraws, stderr=log):
-                say("\n".join((work / "log").read_text().splitlines()[-5:]))
-                raise Failure("the instructions could not be counted")
-        dumps = "\n".join(file.read_text() for file in sorted(work.glob("dump*")))
-        found = re.findall(
-            r"^desc: Trigger: Client Request: (.*)\n(?:.*\n)*?events: (.*)\n(?:.*\n)*?totals: (.*)$", dumps, re.M)
-        counts = {key: dict(zip(events.split(), map(int, totals.split()))) for key, events, totals in found}
-        print("| | instructions a redraw, millions | a vertex | a triangle with a crossing "
-              "| MB read | bytes read a vertex |\n|---|--:|--:|--:|--:|--:|")
-        for line in (work / "redraws").read_text().splitlines():
-            if line.count("\t") == 4:
-                key, label, *numbers = line.split("\t")
-                redraws, vertices, triangles = map(float, numbers)
-                total, lines_read = (counts.get(key, {}).get(event, 0) for event in ("Ir", "DLmr"))
-                crossed = f"{total / triangles:.0f}" if triangles else "–"
-                print(f"| {label} | {total / redraws / 1e6:.1f} | {total / redraws / vertices:.0f} | {crossed} "
-                      f"| {64 * lines_read / redraws / 1e6:.2f} | {64 * lines_read / redraws / vertices:.1f} |")
