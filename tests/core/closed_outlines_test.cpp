@@ -185,7 +185,7 @@ TEST(ClosedOutlines, OfBoxesThatTouchWithinRounding) {
             TriangleMesh box = test_meshes::cube(1);
             for (Vector3d& p : box.positions)
                 p = low + size.cwiseProduct(p + Vector3d::Ones()) +
-                    3e-7 * (2 * random_vector(random) - Vector3d::Ones());
+                    1e-7 * (2 * random_vector(random) - Vector3d::Ones());
             test_meshes::append(mesh, box);
         }
         expect_closed_outlines(mesh, some_directions(seed), false);

@@ -176,15 +176,6 @@ TEST(Creases, AreTheTwelveEdgesOfACubeOfAnyFineness) {
     }
 }
 
-TEST(Creases, DoNotMindTrianglesOfBothOrientations) {
-    for (const int cells : {1, 10, 30}) {
-        TriangleMesh mesh = test_meshes::cube(cells);
-        const auto expected = edges_of(mesh, creases_of(mesh));
-        test_meshes::flip_triangles(mesh, 3);
-        EXPECT_EQ(edges_of(mesh, creases_of(mesh)), expected) << cells;
-    }
-}
-
 TEST(Creases, AreNotOnRoundForms) {
     for (int level = 1; level <= 4; ++level)
         EXPECT_TRUE(creases_of(test_meshes::icosphere(level)).lines.empty()) << level;

@@ -204,7 +204,7 @@ private:
             if (std::abs(heights.over[k]) > reach() || has_corner(sides, corners[k])) continue;
             for (const std::uint32_t other : sides)
                 if ((mesh_.positions[other] - mesh_.positions[corners[k]]).norm() <=
-                    mesh_.precision / 2)
+                    mesh_.precision / 4)
                     found.at_one_place.push_back({corners[k], other});
             for (std::size_t s = 0; s < 3; ++s)
                 if (lies_on(corners[k], sides[s], sides[(s + 1) % 3]))

@@ -26,8 +26,8 @@ struct SurfaceContacts {
     std::vector<OnEdge> on_edges;  ///< sorted by edges; may hold one twice
     /// By old vertex: corners of triangles that may be at the place of a cut.
     std::vector<std::uint8_t> near_cuts;
-    /// Vertices nearer than half the precision, as rounding moves them. If there are any, they are
-    /// all that is known: once they are one, other triangles touch.
+    /// Vertices nearer than a quarter of the precision, as rounding moves them. If there are any,
+    /// they are all that is known: once they are one, other triangles touch.
     std::vector<std::array<std::uint32_t, 2>> at_one_place;
 };
 
