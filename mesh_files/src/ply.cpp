@@ -36,32 +36,18 @@ public:
         if (bytes_.size() < size_of(type)) throw Defect{"it ends"};
         const char* at = bytes_.data();
         bytes_.remove_prefix(size_of(type));
-        switch (type) {
-            case PlyType::Int8:
-                return double(number<std::int8_t>(at));
-            case PlyType::Uint8:
-                return double(number<std::uint8_t>(at));
-            case PlyType::Int16:
-                return double(number<std::int16_t>(at));
-            case PlyType::Uint16:
-                return double(number<std::uint16_t>(at));
-            case PlyType::Int32:
-                return double(number<std::int32_t>(at));
-            case PlyType::Uint32:
-                return double(number<std::uint32_t>(at));
-            case PlyType::Float32:
-                return double(number<float>(at));
-            case PlyType::Float64:
-                break;
-        }
-        return number<double>(at);
+        constexpr double (*numbers[])(const char*) = {number<std::int8_t>,  number<std::uint8_t>,
+                                                      number<std::int16_t>, number<std::uint16_t>,
+                                                      number<std::int32_t>, number<std::uint32_t>,
+                                                      number<float>,        number<double>};
+        return numbers[std::size_t(type)](at);  // by PlyType
     }
     std::string_view rest() const { return bytes_; }
 
 private:
     template <class Number>
-    static Number number(const char* at) {
-        return big ? big_endian<Number>(at) : little_endian<Number>(at);
+    static double number(const char* at) {
+        return double(big ? big_endian<Number>(at) : little_endian<Number>(at));
     }
 
     std::string_view bytes_;

@@ -24,6 +24,7 @@ def read_mesh(file: str | os.PathLike[str]) -> Arrays:
 
     Returns vertices, (n, 3), in the unit of the file, and faces, (m, 3), numbers of vertices; polygons are triangles
     then. Raises OSError if the file cannot be read, Error if it is of another kind or is incomplete.
+    Warns of what is skipped, such as statements that OBJ files do not have.
     """
     place = pathlib.Path(file)
     return mesh_in(place, place.read_bytes())
