@@ -112,6 +112,9 @@ void main()
     middle = vec4(0.0);
     if (start.w < 0.0 || end.w < 0.0)
         return;
+    float mark = start_look.y - float(look);
+    if (mark > 0.3 && edge_reach.x < 1e6)  // faces away, and hidden lines are not what is drawn
+        return;
     vec4 a = toEye(start);
     vec4 b = toEye(end);
     float a_front = beforeNear(a);
@@ -141,7 +144,7 @@ void main()
     vec2 radii = vec2(start.w, end.w);
     float reach = max(radii.x, radii.y) + 0.55;  // half a pixel beyond it, coverage is 0
     place = vec2(corner.x * pixels + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
-    bool is_edge = start_look.y > float(look) + 0.125;  // the mark of an edge
+    bool is_edge = mark > 0.125;
     shape = vec4(pixels, radii, is_edge ? edge_reach.y : to_side);
     cuts = vec4(dot(start_cut, direction), dot(start_cut, across),
                 dot(end_cut, direction), dot(end_cut, across));

@@ -10,7 +10,6 @@
 
 namespace line_renderer {
 
-using laplacian_lines::follows_edge;
 using laplacian_lines::LineKind;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
@@ -25,6 +24,14 @@ StreamPoint at(const LinePoint& point, float radius, LineKind kind, float along)
 
 float taperedRadius(float full, float least_share, float weight) {
     return full * (least_share + (1 - least_share) * std::clamp(weight, 0.0f, 1.0f));
+}
+
+/// What a line is between two of its points: 0, or one of the marks of edges of the mesh.
+float markOf(const Polyline& line, const LinePoint& from, const LinePoint& to) {
+    if (line.kind == LineKind::Border) return edge_mark;
+    if (line.kind == LineKind::Crease) return line.slope < 0 ? away_mark : edge_mark;
+    if (!laplacian_lines::follows_edge(line.kind, from, to)) return 0;
+    return std::signbit(from.gradient) && std::signbit(to.gradient) ? away_mark : edge_mark;
 }
 
 class LineOnScreen {
@@ -88,8 +95,8 @@ private:
         last_ = point;
     }
 
-    void putStart(StreamPoint candidate, bool is_edge) {
-        if (is_edge) candidate.look += edge_mark;
+    void putStart(StreamPoint candidate, float mark) {
+        candidate.look += mark;
         put(candidate);
     }
 
@@ -99,18 +106,18 @@ private:
         SeenPoint seen = screen.see(*first);
         StreamPoint candidate = at(*first, seen.values[SeenRadius], line.kind, 0);
         float length = 0;
-        bool was_edge = follows_edge(line.kind, *first, first[1]);
-        putStart(candidate, was_edge);
+        float last_mark = markOf(line, *first, first[1]);
+        putStart(candidate, last_mark);
         piece_.begin(seen);
         for (const LinePoint* point = first + 1; point <= last; ++point) {
             const SeenPoint next = screen.see(*point);
-            const bool is_edge = follows_edge(line.kind, point[-1], *point);
-            if (keeps_all ? point > first + 1 : is_edge != was_edge || !piece_.takes(next)) {
-                putStart(candidate, is_edge);
+            const float mark = markOf(line, point[-1], *point);
+            if (keeps_all ? point > first + 1 : mark != last_mark || !piece_.takes(next)) {
+                putStart(candidate, mark);
                 piece_.begin(seen);
                 piece_.takes(next);
             }
-            was_edge = is_edge;
+            last_mark = mark;
             if (settings_.is_measured) length += lengthBetween(seen, next);
             candidate = at(*point, next.values[SeenRadius], line.kind, length);
             seen = next;

@@ -50,8 +50,10 @@ struct StreamPoint {
 constexpr float nothing_here = -1;    ///< before and after a line: its ends are round
 constexpr float neighbour_only = -2;  ///< around a closed line: a point to join to
 
-/// Added to the look of a point where a contour begins to follow a mesh edge.
+/// Added to the look of a point from which on a line is an edge of the mesh.
 constexpr float edge_mark = 0.25f;
+/// Likewise, of an edge that is hidden, whatever the depths say.
+constexpr float away_mark = 0.4f;
 
 /// The most points of a set: each line stands between two marks.
 std::size_t streamLength(const laplacian_lines::LineSet& lines);

@@ -239,7 +239,9 @@ TEST(Coarseness, GoesByTheSizeOfTheDrawing) {
     EXPECT_EQ(share(test_meshes::cube(4)), 1);
     EXPECT_GT(share(half_fine_cube()), 0.05);
     EXPECT_LT(share(half_fine_cube()), 0.3);
-    EXPECT_EQ(share(test_meshes::cube(200)), 0);
+    // The edges of what was made are coarse, however fine the triangles beside them.
+    EXPECT_GT(share(test_meshes::cube(200)), 0);
+    EXPECT_LT(share(test_meshes::cube(200)), 0.2);
 }
 
 }  // namespace

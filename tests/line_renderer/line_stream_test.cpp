@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "made_up_lines.h"
@@ -120,9 +121,21 @@ TEST(LineStream, HasTheNumberOfTheKindAsLook) {
         const std::vector<StreamPoint> stream = streamOf(lines, radii);
         ASSERT_EQ(stream.size(), 4u);
         for (const StreamPoint& point : stream)
-            EXPECT_EQ(point.look, float(kind));
+            EXPECT_EQ(std::floor(point.look), float(kind));
         EXPECT_EQ(stream[1].radius, 2) << kind;
     }
+}
+
+TEST(LineStream, MarksBordersAndCreasesAndWhichFaceAway) {
+    LineSet lines;
+    for (const LineKind kind : {LineKind::Border, LineKind::Crease, LineKind::Crease})
+        addLine(lines, {{0, 0, 0}, {1, 0, 0}}, kind);
+    lines.lines.back().slope = -1;
+    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(1));
+    ASSERT_EQ(stream.size(), 12u) << "the border last";
+    EXPECT_EQ(stream[1].look, float(LineKind::Crease) + line_renderer::edge_mark);
+    EXPECT_EQ(stream[5].look, float(LineKind::Crease) + line_renderer::away_mark);
+    EXPECT_EQ(stream[9].look, float(LineKind::Border) + line_renderer::edge_mark);
 }
 
 /// Where both ends are vertices; such a piece never replaces its neighbours.

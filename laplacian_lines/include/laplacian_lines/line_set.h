@@ -27,7 +27,8 @@ struct Polyline {
     bool closed = false;
     float strength = 0;  ///< Eq. 4, dimensionless; of Laplacian lines and contours
     float length = 0;    ///< in D
-    float slope = 0;     ///< mean slope along the line, dimensionless; of Laplacian lines
+    float slope = 0;     ///< mean slope along the line, dimensionless, of Laplacian lines; -1 of
+                         ///< creases that face away
 };
 
 struct LineSet {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "clusters/insides.h"
+
 namespace laplacian_lines {
 namespace {
 
@@ -16,7 +18,9 @@ public:
         : data_(data), horizon_(horizon) {}
 
     void build() {
-        for (const PlacedCluster& placed : place_clusters(data_))
+        const std::vector<PlacedCluster> clusters = place_clusters(data_);
+        has_inside_ = !data_.is_sheet && faces_outwards(clusters);
+        for (const PlacedCluster& placed : clusters)
             if (has_coarse(*placed.cluster)) add_cluster(placed);
         std::sort(numbered_.begin(), numbered_.end(),
                   [](const auto& a, const auto& b) { return a.number < b.number; });
@@ -63,6 +67,7 @@ private:
         const std::size_t place = horizon_.planes.size();
         horizon_.planes.resize(place + 1);
         horizon_.planes.set(place, area.stableNormalized(), corner(0));
+        centres_.push_back((corner(0) + corner(1) + corner(2)) / 3);
         return std::uint32_t(place);
     }
 
@@ -85,9 +90,18 @@ private:
         }
     }
 
+    bool is_hollow(std::uint32_t a, std::uint32_t b) const {
+        constexpr double least = 0.02;  // sine
+        const Eigen::Vector3d normal(horizon_.planes.x[a], horizon_.planes.y[a],
+                                     horizon_.planes.z[a]);
+        const Eigen::Vector3d between = centres_[b] - centres_[a];
+        return normal.dot(between) > least * between.norm();
+    }
+
     void add_edge(const std::uint32_t vertices[2], std::uint32_t a, std::uint32_t b,
                   bool is_reversed) {
-        horizon_.edges.push_back({{vertices[0], vertices[1]}, {a, b}, is_reversed});
+        const bool hollow = has_inside_ && !is_reversed && is_hollow(a, b);
+        horizon_.edges.push_back({{vertices[0], vertices[1]}, {a, b}, is_reversed, hollow});
     }
 
     std::uint32_t vertex(const PlacedCluster& placed, unsigned corner) {
@@ -110,6 +124,8 @@ private:
 
     const ExtractorData& data_;
     CoarseHorizon& horizon_;
+    bool has_inside_ = false;
+    std::vector<Eigen::Vector3d> centres_;  // of the triangles
     std::vector<std::uint32_t> place_of_vertex_;
     std::vector<const VertexRecord*> records_;        // by place
     std::vector<CoarseHorizon::OuterEdge> numbered_;  // sides

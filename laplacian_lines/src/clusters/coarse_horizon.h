@@ -18,6 +18,7 @@ struct CoarseHorizon {
         std::uint32_t vertices[2];
         std::uint32_t triangles[2];
         bool is_reversed;  ///< the two triangles are of opposite orientation
+        bool is_hollow;    ///< of a body, which hides a contour there: what faces away is before it
     };
     /// Between a coarse triangle and one that is not. There a contour can come from the other
     /// side, at the edge of this number in ExtractorData::border_edges.

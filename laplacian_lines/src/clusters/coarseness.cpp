@@ -3,7 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
 
+#include "mesh/triangles_at.h"
 #include "system/disjoint_sets.h"
 #include "system/parallel.h"
 
@@ -18,6 +20,12 @@ constexpr double kLeastCoarsePatch = 0.03;       // diagonal of its box, D
 // Clean scans have up to 0.3 or, with many small forms, 1; those with noise of 20 % of the edges
 // 0.8 and more, and so do terraces.
 constexpr double kLargestRoughness = 0.8;
+// Of the area of a mesh that was made, not measured, in faces of several triangles: there angles
+// are those of the form, however small. Scans have up to 0.11, machined parts and lofts 0.29 and
+// more.
+constexpr double kMadeShare = 0.27;
+constexpr double kFlat = 0.9999984769132877;     // least cosine: of 0.1°
+constexpr double kSquaredCosineOfMade = 0.9698;  // of 10°
 // As far as the smoothing of normals reaches.
 constexpr int kRings = 2;
 constexpr double kSquaredCosineOfRings = 0.9925;  // of 5°
@@ -38,6 +46,8 @@ public:
         return is_larger(kLargestSmoothTriangle) ||
                squared_size_ * (1 - of_corners()) > kFarthestContour * kFarthestContour;
     }
+    /// Steeper than facets of round forms do.
+    bool leans_at_corner() const { return of_corners() < kSquaredCosineOfMade; }
     double of_mean() const { return squared_cosine(normals_[0] + normals_[1] + normals_[2]); }
 
 private:
@@ -99,6 +109,38 @@ void grow_patches(const PreparedMesh& mesh, const Field& field, std::vector<std:
     }
 }
 
+/// Whether a neighbour is in a triangle's plane, with two corners of it.
+bool goes_on_flat(const PreparedMesh& mesh, const TrianglesAt& at,
+                  const std::vector<Eigen::Vector3d>& normals, std::uint32_t triangle) {
+    const Triangle& t = mesh.triangles[triangle];
+    for (std::size_t k = 0; k < 2; ++k)
+        for (const std::uint32_t* other = at.begin(t[k]); other != at.end(t[k]); ++other) {
+            if (*other == triangle || normals[*other].dot(normals[triangle]) < kFlat) continue;
+            const Triangle& o = mesh.triangles[*other];
+            const auto shared = std::count_if(t.begin(), t.end(), [&](std::uint32_t v) {
+                return std::find(o.begin(), o.end(), v) != o.end();
+            });
+            if (shared >= 2) return true;
+        }
+    return false;
+}
+
+bool is_made(const PreparedMesh& mesh) {
+    std::vector<Eigen::Vector3d> normals(mesh.triangles.size());
+    std::vector<double> areas(mesh.triangles.size()), flat(mesh.triangles.size(), 0);
+    for_each_element(normals.size(), [&](std::size_t i) {
+        normals[i] = area_vector(mesh, mesh.triangles[i]);
+        areas[i] = normals[i].norm();
+        normals[i] = normals[i].stableNormalized();
+    });
+    const TrianglesAt at(mesh.size(), mesh.triangles);
+    for_each_element(normals.size(), [&](std::size_t i) {
+        if (goes_on_flat(mesh, at, normals, std::uint32_t(i))) flat[i] = areas[i];
+    });
+    return std::accumulate(flat.begin(), flat.end(), 0.0) >
+           kMadeShare * std::accumulate(areas.begin(), areas.end(), 0.0);
+}
+
 /// Where contours change between edges and smooth curves they are drawn twice or have gaps, since
 /// the two are apart. Of a mesh that is mostly coarse all of them follow edges.
 void unite_majority(std::vector<std::uint8_t>& coarse) {
@@ -114,10 +156,11 @@ bool is_rough(const MeshReport& report) {
 
 std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const Field& field) {
     std::vector<std::uint8_t> coarse(mesh.triangles.size());
-    const bool only_large = is_rough(field.report);
+    const bool only_large = is_rough(field.report), made = !only_large && is_made(mesh);
     for_each_element(coarse.size(), [&](std::size_t i) {
         const Lean lean(mesh, field, mesh.triangles[i]);
-        coarse[i] = only_large ? lean.is_larger(kLargestRoughTriangle) : lean.is_coarse();
+        coarse[i] = only_large ? lean.is_larger(kLargestRoughTriangle)
+                               : lean.is_coarse() || (made && lean.leans_at_corner());
     });
     const auto has_coarse = [&] {
         return std::find(coarse.begin(), coarse.end(), 1) != coarse.end();
@@ -125,7 +168,7 @@ std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const 
     if (!has_coarse()) return coarse;
     CoarsePatches patches(mesh, coarse);
     for (std::size_t i = 0; i < coarse.size(); ++i)
-        coarse[i] = coarse[i] && !patches.is_small(i);
+        coarse[i] = coarse[i] && (made || !patches.is_small(i));
     if (has_coarse()) grow_patches(mesh, field, coarse);
     unite_majority(coarse);
     return coarse;

@@ -17,8 +17,9 @@ bool is_rough(const MeshReport& report);
 /// the normals n of its corners, so the two are at most its size times the sine of that angle
 /// apart in the picture. In a coarse one that is too far, or it is large: there contours follow its
 /// edges. A few in fine surroundings, such as bad triangles of a scan, do not count, and on rough
-/// meshes only large ones do; where more than half count, all do. The number of threads does not
-/// matter.
+/// meshes only large ones do; of a mesh that was made, with flat faces of several triangles, all do
+/// that lean by 10° and more, however small. Where more than half count, all do. The number of
+/// threads does not matter.
 std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const Field& field);
 
 }  // namespace laplacian_lines

@@ -3,6 +3,7 @@
 #include <memory>
 #include <mutex>
 
+#include "clusters/insides.h"
 #include "fixed/crease_criteria.h"
 #include "fixed/crease_tracing.h"
 #include "fixed/fixed_kinds.h"
@@ -20,23 +21,36 @@ constexpr float kShortNet = 3;            // shortest lines
 constexpr float kRaggedPiece = 0.015f;        // D; longer ones are those of a form
 constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer to a fault are ragged
 
-/// Which edges lie between a triangle that faces the eye and one that does not. Where contours are
-/// drawn there is one.
-class HorizonEdges {
-public:
-    HorizonEdges(const LocalEye& eye, const LineStyle& style)
-        : eye_(eye), drawn_(style.shows[LineKind::Contour]) {}
+/// How an edge lies to the eye.
+enum class Facing {
+    Towards,  ///< both of its triangles face the eye, or no contours are drawn
+    Away,     ///< none does, and the body that it is on hides it
+    Horizon,  ///< one does: there is a contour
+};
 
-    bool contain(const CreaseEdge& edge) const {
-        if (!drawn_) return false;
+class EdgeFacing {
+public:
+    EdgeFacing(const LocalEye& eye, const LineStyle& style, bool is_body)
+        : eye_(eye), has_contours_(style.shows[LineKind::Contour]), is_body_(is_body) {}
+
+    Facing of(const CreaseEdge& edge) const {
         const Eigen::Vector3f l = eye_.towards(edge.positions[0]);
-        return (dot(edge.normals[0], l) < 0) != (dot(edge.normals[1], l) < 0);
+        const bool one = dot(edge.normals[0], l) < 0, other = dot(edge.normals[1], l) < 0;
+        if (!has_contours_) return Facing::Towards;
+        if (one != other) return Facing::Horizon;
+        return one && is_body_ ? Facing::Away : Facing::Towards;
     }
 
 private:
     const LocalEye& eye_;
-    const bool drawn_;
+    const bool has_contours_, is_body_;
 };
+
+/// Whether what faces away is hidden.
+bool is_body(const ExtractorData& data) {
+    const std::vector<PlacedCluster> clusters = place_clusters(data);
+    return !has_borders(clusters) && faces_outwards(clusters);
+}
 
 void append_part(const TracedCreases& traced, const Polyline& line, std::uint32_t from,
                  std::uint32_t edges, LineSet& lines) {
@@ -54,38 +68,40 @@ void append_part(const TracedCreases& traced, const Polyline& line, std::uint32_
     lines.lines.push_back(part);
 }
 
-/// Appends the parts of a line that are not on the horizon.
-void append_line(const TracedCreases& traced, const Polyline& line, const HorizonEdges& horizon,
+/// Appends the parts of a line that are not on the horizon. Those that face away have a slope below
+/// zero.
+void append_line(const TracedCreases& traced, const Polyline& line, const EdgeFacing& facing,
                  LineSet& lines) {
     const std::uint32_t edges = line.count - 1;
-    const auto is_hidden = [&](std::uint32_t i) {
-        return horizon.contain(*traced.edges[line.first + i % edges]);
+    const auto of = [&](std::uint32_t i) {
+        return facing.of(*traced.edges[line.first + i % edges]);
     };
-    std::uint32_t start = 0;  // of a closed line, behind an edge that is left out, if there is one
+    std::uint32_t start = 0;  // of a closed line, where it begins to face otherwise, if it does
     if (line.closed)
-        while (start < edges && !is_hidden(start))
+        while (start < edges && of(start) == of(start + edges - 1))
             ++start;
     if (start == edges) start = 0;
     for (std::uint32_t i = start, end; i < start + edges; i = end) {
-        for (end = i; end < start + edges && !is_hidden(end); ++end) {
+        for (end = i + 1; end < start + edges && of(end) == of(i); ++end) {
         }
-        if (end > i) append_part(traced, line, i % edges, end - i, lines);
-        if (end < start + edges) ++end;
+        if (of(i) == Facing::Horizon) continue;
+        append_part(traced, line, i % edges, end - i, lines);
+        if (of(i) == Facing::Away) lines.lines.back().slope = -1;
     }
 }
 
 class Creases : public FixedKindLines {
 public:
-    explicit Creases(const ExtractorData&) {}
+    explicit Creases(const ExtractorData& data) : is_body_(is_body(data)) {}
 
     void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
         const auto traced = trace(data, float(style.crease_angle));
         const float shortest = Thresholds(style).shortest_line;
-        const HorizonEdges horizon(eye, style);
+        const EdgeFacing facing(eye, style, is_body_ && !may_be_within(eye));
         for (std::size_t i = 0; i < traced->lines.lines.size(); ++i)
             if (is_drawn(traced->nets[i], shortest))
-                append_line(*traced, traced->lines.lines[i], horizon, lines);
+                append_line(*traced, traced->lines.lines[i], facing, lines);
     }
 
     std::shared_ptr<const LineSet> whole(const ExtractorData& data,
@@ -132,6 +148,8 @@ private:
         }
         return traced_;
     }
+
+    const bool is_body_;
 
     /// Smaller angles than the default one are seldom asked for, and take long on rough scans.
     const std::vector<CreaseEdge>& edges(const ExtractorData& data, float least_angle) const {

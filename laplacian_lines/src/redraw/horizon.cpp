@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "clusters/insides.h"
 #include "system/chains.h"
 #include "system/three_floats.h"
 
@@ -20,6 +21,7 @@ public:
           vertex_count_(std::uint32_t(horizon.positions.size())) {}
 
     void run(const LocalEye& eye) {
+        is_outside_ = !may_be_within(eye);
         horizon_.planes.evaluate(eye, m_.triangle_facing);
         horizon_.facing.evaluate(eye, m_.vertex_facing);
         collect_segments();
@@ -31,13 +33,15 @@ public:
 private:
     bool faces(std::uint32_t triangle) const { return m_.triangle_facing[triangle] >= 0; }
 
-    void add(std::uint32_t from, std::uint32_t to) { m_.segments.push_back({{from, to}}); }
+    void add(std::uint32_t from, std::uint32_t to, bool is_hollow = false) {
+        m_.segments.push_back({{from, to}, is_hollow});
+    }
 
     void collect_segments() {
         m_.segments.clear();
         for (const CoarseHorizon::Edge& edge : horizon_.edges)
             if (faces(edge.triangles[0]) != (faces(edge.triangles[1]) != edge.is_reversed))
-                add(edge.vertices[0], edge.vertices[1]);
+                add(edge.vertices[0], edge.vertices[1], edge.is_hollow && is_outside_);
         std::uint32_t open = 0;  // both are in the order of the edges' numbers
         for (const CoarseHorizon::OuterEdge& edge : horizon_.outer_edges) {
             while (open < open_ends_.size() && open_ends_[open].edge < edge.number)
@@ -147,6 +151,7 @@ private:
                 chain.ends[1] = end_of(half ^ 1);
                 add_point(chain.ends[1]);
                 ++chain.point_count;
+                if (m_.segments[half / 2].is_hollow) mark_hollow();
             });
         m_.chains.push_back(chain);
     }
@@ -158,6 +163,13 @@ private:
         Eigen::Map<Eigen::Vector3f>(point.position) = position(end);
         point.slope = kExactSegment;
         m_.points.push_back(point);
+    }
+
+    /// Both ends of the last segment: what hides a contour there hides what is between two such,
+    /// too.
+    void mark_hollow() {
+        for (auto point = m_.points.end() - 2; point != m_.points.end(); ++point)
+            if (point->gradient == 0) point->gradient = -0.f;
     }
 
     void append_strips() {
@@ -196,6 +208,7 @@ private:
     std::vector<JoinedStrip>& strips_;
     const std::vector<OpenEnd>& open_ends_;
     HorizonMemory& m_;
+    bool is_outside_ = true;
     const std::uint32_t vertex_count_;
 };
 

@@ -14,6 +14,7 @@ struct HorizonMemory {
     /// number of vertices plus their place in JoiningMemory::open_ends.
     struct Segment {
         std::uint32_t ends[2];
+        bool is_hollow;
     };
     std::vector<float> triangle_facing, vertex_facing;
     std::vector<Segment> segments;
@@ -37,6 +38,7 @@ struct HorizonMemory {
 /// plane does, others as n·l does, so that together with the zeros of n·l, which are the strips of
 /// contours, these edges bound the part of a surface that faces the eye: without gaps, and closed
 /// but for the surface's own borders.
+/// Both ends of a hollow one, which its own body hides, have -0 as gradient.
 /// Appends them to `joining.strips[kind]`, exact, and joins them to the strips in
 /// `joining.open_ends` that end at coarse triangles. Points are in `memory`.
 void append_horizon(const CoarseHorizon& horizon, const LocalEye& eye, unsigned kind,
