@@ -101,7 +101,8 @@ Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::si
         }
         return true;
     };
-    result.is_hidden = !is_before(hider) || !tree_.visit(box, is_before);
+    const bool has_hider = hider < facing_.size();  // not in a mesh without triangles
+    result.is_hidden = (has_hider && !is_before(hider)) || !tree_.visit(box, is_before);
     if (result.is_hidden) result.gap = 0;
     return result;
 }
