@@ -69,7 +69,8 @@ QString freeName(const QString& name, const std::string& provenance) {
     QString result = name;
     for (int number = 2;; ++number) {
         QFile file(result);
-        const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        bytes.replace("\n999\n", "");  // where DXF continues a line
         if (!bytes.contains(key) || bytes.contains(meshes)) return result;
         result = info.dir().filePath(
             QString("%1_%2.%3").arg(info.completeBaseName()).arg(number).arg(info.suffix()));
@@ -118,11 +119,8 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const QString mesh = run.document.mm()->fullName();  // before layers may go
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::currentView();
     SheetOptions options = sheetOptions(chosen, window);
-    if (window) {
-        RichParameterList recorded;
-        listDrawingParameters(forAnyMesh(chosen, *run.document.mm(), *window), recorded);
-        meshlab_host::recordAs(filter_name, recorded, run.document);
-    }
+    RichParameterList recorded;
+    if (window) listDrawingParameters(forAnyMesh(chosen, *run.document.mm(), *window), recorded);
     const PlacedLayers layers = placeLayers(
         {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, field_share);
     options.source = namesOf(layers).toStdString();
@@ -150,6 +148,7 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     for (const std::string& remark : sheet.remarks)
         run.say(inQt(remark));
     if (has_dialog) keepSettings(chosen, mesh);
+    if (has_dialog && window) meshlab_host::recordAs(filter_name, recorded, run.document);
     run.results["file"] = file;
     run.results["scale"] = sheet.scale;
     meshlab_host::addResult("paper", {sheet.size.x(), sheet.size.y(), 0}, run.results);

@@ -155,7 +155,9 @@ DrawingParameters forAnyMesh(DrawingParameters chosen, const MeshModel& mesh,
     const QFileInfo file(inQt(chosen.file));
     QString name = file.fileName();
     if (!mesh.fullName().isEmpty() && file.absolutePath() == folderOf(mesh)) {
-        if (name.startsWith(nameOf(mesh))) name.replace(0, nameOf(mesh).size(), name_place);
+        const int end = nameOf(mesh).size();
+        const bool is_another = end < name.size() && name[end].isLetterOrNumber();
+        if (name.startsWith(nameOf(mesh)) && !is_another) name.replace(0, end, name_place);
         chosen.file = (folder_place + '/' + name).toStdString();
     }
     return chosen;

@@ -14,6 +14,7 @@
 #include "meshlab_host/documents.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_source.h"
+#include "meshlab_host/filter_dialog.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/progress.h"
@@ -177,7 +178,6 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     Eigen::AlignedBox3d box = line_drawing::boundsOf(source.triangles);
     if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.layer));
     const Eye eye = eyeOf(chosen, box.center(), meshlab_host::currentView());
-    if (chosen.view == ViewChoice::CurrentView) recordView(run, chosen, eye);
     const View view = viewOf(eye, chosen, source.layer);
     meshlab_host::FieldSource field_source = meshlab_host::fieldSource(mesh.cm);
     if (chosen.style.shows.needs_derivatives())
@@ -195,4 +195,6 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     if (!warning.isEmpty()) run.say(warning);
     addResults(eye, run.results);
     run.results["sees_all"] = warning.isEmpty();
+    if (chosen.view == ViewChoice::CurrentView && meshlab_host::FilterDialog::isOpen(filter_name))
+        recordView(run, chosen, eye);
 }

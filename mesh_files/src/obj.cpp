@@ -93,7 +93,7 @@ private:
             corners_.push_back(vertex);
         }
         const auto last = std::max_element(corners_.begin(), corners_.end());
-        if (last != corners_.end() && *last >= std::int64_t(mesh_.vertex_count()))
+        if (corners_.size() >= 3 && *last >= std::int64_t(mesh_.vertex_count()))
             ahead_.push_back({*last, text_.line()});
         mesh_.add(corners_);
     }

@@ -87,7 +87,7 @@ void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, co
 
 void recordAs(const QString& filter, const RichParameterList& parameters, MeshDocument& document) {
     QTimer::singleShot(0, &document,
-                       [filter, parameters, &document] {  // MeshLab records afterwards
+                       [filter, parameters, &document] {  // some MeshLabs record afterwards
                            FilterScript& history = itself(document.filterHistory);
                            if (!history.isEmpty() && history.last().first == filter)
                                history.last().second = parameters;

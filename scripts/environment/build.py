@@ -54,8 +54,8 @@ def build_targets(*targets, preset=None, options=(), extra_packages=None, checko
         (build / ".begun").touch()
         configure(checkout, build, words)
         compile_targets(checkout, build, targets)
-        (build / ".begun").rename(build / ".sources")  # what is changed while it is compiled may not be in it
         (build / ".built").write_text("\n".join((circumstances, *built, wanted)))
+        (build / ".begun").rename(build / ".sources")  # what is changed while it is compiled may not be in it
 
 
 def circumstances_of(checkout, options):

@@ -255,9 +255,13 @@ SheetLayout layOutFreely(Layout& layout, double scale) {
 
 /// Views just fit: gaps between them do not scale.
 double fillingScale(Layout& layout, const Vector2d& paper) {
-    constexpr double far = 1e6;  // where views are wider than their names
-    const Vector2d fixed = layout.sizeAt(0), growing = (layout.sizeAt(far) - fixed) / far;
-    return (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
+    constexpr double far = 1e4;  // where views are wider than their names
+    const Vector2d beyond = layout.sizeAt(far), growing = (layout.sizeAt(2 * far) - beyond) / far;
+    const auto filling = [&](const Vector2d& fixed) {
+        return (1 - 1e-9) * (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
+    };
+    const double scale = filling(beyond - far * growing);
+    return fits(layout.sizeAt(scale), paper) ? scale : filling(layout.sizeAt(0));
 }
 
 /// For views without scale: as large as the paper allows; A4 if any will do.

@@ -41,8 +41,9 @@ bool hasLine(const GLLogStream& log, const QString& line);
 /// have the same title. GUI thread only, while drawing.
 void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text);
 
-/// Once the filter that runs is done, puts these parameters into MeshLab's record of it, from which
-/// scripts are saved: they mean the same without a window.
+/// Puts these parameters into MeshLab's record of a filter that its dialog has run, once MeshLab has
+/// made it: scripts that are saved have them. The last thing that the filter does, since progress
+/// runs MeshLab's events.
 void recordAs(const QString& filter, const RichParameterList& parameters, MeshDocument& document);
 
 }  // namespace meshlab_host
