@@ -202,7 +202,8 @@ std::vector<RidgeLine> join_ridges(const std::vector<RidgePiece>& pieces) {
             if (is_joined[i]) continue;
             is_joined[i] = true;
             const RidgePiece& piece = pieces[i];
-            line.length += (piece.ends[0].position - piece.ends[1].position).norm();
+            line.pieces.push_back((piece.ends[0].position - piece.ends[1].position).norm());
+            line.length += line.pieces.back();
             for (const RidgeEnd& end : piece.ends) {
                 line.edges.insert(end.edge);
                 line.is_certain = line.is_certain && doubtful.count(end.edge) == 0;

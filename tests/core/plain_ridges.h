@@ -40,9 +40,10 @@ std::vector<RidgePiece> ridge_pieces(const laplacian_lines::TriangleMesh& mesh,
                                      laplacian_lines::LineKind kind);
 
 struct RidgeLine {
-    std::set<Edge> edges;  ///< that it crosses
-    double length;         ///< mesh units
-    bool is_certain;       ///< no piece in or beside it is uncertain
+    std::set<Edge> edges;             ///< that it crosses
+    double length;                    ///< mesh units
+    bool is_certain;                  ///< no piece in or beside it is uncertain
+    std::vector<double> pieces = {};  ///< their lengths
 };
 
 /// The pieces that are found, joined where two, no more, meet at an edge.
