@@ -35,8 +35,8 @@ std::vector<const char*> units() {
 std::vector<SheetOption> makeTable() {
     return {
         {textRow("file", "File",
-                 "The extension sets the format: .svg, .pdf, .dxf or .png. A file of this name is "
-                 "replaced. {folder}, {name}: the mesh's."),
+                 "Ends in .svg, .pdf, .dxf or .png; replaces what is there. {folder}, {name}: the "
+                 "mesh's."),
          Place::Filter, &S::file},
         {textRow("views", "Views",
                  "Several with commas: front, back, left, right, top, bottom, six (all of these), "

@@ -20,6 +20,7 @@ constexpr double least_white = 0.5;  // beside outlines
 // that is left out whole, not where it happens to be nearer.
 constexpr double clear_white = 1;
 constexpr double shortest_stroke = 6;
+constexpr double longest_link = 4;    // of contours, which have no white beside what they join
 constexpr double least_extent = 4;    // √h: what is folded within it is a knot
 constexpr double least_ink = 6;       // mean weight times length
 constexpr double shortest_loop = 24;  // 6 √h
@@ -45,20 +46,22 @@ double extentOf(const DrawnLine& line) {
 }
 
 /// Removes contours of bumps of a curved surface that are shorter than inner lines and meet
-/// nothing.
+/// nothing, and those that are shorter than a link and lead from no line to another.
 std::vector<DrawnLine> withoutSpecks(std::vector<DrawnLine> lines, double pen) {
     const DrawnLines all = allOf(lines, pen);
-    std::vector<DrawnLine> rest;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto is_speck = [&](std::size_t i) {
         const DrawnLine& line = lines[i];
-        const auto meets = [&](const DrawnPoint& end) {
-            return all.isNear(end.position, i, same_end * pen);
-        };
+        const double length = lengthOf(line.points) / pen;
         if (line.line_class != LineClass::Contour || !isSmooth(line) || line.closed ||
-            lengthOf(line.points) >= shortest_stroke * pen || meets(line.points.front()) ||
-            meets(line.points.back()))
-            rest.push_back(std::move(lines[i]));
-    }
+            length >= shortest_stroke)
+            return false;
+        const int met = all.isNear(line.points.front().position, i, same_end * pen) +
+                        all.isNear(line.points.back().position, i, same_end * pen);
+        return met < (length < longest_link ? 2 : 1);
+    };
+    std::vector<DrawnLine> rest;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (!is_speck(i)) rest.push_back(lines[i]);
     return rest;
 }
 
@@ -84,16 +87,26 @@ public:
         outlines_[std::size_t(line.line_class)].add(positionsOf(line));
     }
 
-    /// Whether there is white between a contour and stronger lines for most of its length.
+    /// Unless less than half of a contour has white beside stronger lines, not counting its ends,
+    /// which may meet these.
     bool addContour(const DrawnLine& line) {
-        const double own = (pens_[std::size_t(LineClass::Contour)] - pen_) / 2;
+        const double pen = pens_[std::size_t(LineClass::Contour)];
+        const double end = line.closed ? 0 : whiteBeside(pen), length = lengthOf(line.points);
+        const double more = (pen - pen_) / 2;
+        double at = 0, middle = 0, apart = 0;
         const std::vector<DrawnPoint> points = refine(line.points, step * pen_);
-        std::vector<bool> is_apart(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i)
-            is_apart[i] = isBesideNone(points[i].position, own);
-        if (shareOf(points, is_apart) < least_share) return false;
-        addOutline(line);
-        return true;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double piece = (points[i].position - points[i - 1].position).norm();
+            at += piece;
+            if (std::min(at, length - at) < end) continue;
+            middle += piece;
+            if (!isBeside(LineClass::Outline, points[i].position, more) &&
+                !isBeside(LineClass::Contour, points[i].position, more))
+                apart += piece;
+        }
+        const bool stays = apart >= least_share * middle;
+        if (stays) addOutline(line);
+        return stays;
     }
 
     /// Whether all of it was added.
@@ -137,8 +150,13 @@ private:
     /// Of the outlines; `more`: mm beyond what inner lines keep to.
     bool isBesideNone(const Vector2d& point, double more) const {
         for (std::size_t c = 0; c < line_class_count; ++c)
-            if (outlines_[c].isBeside(point, whiteBeside(pens_[c]) + more)) return false;
+            if (isBeside(LineClass(c), point, more)) return false;
         return true;
+    }
+
+    bool isBeside(LineClass c, const Vector2d& point, double more) const {
+        const auto number = std::size_t(c);
+        return outlines_[number].isBeside(point, whiteBeside(pens_[number]) + more);
     }
 
     static double shareOf(const std::vector<DrawnPoint>& points, const std::vector<bool>& is_free) {
