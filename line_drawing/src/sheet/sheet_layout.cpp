@@ -258,10 +258,11 @@ double fillingScale(Layout& layout, const Vector2d& paper) {
     constexpr double far = 1e4;  // where views are wider than their names
     const Vector2d beyond = layout.sizeAt(far), growing = (layout.sizeAt(2 * far) - beyond) / far;
     const auto filling = [&](const Vector2d& fixed) {
-        return (1 - 1e-9) * (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
+        return (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
     };
     const double scale = filling(beyond - far * growing);
-    return fits(layout.sizeAt(scale), paper) ? scale : filling(layout.sizeAt(0));
+    const bool has_room = fits(layout.sizeAt((1 - 1e-9) * scale), paper);
+    return has_room ? scale : filling(layout.sizeAt(0));
 }
 
 /// For views without scale: as large as the paper allows; A4 if any will do.

@@ -20,7 +20,6 @@ constexpr double least_white = 0.5;  // beside outlines
 // that is left out whole, not where it happens to be nearer.
 constexpr double clear_white = 1;
 constexpr double shortest_stroke = 6;
-constexpr double longest_link = 4;    // of contours, which have no white beside what they join
 constexpr double least_extent = 4;    // √h: what is folded within it is a knot
 constexpr double least_ink = 6;       // mean weight times length
 constexpr double shortest_loop = 24;  // 6 √h
@@ -46,18 +45,16 @@ double extentOf(const DrawnLine& line) {
 }
 
 /// Removes contours of bumps of a curved surface that are shorter than inner lines and meet
-/// nothing, and those that are shorter than a link and lead from no line to another.
+/// nothing.
 std::vector<DrawnLine> withoutSpecks(std::vector<DrawnLine> lines, double pen) {
     const DrawnLines all = allOf(lines, pen);
     const auto is_speck = [&](std::size_t i) {
         const DrawnLine& line = lines[i];
-        const double length = lengthOf(line.points) / pen;
         if (line.line_class != LineClass::Contour || !isSmooth(line) || line.closed ||
-            length >= shortest_stroke)
+            lengthOf(line.points) >= shortest_stroke * pen)
             return false;
-        const int met = all.isNear(line.points.front().position, i, same_end * pen) +
-                        all.isNear(line.points.back().position, i, same_end * pen);
-        return met < (length < longest_link ? 2 : 1);
+        return !all.isNear(line.points.front().position, i, same_end * pen) &&
+               !all.isNear(line.points.back().position, i, same_end * pen);
     };
     std::vector<DrawnLine> rest;
     for (std::size_t i = 0; i < lines.size(); ++i)
