@@ -46,12 +46,6 @@ private:
     const bool has_contours_, is_body_;
 };
 
-/// Whether what faces away is hidden.
-bool is_body(const ExtractorData& data) {
-    const std::vector<PlacedCluster> clusters = place_clusters(data);
-    return !has_borders(clusters) && faces_outwards(clusters);
-}
-
 void append_part(const TracedCreases& traced, const Polyline& line, std::uint32_t from,
                  std::uint32_t edges, LineSet& lines) {
     Polyline part = line;
@@ -92,7 +86,7 @@ void append_line(const TracedCreases& traced, const Polyline& line, const EdgeFa
 
 class Creases : public FixedKindLines {
 public:
-    explicit Creases(const ExtractorData& data) : is_body_(is_body(data)) {}
+    explicit Creases(const ExtractorData& data) : is_body_(is_body(place_clusters(data))) {}
 
     void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
