@@ -3,13 +3,16 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "mesh/edge_table.h"
+#include "mesh/triangles_at.h"
 #include "system/disjoint_sets.h"
-#include "system/equal_elements.h"
+#include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
@@ -260,59 +263,89 @@ private:
     std::vector<std::uint32_t> body_of_;  // by triangle
 };
 
-/// Sides that may have a border there, or a neighbour that disagrees: else each vertex around one
-/// comes as often before another as behind it.
-std::vector<LooseSide> uneven_sides(const PreparedMesh& mesh) {
-    std::vector<std::uint64_t> balance(mesh.size(), 0);
-    for (const Triangle& t : mesh.triangles) {
-        const std::uint64_t h[3] = {mix_hash(1, t[0]), mix_hash(1, t[1]), mix_hash(1, t[2])};
-        for (std::size_t k = 0; k < 3; ++k)
-            balance[t[k]] += h[(k + 1) % 3] - h[(k + 2) % 3];
+/// What the triangles at a vertex are.
+enum class Fan : std::uint8_t {
+    Closed,
+    Open,
+    Torn,  ///< several fans, or not of one orientation, or not a surface
+};
+
+using Link = std::array<std::uint32_t, 2>;  // from a neighbour of a vertex to the next one
+
+/// Follows the links, which it sorts, from the one that none ends at.
+Fan fan_of(std::vector<Link>& links) {
+    std::sort(links.begin(), links.end());
+    std::vector<std::uint32_t> ends;
+    ends.reserve(links.size());
+    for (const Link& link : links)
+        ends.push_back(link[1]);
+    std::sort(ends.begin(), ends.end());
+    const auto is_end = [&](const Link& link) {
+        return std::binary_search(ends.begin(), ends.end(), link[0]);
+    };
+    const auto begin = std::find_if_not(links.begin(), links.end(), is_end);
+    const auto start = begin == links.end() ? links.begin() : begin;
+    std::size_t count = 0;
+    for (auto link = start; link != links.end() && count <= links.size(); ++count) {
+        const auto next = std::lower_bound(links.begin(), links.end(), Link{(*link)[1], 0});
+        const bool goes_on = next != links.end() && (*next)[0] == (*link)[1] && next != start;
+        link = goes_on ? next : links.end();
     }
-    return collect<LooseSide>(mesh.triangles.size(), [&](std::uint32_t i, auto& found) {
-        const Triangle& t = mesh.triangles[i];
-        for (std::size_t k = 0; k < 3; ++k)
-            if (balance[t[k]] != 0 && balance[t[(k + 1) % 3]] != 0)
-                found.push_back(side_between(t[k], t[(k + 1) % 3], i));
-    });
+    return count != links.size() ? Fan::Torn : begin == links.end() ? Fan::Closed : Fan::Open;
 }
 
-/// What most meshes are, found without all of their edges.
-bool faces_outwards(PreparedMesh& mesh) {
-    EdgeTable table;
-    const std::vector<LooseSide> sides = uneven_sides(mesh);
-    const auto side_of = [&](std::uint32_t i) { return sides[i]; };
-    gather_edges(sides.size(), side_of, mesh.size(), table);
+/// By vertex.
+std::vector<Fan> find_fans(const PreparedMesh& mesh) {
+    std::vector<Fan> fans(mesh.size());
+    const TrianglesAt at(mesh.size(), mesh.triangles);
+    in_blocks(mesh.size(), [&](std::size_t begin, std::size_t end) {
+        std::vector<Link> links;
+        for (std::size_t v = begin; v < end; ++v, links.clear()) {
+            for (const std::uint32_t* i = at.begin(v); i != at.end(v); ++i) {
+                const Triangle& t = mesh.triangles[*i];
+                const std::size_t k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+                links.push_back({t[(k + 1) % 3], t[(k + 2) % 3]});
+            }
+            fans[v] = fan_of(links);
+        }
+    });
+    return fans;
+}
+
+/// Of a mesh whose bodies are surfaces that need no turning, as most are: found without its edges.
+std::optional<double> border_share_unless_turned(const PreparedMesh& mesh) {
+    const std::vector<Fan> fans = find_fans(mesh);
+    if (std::find(fans.begin(), fans.end(), Fan::Torn) != fans.end()) return std::nullopt;
     DisjointSets pieces(mesh.size());
     for (const Triangle& t : mesh.triangles)
         pieces.unite(pieces.unite(t[0], t[1]), t[2]);
-    std::vector<Body> bodies(mesh.size());  // by root
-    std::size_t borders = 0, count = 0;
-    for (std::uint32_t e = 0; e < table.edge_count(); ++e) {
-        const EdgeTable::Side* const side = table.sides_of(e);
-        const bool is_border = table.is_border(e);
-        if (!is_border && (table.side_count(e) > 2 || side[0].is_reversed == side[1].is_reversed))
-            return false;
-        bodies[pieces.root(table.edges[e].vertices[0])].borders += is_border;
-        borders += is_border;
+    std::vector<std::uint32_t> body_at = pieces.take_roots();
+    std::vector<Body> bodies;
+    for (std::uint32_t v = 0; v < mesh.size(); ++v) {
+        const bool is_root = body_at[v] == v;
+        body_at[v] = is_root ? std::uint32_t(bodies.size()) : body_at[body_at[v]];
+        if (is_root) bodies.emplace_back();
+        bodies[body_at[v]].borders += fans[v] == Fan::Open;  // as many as edges
     }
     for (const Triangle& t : mesh.triangles)
-        bodies[pieces.root(t[0])].add(mesh, t, 1);
+        bodies[body_at[t[0]]].add(mesh, t, 1);
+    std::size_t borders = 0, count = 0;
     for (Body& body : bodies) {
         if (body.area > 0) body.decide();
-        if (body.is_turned) return false;
+        if (body.is_turned) return std::nullopt;
+        borders += body.borders;
         count += body.area > 0;
     }
-    if (count > 1)
-        mesh.report.border_share =
-            2. * double(borders) / double(3 * mesh.triangles.size() + borders);
-    return true;
+    return count > 1 ? 2. * double(borders) / double(3 * mesh.triangles.size() + borders) : 0;
 }
 
 }  // namespace
 
 void orient(PreparedMesh& mesh) {
-    if (!faces_outwards(mesh)) Turning(mesh).run();
+    if (const auto border_share = border_share_unless_turned(mesh))
+        mesh.report.border_share = *border_share;
+    else
+        Turning(mesh).run();
 }
 
 }  // namespace laplacian_lines
