@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "mesh/box_tree.h"
 #include "mesh/edge_table.h"
 #include "mesh/triangles_at.h"
 #include "system/disjoint_sets.h"
@@ -96,49 +97,94 @@ struct Body {
     }
 };
 
-/// Which bodies lie in which: along a ray from one of their corners, by how often it meets each.
+/// Which bodies lie in which: along a ray from a triangle of each, by how often it meets the
+/// others.
 class Nesting {
 public:
     Nesting(const PreparedMesh& mesh, const std::vector<std::uint32_t>& body_of,
             std::vector<Body>& bodies)
-        : mesh_(mesh), body_of_(body_of), bodies_(bodies) {}
+        : mesh_(mesh), body_of_(body_of), bodies_(bodies), may_hold_(bodies.size()) {}
 
     void find() {
-        std::vector<std::uint32_t> corner(bodies_.size(), kNone);
-        for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
-            if (bodies_[body_of_[t]].is_closed) corner[body_of_[t]] = mesh_.triangles[t][0];
-        for (std::uint32_t b = 0; b < bodies_.size(); ++b)
-            if (corner[b] != kNone) rays_.push_back({mesh_.positions[corner[b]], b});
-        std::sort(rays_.begin(), rays_.end(),
-                  [](const Ray& a, const Ray& b) { return a.from.y() < b.from.y(); });
-        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-            if (bodies_[body_of_[t]].is_closed) pierce(t);
-        for (const auto& [pair, count] : crossings_)
-            if (count % 2 == 1) bodies_[pair.first].around.push_back(pair.second);
+        const std::vector<Ray> rays = find_rays();
+        if (rays.empty()) return;
+        const Boxes triangles(mesh_.triangles.size(), [&](std::uint32_t t) {
+            Box box;
+            if (!may_hold_[body_of_[t]]) return box;
+            for (const std::uint32_t v : mesh_.triangles[t])
+                box.extend(mesh_.positions[v].cast<float>().eval());
+            return box;
+        });
+        in_parallel(rays.size(), [&](std::size_t i) {
+            const Ray& ray = rays[i];
+            std::map<std::uint32_t, int> crossings;
+            triangles.tree.visit(ray.box, [&](std::uint32_t t) {
+                if (may_be_in(ray.body, body_of_[t]) && is_pierced(t, ray.from))
+                    ++crossings[body_of_[t]];
+                return true;
+            });
+            for (const auto& [body, count] : crossings)
+                if (count % 2 == 1) bodies_[ray.body].around.push_back(body);
+        });
     }
 
 private:
+    using Box = BoxTree<3>::Box;
+
+    struct Boxes {
+        template <class BoxOf>
+        Boxes(std::size_t count, BoxOf box_of)
+            : order(order_along_curve<3>(
+                  count, local_box(),
+                  [&](std::uint32_t i) -> Eigen::Vector3f { return box_of(i).center(); })),
+              tree(order, box_of) {}
+        const std::vector<std::uint32_t> order;
+        const BoxTree<3> tree;
+    };
+
     struct Ray {  // along x
         Vector3d from;
         std::uint32_t body;
+        Box box;  // up to the end of what the body may be in
     };
 
-    void pierce(std::uint32_t triangle) {
-        const Triangle& t = mesh_.triangles[triangle];
-        const Vector3d corners[3] = {mesh_.positions[t[0]], mesh_.positions[t[1]],
-                                     mesh_.positions[t[2]]};
-        const auto [low, high] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
-        auto ray = std::lower_bound(rays_.begin(), rays_.end(), low,
-                                    [](const Ray& r, double y) { return r.from.y() < y; });
-        const std::uint32_t body = body_of_[triangle];
-        for (; ray != rays_.end() && ray->from.y() <= high; ++ray)
-            if (ray->body != body && bodies_[body].box.contains(bodies_[ray->body].box) &&
-                is_pierced(corners, ray->from))
-                ++crossings_[{ray->body, body}];
+    bool may_be_in(std::uint32_t body, std::uint32_t other) const {
+        return body != other && bodies_[other].is_closed &&
+               bodies_[other].box.contains(bodies_[body].box);
+    }
+
+    /// Of the bodies that may be in others.
+    std::vector<Ray> find_rays() {
+        const Boxes boxes(bodies_.size(), [&](std::uint32_t b) {
+            return bodies_[b].is_closed ? Box(bodies_[b].box.cast<float>()) : Box();
+        });
+        std::vector<std::uint32_t> first(bodies_.size(), kNone);
+        for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
+            first[body_of_[t]] = std::uint32_t(t);
+        std::vector<Ray> rays;
+        for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+            if (!bodies_[b].is_closed) continue;
+            const Triangle& t = mesh_.triangles[first[b]];
+            const auto& p = mesh_.positions;
+            Ray ray{(p[t[0]] + p[t[1]] + p[t[2]]) / 3, b, {}};
+            const Box at(ray.from.cast<float>().eval());
+            boxes.tree.visit(at, [&](std::uint32_t other) {
+                if (!may_be_in(b, other)) return true;
+                may_hold_[other] = true;
+                ray.box.extend(at).extend(Eigen::Vector3f(float(bodies_[other].box.max().x()),
+                                                          at.min().y(), at.min().z()));
+                return true;
+            });
+            if (!ray.box.isEmpty()) rays.push_back(ray);
+        }
+        return rays;
     }
 
     /// The same for both triangles of a side, so that a ray that meets it passes one of them.
-    static bool is_pierced(const Vector3d corners[3], const Vector3d& from) {
+    bool is_pierced(std::uint32_t triangle, const Vector3d& from) const {
+        const Triangle& t = mesh_.triangles[triangle];
+        const Vector3d corners[3] = {mesh_.positions[t[0]], mesh_.positions[t[1]],
+                                     mesh_.positions[t[2]]};
         const auto is_left = [&](const Vector3d& a, const Vector3d& b) {
             const bool is_first = a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
             const Vector3d &p = is_first ? a : b, &q = is_first ? b : a;
@@ -156,8 +202,7 @@ private:
     const PreparedMesh& mesh_;
     const std::vector<std::uint32_t>& body_of_;
     std::vector<Body>& bodies_;
-    std::vector<Ray> rays_;  // by y
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> crossings_;
+    std::vector<bool> may_hold_;  // others, by body
 };
 
 /// From the outside inwards: what lies in solid matter, a cavity or another body, turns with it.
