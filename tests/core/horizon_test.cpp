@@ -196,6 +196,41 @@ TEST(Horizon, StaysAtTheEdges) {
     }
 }
 
+/// An L upright, whose inner corner is at (0, 0), with a floor.
+TriangleMesh l_shaped(bool has_lid) {
+    const std::array<std::array<double, 2>, 6> outline = {
+        {{0, 0}, {0, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 0}}};
+    TriangleMesh mesh;
+    for (const double z : {-1., 1.})
+        for (const auto& [x, y] : outline)
+            mesh.positions.emplace_back(x, y, z);
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        const std::uint32_t next = (i + 1) % 6;
+        mesh.triangles.push_back({i, next, next + 6});
+        mesh.triangles.push_back({i, next + 6, i + 6});
+        if (next < 2) continue;
+        mesh.triangles.push_back({0, next, i});
+        if (has_lid) mesh.triangles.push_back({6, i + 6, next + 6});
+    }
+    return mesh;
+}
+
+/// That is left to depths where a wall is seen from inside.
+TEST(Horizon, IsHiddenInHollowsOfBodiesOnly) {
+    for (const bool has_lid : {true, false}) {
+        const TriangleMesh mesh = l_shaped(has_lid);
+        const LineSet lines = helpers::extract(LineExtractor(mesh, precompute(mesh)),
+                                               View::orthographic({-1, 0.4, 0.6}), outlines());
+        std::size_t in_hollow = 0;
+        for (const LinePoint& p : lines.points) {
+            if (p.position.head<2>().norm() > 1e-6) continue;
+            ++in_hollow;
+            EXPECT_EQ(std::signbit(p.gradient), has_lid);
+        }
+        EXPECT_EQ(in_hollow, 2u);
+    }
+}
+
 /// Merely bad triangles, as in scans.
 TEST(Coarseness, LeavesOutSmallPatches) {
     TriangleMesh mesh = test_meshes::sphere(6).mesh;

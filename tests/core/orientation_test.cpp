@@ -70,6 +70,24 @@ TEST(Orientation, CavitiesStay) {
     EXPECT_GT(facing(precompute(beside), beside, {4, 2, 3}, 0, 1.1), 0.99);
 }
 
+/// Two cubes with as many vertices in common as are at one place.
+TriangleMesh touching_cubes(const Eigen::Vector3d& by, double size) {
+    TriangleMesh mesh = cube(1);
+    const std::size_t own = mesh.positions.size();
+    append(mesh, inside_out(moved(cube(1), by, size)));
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t)
+            for (std::uint32_t other = 0; other < own; ++other)
+                if (mesh.positions[v] == mesh.positions[other]) v = other;
+    return mesh;
+}
+
+TEST(Orientation, BodiesThatTouchAreBodiesOfTheirOwn) {
+    for (const TriangleMesh& mesh :
+         {touching_cubes({1.5, 1.5, 1.5}, 0.5), touching_cubes({2, 2, 0}, 1)})
+        EXPECT_EQ(precompute(mesh).report.turned_triangles, 12u);
+}
+
 TEST(Orientation, OpenSurfacesKeepTheSideOfMostOfTheirArea) {
     const TriangleMesh& hills = mesh_named("hills").mesh;
     TriangleMesh few = hills;

@@ -19,7 +19,7 @@ public:
 
     void build() {
         const std::vector<PlacedCluster> clusters = place_clusters(data_);
-        has_inside_ = !data_.is_sheet && faces_outwards(clusters);
+        is_body_ = is_body(clusters);
         for (const PlacedCluster& placed : clusters)
             if (has_coarse(*placed.cluster)) add_cluster(placed);
         std::sort(numbered_.begin(), numbered_.end(),
@@ -100,7 +100,7 @@ private:
 
     void add_edge(const std::uint32_t vertices[2], std::uint32_t a, std::uint32_t b,
                   bool is_reversed) {
-        const bool hollow = has_inside_ && !is_reversed && is_hollow(a, b);
+        const bool hollow = is_body_ && !is_reversed && is_hollow(a, b);
         horizon_.edges.push_back({{vertices[0], vertices[1]}, {a, b}, is_reversed, hollow});
     }
 
@@ -124,7 +124,7 @@ private:
 
     const ExtractorData& data_;
     CoarseHorizon& horizon_;
-    bool has_inside_ = false;
+    bool is_body_ = false;
     std::vector<Eigen::Vector3d> centres_;  // of the triangles
     std::vector<std::uint32_t> place_of_vertex_;
     std::vector<const VertexRecord*> records_;        // by place

@@ -109,19 +109,21 @@ void grow_patches(const PreparedMesh& mesh, const Field& field, std::vector<std:
     }
 }
 
-/// Whether a neighbour is in a triangle's plane, with two corners of it.
+/// Whether a neighbour is in a triangle's plane, with two corners of it: looked for at the end of a
+/// side that has fewer triangles.
 bool goes_on_flat(const PreparedMesh& mesh, const TrianglesAt& at,
                   const std::vector<Eigen::Vector3d>& normals, std::uint32_t triangle) {
     const Triangle& t = mesh.triangles[triangle];
-    for (std::size_t k = 0; k < 2; ++k)
-        for (const std::uint32_t* other = at.begin(t[k]); other != at.end(t[k]); ++other) {
-            if (*other == triangle || normals[*other].dot(normals[triangle]) < kFlat) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::uint32_t from = t[k], to = t[(k + 1) % 3];
+        if (at.count(to) < at.count(from)) std::swap(from, to);
+        for (const std::uint32_t* other = at.begin(from); other != at.end(from); ++other) {
             const Triangle& o = mesh.triangles[*other];
-            const auto shared = std::count_if(t.begin(), t.end(), [&](std::uint32_t v) {
-                return std::find(o.begin(), o.end(), v) != o.end();
-            });
-            if (shared >= 2) return true;
+            if (*other != triangle && std::find(o.begin(), o.end(), to) != o.end() &&
+                normals[*other].dot(normals[triangle]) >= kFlat)
+                return true;
         }
+    }
     return false;
 }
 

@@ -30,6 +30,11 @@ inline bool has_borders(const std::vector<PlacedCluster>& clusters) {
     return false;
 }
 
+/// Whether what faces away is hidden.
+inline bool is_body(const std::vector<PlacedCluster>& clusters) {
+    return !has_borders(clusters) && faces_outwards(clusters);
+}
+
 /// Whether the eye may be inside, from where back faces are what is seen.
 inline bool may_be_within(const LocalEye& eye) {
     return eye.eye.norm() < 0.5f * eye.w;  // a ball around the mesh

@@ -22,7 +22,7 @@ constexpr float kRaggedPiece = 0.015f;        // D; longer ones are those of a f
 constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer to a fault are ragged
 
 /// How an edge lies to the eye.
-enum class Facing {
+enum class EdgeView {
     Towards,  ///< both of its triangles face the eye, or no contours are drawn
     Away,     ///< none does, and the body that it is on hides it
     Horizon,  ///< one does: there is a contour
@@ -33,24 +33,18 @@ public:
     EdgeFacing(const LocalEye& eye, const LineStyle& style, bool is_body)
         : eye_(eye), has_contours_(style.shows[LineKind::Contour]), is_body_(is_body) {}
 
-    Facing of(const CreaseEdge& edge) const {
+    EdgeView of(const CreaseEdge& edge) const {
         const Eigen::Vector3f l = eye_.towards(edge.positions[0]);
         const bool one = dot(edge.normals[0], l) < 0, other = dot(edge.normals[1], l) < 0;
-        if (!has_contours_) return Facing::Towards;
-        if (one != other) return Facing::Horizon;
-        return one && is_body_ ? Facing::Away : Facing::Towards;
+        if (!has_contours_) return EdgeView::Towards;
+        if (one != other) return EdgeView::Horizon;
+        return one && is_body_ ? EdgeView::Away : EdgeView::Towards;
     }
 
 private:
     const LocalEye& eye_;
     const bool has_contours_, is_body_;
 };
-
-/// Whether what faces away is hidden.
-bool is_body(const ExtractorData& data) {
-    const std::vector<PlacedCluster> clusters = place_clusters(data);
-    return !has_borders(clusters) && faces_outwards(clusters);
-}
 
 void append_part(const TracedCreases& traced, const Polyline& line, std::uint32_t from,
                  std::uint32_t edges, LineSet& lines) {
@@ -84,15 +78,15 @@ void append_line(const TracedCreases& traced, const Polyline& line, const EdgeFa
     for (std::uint32_t i = start, end; i < start + edges; i = end) {
         for (end = i + 1; end < start + edges && of(end) == of(i); ++end) {
         }
-        if (of(i) == Facing::Horizon) continue;
+        if (of(i) == EdgeView::Horizon) continue;
         append_part(traced, line, i % edges, end - i, lines);
-        if (of(i) == Facing::Away) lines.lines.back().slope = -1;
+        if (of(i) == EdgeView::Away) lines.lines.back().slope = -1;
     }
 }
 
 class Creases : public FixedKindLines {
 public:
-    explicit Creases(const ExtractorData& data) : is_body_(is_body(data)) {}
+    explicit Creases(const ExtractorData& data) : is_body_(is_body(place_clusters(data))) {}
 
     void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {

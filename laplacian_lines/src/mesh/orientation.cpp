@@ -3,13 +3,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
+#include "mesh/box_tree.h"
 #include "mesh/edge_table.h"
+#include "mesh/triangles_at.h"
 #include "system/disjoint_sets.h"
-#include "system/equal_elements.h"
+#include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
@@ -93,49 +97,94 @@ struct Body {
     }
 };
 
-/// Which bodies lie in which: along a ray from one of their corners, by how often it meets each.
+/// Which bodies lie in which: along a ray from a triangle of each, by how often it meets the
+/// others.
 class Nesting {
 public:
     Nesting(const PreparedMesh& mesh, const std::vector<std::uint32_t>& body_of,
             std::vector<Body>& bodies)
-        : mesh_(mesh), body_of_(body_of), bodies_(bodies) {}
+        : mesh_(mesh), body_of_(body_of), bodies_(bodies), may_hold_(bodies.size()) {}
 
     void find() {
-        std::vector<std::uint32_t> corner(bodies_.size(), kNone);
-        for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
-            if (bodies_[body_of_[t]].is_closed) corner[body_of_[t]] = mesh_.triangles[t][0];
-        for (std::uint32_t b = 0; b < bodies_.size(); ++b)
-            if (corner[b] != kNone) rays_.push_back({mesh_.positions[corner[b]], b});
-        std::sort(rays_.begin(), rays_.end(),
-                  [](const Ray& a, const Ray& b) { return a.from.y() < b.from.y(); });
-        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-            if (bodies_[body_of_[t]].is_closed) pierce(t);
-        for (const auto& [pair, count] : crossings_)
-            if (count % 2 == 1) bodies_[pair.first].around.push_back(pair.second);
+        const std::vector<Ray> rays = find_rays();
+        if (rays.empty()) return;
+        const Boxes triangles(mesh_.triangles.size(), [&](std::uint32_t t) {
+            Box box;
+            if (!may_hold_[body_of_[t]]) return box;
+            for (const std::uint32_t v : mesh_.triangles[t])
+                box.extend(mesh_.positions[v].cast<float>().eval());
+            return box;
+        });
+        in_parallel(rays.size(), [&](std::size_t i) {
+            const Ray& ray = rays[i];
+            std::map<std::uint32_t, int> crossings;
+            triangles.tree.visit(ray.box, [&](std::uint32_t t) {
+                if (may_be_in(ray.body, body_of_[t]) && is_pierced(t, ray.from))
+                    ++crossings[body_of_[t]];
+                return true;
+            });
+            for (const auto& [body, count] : crossings)
+                if (count % 2 == 1) bodies_[ray.body].around.push_back(body);
+        });
     }
 
 private:
+    using Box = BoxTree<3>::Box;
+
+    struct Boxes {
+        template <class BoxOf>
+        Boxes(std::size_t count, BoxOf box_of)
+            : order(order_along_curve<3>(
+                  count, local_box(),
+                  [&](std::uint32_t i) -> Eigen::Vector3f { return box_of(i).center(); })),
+              tree(order, box_of) {}
+        const std::vector<std::uint32_t> order;
+        const BoxTree<3> tree;
+    };
+
     struct Ray {  // along x
         Vector3d from;
         std::uint32_t body;
+        Box box;  // up to the end of what the body may be in
     };
 
-    void pierce(std::uint32_t triangle) {
-        const Triangle& t = mesh_.triangles[triangle];
-        const Vector3d corners[3] = {mesh_.positions[t[0]], mesh_.positions[t[1]],
-                                     mesh_.positions[t[2]]};
-        const auto [low, high] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
-        auto ray = std::lower_bound(rays_.begin(), rays_.end(), low,
-                                    [](const Ray& r, double y) { return r.from.y() < y; });
-        const std::uint32_t body = body_of_[triangle];
-        for (; ray != rays_.end() && ray->from.y() <= high; ++ray)
-            if (ray->body != body && bodies_[body].box.contains(bodies_[ray->body].box) &&
-                is_pierced(corners, ray->from))
-                ++crossings_[{ray->body, body}];
+    bool may_be_in(std::uint32_t body, std::uint32_t other) const {
+        return body != other && bodies_[other].is_closed &&
+               bodies_[other].box.contains(bodies_[body].box);
+    }
+
+    /// Of the bodies that may be in others.
+    std::vector<Ray> find_rays() {
+        const Boxes boxes(bodies_.size(), [&](std::uint32_t b) {
+            return bodies_[b].is_closed ? Box(bodies_[b].box.cast<float>()) : Box();
+        });
+        std::vector<std::uint32_t> first(bodies_.size(), kNone);
+        for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
+            first[body_of_[t]] = std::uint32_t(t);
+        std::vector<Ray> rays;
+        for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+            if (!bodies_[b].is_closed) continue;
+            const Triangle& t = mesh_.triangles[first[b]];
+            const auto& p = mesh_.positions;
+            Ray ray{(p[t[0]] + p[t[1]] + p[t[2]]) / 3, b, {}};
+            const Box at(ray.from.cast<float>().eval());
+            boxes.tree.visit(at, [&](std::uint32_t other) {
+                if (!may_be_in(b, other)) return true;
+                may_hold_[other] = true;
+                ray.box.extend(at).extend(Eigen::Vector3f(float(bodies_[other].box.max().x()),
+                                                          at.min().y(), at.min().z()));
+                return true;
+            });
+            if (!ray.box.isEmpty()) rays.push_back(ray);
+        }
+        return rays;
     }
 
     /// The same for both triangles of a side, so that a ray that meets it passes one of them.
-    static bool is_pierced(const Vector3d corners[3], const Vector3d& from) {
+    bool is_pierced(std::uint32_t triangle, const Vector3d& from) const {
+        const Triangle& t = mesh_.triangles[triangle];
+        const Vector3d corners[3] = {mesh_.positions[t[0]], mesh_.positions[t[1]],
+                                     mesh_.positions[t[2]]};
         const auto is_left = [&](const Vector3d& a, const Vector3d& b) {
             const bool is_first = a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
             const Vector3d &p = is_first ? a : b, &q = is_first ? b : a;
@@ -153,8 +202,7 @@ private:
     const PreparedMesh& mesh_;
     const std::vector<std::uint32_t>& body_of_;
     std::vector<Body>& bodies_;
-    std::vector<Ray> rays_;  // by y
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> crossings_;
+    std::vector<bool> may_hold_;  // others, by body
 };
 
 /// From the outside inwards: what lies in solid matter, a cavity or another body, turns with it.
@@ -260,59 +308,89 @@ private:
     std::vector<std::uint32_t> body_of_;  // by triangle
 };
 
-/// Sides that may have a border there, or a neighbour that disagrees: else each vertex around one
-/// comes as often before another as behind it.
-std::vector<LooseSide> uneven_sides(const PreparedMesh& mesh) {
-    std::vector<std::uint64_t> balance(mesh.size(), 0);
-    for (const Triangle& t : mesh.triangles) {
-        const std::uint64_t h[3] = {mix_hash(1, t[0]), mix_hash(1, t[1]), mix_hash(1, t[2])};
-        for (std::size_t k = 0; k < 3; ++k)
-            balance[t[k]] += h[(k + 1) % 3] - h[(k + 2) % 3];
+/// What the triangles at a vertex are.
+enum class Fan : std::uint8_t {
+    Closed,
+    Open,
+    Torn,  ///< several fans, or not of one orientation, or not a surface
+};
+
+using Link = std::array<std::uint32_t, 2>;  // from a neighbour of a vertex to the next one
+
+/// Follows the links, which it sorts, from the one that none ends at.
+Fan fan_of(std::vector<Link>& links) {
+    std::sort(links.begin(), links.end());
+    std::vector<std::uint32_t> ends;
+    ends.reserve(links.size());
+    for (const Link& link : links)
+        ends.push_back(link[1]);
+    std::sort(ends.begin(), ends.end());
+    const auto is_end = [&](const Link& link) {
+        return std::binary_search(ends.begin(), ends.end(), link[0]);
+    };
+    const auto begin = std::find_if_not(links.begin(), links.end(), is_end);
+    const auto start = begin == links.end() ? links.begin() : begin;
+    std::size_t count = 0;
+    for (auto link = start; link != links.end() && count <= links.size(); ++count) {
+        const auto next = std::lower_bound(links.begin(), links.end(), Link{(*link)[1], 0});
+        const bool goes_on = next != links.end() && (*next)[0] == (*link)[1] && next != start;
+        link = goes_on ? next : links.end();
     }
-    return collect<LooseSide>(mesh.triangles.size(), [&](std::uint32_t i, auto& found) {
-        const Triangle& t = mesh.triangles[i];
-        for (std::size_t k = 0; k < 3; ++k)
-            if (balance[t[k]] != 0 && balance[t[(k + 1) % 3]] != 0)
-                found.push_back(side_between(t[k], t[(k + 1) % 3], i));
-    });
+    return count != links.size() ? Fan::Torn : begin == links.end() ? Fan::Closed : Fan::Open;
 }
 
-/// What most meshes are, found without all of their edges.
-bool faces_outwards(PreparedMesh& mesh) {
-    EdgeTable table;
-    const std::vector<LooseSide> sides = uneven_sides(mesh);
-    const auto side_of = [&](std::uint32_t i) { return sides[i]; };
-    gather_edges(sides.size(), side_of, mesh.size(), table);
+/// By vertex.
+std::vector<Fan> find_fans(const PreparedMesh& mesh) {
+    std::vector<Fan> fans(mesh.size());
+    const TrianglesAt at(mesh.size(), mesh.triangles);
+    in_blocks(mesh.size(), [&](std::size_t begin, std::size_t end) {
+        std::vector<Link> links;
+        for (std::size_t v = begin; v < end; ++v, links.clear()) {
+            for (const std::uint32_t* i = at.begin(v); i != at.end(v); ++i) {
+                const Triangle& t = mesh.triangles[*i];
+                const std::size_t k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+                links.push_back({t[(k + 1) % 3], t[(k + 2) % 3]});
+            }
+            fans[v] = fan_of(links);
+        }
+    });
+    return fans;
+}
+
+/// Of a mesh whose bodies are surfaces that need no turning, as most are: found without its edges.
+std::optional<double> border_share_unless_turned(const PreparedMesh& mesh) {
+    const std::vector<Fan> fans = find_fans(mesh);
+    if (std::find(fans.begin(), fans.end(), Fan::Torn) != fans.end()) return std::nullopt;
     DisjointSets pieces(mesh.size());
     for (const Triangle& t : mesh.triangles)
         pieces.unite(pieces.unite(t[0], t[1]), t[2]);
-    std::vector<Body> bodies(mesh.size());  // by root
-    std::size_t borders = 0, count = 0;
-    for (std::uint32_t e = 0; e < table.edge_count(); ++e) {
-        const EdgeTable::Side* const side = table.sides_of(e);
-        const bool is_border = table.is_border(e);
-        if (!is_border && (table.side_count(e) > 2 || side[0].is_reversed == side[1].is_reversed))
-            return false;
-        bodies[pieces.root(table.edges[e].vertices[0])].borders += is_border;
-        borders += is_border;
+    std::vector<std::uint32_t> body_at = pieces.take_roots();
+    std::vector<Body> bodies;
+    for (std::uint32_t v = 0; v < mesh.size(); ++v) {
+        const bool is_root = body_at[v] == v;
+        body_at[v] = is_root ? std::uint32_t(bodies.size()) : body_at[body_at[v]];
+        if (is_root) bodies.emplace_back();
+        bodies[body_at[v]].borders += fans[v] == Fan::Open;  // as many as edges
     }
     for (const Triangle& t : mesh.triangles)
-        bodies[pieces.root(t[0])].add(mesh, t, 1);
+        bodies[body_at[t[0]]].add(mesh, t, 1);
+    std::size_t borders = 0, count = 0;
     for (Body& body : bodies) {
         if (body.area > 0) body.decide();
-        if (body.is_turned) return false;
+        if (body.is_turned) return std::nullopt;
+        borders += body.borders;
         count += body.area > 0;
     }
-    if (count > 1)
-        mesh.report.border_share =
-            2. * double(borders) / double(3 * mesh.triangles.size() + borders);
-    return true;
+    return count > 1 ? 2. * double(borders) / double(3 * mesh.triangles.size() + borders) : 0;
 }
 
 }  // namespace
 
 void orient(PreparedMesh& mesh) {
-    if (!faces_outwards(mesh)) Turning(mesh).run();
+    if (const auto border_share = border_share_unless_turned(mesh))
+        mesh.report.border_share = *border_share;
+    else
+        Turning(mesh).run();
 }
 
 }  // namespace laplacian_lines

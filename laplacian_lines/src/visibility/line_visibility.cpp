@@ -8,6 +8,7 @@
 #include "clusters/coarseness.h"
 #include "laplacian_lines/precompute_options.h"
 #include "mesh/orientation.h"
+#include "system/on_demand.h"
 #include "visibility/crease_marks.h"
 #include "visibility/eye_frame.h"
 #include "visibility/picture.h"
@@ -105,6 +106,19 @@ struct LineVisibility::Data {
 
     const SightMesh mesh;
     const CreaseMarker creases{mesh};
+
+    const PreparedMesh& turned() const {
+        return turned_.get([&] {
+            PreparedMesh turned;
+            turned.positions = mesh.positions;
+            turned.triangles = mesh.triangles;
+            orient(turned);
+            return turned;
+        });
+    }
+
+private:
+    mutable OnDemand<PreparedMesh> turned_;
 };
 
 double sight_edge(const Field& field) {
@@ -140,11 +154,7 @@ LineVisibility::LineVisibility(LineVisibility&&) noexcept = default;
 LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;
 
 bool LineVisibility::encloses(const Eigen::Vector3d& point) const {
-    PreparedMesh turned;
-    turned.positions = data_->mesh.positions;
-    turned.triangles = data_->mesh.triangles;
-    orient(turned);
-    return winding_number(turned, data_->mesh.local(point)) > 0.5;
+    return winding_number(data_->turned(), data_->mesh.local(point)) > 0.5;
 }
 
 std::vector<SightLine> LineVisibility::look(const View& view, const std::vector<LineSet>& lines,

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "visibility/box_tree.h"
+#include "mesh/box_tree.h"
 #include "visibility/eye_frame.h"
 #include "visibility/sight_mesh.h"
 

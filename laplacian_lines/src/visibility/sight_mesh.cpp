@@ -10,10 +10,10 @@
 
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
+#include "mesh/box_tree.h"
 #include "mesh/equal_positions.h"
 #include "mesh/needles.h"
 #include "system/disjoint_sets.h"
-#include "visibility/box_tree.h"
 #include "visibility/sight_edges.h"
 #include "visibility/surface_contacts.h"
 #include "visibility/vertex_places.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "visibility/box_tree.h"
+#include "mesh/box_tree.h"
 
 namespace laplacian_lines {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "visibility/box_tree.h"
+#include "mesh/box_tree.h"
 #include "visibility/vertex_places.h"
 
 namespace laplacian_lines {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "visibility/box_tree.h"
+#include "mesh/box_tree.h"
 #include "visibility/sight_mesh.h"
 
 namespace laplacian_lines {
