@@ -3,9 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
 
-#include "mesh/triangles_at.h"
+#include "field/field_steps.h"
+#include "mesh/flat_faces.h"
 #include "system/disjoint_sets.h"
 #include "system/parallel.h"
 
@@ -17,14 +17,6 @@ constexpr double kFarthestContour = 0.006;
 constexpr double kLargestSmoothTriangle = 0.03;  // longest edge, D
 constexpr double kLargestRoughTriangle = 0.06;   // whose contours are smooth on rough meshes, D
 constexpr double kLeastCoarsePatch = 0.03;       // diagonal of its box, D
-// Clean scans have up to 0.3 or, with many small forms, 1; those with noise of 20 % of the edges
-// 0.8 and more, and so do terraces.
-constexpr double kLargestRoughness = 0.8;
-// Of the area of a mesh that was made, not measured, in faces of several triangles: there angles
-// are those of the form, however small. Scans have up to 0.11, machined parts and lofts 0.29 and
-// more.
-constexpr double kMadeShare = 0.27;
-constexpr double kFlat = 0.9999984769132877;     // least cosine: of 0.1°
 constexpr double kSquaredCosineOfMade = 0.9698;  // of 10°
 // As far as the smoothing of normals reaches.
 constexpr int kRings = 2;
@@ -107,40 +99,6 @@ void grow_patches(const PreparedMesh& mesh, const Field& field, std::vector<std:
                 coarse[i] = Lean(mesh, field, t).of_mean() < kSquaredCosineOfRings;
         });
     }
-}
-
-/// Whether a neighbour is in a triangle's plane, with two corners of it: looked for at the end of a
-/// side that has fewer triangles.
-bool goes_on_flat(const PreparedMesh& mesh, const TrianglesAt& at,
-                  const std::vector<Eigen::Vector3d>& normals, std::uint32_t triangle) {
-    const Triangle& t = mesh.triangles[triangle];
-    for (std::size_t k = 0; k < 3; ++k) {
-        std::uint32_t from = t[k], to = t[(k + 1) % 3];
-        if (at.count(to) < at.count(from)) std::swap(from, to);
-        for (const std::uint32_t* other = at.begin(from); other != at.end(from); ++other) {
-            const Triangle& o = mesh.triangles[*other];
-            if (*other != triangle && std::find(o.begin(), o.end(), to) != o.end() &&
-                normals[*other].dot(normals[triangle]) >= kFlat)
-                return true;
-        }
-    }
-    return false;
-}
-
-bool is_made(const PreparedMesh& mesh) {
-    std::vector<Eigen::Vector3d> normals(mesh.triangles.size());
-    std::vector<double> areas(mesh.triangles.size()), flat(mesh.triangles.size(), 0);
-    for_each_element(normals.size(), [&](std::size_t i) {
-        normals[i] = area_vector(mesh, mesh.triangles[i]);
-        areas[i] = normals[i].norm();
-        normals[i] = normals[i].stableNormalized();
-    });
-    const TrianglesAt at(mesh.size(), mesh.triangles);
-    for_each_element(normals.size(), [&](std::size_t i) {
-        if (goes_on_flat(mesh, at, normals, std::uint32_t(i))) flat[i] = areas[i];
-    });
-    return std::accumulate(flat.begin(), flat.end(), 0.0) >
-           kMadeShare * std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
 /// Where contours change between edges and smooth curves they are drawn twice or have gaps, since

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/flat_faces.h"
 #include "mesh/triangles_at.h"
 #include "system/parallel.h"
 
@@ -130,6 +131,7 @@ double quantile(std::vector<Facets>& facets, double Facets::*number, double shar
 
 bool has_noisy_facets(const PreparedMesh& mesh) {
     if (!(mesh.mean_edge >= kLeastEdge && mesh.mean_edge <= kLargestEdge)) return false;
+    if (is_made(mesh)) return false;  // noise leaves no flat faces; sides of thin plates seem noisy
     const TrianglesAt at(mesh.size(), mesh.triangles);
     const std::size_t count = std::min(kSamples, mesh.size());
     std::vector<Facets> all(count);

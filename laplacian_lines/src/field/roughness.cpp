@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "laplacian_lines/precompute_options.h"
+#include "mesh/flat_faces.h"
 #include "sums/facing_weight.h"
 #include "sums/summation_cost.h"
 #include "system/parallel.h"
@@ -92,6 +93,8 @@ double measure_roughness(const PreparedMesh& mesh, const SpatialTree& tree,
                          const std::vector<float>& relative_sizes,
                          const std::vector<Eigen::Vector3d>& normals) {
     const double roughness = roughness_by_scales(mesh, tree, relative_sizes, normals);
+    // Where all vertices are on edges, as of plates, the form turns their normals as noise would.
+    if (roughness > kLargestRoughness && has_large_faces(mesh)) return 0;
     return roughness < kOfNoisyFacets && has_noisy_facets(mesh) ? kOfNoisyFacets : roughness;
 }
 
