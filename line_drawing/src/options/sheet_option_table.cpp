@@ -39,9 +39,8 @@ std::vector<SheetOption> makeTable() {
                  "mesh's."),
          Place::Filter, &S::file},
         {textRow("views", "Views",
-                 "Several with commas: front, back, left, right, top, bottom, six (all of these), "
-                 "vessel (half section, half view), or azimuth and elevation, such as 30,15; in "
-                 "MeshLab also window."),
+                 "With commas: front, back, left, right, top, bottom, six (all of these), vessel "
+                 "(half section, half view), azimuth and elevation, as 30,15; in MeshLab window."),
          Place::Both,
          &S::views,
          nullptr,
@@ -73,7 +72,7 @@ std::vector<SheetOption> makeTable() {
          {},
          "x|y|z=0..1",
          true},
-        {textRow("title", "Title", "Above the note of scale, size and file. {name}: the mesh's."),
+        {textRow("title", "Title", "Above the notes. {name}: the mesh's."),
          Place::Both,
          &S::title,
          nullptr,
