@@ -34,9 +34,7 @@ std::vector<const char*> units() {
 
 std::vector<SheetOption> makeTable() {
     return {
-        {textRow("file", "File",
-                 "Ends in .svg, .pdf, .dxf or .png; replaces what is there. {folder}, {name}: the "
-                 "mesh's."),
+        {textRow("file", "File", "Ends in .svg, .pdf, .dxf or .png. {folder}, {name}: the mesh's."),
          Place::Filter, &S::file},
         {textRow("views", "Views",
                  "With commas: front, back, left, right, top, bottom, six (all of these), vessel "
@@ -84,9 +82,8 @@ std::vector<SheetOption> makeTable() {
          Place::Filter},
         {rows::choice<&S::settings>(
              "settings", "Settings", settingsNames({"Defaults", "As the Decoration"}),
-             "As the Decoration: lines and light as the decoration Laplacian Lines has drawn them "
-             "last. Needs a window in which it has drawn. The others: lines of these kinds, with "
-             "the outlines."),
+             "As the Decoration: lines and light as it has drawn them last in a window. The "
+             "others: lines of these kinds, with the outlines."),
          Place::Filter},
         folded({rows::choice<look, &SheetLook::arrangement>(
             "arrangement", "Arrangement", {"First Angle", "Third Angle"},
