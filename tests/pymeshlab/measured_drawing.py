@@ -54,7 +54,7 @@ assert numpy.allclose(sorted(result["paper"]), (0, 297, 420)), result
 assert numpy.allclose(result["object"], 10 * numpy.ptp(vertices, axis=0), atol=1e-4), result
 cut, result = draw("cut.svg", views="", sections="z=0.5", furniture=False)
 assert 0 < len(paths(cut)) and b"<text" not in cut
-assert draw("plain.svg", strokes="Plain")[0].count(b"stroke-width") > front.count(b"stroke-width")
+assert b"dasharray" not in oblique and b"dasharray" in draw("dashed.svg", views="20,60", hidden="Dashed")[0]
 
 # a layer that was turned and enlarged
 ms = meshes()
