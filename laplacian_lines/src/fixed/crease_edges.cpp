@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fixed/crease_criteria.h"
+#include "mesh/flat_faces.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -19,11 +20,8 @@ constexpr float kLeastMeasuredAngle = 20;  // degrees
 // Shares of the edge's angle that are not explained. Half is between a facet, of which all is, and
 // an edge between flat faces, of which nothing is; what goes on from there may be weaker.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;
-// A mesh was made, not measured, if so much of its area is in faces of several triangles, as where
-// a tenth of even triangles' edges is flat (1 − 0.9³): of scans and voxels of smooth forms up to
-// .24, of machined parts and lofts from .29 on. More than half of the edges are flat on a rough one
-// where it has voxels' terraces.
-constexpr double kMadeShare = 0.27, kTerracesShare = 0.5;
+// More than half of the edges are flat on a rough mesh where it has voxels' terraces.
+constexpr double kTerracesShare = 0.5;
 constexpr std::size_t kEdgesAtATime = 256;
 
 float cosine_of(float degrees) {

@@ -11,8 +11,6 @@
 namespace laplacian_lines {
 namespace {
 
-// Scans have up to 0.11, machined parts and lofts 0.29 and more.
-constexpr double kMadeShare = 0.27;
 constexpr double kFlat = 0.9999984769132877;  // least cosine: of 0.1°
 // Of the area. Labels of a head and of an ellipsoid, 40 to 100 voxels, have up to 0.16 of theirs in
 // such faces, but 0.54 if they are as flat as a lens; housings and plates have from 0.40 on.

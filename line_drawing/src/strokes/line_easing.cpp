@@ -14,10 +14,6 @@ using Eigen::Vector2d;
 
 constexpr double step_share = 1.5;  // of the reach, between the places that are moved
 
-bool stays(const DrawnPoint& point) {
-    return point.is_exact || point.is_eased;
-}
-
 /// A run of a line, resampled at equal distances.
 class EvenLine {
 public:
@@ -37,7 +33,7 @@ public:
         for (std::size_t i = 0; i < count; ++i) {
             even_.push_back(pointAt(double(i) / double(steps_) * along_.back()));  // exact at 1
             places.row(Eigen::Index(i)) = even_[i].position.transpose();
-            if (stays(even_[i])) reaches[i] = 0;
+            if (even_[i].stays()) reaches[i] = 0;
         }
         if (!closed) reaches.front() = reaches.back() = 0;
         places = bendLeast(places, reaches, closed);
@@ -156,7 +152,7 @@ void easeLines(std::vector<DrawnLine>& lines, double reach) {
 
 void easeInnerLines(std::vector<DrawnLine>& lines, double reach) {
     for (DrawnLine& line : lines) {
-        if (std::all_of(line.points.begin(), line.points.end(), stays)) continue;
+        if (isFixed(line) || line.points.size() < 3) continue;
         EvenLine even(line.points, step_share * reach);
         if (!even.isLong()) continue;
         even.ease(reach, line.closed);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "strokes/strokes.h"
 
-#include <algorithm>
 #include <array>
 
 #include "strokes/drawn_lines.h"
@@ -13,9 +12,7 @@ using Eigen::Vector2d;
 
 /// Whether a line may not move: an edge of the form, or a contour, which has been eased.
 bool isEdge(const DrawnLine& line) {
-    return line.line_class < LineClass::Inner &&
-           std::all_of(line.points.begin(), line.points.end(),
-                       [](const DrawnPoint& p) { return p.is_exact || p.is_eased; });
+    return line.line_class < LineClass::Inner && isFixed(line);
 }
 
 class EndJoining {

@@ -73,6 +73,11 @@ void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Eigen::Vector
     }
 }
 
+bool isFixed(const DrawnLine& line) {
+    return std::all_of(line.points.begin(), line.points.end(),
+                       [](const DrawnPoint& point) { return point.stays(); });
+}
+
 bool isSmooth(const DrawnLine& line) {
     return std::any_of(line.points.begin(), line.points.end(),
                        [](const DrawnPoint& point) { return !point.is_exact; });

@@ -19,7 +19,10 @@ struct DrawnPoint {
     /// Equal where lines meet.
     std::uint32_t node = laplacian_lines::kNoSightNode;
     bool is_exact = true;   ///< on an edge of the form or where lines meet, not of a curved surface
-    bool is_eased = false;  ///< has been smoothed, and stays
+    bool is_eased = false;  ///< has been smoothed
+
+    /// Whether smoothing leaves it where it is.
+    bool stays() const { return is_exact || is_eased; }
 };
 
 struct DrawnLine {
@@ -39,6 +42,9 @@ Eigen::Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, 
 /// Moves an end by `shift`, and the points within `reach` along the line by less and less.
 void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Eigen::Vector2d& shift,
               double reach);
+
+/// Whether all of its points stay().
+bool isFixed(const DrawnLine& line);
 
 /// Whether any of it stands for a smooth line, and may be smoothed.
 bool isSmooth(const DrawnLine& line);
