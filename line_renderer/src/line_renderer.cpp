@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_renderer/line_renderer.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -95,6 +96,14 @@ void setPlacement(const LineProgram& program, const LinePlacement& placement, do
     glUniform2fv(program.texel, 1, placement.depths.texel.data());
 }
 
+/// For points less their set's origin.
+LinePlacement relativeTo(const Eigen::Vector3d& origin, LinePlacement placement) {
+    const Eigen::Matrix4d shift = Eigen::Affine3d(Eigen::Translation3d(origin)).matrix();
+    placement.to_eye *= shift;
+    if (placement.picture_to_clip) *placement.picture_to_clip *= shift;
+    return placement;
+}
+
 }  // namespace
 
 struct LineRenderer::Objects {
@@ -158,6 +167,7 @@ void LineRenderer::drawHidden(const Objects& objects, const LineAppearance& appe
 void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
                           const LinePlacement& placement) {
     parts_.clear();
+    origin_ = lines.origin;
     LineBuffers& buffers = objects_->current(makeObjects).buffers;
     const std::size_t most = streamLength(lines);
     if (most == 0) return;
@@ -165,7 +175,9 @@ void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppea
     GLint bound = 0;
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
     if (StreamPoint* stream = buffers.map(most)) {
-        writeStream(lines, streamSettings(appearance, placement, halfViewport()), stream, parts_);
+        const StreamSettings settings =
+            streamSettings(appearance, relativeTo(origin_, placement), halfViewport());
+        writeStream(lines, settings, stream, parts_);
         if (!buffers.unmap()) parts_.clear();
     }
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
@@ -180,7 +192,7 @@ void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& p
     const LineRadii in_pixels = lineRadii(appearance, placement.pixel_scale);
     const GlState state;
     glUseProgram(objects.program.id);
-    setPlacement(objects.program, placement,
+    setPlacement(objects.program, relativeTo(origin_, placement),
                  *std::max_element(in_pixels.full.begin(), in_pixels.full.end()));
     if (appearance.hidden != HiddenLines::LeftOut)
         drawHidden(objects, appearance, placement, clock);

@@ -46,12 +46,12 @@ void addVertices(const LineSet& lines, CMeshO& mesh) {
     for (const Polyline& line : lines.lines)
         count += vertexCount(line);
     vcg::tri::Allocator<CMeshO>::AddVertices(mesh, count);
-    visitVertices(lines,
-                  [&](std::size_t vertex, const LinePoint& point, const Polyline&, std::size_t) {
-                      const Eigen::Vector3f& p = point.position;
-                      mesh.vert[vertex].P() = Point3m(p.x(), p.y(), p.z());
-                      mesh.vert[vertex].Q() = Scalarm(point.weight * point.opacity);
-                  });
+    visitVertices(
+        lines, [&](std::size_t vertex, const LinePoint& point, const Polyline&, std::size_t) {
+            const Eigen::Vector3d p = lines.place(point);
+            mesh.vert[vertex].P() = Point3m(Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z()));
+            mesh.vert[vertex].Q() = Scalarm(point.weight * point.opacity);
+        });
 }
 
 void addEdges(const LineSet& lines, CMeshO& mesh) {

@@ -11,7 +11,7 @@ namespace laplacian_lines {
 
 /// A point of a line; plain floats in this order, so that an array of them can be uploaded as is.
 struct LinePoint {
-    Eigen::Vector3f position;  ///< mesh coordinates
+    Eigen::Vector3f position;  ///< mesh coordinates, less the set's origin
     float weight;              ///< 0..1, share of the full line width
     float gradient;  ///< ‖∇I‖·D, dimensionless, of contours for the light at the eye, and 0 at a
                      ///< vertex whose edges they follow; of ridges and creases an angle, degrees
@@ -34,10 +34,16 @@ struct Polyline {
 struct LineSet {
     std::vector<LinePoint> points;
     std::vector<Polyline> lines;
+    /// Mesh coordinates. Zero unless the mesh is so far from it that floats would be coarse there.
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 
     void clear() {
         points.clear();
         lines.clear();
+    }
+    /// Mesh coordinates.
+    Eigen::Vector3d place(const LinePoint& point) const {
+        return origin + point.position.cast<double>();
     }
     /// Of all lines.
     std::size_t segment_count() const { return points.size() - lines.size(); }

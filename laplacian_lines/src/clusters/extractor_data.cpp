@@ -26,6 +26,9 @@ std::size_t bytes(const std::vector<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
+// In D: floats of coordinates beyond are coarser than 1e-6 D.
+constexpr double kFar = 16;
+
 [[noreturn]] void refuse_field() {
     throw Error(ErrorCode::FieldMismatch,
                 "The Laplacian lines field belongs to another mesh; compute it again.");
@@ -124,6 +127,7 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     data.undone_subdivisions = prepared.report.undone_subdivisions;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
+    if (data.centre.cwiseAbs().maxCoeff() > kFar * data.diagonal) data.origin = data.centre;
     data.is_rough = is_rough(field.report);
     ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
     data.laplacians = laplacian_forms(prepared, field, data);

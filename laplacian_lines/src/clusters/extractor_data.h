@@ -34,6 +34,7 @@ struct ExtractorData {
     /// The arrays of ClusterStore about whole clusters, one after the other.
     std::vector<float> bounds;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of line sets
     double diagonal = 1;                               ///< D, mesh units
     LaplacianForms laplacians;                         ///< of the field that it was built of
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form

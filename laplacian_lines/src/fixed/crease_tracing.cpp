@@ -63,8 +63,9 @@ private:
     void add_point(std::uint32_t number, const CreaseEdge* edge) {
         const Crossing& c = graph_.crossings[number];
         traced_.lines.points.push_back(
-            {(data_.centre + data_.diagonal * c.position.cast<double>()).cast<float>(), 1,
-             c.gradient, 1});
+            {(data_.centre - data_.origin + data_.diagonal * c.position.cast<double>())
+                 .cast<float>(),
+             1, c.gradient, 1});
         traced_.edges.push_back(edge);
     }
 

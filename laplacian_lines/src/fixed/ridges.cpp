@@ -50,7 +50,8 @@ private:
         const LinePoint& point = found_.lines.points[place];
         const RidgeCandidates::Form& form = found_.forms[place];
         const Eigen::Vector3f l = eye.towards(
-            ((point.position.cast<double>() - data.centre) / data.diagonal).cast<float>());
+            ((data.origin - data.centre + point.position.cast<double>()) / data.diagonal)
+                .cast<float>());
         const float facing = std::abs(dot(form.normal, l)), gradient = std::abs(dot(form.bend, l));
         return clearance_opacity(facing, std::max(gradient, 1e-6f), clear);
     }

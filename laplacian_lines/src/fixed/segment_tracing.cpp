@@ -64,7 +64,8 @@ private:
         smooth_positions(line, points, rules_.smoothing_passes);
         for (std::uint32_t i = 0; i < line.count; ++i)
             points[i].position =
-                (data_.centre + data_.diagonal * points[i].position.cast<double>()).cast<float>();
+                (data_.centre - data_.origin + data_.diagonal * points[i].position.cast<double>())
+                    .cast<float>();
         lines_.lines.push_back(line);
     }
 

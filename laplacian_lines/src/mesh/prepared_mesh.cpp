@@ -8,6 +8,7 @@
 
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
+#include "mesh/conforming.h"
 #include "mesh/needles.h"
 #include "mesh/orientation.h"
 #include "mesh/stitching.h"
@@ -128,7 +129,9 @@ void undo_subdivisions(const Positions& positions, const Undoing& undoing, Prepa
 /// that lose their area by it and restores the vertices of the others; false if none does.
 bool drop_lost_triangles(PreparedMesh& prepared) {
     std::vector<Triangle> usable = usable_triangles(prepared.positions, prepared.triangles);
-    if (usable.size() == prepared.triangles.size()) return false;
+    const std::size_t lost = prepared.triangles.size() - usable.size();
+    if (lost == 0) return false;
+    prepared.report.degenerate_triangles += lost << 2 * prepared.report.undone_subdivisions;
     for (Triangle& t : usable)
         for (std::uint32_t& v : t)
             v = prepared.original_vertex[v];
@@ -223,6 +226,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
     prepared.report.vertices = mesh.positions.size();
     prepared.report.triangles = mesh.triangles.size();
     prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
+    prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
+    make_conforming(mesh.positions, prepared.triangles);
     if (cuts == Cuts::Stitched) stitch(mesh, prepared);
     undo_subdivisions(mesh.positions, undoing, prepared);
     do {
@@ -233,9 +238,6 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
     if (facing == Facing::Outwards) orient(prepared);
     prepared.report.unreferenced_vertices -=
         prepared.report.welded_vertices + prepared.midpoints.size();
-    prepared.report.degenerate_triangles =
-        mesh.triangles.size() -
-        (prepared.triangles.size() << 2 * prepared.report.undone_subdivisions);
     return prepared;
 }
 

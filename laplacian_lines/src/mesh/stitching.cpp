@@ -66,13 +66,13 @@ void for_each_run(std::vector<Element>& elements, const Key& key, const Visit& v
     }
 }
 
-/// Sides on which no other triangle lies, between places that have several vertices.
+/// Sides on which no other triangle lies, with an end at a place that has several vertices.
 std::vector<Side> find_cut_sides(const std::vector<Triangle>& triangles, const Places& places) {
     const auto is_shared = [&](std::uint32_t v) { return places.is_shared[places.of_vertex[v]]; };
     std::vector<Side> sides, cuts;
     for (const Triangle& t : triangles)
         for (unsigned k = 0; k < 3; ++k)
-            if (is_shared(t[k]) && is_shared(t[(k + 1) % 3]))
+            if (is_shared(t[k]) || is_shared(t[(k + 1) % 3]))
                 sides.push_back({t[k], t[(k + 1) % 3], t[(k + 2) % 3]});
     for_each_run(
         sides, [](const Side& side) { return side.edge(); },

@@ -146,6 +146,7 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
         }
         trace_lines(wanted.rules, memory.joining.strips[kind], memory.parts, memory.traced);
     }
+    lines.origin = data_->origin;
     finish_lines(*data_, memory.traced, memory.finishing, lines);
     data_->fixed_lines.append(*data_, eye, style, lines);
 }

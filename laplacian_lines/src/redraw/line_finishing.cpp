@@ -86,9 +86,10 @@ void close_line(std::uint32_t count, const LineColumns& c) {
 
 void finish(const ExtractorData& data, const LineRules& rules, const Polyline& p, bool has_exact,
             LineColumns& columns, LinePoint* points) {
+    const Eigen::Vector3d centre = data.centre - data.origin;
     simd_functions().finish_line(
         rules, {p.count, p.closed, has_exact, p.length, p.strength, p.slope}, columns,
-        data.centre.data(), data.diagonal, reinterpret_cast<float*>(points));
+        centre.data(), data.diagonal, reinterpret_cast<float*>(points));
 }
 
 /// Goes from knot to knot along a part of a whole line; visit(point, value) is called for each

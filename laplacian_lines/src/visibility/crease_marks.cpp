@@ -37,8 +37,7 @@ CreaseMarks CreaseMarker::mark(const std::vector<Segment>& creases) const {
     if (creases.empty()) return {};
     CreaseMarks marks(mesh_.edge_count());
     const auto find = [&](std::uint32_t i, std::vector<std::uint32_t>& edges) {
-        find_along(mesh_.local(creases[i][0].cast<double>()),
-                   mesh_.local(creases[i][1].cast<double>()), edges);
+        find_along(mesh_.local(creases[i][0]), mesh_.local(creases[i][1]), edges);
     };
     for (const std::uint32_t edge : collect<std::uint32_t>(creases.size(), find))
         marks[edge] = true;
@@ -50,8 +49,8 @@ std::shared_ptr<const CreaseMarks> CreaseMarker::mark(const std::vector<LineSet>
     for (const LineSet& set : lines)
         for (const Polyline& line : set.lines)
             for (std::uint32_t i = 1; line.kind == LineKind::Crease && i < line.count; ++i)
-                creases.push_back({set.points[line.first + i - 1].position,
-                                   set.points[line.first + i].position});
+                creases.push_back({set.place(set.points[line.first + i - 1]),
+                                   set.place(set.points[line.first + i])});
     const std::lock_guard<std::mutex> lock(mutex_);
     if (creases != creases_) {
         marks_ = std::make_shared<const CreaseMarks>(mark(creases));

@@ -27,7 +27,7 @@ public:
     std::shared_ptr<const CreaseMarks> mark(const std::vector<LineSet>& lines) const;
 
 private:
-    using Segment = std::array<Eigen::Vector3f, 2>;
+    using Segment = std::array<Eigen::Vector3d, 2>;  // mesh coordinates
 
     CreaseMarks mark(const std::vector<Segment>& creases) const;
     void find_along(const Eigen::Vector3d& begin, const Eigen::Vector3d& end,

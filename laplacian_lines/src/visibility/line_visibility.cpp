@@ -57,7 +57,8 @@ void append(const SightLine& line, double diagonal, LineSet& to) {
     result.slope = line.slope;
     const SightPoint* before = nullptr;
     for (const SightPoint& p : line.points) {
-        to.points.push_back({p.position.cast<float>(), p.weight, p.gradient, p.opacity});
+        to.points.push_back(
+            {(p.position - to.origin).cast<float>(), p.weight, p.gradient, p.opacity});
         if (before) result.length += float((p.position - before->position).norm() / diagonal);
         before = &p;
     }
@@ -135,6 +136,7 @@ LineSet extract_on_surface(const LineExtractor& extractor, const View& view, con
     unsmoothed.contour_clearance = 0;  // their contours are not those that are drawn
     LineSet all, result;
     extractor.extract(view, unsmoothed, scratch, all);
+    result.origin = all.origin;
     for (const Polyline& line : all.lines)
         if (!is_edge_kind(line.kind)) append(all, line, result);
     if (!style.shows[LineKind::Crease]) return result;
@@ -174,6 +176,7 @@ std::vector<SightLine> LineVisibility::look(const View& view, const std::vector<
 LineParts LineVisibility::parts(const View& view, const std::vector<LineSet>& lines,
                                 const SightOptions& options, const Progress& progress) const {
     LineParts parts;
+    if (!lines.empty()) parts.seen.origin = parts.hidden.origin = lines.front().origin;
     for (const SightLine& line : look(view, lines, options, progress))
         append(line, data_->mesh.size, line.is_hidden ? parts.hidden : parts.seen);
     return parts;

@@ -11,6 +11,7 @@
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
+#include "mesh/conforming.h"
 #include "mesh/equal_positions.h"
 #include "mesh/needles.h"
 #include "system/disjoint_sets.h"
@@ -23,31 +24,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Relative to the coordinates: four units in the last place of a float, which files hold.
-constexpr double kPrecision = 0x1p-22;
-// Local. With coarser coordinates there is no form left, and all would be at one place.
-constexpr double kWorstPrecision = 1e-3;
-
 bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
         if (v >= mesh.positions.size())
             throw Error(ErrorCode::InvalidMesh, "A triangle names a vertex that is not there.");
         return mesh.positions[v].allFinite();
     });
-}
-
-/// Local, for coordinates as large as these.
-void find_precisions(const TriangleMesh& mesh, SightMesh& result) {
-    double largest = result.size;
-    bool are_floats = true;
-    for (const Triangle& t : result.triangles)
-        for (const std::uint32_t v : t)
-            for (const double x : mesh.positions[v]) {
-                largest = std::max(largest, std::abs(x));
-                are_floats = are_floats && x == double(float(x));
-            }
-    result.line_precision = std::min(kPrecision * largest / result.size, kWorstPrecision);
-    result.precision = are_floats ? result.line_precision : kPrecision;
 }
 
 void replace_vertices(const std::vector<std::uint32_t>& by, SightMesh& mesh) {
@@ -169,7 +151,7 @@ void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
     const BoxTree<3> cuts(order, box_of);
     const auto add_if_on = [&](std::uint32_t v, const std::uint32_t* ends,
                                std::vector<OnEdge>& found) {
-        if (lies_between(mesh, v, ends[0], ends[1], mesh.precision))
+        if (lies_between(mesh.positions, v, ends[0], ends[1], mesh.precision))
             found.push_back({{ends[0], ends[1]}, v});
     };
     const auto find_cuts = [&](std::uint32_t v, std::vector<OnEdge>& found) {
@@ -259,6 +241,17 @@ void divide_edges(const std::vector<SurfaceContacts::OnEdge>& on_edges, SightMes
     change_edges(sides, gone, mesh);
 }
 
+void find_bodies(SightMesh& mesh) {
+    bool any_touch = false;
+    DisjointSets sets(mesh.triangles.size());
+    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+        any_touch = any_touch || mesh.side_count(e) > 2;
+        if (mesh.side_count(e) == 2)
+            sets.unite(mesh.sides_of(e)[0].triangle, mesh.sides_of(e)[1].triangle);
+    }
+    if (any_touch) mesh.bodies = sets.take_roots();
+}
+
 void find_edges(SightMesh& mesh, const StageProgress& stage) {
     weld_equal(mesh);
     unfold_needles(mesh.positions, mesh.triangles);
@@ -276,6 +269,7 @@ void find_edges(SightMesh& mesh, const StageProgress& stage) {
     add_cuts(contacts.cuts, mesh);
     straighten(contacts.on_edges, mesh);
     divide_edges(contacts.on_edges, mesh);
+    find_bodies(mesh);
 }
 
 }  // namespace
@@ -307,7 +301,9 @@ SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage)
     const Eigen::AlignedBox3d box = bounding_box(mesh.positions, result.triangles);
     result.centre = box.center();
     if (box.diagonal().norm() > 0) result.size = box.diagonal().norm();
-    find_precisions(mesh, result);
+    const Precision precision = precision_of(mesh.positions, result.triangles, result.size);
+    result.precision = precision.of_coordinates / result.size;
+    result.line_precision = precision.of_floats / result.size;
     result.positions.resize(mesh.positions.size());
     for_each_element(mesh.positions.size(), [&](std::size_t v) {
         const Vector3d& p = mesh.positions[v];  // those that nobody uses may be anything

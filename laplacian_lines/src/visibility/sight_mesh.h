@@ -22,6 +22,8 @@ struct SightMesh : EdgeTable {
     double line_precision = 0;  ///< the same of points of lines, which are floats
     std::vector<Eigen::Vector3d> positions;
     std::vector<Triangle> triangles;
+    /// By triangle, if an edge has more than two: what is connected by edges of two.
+    std::vector<std::uint32_t> bodies;
     std::vector<std::uint32_t> along_curve;  ///< numbers of triangles: see order_along_curve()
 
     Eigen::Vector3d local(const Eigen::Vector3d& point) const { return (point - centre) / size; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "visibility/sight_segments.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "visibility/edge_on_walls.h"
@@ -56,16 +57,38 @@ private:
         return -sign * (normal.x() * -span.y() + normal.y() * span.x()) / normal.z();
     }
 
-    /// Whether what is seen first on both sides of an edge of several triangles is one plane.
-    bool goes_on_flat(std::uint32_t edge) const {
-        const SightMesh::Side* sides = mesh_.sides_of(edge);
-        const SightMesh::Side* first[2] = {nullptr, nullptr};
+    /// The triangle that is seen first on a side of an edge.
+    std::uint32_t first_at(std::uint32_t edge, int side) const {
+        const SightMesh::Side* first = nullptr;
         for (std::size_t i = 0; i < mesh_.side_count(edge); ++i) {
-            const SightMesh::Side*& seen = first[picture_.side_of(sides[i]) > 0];
-            if (!seen || rise(edge, sides[i]) > rise(edge, *seen)) seen = &sides[i];
+            const SightMesh::Side* const other = mesh_.sides_of(edge) + i;
+            if (picture_.side_of(*other) == side &&
+                (!first || rise(edge, *other) > rise(edge, *first)))
+                first = other;
         }
-        return std::abs(mesh_.normal(first[0]->triangle).dot(mesh_.normal(first[1]->triangle))) >
-               kFlatCosine;
+        return first->triangle;
+    }
+
+    bool are_flat(std::uint32_t a, std::uint32_t b) const {
+        return std::abs(mesh_.normal(a).dot(mesh_.normal(b))) > kFlatCosine;
+    }
+
+    /// Whether what is seen first on both sides of an edge of several triangles is one plane, and
+    /// not of two bodies that only touch there.
+    bool goes_on_flat(std::uint32_t edge) const {
+        const std::uint32_t left = first_at(edge, 1), right = first_at(edge, -1);
+        if (!are_flat(left, right)) return false;
+        const SightMesh::Side* const sides = mesh_.sides_of(edge);
+        const auto is_there = [&](int side, std::uint32_t body) {
+            return std::any_of(sides, sides + mesh_.side_count(edge), [&](const auto& other) {
+                return picture_.side_of(other) == side && mesh_.bodies[other.triangle] == body &&
+                       are_flat(other.triangle, left);
+            });
+        };
+        return std::any_of(sides, sides + mesh_.side_count(edge), [&](const auto& side) {
+            const std::uint32_t body = mesh_.bodies[side.triangle];
+            return is_there(1, body) && is_there(-1, body);
+        });
     }
 
     const Picture& picture_;
@@ -106,7 +129,7 @@ void append_line(const LineSet& lines, const Polyline& line, std::uint32_t numbe
     const auto vertices = std::uint32_t(all.picture.mesh().positions.size());
     for (std::uint32_t i = 0; i < line.count; ++i) {
         const auto point = vertices + std::uint32_t(all.line_points.size());
-        const Vector3d p = lines.points[line.first + i].position.cast<double>();
+        const Vector3d p = lines.place(lines.points[line.first + i]);
         all.line_points.push_back(all.picture.mesh().local(p));
         all.line_places.push_back(all.picture.frame().place(all.line_points.back()));
         segment.points[0] = segment.points[1];

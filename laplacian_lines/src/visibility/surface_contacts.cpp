@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "mesh/box_tree.h"
+#include "mesh/conforming.h"
 #include "visibility/vertex_places.h"
 
 namespace laplacian_lines {
@@ -217,7 +218,8 @@ private:
     /// Whether a vertex lies between two others.
     bool lies_on(std::uint32_t vertex, std::uint32_t from, std::uint32_t to) const {
         const bool are_borders = on_border_[vertex] && on_border_[from] && on_border_[to];
-        return lies_between(mesh_, vertex, from, to, are_borders ? reach() : mesh_.precision);
+        return lies_between(mesh_.positions, vertex, from, to,
+                            are_borders ? reach() : mesh_.precision);
     }
 
     static void add_along_edge(const Triangle& corners, const Heights& heights,

@@ -122,7 +122,7 @@ private:
         SightLine result{line_.kind, closed, false, false, 0, line_.strength, line_.slope, {}};
         for (const LinePoint& p : points)
             result.points.push_back(
-                {p.position.cast<double>(), p.weight, p.gradient, p.opacity, kNoSightNode, false});
+                {lines_.place(p), p.weight, p.gradient, p.opacity, kNoSightNode, false});
         result.points.front().node = piece(begin).nodes[0];
         result.points.back().node = piece(end - 1).nodes[1];
         return result;

@@ -21,18 +21,6 @@ std::vector<bool> vertices_of_edges(const SightMesh& mesh) {
     return are_used;
 }
 
-bool lies_between(const SightMesh& mesh, std::uint32_t vertex, std::uint32_t from, std::uint32_t to,
-                  double within) {
-    if (vertex == from || vertex == to) return false;
-    const Vector3d span = mesh.positions[to] - mesh.positions[from],
-                   aside = mesh.positions[vertex] - mesh.positions[from];
-    const double product = span.dot(aside), square = span.squaredNorm();
-    if (!(product > 0 && product < square)) return false;  // most, without a root
-    const double length = std::sqrt(square), along = product / length;
-    return along > within && along < length - within &&
-           (aside - along / length * span).norm() <= within;
-}
-
 VertexPlaces::VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted)
     : step_(1 / std::sqrt(double(mesh.positions.size()))) {
     std::vector<std::uint32_t> vertices;

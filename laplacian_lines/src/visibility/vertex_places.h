@@ -16,10 +16,6 @@ Eigen::AlignedBox3f box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& 
 /// Those that edges have, by vertex.
 std::vector<bool> vertices_of_edges(const SightMesh& mesh);
 
-/// Whether a vertex is within a distance of the line between two others, and not that near to them.
-bool lies_between(const SightMesh& mesh, std::uint32_t vertex, std::uint32_t from, std::uint32_t to,
-                  double within);
-
 /// Vertices of a mesh by place.
 class VertexPlaces {
 public:

@@ -60,7 +60,8 @@ private:
                   RedrawClock& clock) const;
 
     std::unique_ptr<PerShareGroup<Objects>> objects_;
-    std::vector<StreamPart> parts_;  ///< of what was uploaded last
+    std::vector<StreamPart> parts_;                     ///< of what was uploaded last
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  ///< of its points, mesh coordinates
 };
 
 }  // namespace line_renderer

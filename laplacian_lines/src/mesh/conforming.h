@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "laplacian_lines/triangle_mesh.h"
+
+namespace laplacian_lines {
+
+/// Whether a vertex is within a distance of the line between two others, and not that near to them.
+bool lies_between(const std::vector<Eigen::Vector3d>& positions, std::uint32_t vertex,
+                  std::uint32_t from, std::uint32_t to, double within);
+
+/// How near places are the same, in the unit of the coordinates.
+struct Precision {
+    double of_floats;       ///< by the largest coordinate
+    double of_coordinates;  ///< the same if all are floats, as most files hold; or else smaller
+};
+Precision precision_of(const std::vector<Eigen::Vector3d>& positions,
+                       const std::vector<Triangle>& triangles, double diagonal);
+
+/// Cuts triangles on borders where vertices of other borders lie on their sides, within the
+/// precision of the coordinates, if one of the parts is a side of another triangle: programs of
+/// solids leave such T-junctions, at which neighbours would not know each other. Neither adds nor
+/// moves vertices. Returns how many triangles were cut.
+std::size_t make_conforming(const std::vector<Eigen::Vector3d>& positions,
+                            std::vector<Triangle>& triangles);
+
+}  // namespace laplacian_lines
