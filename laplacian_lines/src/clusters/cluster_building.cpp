@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "clusters/bounded.h"
-#include "clusters/cluster_sides.h"
 #include "clusters/coarseness.h"
 #include "clusters/linear_forms.h"
 #include "rules/convexity.h"
@@ -73,9 +72,11 @@ ClusterBuilder::ClusterBuilder(const PreparedMesh& mesh, const Field& field, Ext
 void ClusterBuilder::build(const StageProgress& stage) {
     stage.report(0);
     coarse_ = find_coarse_triangles(mesh_, field_);
-    partition_ = partition(mesh_, coarse_);
+    const CornerTable sides(mesh_.triangles, mesh_.size());
+    partition_ = partition(mesh_, sides, coarse_);
     stage.report(kPartitioned);
-    data_.border_edge_count = link_clusters(mesh_, partition_);
+    links_ = link_clusters(mesh_, sides, coarse_, partition_);
+    data_.border_edge_count = links_.number_count;
     data_.vertex_count = std::uint32_t(mesh_.size());
     data_.is_sheet = is_sheet();
     find_convex();
@@ -98,7 +99,7 @@ void ClusterBuilder::find_convex() {
 
 bool ClusterBuilder::is_sheet() const {
     const double borders = sum_of(3 * mesh_.triangles.size(), [&](std::size_t side) {
-        if (partition_.across[side] < Partition::kMany) return 0.;
+        if (links_.across[side] != ClusterLinks::kNobody) return 0.;
         const Triangle& t = mesh_.triangles[partition_.order[side / 3]];
         return (mesh_.positions[t[side % 3]] - mesh_.positions[t[(side + 1) % 3]]).norm();
     });
@@ -114,11 +115,11 @@ std::size_t ClusterBuilder::lay_out() {
     data_.clusters.resize(clusters);
     std::vector<std::uint32_t> shared_edges(clusters);
     in_parallel(clusters, [&](std::size_t c) {
-        const auto sides = partition_.across.begin();
+        const auto sides = links_.across.begin();
         const ClusterRange& range = partition_.ranges[c];
-        shared_edges[c] =
-            std::uint32_t(std::count_if(sides + 3 * std::size_t(range.begin),
-                                        sides + 3 * std::size_t(range.end), is_shared_edge));
+        shared_edges[c] = std::uint32_t(std::count_if(sides + 3 * std::size_t(range.begin),
+                                                      sides + 3 * std::size_t(range.end),
+                                                      ClusterLinks::is_number));
     });
     std::size_t units = 0, vertices = 0, edges = 0, groups = 0;
     for (std::size_t c = 0; c < clusters; ++c) {
@@ -190,19 +191,19 @@ void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
     const ClusterLayout layout = cluster_layout(cluster);
     std::uint32_t* edges = data_.border_edges.data() + cluster.first_border_edge;
     unsigned edge_count = 0;
-    const std::size_t first_side = 3 * std::size_t(partition_.ranges[c].begin);
+    const std::uint32_t first = partition_.ranges[c].begin;
     const auto neighbour = [&](std::uint32_t across) {
-        if (across >= Partition::kMany) return kNoNeighbour;
-        if (!is_shared_edge(across)) return std::uint8_t((across - first_side) / 3);
-        edges[edge_count] = across - kSharedEdge;
+        if (across == ClusterLinks::kNobody) return kNoNeighbour;
+        if (!ClusterLinks::is_number(across)) return std::uint8_t(across - first);
+        edges[edge_count] = across - ClusterLinks::kNumber;
         return std::uint8_t(cluster.triangle_count + edge_count++);
     };
     for (unsigned i = 0; i < cluster.triangle_count; ++i) {
         unsigned char* corners = memory + layout.corners + place_of_corners(i);
         for (unsigned k = 0; k < 3; ++k) {
-            const std::size_t side = first_side + 3 * i + k;
+            const std::size_t side = 3 * std::size_t(first + i) + k;
             corners[k * kMaskGroup] = partition_.corners[side];
-            memory[layout.neighbours + 3 * i + k] = neighbour(partition_.across[side]);
+            memory[layout.neighbours + 3 * i + k] = neighbour(links_.across[side]);
         }
     }
 }

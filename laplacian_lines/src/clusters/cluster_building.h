@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "clusters/cluster_partition.h"
+#include "clusters/cluster_sides.h"
 #include "clusters/extractor_data.h"
 #include "clusters/plain_places.h"
 #include "system/parallel.h"
@@ -49,6 +49,7 @@ private:
     std::vector<std::uint8_t> convex_, convex_around_;  // by vertex
     const PlainPlaces plain_;
     Partition partition_;
+    ClusterLinks links_;
 };
 
 }  // namespace laplacian_lines

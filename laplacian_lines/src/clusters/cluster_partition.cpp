@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "clusters/cluster_data.h"
@@ -57,91 +58,21 @@ private:
     std::vector<std::uint32_t> number_, used_;
 };
 
-/// Pairs the sides of one cluster.
-class SidePairing {
-public:
-    /// `corners` of `triangles`, which are at most kClusterVertices, and which of them are coarse.
-    /// Writes across[side] as in Partition, plus `first_side`. Returns how many numbers (see
-    /// kClusterNumbers) it may take.
-    unsigned pair(const std::uint8_t* corners, const std::uint8_t* coarse, unsigned triangles,
-                  std::uint32_t first_side, std::uint32_t* across) {
-        sort_sides(corners, 3 * triangles);
-        unsigned numbers = triangles;
-        for (unsigned begin = 0, end; begin < 3 * triangles; begin = end) {
-            for (end = begin + 1; end < 3 * triangles && same_edge(begin, end); ++end) {
-            }
-            numbers += link(begin, end, corners, coarse, first_side, across);
-        }
-        return numbers;
-    }
-
-private:
-    struct Side {
-        std::uint8_t smaller, larger;  // corners
-        std::uint16_t number;
-    };
-
-    static unsigned next(unsigned side) { return side % 3 == 2 ? side - 2 : side + 1; }
-
-    /// By corners; equal ones by number.
-    void sort_sides(const std::uint8_t* corners, unsigned count) {
-        std::uint16_t start[kClusterVertices + 1] = {};
-        for (unsigned s = 0; s < count; ++s)
-            ++start[std::min(corners[s], corners[next(s)]) + 1];
-        for (unsigned v = 0; v < kClusterVertices; ++v)
-            start[v + 1] = std::uint16_t(start[v + 1] + start[v]);
-        std::uint16_t fill[kClusterVertices];
-        std::copy(start, start + kClusterVertices, fill);
-        for (unsigned s = 0; s < count; ++s) {
-            const auto [a, b] = std::minmax(corners[s], corners[next(s)]);
-            unsigned place = fill[a]++;
-            for (; place > start[a] && sides_[place - 1].larger > b; --place)
-                sides_[place] = sides_[place - 1];
-            sides_[place] = {a, b, std::uint16_t(s)};
-        }
-    }
-
-    bool same_edge(unsigned i, unsigned j) const {
-        return sides_[i].smaller == sides_[j].smaller && sides_[i].larger == sides_[j].larger;
-    }
-
-    /// The sides of one edge. Returns how many of them may need a number.
-    unsigned link(unsigned begin, unsigned end, const std::uint8_t* corners,
-                  const std::uint8_t* coarse, std::uint32_t first_side,
-                  std::uint32_t* across) const {
-        const unsigned count = end - begin;
-        if (count != 2) {
-            for (unsigned i = begin; i < end; ++i)
-                across[sides_[i].number] = count == 1 ? Partition::kNobody : Partition::kMany;
-            return count == 1;
-        }
-        const unsigned a = sides_[begin].number, b = sides_[begin + 1].number;
-        if (coarse[a / 3] != coarse[b / 3]) {
-            across[a] = across[b] = Partition::kNobody;
-            return 2;
-        }
-        across[a] = first_side + b;
-        across[b] = first_side + a;
-        return corners[a] == corners[b] ? 2 : 0;  // of opposite orientation
-    }
-
-    Side sides_[3 * kClusterTriangles];
-};
-
 class Partitioner {
 public:
-    Partitioner(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse,
-                Partition& result)
+    Partitioner(const PreparedMesh& mesh, const CornerTable& sides,
+                const std::vector<std::uint8_t>& coarse, Partition& result)
         : mesh_(mesh),
+          sides_(sides),
           coarse_(coarse),
           result_(result),
           centres_(large_array<TriangleCentre>(mesh.triangles.size())),
           spare_(large_array<TriangleCentre>(mesh.triangles.size())),
+          places_(mesh.triangles.size()),
           vertex_count_at_(mesh.triangles.size(), 0) {
         const std::size_t triangles = mesh.triangles.size();
         result.order = large_array<std::uint32_t>(triangles);
         result.corners = large_array<std::uint8_t>(3 * triangles);
-        result.across = large_array<std::uint32_t>(3 * triangles);
         in_blocks(triangles, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t)
                 centres_[t] = centre(std::uint32_t(t));
@@ -154,15 +85,16 @@ public:
             Range{0, all}, kFewTriangles, [this](const Range& range) { return cut(range); });
         const std::size_t cuts = ranges.size() / 2, rest = ranges.size() - cuts;
         share(rest, workers_for(rest), [&](unsigned, Blocks& shared) {
-            Worker worker(mesh_.size());
+            LocalNumbers numbers(mesh_.size());
             for (std::size_t i; shared.take(i);)
-                split(ranges[cuts + i], worker);
+                split(ranges[cuts + i], numbers);
         });
         for (std::uint32_t i = 0; i < all; ++i) {
             if (vertex_count_at_[i] == 0) continue;
             if (!result_.ranges.empty()) result_.ranges.back().end = i;
             result_.ranges.push_back({i, all, vertex_count_at_[i]});
         }
+        result_.places.assign(places_.begin(), places_.end());
     }
 
 private:
@@ -171,13 +103,6 @@ private:
         std::uint32_t begin, end;
         std::uint32_t size() const { return end - begin; }
     };
-    struct Worker {
-        explicit Worker(std::size_t vertices) : numbers(vertices) {}
-        LocalNumbers numbers;
-        SidePairing pairing;
-        std::uint8_t coarse[kClusterTriangles];  // of the cluster that is tried
-    };
-
     TriangleCentre centre(std::uint32_t t) const {
         const Triangle& corners = mesh_.triangles[t];
         const Eigen::Vector3f sum = (mesh_.positions[corners[0]] + mesh_.positions[corners[1]] +
@@ -186,11 +111,11 @@ private:
         return {{sum.x(), sum.y(), sum.z()}, t};
     }
 
-    void split(const Range& range, Worker& worker) {
-        if (range.size() <= kClusterTriangles && becomes_cluster(range, worker)) return;
+    void split(const Range& range, LocalNumbers& numbers) {
+        if (range.size() <= kClusterTriangles && becomes_cluster(range, numbers)) return;
         const auto [left, right] = cut(range);
-        split(left, worker);
-        split(right, worker);
+        split(left, numbers);
+        split(right, numbers);
     }
 
     std::pair<Range, Range> cut(const Range& range) {
@@ -246,43 +171,61 @@ private:
     }
 
     /// Unless the triangles exceed a cluster's numbers of vertices or of numbers.
-    bool becomes_cluster(const Range& range, Worker& worker) {
+    bool becomes_cluster(const Range& range, LocalNumbers& numbers) {
         const auto [begin, end] = range;
         std::uint32_t* order = result_.order.data();
         for (std::uint32_t i = begin; i < end; ++i)
             order[i] = centres_[i].triangle;
         std::sort(order + begin, order + end);  // the input's order often has some sense
         std::uint8_t* corners = result_.corners.data() + 3 * std::size_t(begin);
-        worker.numbers.clear();
-        for (std::uint32_t i = begin; i < end; ++i)
+        numbers.clear();
+        for (std::uint32_t i = begin; i < end; ++i) {
+            places_[order[i]].store(i, std::memory_order_relaxed);
             for (std::uint32_t v : mesh_.triangles[order[i]]) {
-                const std::uint32_t number = worker.numbers.of(v);
+                const std::uint32_t number = numbers.of(v);
                 if (number >= kClusterVertices) return false;
                 *corners++ = std::uint8_t(number);
             }
-        for (std::uint32_t i = begin; i < end; ++i)
-            worker.coarse[i - begin] = coarse_[order[i]];
-        const std::size_t first_side = 3 * std::size_t(begin);
-        if (worker.pairing.pair(result_.corners.data() + first_side, worker.coarse, end - begin,
-                                std::uint32_t(first_side),
-                                result_.across.data() + first_side) > kClusterNumbers)
-            return false;
-        vertex_count_at_[begin] = std::uint8_t(worker.numbers.count());
+        }
+        if (count_numbers(range) > kClusterNumbers) return false;
+        vertex_count_at_[begin] = std::uint8_t(numbers.count());
         return true;
     }
 
+    /// How many numbers, see kClusterNumbers, a cluster may take.
+    unsigned count_numbers(const Range& range) const {
+        unsigned numbers = range.size();
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            for (std::uint32_t side = 3 * result_.order[i], k = 0; k < 3; ++side, ++k) {
+                const std::uint32_t across = sides_.across(side);
+                if (across == CornerTable::kMany) continue;
+                numbers += across == CornerTable::kBorder || !is_in(range, across / 3) ||
+                           !goes_on_within(mesh_, coarse_, side, across);
+            }
+        return numbers;
+    }
+
+    /// Places that were tried before are not of these triangles any more.
+    bool is_in(const Range& range, std::uint32_t triangle) const {
+        const std::uint32_t place = places_[triangle].load(std::memory_order_relaxed);
+        return place >= range.begin && place < range.end && result_.order[place] == triangle;
+    }
+
     const PreparedMesh& mesh_;
+    const CornerTable& sides_;
     const std::vector<std::uint8_t>& coarse_;
     Partition& result_;
     std::vector<TriangleCentre> centres_, spare_;
-    std::vector<std::uint8_t> vertex_count_at_;  // of the cluster that begins at a place, or 0
+    std::vector<std::atomic<std::uint32_t>> places_;  // by triangle, of the last try
+    std::vector<std::uint8_t> vertex_count_at_;       // of the cluster that begins at a place, or 0
 };
 
 }  // namespace
 
-Partition partition(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse) {
+Partition partition(const PreparedMesh& mesh, const CornerTable& sides,
+                    const std::vector<std::uint8_t>& coarse) {
     Partition result;
-    if (!mesh.triangles.empty()) Partitioner(mesh, coarse, result).run();
+    if (!mesh.triangles.empty()) Partitioner(mesh, sides, coarse, result).run();
     return result;
 }
 

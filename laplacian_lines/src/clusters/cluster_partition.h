@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/corner_table.h"
 #include "mesh/prepared_mesh.h"
 
 namespace laplacian_lines {
@@ -14,23 +15,26 @@ struct ClusterRange {
     std::uint32_t vertex_count;
 };
 
-/// A mesh cut into clusters. A triangle's place is its number in `order`. Side k of the triangle at
-/// place p, from its corner k to the next, has the number 3 p + k.
+/// A mesh cut into clusters. A triangle's place is its number in `order`.
 struct Partition {
-    static constexpr std::uint32_t kNobody = 0xffffffffu;
-    static constexpr std::uint32_t kMany = 0xfffffffeu;
-
     std::vector<std::uint32_t> order;  ///< triangles by cluster, ascending within each
     std::vector<ClusterRange> ranges;
-    std::vector<std::uint8_t> corners;  ///< [3 p + k]: the corner's number in its cluster
-    /// [side]: the other side of its edge within the cluster, kNobody if there is none or one of
-    /// the two triangles is coarse and the other is not, kMany if there are several.
-    std::vector<std::uint32_t> across;
+    std::vector<std::uint8_t> corners;  ///< [3 place + k]: the corner's number in its cluster
+    std::vector<std::uint32_t> places;  ///< by triangle
 };
 
 /// Cuts the mesh into pieces that are compact in space and keep within the limits of
 /// cluster_data.h, whatever the topology. `coarse`: by triangle, see coarseness.h. The number of
 /// threads does not matter.
-Partition partition(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse);
+Partition partition(const PreparedMesh& mesh, const CornerTable& sides,
+                    const std::vector<std::uint8_t>& coarse);
+
+/// Whether a redraw goes on from a triangle to the next without an edge's number: within a cluster,
+/// one orientation and coarseness. Else lines are joined at the number.
+inline bool goes_on_within(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse,
+                           std::uint32_t side, std::uint32_t across) {
+    return begin_of(mesh.triangles, side) != begin_of(mesh.triangles, across) &&
+           coarse[side / 3] == coarse[across / 3];
+}
 
 }  // namespace laplacian_lines

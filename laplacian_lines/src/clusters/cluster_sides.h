@@ -5,17 +5,19 @@
 
 namespace laplacian_lines {
 
-/// Marks the number of an edge that two clusters share, or two triangles of opposite orientation,
-/// or a coarse triangle and one that is not.
-constexpr std::uint32_t kSharedEdge = 0x80000000u;
+/// What lies across sides of triangles, by 3 place + k.
+struct ClusterLinks {
+    static constexpr std::uint32_t kNobody = 0xffffffffu;  ///< lines end there
+    static constexpr std::uint32_t kNumber = 0x80000000u;  ///< and the number of an edge
 
-inline bool is_shared_edge(std::uint32_t across) {
-    return across >= kSharedEdge && across < Partition::kMany;
-}
+    std::vector<std::uint32_t> across;  ///< a place in the cluster, a number or kNobody
+    std::uint32_t number_count = 0;     ///< of edges at which lines are joined, over the mesh
 
-/// Completes Partition::across by what is in other clusters: a side of the same cluster and the
-/// same orientation, or kSharedEdge plus the number of an edge, or kNobody or kMany where the
-/// surface ends. Returns the number of such edges. The number of threads does not matter.
-std::uint32_t link_clusters(const PreparedMesh& mesh, Partition& partition);
+    static bool is_number(std::uint32_t across) { return across >= kNumber && across != kNobody; }
+};
+
+/// The number of threads does not matter.
+ClusterLinks link_clusters(const PreparedMesh& mesh, const CornerTable& sides,
+                           const std::vector<std::uint8_t>& coarse, const Partition& partition);
 
 }  // namespace laplacian_lines

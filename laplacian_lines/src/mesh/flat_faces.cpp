@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/flat_faces.h"
 
-#include <algorithm>
 #include <numeric>
 
-#include "mesh/triangles_at.h"
+#include "mesh/corner_table.h"
 #include "system/disjoint_sets.h"
 #include "system/parallel.h"
 
@@ -19,8 +18,7 @@ constexpr double kLargeFace = 0.02, kShareOfLarge = 0.33;
 class FlatTriangles {
 public:
     explicit FlatTriangles(const PreparedMesh& mesh)
-        : mesh_(mesh),
-          at_(mesh.size(), mesh.triangles),
+        : table_(mesh.triangles, mesh.size()),
           normals_(mesh.triangles.size()),
           areas_(mesh.triangles.size()) {
         for_each_element(areas_.size(), [&](std::size_t i) {
@@ -43,27 +41,19 @@ public:
     double all() const { return std::accumulate(areas_.begin(), areas_.end(), 0.0); }
     double area(std::uint32_t triangle) const { return areas_[triangle]; }
 
-    /// Until test(neighbour) is true of a neighbour in the triangle's plane, with two corners of
-    /// it: looked for at the end of a side that has fewer triangles.
+    /// Until test(neighbour) is true of a neighbour in the triangle's plane.
     template <class Test>
     bool any_beside(std::uint32_t triangle, Test test) const {
-        const Triangle& t = mesh_.triangles[triangle];
-        for (std::size_t k = 0; k < 3; ++k) {
-            std::uint32_t from = t[k], to = t[(k + 1) % 3];
-            if (at_.count(to) < at_.count(from)) std::swap(from, to);
-            for (const std::uint32_t* other = at_.begin(from); other != at_.end(from); ++other) {
-                const Triangle& o = mesh_.triangles[*other];
-                if (*other != triangle && std::find(o.begin(), o.end(), to) != o.end() &&
-                    normals_[*other].dot(normals_[triangle]) >= kFlat && test(*other))
-                    return true;
-            }
+        for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+            if (!table_.has_neighbour(side)) continue;
+            const std::uint32_t other = table_.across(side) / 3;
+            if (normals_[other].dot(normals_[triangle]) >= kFlat && test(other)) return true;
         }
         return false;
     }
 
 private:
-    const PreparedMesh& mesh_;
-    const TrianglesAt at_;
+    const CornerTable table_;
     std::vector<Eigen::Vector3d> normals_;
     std::vector<double> areas_;
 };

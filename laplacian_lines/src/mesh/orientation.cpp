@@ -6,13 +6,10 @@
 #include <array>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "mesh/box_tree.h"
-#include "mesh/edge_table.h"
-#include "mesh/triangles_at.h"
-#include "system/disjoint_sets.h"
+#include "mesh/corner_table.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -224,9 +221,8 @@ void turn_together(std::vector<Body>& bodies) {
 
 class Turning {
 public:
-    explicit Turning(PreparedMesh& mesh) : mesh_(mesh), patches_(mesh.triangles.size()) {
-        gather_edges(mesh.triangles, mesh.size(), table_);
-    }
+    explicit Turning(PreparedMesh& mesh)
+        : mesh_(mesh), table_(mesh.triangles, mesh.size()), patches_(mesh.triangles.size()) {}
 
     void run() {
         const std::vector<std::uint32_t> torn = unite_neighbours();
@@ -242,16 +238,27 @@ public:
     }
 
 private:
+    /// Calls visit(side, other) for each edge of two triangles.
+    template <class Visit>
+    void for_each_pair(Visit visit) const {
+        for (std::uint32_t side = 0; side < table_.side_count(); ++side)
+            if (table_.has_neighbour(side) && side < table_.across(side))
+                visit(side, table_.across(side));
+    }
+
+    /// Whether two triangles disagree about the outside at their edge.
+    bool is_opposed(std::uint32_t side, std::uint32_t other) const {
+        return begin_of(mesh_.triangles, side) == begin_of(mesh_.triangles, other);
+    }
+
     /// Returns a triangle of each contradiction.
     std::vector<std::uint32_t> unite_neighbours() {
         std::vector<std::uint32_t> torn;
-        for (std::uint32_t e = 0; e < table_.edge_count(); ++e) {
-            if (table_.side_count(e) != 2) continue;
-            const EdgeTable::Side *a = table_.sides_of(e), *b = a + 1;
-            if (!is_same(a->triangle, b->triangle) &&
-                !patches_.unite(a->triangle, b->triangle, a->is_reversed == b->is_reversed))
-                torn.push_back(a->triangle);
-        }
+        for_each_pair([&](std::uint32_t side, std::uint32_t other) {
+            if (!is_same(side / 3, other / 3) &&
+                !patches_.unite(side / 3, other / 3, is_opposed(side, other)))
+                torn.push_back(side / 3);
+        });
         return torn;
     }
 
@@ -274,9 +281,10 @@ private:
         for (const std::uint32_t t : torn)
             bodies_[body_of_[t]].is_orientable = false;
         std::size_t borders = 0;
-        for (std::uint32_t e = 0; e < table_.edge_count(); ++e) {
-            bodies_[body_of_[table_.sides_of(e)->triangle]].borders += table_.is_border(e);
-            borders += table_.is_border(e);
+        for (std::uint32_t side = 0; side < table_.side_count(); ++side) {
+            if (table_.across(side) != CornerTable::kBorder) continue;
+            ++bodies_[body_of_[side / 3]].borders;
+            ++borders;
         }
         if (bodies_.size() > 1)  // the borders of one are its form
             mesh_.report.border_share = double(borders) / double(table_.edge_count());
@@ -289,12 +297,9 @@ private:
 
     void turn() {
         std::size_t opposed = 0, turned = 0;
-        for (std::uint32_t e = 0; e < table_.edge_count(); ++e) {
-            if (table_.side_count(e) != 2) continue;
-            const EdgeTable::Side *a = table_.sides_of(e), *b = a + 1;
-            opposed +=
-                (a->is_reversed == b->is_reversed) == (turns(a->triangle) == turns(b->triangle));
-        }
+        for_each_pair([&](std::uint32_t side, std::uint32_t other) {
+            opposed += is_opposed(side, other) == (turns(side / 3) == turns(other / 3));
+        });
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
             if (turns(t)) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]), ++turned;
         mesh_.report.opposed_share = double(opposed) / double(table_.edge_count());
@@ -302,95 +307,16 @@ private:
     }
 
     PreparedMesh& mesh_;
-    EdgeTable table_;
+    const CornerTable table_;
     Patches patches_;
     std::vector<Body> bodies_;
     std::vector<std::uint32_t> body_of_;  // by triangle
 };
 
-/// What the triangles at a vertex are.
-enum class Fan : std::uint8_t {
-    Closed,
-    Open,
-    Torn,  ///< several fans, or not of one orientation, or not a surface
-};
-
-using Link = std::array<std::uint32_t, 2>;  // from a neighbour of a vertex to the next one
-
-/// Follows the links, which it sorts, from the one that none ends at.
-Fan fan_of(std::vector<Link>& links) {
-    std::sort(links.begin(), links.end());
-    std::vector<std::uint32_t> ends;
-    ends.reserve(links.size());
-    for (const Link& link : links)
-        ends.push_back(link[1]);
-    std::sort(ends.begin(), ends.end());
-    const auto is_end = [&](const Link& link) {
-        return std::binary_search(ends.begin(), ends.end(), link[0]);
-    };
-    const auto begin = std::find_if_not(links.begin(), links.end(), is_end);
-    const auto start = begin == links.end() ? links.begin() : begin;
-    std::size_t count = 0;
-    for (auto link = start; link != links.end() && count <= links.size(); ++count) {
-        const auto next = std::lower_bound(links.begin(), links.end(), Link{(*link)[1], 0});
-        const bool goes_on = next != links.end() && (*next)[0] == (*link)[1] && next != start;
-        link = goes_on ? next : links.end();
-    }
-    return count != links.size() ? Fan::Torn : begin == links.end() ? Fan::Closed : Fan::Open;
-}
-
-/// By vertex.
-std::vector<Fan> find_fans(const PreparedMesh& mesh) {
-    std::vector<Fan> fans(mesh.size());
-    const TrianglesAt at(mesh.size(), mesh.triangles);
-    in_blocks(mesh.size(), [&](std::size_t begin, std::size_t end) {
-        std::vector<Link> links;
-        for (std::size_t v = begin; v < end; ++v, links.clear()) {
-            for (const std::uint32_t* i = at.begin(v); i != at.end(v); ++i) {
-                const Triangle& t = mesh.triangles[*i];
-                const std::size_t k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-                links.push_back({t[(k + 1) % 3], t[(k + 2) % 3]});
-            }
-            fans[v] = fan_of(links);
-        }
-    });
-    return fans;
-}
-
-/// Of a mesh whose bodies are surfaces that need no turning, as most are: found without its edges.
-std::optional<double> border_share_unless_turned(const PreparedMesh& mesh) {
-    const std::vector<Fan> fans = find_fans(mesh);
-    if (std::find(fans.begin(), fans.end(), Fan::Torn) != fans.end()) return std::nullopt;
-    DisjointSets pieces(mesh.size());
-    for (const Triangle& t : mesh.triangles)
-        pieces.unite(pieces.unite(t[0], t[1]), t[2]);
-    std::vector<std::uint32_t> body_at = pieces.take_roots();
-    std::vector<Body> bodies;
-    for (std::uint32_t v = 0; v < mesh.size(); ++v) {
-        const bool is_root = body_at[v] == v;
-        body_at[v] = is_root ? std::uint32_t(bodies.size()) : body_at[body_at[v]];
-        if (is_root) bodies.emplace_back();
-        bodies[body_at[v]].borders += fans[v] == Fan::Open;  // as many as edges
-    }
-    for (const Triangle& t : mesh.triangles)
-        bodies[body_at[t[0]]].add(mesh, t, 1);
-    std::size_t borders = 0, count = 0;
-    for (Body& body : bodies) {
-        if (body.area > 0) body.decide();
-        if (body.is_turned) return std::nullopt;
-        borders += body.borders;
-        count += body.area > 0;
-    }
-    return count > 1 ? 2. * double(borders) / double(3 * mesh.triangles.size() + borders) : 0;
-}
-
 }  // namespace
 
 void orient(PreparedMesh& mesh) {
-    if (const auto border_share = border_share_unless_turned(mesh))
-        mesh.report.border_share = *border_share;
-    else
-        Turning(mesh).run();
+    Turning(mesh).run();
 }
 
 }  // namespace laplacian_lines
