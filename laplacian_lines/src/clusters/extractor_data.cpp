@@ -89,14 +89,16 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
     std::vector<PlacedCluster> placed;
     placed.reserve(data.clusters.size());
     const ClusterStore store = data.store();
+    std::uint32_t triangles = 0;
     for (const Cluster& cluster : data.clusters) {
         placed.push_back(
-            {&cluster, data.vertices_of_clusters.data() + cluster.first_vertex,
+            {&cluster, triangles, data.vertices_of_clusters.data() + cluster.first_vertex,
              triangles_of(store, cluster),
              reinterpret_cast<const VertexRecord*>(memory_of(store, cluster) +
                                                    cluster_layout(cluster).records),
              data.laplacians.groups.data() + cluster.first_form_group,
              data.curvatures.empty() ? nullptr : data.curvatures.data() + cluster.first_vertex});
+        triangles += cluster.triangle_count;
     }
     return placed;
 }

@@ -61,6 +61,7 @@ inline Eigen::Vector3f normal_of(const VertexRecord& record) {
 /// A cluster with where its parts are.
 struct PlacedCluster {
     const Cluster* cluster;
+    std::uint32_t first_triangle;   ///< over all clusters
     const std::uint32_t* vertices;  ///< numbers in the prepared mesh
     ClusterTriangles triangles;
     const VertexRecord* records;

@@ -19,8 +19,7 @@ struct ZeroEnd {
 class ClusterZeros {
 public:
     /// `placed` is kept by reference.
-    ClusterZeros(const PlacedCluster& placed, std::uint32_t number)
-        : placed_(placed), number_(number) {}
+    explicit ClusterZeros(const PlacedCluster& placed) : placed_(placed) {}
 
     /// The piece in a triangle at some corners of which, not at all, the function is negative.
     /// `ends(a, b)` is a pair of ZeroEnd for two vertices of the cluster.
@@ -49,12 +48,11 @@ private:
                 {(1 - t) * position_of(p) + t * position_of(q),
                  (1 - t) * normal_of(p) + t * normal_of(q),
                  (1 - t) * of.first.bend + t * of.second.bend,
-                 {number_, std::uint8_t(triangle), std::uint8_t(side)},
+                 {placed_.first_triangle + triangle, unsigned(side)},
                  (1 - t) * of.first.value + t * of.second.value}};
     }
 
     const PlacedCluster& placed_;
-    const std::uint32_t number_;
 };
 
 }  // namespace laplacian_lines

@@ -67,7 +67,7 @@ private:
     template <class Visit>
     void for_each_edge(std::size_t c, const Visit& visit) const {
         for (unsigned t = 0; t < placed_[c].cluster->triangle_count; ++t) {
-            const std::uint32_t triangle = graph_.first[c] + t;
+            const std::uint32_t triangle = placed_[c].first_triangle + t;
             const TriangleGraph::Node& node = graph_.triangles[triangle];
             for (unsigned k = 0; k < 3; ++k) {
                 const std::uint32_t next = node.neighbours[k];
@@ -92,7 +92,7 @@ private:
                 counts.flat_edges += cosine >= flat_;
             });
             for (unsigned t = 0; t < placed_[c].cluster->triangle_count; ++t) {
-                const std::uint32_t triangle = graph_.first[c] + t;
+                const std::uint32_t triangle = placed_[c].first_triangle + t;
                 const double area = double(graph_.triangles[triangle].area);
                 counts.area += area;
                 if (graph_.goes_on_flat(triangle, flat_)) counts.flat_area += area;
@@ -122,7 +122,7 @@ private:
                 if (cosine > bent) return;
                 const auto& corners = placed_[c].triangle(t).corners;
                 of_cluster[c].push_back(
-                    {{graph_.first[c] + t, k},
+                    {{placed_[c].first_triangle + t, k},
                      {placed_[c].vertices[corners[k]], placed_[c].vertices[corners[(k + 1) % 3]]},
                      float(std::acos(std::max(double(cosine), -1.))) * kDegrees});
             });

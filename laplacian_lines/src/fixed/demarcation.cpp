@@ -62,8 +62,7 @@ Demarcation demarcation(const CurvatureRecord& record, float slope_scale) {
 
 class ClusterCurves {
 public:
-    ClusterCurves(const PlacedCluster& placed, std::uint32_t number)
-        : placed_(placed), zeros_(placed, number) {
+    explicit ClusterCurves(const PlacedCluster& placed) : placed_(placed), zeros_(placed) {
         for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
             at_[v] = demarcation(placed.curvatures[v], placed.records[v].slope_scale);
     }
@@ -120,8 +119,7 @@ ZeroLines find_demarcating_curves(const ExtractorData& data,
                                   const std::vector<PlacedCluster>& placed) {
     if (data.curvatures.empty()) return {};
     std::vector<ZeroPieces> pieces(placed.size());
-    in_parallel(placed.size(),
-                [&](std::size_t c) { ClusterCurves(placed[c], std::uint32_t(c)).find(pieces[c]); });
+    in_parallel(placed.size(), [&](std::size_t c) { ClusterCurves(placed[c]).find(pieces[c]); });
     ZeroLines found =
         trace_zeros(data, LineKind::DemarcatingCurve, kLeastDemarcatingLength, pieces);
     for (std::size_t i = 0; i < found.forms.size(); ++i)

@@ -197,10 +197,9 @@ private:
 
 }  // namespace
 
-void measure_ridge_angles(const ExtractorData& data, const std::vector<PlacedCluster>& placed,
-                          Crest crest, RidgeCandidates& candidates) {
-    const MeshSides sides(data, placed);
-    const SectionProbe probe(placed, sides, crest.sign);
+void measure_ridge_angles(const ExtractorData& data, Crest crest, RidgeCandidates& candidates) {
+    const TriangleGraph graph = build_triangle_graph(data);
+    const SectionProbe probe(graph, crest.sign);
     LineSet& lines = candidates.lines;
     in_parallel<LineMemory>(lines.lines.size(), [&](std::size_t number, LineMemory& memory) {
         const Polyline& line = lines.lines[number];

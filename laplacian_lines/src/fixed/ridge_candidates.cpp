@@ -56,8 +56,7 @@ Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float si
 /// Finds the pieces of ridges in one cluster.
 class ClusterRidges {
 public:
-    ClusterRidges(const PlacedCluster& placed, std::uint32_t number, float sign)
-        : placed_(placed), zeros_(placed, number) {
+    ClusterRidges(const PlacedCluster& placed, float sign) : placed_(placed), zeros_(placed) {
         for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
             bends_[v] = bend(placed.records[v], vector_of_form(placed.laplacians, v), sign);
     }
@@ -129,9 +128,8 @@ bool is_guessed(const Polyline& line, const LinePoint* points, float diagonal) {
 
 std::vector<ZeroPieces> find_ridge_pieces(const std::vector<PlacedCluster>& placed, Crest crest) {
     std::vector<ZeroPieces> pieces(placed.size());
-    in_parallel(placed.size(), [&](std::size_t c) {
-        ClusterRidges(placed[c], std::uint32_t(c), crest.sign).find(pieces[c]);
-    });
+    in_parallel(placed.size(),
+                [&](std::size_t c) { ClusterRidges(placed[c], crest.sign).find(pieces[c]); });
     return pieces;
 }
 

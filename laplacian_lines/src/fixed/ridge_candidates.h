@@ -37,7 +37,6 @@ RidgeCandidates find_ridge_candidates(const ExtractorData& data,
 /// within 2 % of D to both sides, in the mean along 1.5 % of the line, whatever the triangles' and
 /// the kernel's size; less, down to 0, where the surface goes on turning as fast beyond, as a bump
 /// does, or turns on one side only. The number of threads does not matter.
-void measure_ridge_angles(const ExtractorData& data, const std::vector<PlacedCluster>& placed,
-                          Crest crest, RidgeCandidates& candidates);
+void measure_ridge_angles(const ExtractorData& data, Crest crest, RidgeCandidates& candidates);
 
 }  // namespace laplacian_lines

@@ -24,7 +24,7 @@ public:
     CrestLines(const ExtractorData& data, Crest crest) {
         const std::vector<PlacedCluster> placed = place_clusters(data);
         found_ = find_ridge_candidates(data, placed, crest);
-        measure_ridge_angles(data, placed, crest, found_);
+        measure_ridge_angles(data, crest, found_);
         sharpest_ = strongest_of(found_.lines);
     }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fixed/surface_walk.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
@@ -48,36 +49,46 @@ Plane crossing_plane(const SectionProbe::Section& section, const VertexRecord& a
     return plane;
 }
 
+constexpr TriangleSide kNoSide{TriangleGraph::kNone, 0};
+
+bool exists(const TriangleSide& side) {
+    return side.triangle != TriangleGraph::kNone;
+}
+
+const VertexRecord& record_at(const TriangleGraph& graph, const TriangleSide& side, unsigned next) {
+    return graph.records[graph.triangles[side.triangle].corners[(side.k + next) % 3]];
+}
+
+/// The side of the triangle beyond, if that has the same orientation.
+TriangleSide beyond(const TriangleGraph& graph, const TriangleSide& side) {
+    const TriangleGraph::Node& node = graph.triangles[side.triangle];
+    const bool goes_on =
+        node.neighbours[side.k] != TriangleGraph::kNone && node.sign_across(side.k) > 0;
+    return goes_on ? side_beyond(graph, side) : kNoSide;
+}
+
 /// Where the plane leaves the triangle that it enters by a side; that side becomes the one by which
 /// it leaves.
-Place leave(const std::vector<PlacedCluster>& clusters, const Plane& plane, MeshSide& at) {
-    const PlacedCluster& placed = clusters[at.cluster];
-    const auto& corners = placed.triangle(at.triangle).corners;
-    float heights[3];
-    for (int k = 0; k < 3; ++k)
-        heights[k] = plane.height(placed.records[corners[k]]);
-    const unsigned next = (at.side + 1u) % 3, opposite = (at.side + 2u) % 3;
-    const bool is_by_next = (heights[opposite] < 0) == (heights[at.side] < 0);
-    const unsigned a = is_by_next ? next : opposite, b = (a + 1) % 3;
-    at.side = std::uint8_t(a);
-    const float fall = heights[a] - heights[b];
-    const float t = fall != 0 ? std::clamp(heights[a] / fall, 0.f, 1.f) : 0.5f;
-    return between(placed.records[corners[a]], placed.records[corners[b]], t);
+Place leave(const TriangleGraph& graph, const Plane& plane, TriangleSide& at) {
+    const auto height = [&](unsigned next) { return plane.height(record_at(graph, at, next)); };
+    const bool is_by_next = (height(2) < 0) == (height(0) < 0);
+    at.k = (at.k + (is_by_next ? 1 : 2)) % 3;
+    const float begin = height(0), fall = begin - height(1);
+    const float t = fall != 0 ? std::clamp(begin / fall, 0.f, 1.f) : 0.5f;
+    return between(record_at(graph, at, 0), record_at(graph, at, 1), t);
 }
 
 }  // namespace
 
 void SectionProbe::measure(const Section& section, float reach, SectionProfile& profile) const {
-    const PlacedCluster& placed = placed_[section.side.cluster];
-    const auto& corners = placed.triangle(section.side.triangle).corners;
-    const Plane plane = crossing_plane(section, placed.records[corners[section.side.side]],
-                                       placed.records[corners[(section.side.side + 1) % 3]]);
-    MeshSide at[2] = {section.side, sides_.across(section.side)};
+    const Plane plane = crossing_plane(section, record_at(graph_, section.side, 0),
+                                       record_at(graph_, section.side, 1));
+    TriangleSide at[2] = {section.side, beyond(graph_, section.side)};
     Place next[2];
     float along[2] = {0, 0};
     for (int k = 0; k < 2; ++k)
-        if (at[k].exists()) {
-            next[k] = leave(placed_, plane, at[k]);
+        if (exists(at[k])) {
+            next[k] = leave(graph_, plane, at[k]);
             along[k] = dot(next[k].position - section.point, section.across);
         }
     // Which of the two triangles is on the positive side.
@@ -88,7 +99,7 @@ void SectionProbe::measure(const Section& section, float reach, SectionProfile& 
         const Eigen::Vector3f forward = is_positive ? section.across : -section.across;
         SectionProfile::Side& side = profile.sides_[is_positive];
         side.assign(1, {0, 0, section.point});
-        while (at[k].exists()) {
+        while (exists(at[k])) {
             const SectionProfile::Place& last = side.back();
             const float distance = last.distance + length_of(next[k].position - last.position);
             const float angle = sign_ *
@@ -96,8 +107,8 @@ void SectionProbe::measure(const Section& section, float reach, SectionProfile& 
                                 kDegrees;
             side.push_back({distance, angle, next[k].position});
             if (distance >= reach || side.size() > kMostSteps) break;
-            at[k] = sides_.across(at[k]);
-            if (at[k].exists()) next[k] = leave(placed_, plane, at[k]);
+            at[k] = beyond(graph_, at[k]);
+            if (exists(at[k])) next[k] = leave(graph_, plane, at[k]);
         }
     }
 }

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "clusters/mesh_sides.h"
+#include "fixed/triangle_graph.h"
 
 namespace laplacian_lines {
 
@@ -36,13 +36,14 @@ private:
 /// Walks over the surface from triangle to triangle. Thread-safe.
 class SectionProbe {
 public:
-    /// All are kept by reference. `sign` is what angles are multiplied by: −1 for concave edges.
-    SectionProbe(const std::vector<PlacedCluster>& placed, const MeshSides& sides, float sign = 1)
-        : placed_(placed), sides_(sides), sign_(sign) {}
+    /// The graph is kept by reference. `sign` is what angles are multiplied by: −1 for concave
+    /// edges.
+    explicit SectionProbe(const TriangleGraph& graph, float sign = 1)
+        : graph_(graph), sign_(sign) {}
 
     /// A point on a side of a triangle, and the plane through it. Local coordinates.
     struct Section {
-        MeshSide side;
+        TriangleSide side;
         Eigen::Vector3f point, normal;  ///< of the surface; the normal has any length
         Eigen::Vector3f across;         ///< in the plane, tangential, unit, to the positive side
     };
@@ -50,8 +51,7 @@ public:
     void measure(const Section& section, float reach, SectionProfile& profile) const;
 
 private:
-    const std::vector<PlacedCluster>& placed_;
-    const MeshSides& sides_;
+    const TriangleGraph& graph_;
     const float sign_;
 };
 

@@ -11,12 +11,6 @@ namespace laplacian_lines {
 /// stay below, with 0.6 radians (34 degrees) as the coarsest tolerance in use.
 constexpr float kEdgeAngle = 40;
 
-/// Side k of a triangle.
-struct TriangleSide {
-    std::uint32_t triangle;
-    unsigned k;
-};
-
 /// The same edge as a side of the triangle beyond, which there has to be.
 TriangleSide side_beyond(const TriangleGraph& graph, const TriangleSide& side);
 

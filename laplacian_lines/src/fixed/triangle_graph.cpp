@@ -32,14 +32,10 @@ public:
           placed_(place_clusters(data)),
           notes_(data.border_edge_count) {
         graph.records = records_of(data.store());
-        std::uint32_t count = 0;
-        for (const Cluster& cluster : data.clusters) {
-            graph.first.push_back(count);
-            count += cluster.triangle_count;
-        }
-        graph.first.push_back(count);
-        graph.triangles.reset(new Node[count]);  // written by all threads
-        advise_huge_pages(graph.triangles.get(), count * sizeof(Node));
+        for (const Cluster& cluster : data.clusters)
+            graph.count += cluster.triangle_count;
+        graph.triangles.reset(new Node[graph.count]);  // written by all threads
+        advise_huge_pages(graph.triangles.get(), graph.count * sizeof(Node));
     }
 
     void run() {
@@ -52,7 +48,7 @@ private:
         const PlacedCluster& placed = placed_[c];
         const auto first_record = std::uint32_t(placed.records - graph_.records);
         for (unsigned t = 0; t < placed.cluster->triangle_count; ++t) {
-            Node& node = graph_.triangles[graph_.first[c] + t];
+            Node& node = graph_.triangles[placed_[c].first_triangle + t];
             for (unsigned k = 0; k < 3; ++k)
                 node.corners[k] = first_record + placed.triangle(t).corners[k];
             set_plane(node);
@@ -61,9 +57,9 @@ private:
                 if (neighbour == kNoNeighbour)
                     node.neighbours[k] = TriangleGraph::kNone;
                 else if (neighbour < placed.cluster->triangle_count)
-                    node.neighbours[k] = graph_.first[c] + neighbour;
+                    node.neighbours[k] = placed_[c].first_triangle + neighbour;
                 else
-                    notes_[edge_of(c, neighbour)].note(graph_.first[c] + t, vertex);
+                    notes_[edge_of(c, neighbour)].note(placed_[c].first_triangle + t, vertex);
             });
         }
     }
@@ -72,7 +68,7 @@ private:
     void link(std::size_t c) {
         const unsigned count = placed_[c].cluster->triangle_count;
         for (unsigned t = 0; t < count; ++t) {
-            const std::uint32_t triangle = graph_.first[c] + t;
+            const std::uint32_t triangle = placed_[c].first_triangle + t;
             Node& node = graph_.triangles[triangle];
             for_each_side(c, t, [&](unsigned k, std::uint8_t neighbour, std::uint32_t) {
                 if (neighbour == kNoNeighbour || neighbour < count) return;

@@ -11,6 +11,12 @@
 
 namespace laplacian_lines {
 
+/// Side k of a triangle; no triangle: there is no such side.
+struct TriangleSide {
+    std::uint32_t triangle;
+    unsigned k;
+};
+
 /// The triangles of all clusters with their neighbours in any cluster, for single passes over the
 /// mesh. Local coordinates.
 struct TriangleGraph {
@@ -30,7 +36,7 @@ struct TriangleGraph {
     };
     const VertexRecord* records = nullptr;  ///< those of the extractor's data
     std::unique_ptr<Node[]> triangles;      ///< cluster by cluster
-    std::vector<std::uint32_t> first;       ///< of each cluster, and the number of all
+    std::uint32_t count = 0;
     /// Triangles that stand for one measured triangle of a subdivided scan.
     std::uint32_t subdivision = 1;
 

@@ -48,7 +48,7 @@ std::size_t parts_of_triangle(const TriangleGraph& graph, std::uint32_t triangle
 }  // namespace
 
 TriangularFaces find_triangular_faces(const TriangleGraph& graph, float flat) {
-    const std::uint32_t count = graph.first.back(), step = count / kMostPlaces + 1;
+    const std::uint32_t count = graph.count, step = count / kMostPlaces + 1;
     double all = 0, triangular = 0, parts = 0;  // areas, and their sum by parts
     for (std::uint32_t triangle = 0; triangle < count; triangle += step) {
         if (!graph.goes_on_flat(triangle, flat)) continue;

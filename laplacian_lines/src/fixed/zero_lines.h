@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "clusters/mesh_sides.h"
+#include "fixed/triangle_graph.h"
 #include "laplacian_lines/line_set.h"
 
 namespace laplacian_lines {
@@ -17,7 +17,7 @@ struct ZeroLines {
         Eigen::Vector3f position;
         Eigen::Vector3f normal;  ///< n, about unit
         Eigen::Vector3f bend;    ///< the larger curvature times its direction, of either sign
-        MeshSide side;           ///< on which the point lies
+        TriangleSide side;       ///< on which the point lies
         float value;             ///< what the kind of lines measures there, if anything
     };
     LineSet lines;            ///< opacity and weight are 1, what else is in a point says nothing
