@@ -10,7 +10,7 @@
 
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
-#include "mesh/edge_table.h"
+#include "mesh/corner_table.h"
 #include "mesh/equal_positions.h"
 #include "mesh/stitching.h"
 
@@ -32,12 +32,11 @@ Side side_of(std::uint32_t a, std::uint32_t b) {
 
 /// The sides of triangles that only one triangle has.
 std::vector<Side> find_border_sides(const std::vector<Triangle>& triangles, std::size_t vertices) {
-    EdgeTable table;
-    gather_edges(triangles, vertices, table);
+    const CornerTable table(triangles, vertices);
     std::vector<Side> sides;
-    for (std::uint32_t e = 0; e < table.edge_count(); ++e)
-        if (table.is_border(e))
-            sides.push_back({table.edges[e].vertices[0], table.edges[e].vertices[1]});
+    for (std::uint32_t side = 0; side < table.side_count(); ++side)
+        if (table.across(side) == CornerTable::kBorder)
+            sides.push_back(side_of(begin_of(triangles, side), end_of(triangles, side)));
     return sides;
 }
 

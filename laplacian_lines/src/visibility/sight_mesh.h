@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
-#include "mesh/edge_table.h"
+#include "visibility/edge_table.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
