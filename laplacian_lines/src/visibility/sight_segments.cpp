@@ -37,7 +37,7 @@ public:
             segment.kind = LineKind::Contour;
             segment.is_exact = segment.divides = false;
         } else {
-            segment.kind = LineKind::Crease;
+            segment.kind = count > 2 && is_joint(edge) ? LineKind::Contour : LineKind::Crease;
             segment.divides = count > 2;
             segment.is_drawn = count > 2 ? !goes_on_flat(edge) : is_crease;
         }
@@ -73,11 +73,19 @@ private:
         return std::abs(mesh_.normal(a).dot(mesh_.normal(b))) > kFlatCosine;
     }
 
-    /// Whether what is seen first on both sides of an edge of several triangles is one plane, and
-    /// not of two bodies that only touch there.
-    bool goes_on_flat(std::uint32_t edge) const {
-        const std::uint32_t left = first_at(edge, 1), right = first_at(edge, -1);
-        if (!are_flat(left, right)) return false;
+    /// Whether what is seen first on both sides of an edge of several triangles is one plane.
+    bool is_flat(std::uint32_t edge) const {
+        return are_flat(first_at(edge, 1), first_at(edge, -1));
+    }
+
+    /// Whether two bodies touch at an edge of several triangles, flush.
+    bool is_joint(std::uint32_t edge) const { return is_flat(edge) && !is_within_body(edge); }
+
+    bool goes_on_flat(std::uint32_t edge) const { return is_flat(edge) && is_within_body(edge); }
+
+    /// Whether one body is on both sides of it, in the plane that is seen first.
+    bool is_within_body(std::uint32_t edge) const {
+        const std::uint32_t left = first_at(edge, 1);
         const SightMesh::Side* const sides = mesh_.sides_of(edge);
         const auto is_there = [&](int side, std::uint32_t body) {
             return std::any_of(sides, sides + mesh_.side_count(edge), [&](const auto& other) {
