@@ -8,6 +8,9 @@ namespace laplacian_lines {
 
 using Eigen::Vector3d;
 
+// How many vertices of other surfaces may lie where an edge ends.
+constexpr std::size_t kAside = 4;
+
 const VertexPlaces& CreaseMarker::places() const {
     return *places_.get(
         [&] { return std::make_unique<const VertexPlaces>(mesh_, vertices_of_edges(mesh_)); });
@@ -27,10 +30,11 @@ void CreaseMarker::find_along(const Vector3d& begin, const Vector3d& end,
     });
     std::sort(on.begin(), on.end());
     on.erase(std::unique(on.begin(), on.end()), on.end());
-    for (std::size_t i = 1; i < on.size(); ++i) {
-        const std::uint32_t edge = mesh_.edge_between(on[i - 1].second, on[i].second);
-        if (edge != SightMesh::kNoEdge) edges.push_back(edge);
-    }
+    for (std::size_t i = 0; i < on.size(); ++i)
+        for (std::size_t k = i + 1; k < std::min(on.size(), i + 1 + kAside); ++k) {
+            const std::uint32_t edge = mesh_.edge_between(on[i].second, on[k].second);
+            if (edge != SightMesh::kNoEdge) edges.push_back(edge);
+        }
 }
 
 CreaseMarks CreaseMarker::mark(const std::vector<Segment>& creases) const {
