@@ -121,21 +121,24 @@ struct Places {
     std::vector<std::uint32_t> of_vertex, first_used;
 };
 
-/// Cut from the corner opposite of each cut side.
-void cut_triangle(const Triangle& t, const Places& places, const Cuts& cuts,
+/// Cut from the corner opposite of each side that is. `sides`: bit k: of the mesh's triangle.
+void cut_triangle(const Triangle& t, unsigned sides, const Places& places, const Cuts& cuts,
                   std::vector<Triangle>& parts) {
     for (unsigned k = 0; k < 3; ++k) {
         const std::uint32_t from = t[k], to = t[(k + 1) % 3], third = t[(k + 2) % 3];
         const Side side = side_of(places.of_vertex[from], places.of_vertex[to]);
-        const auto cut = cuts.find(side);
+        const auto cut = sides >> k & 1 ? cuts.find(side) : cuts.end();
         if (cut == cuts.end()) continue;
         std::vector<std::uint32_t> path = {from};
         for (const std::uint32_t place : cut->second)
-            path.push_back(places.first_used[place]);
+            if (place != places.of_vertex[third]) path.push_back(places.first_used[place]);
         if (places.of_vertex[from] != side[0]) std::reverse(path.begin() + 1, path.end());
         path.push_back(to);
-        for (std::size_t i = 1; i < path.size(); ++i)
-            cut_triangle({path[i - 1], path[i], third}, places, cuts, parts);
+        const unsigned next = sides >> (k + 1) % 3 & 1, last = sides >> (k + 2) % 3 & 1;
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            const unsigned left = (i + 1 == path.size() ? next << 1 : 0) | (i == 1 ? last << 2 : 0);
+            cut_triangle({path[i - 1], path[i], third}, left, places, cuts, parts);
+        }
         return;
     }
     parts.push_back(t);
@@ -190,7 +193,7 @@ std::size_t make_conforming(const std::vector<Vector3d>& positions,
     std::size_t cut = 0;
     for (const Triangle& t : triangles) {
         const std::size_t before = result.size();
-        cut_triangle(t, places, cuts, result);
+        cut_triangle(t, 7, places, cuts, result);
         cut += result.size() > before + 1;
     }
     triangles = std::move(result);
