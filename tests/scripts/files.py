@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A file that scripts write is there whole, or what was there before; devices and pipes are written into. What is kept
-in the cache and in the user's folders; the links of a stage; the meshes of ./bench."""
+in the cache and in the user's folders; the links of a stage."""
 import threading
 from unittest import mock
 
@@ -8,7 +8,6 @@ from harness import *
 
 from environment import headers
 from environment.files import publish_into, put_file, umask
-from measures.core_times import table_models
 from product import extra_plugins, stage
 from product.meshlab import drivable_mesh
 from product.models import kept_bumpy_torus
@@ -112,22 +111,6 @@ class Cache(ScriptTest):
         with mock.patch.object(headers.subprocess, "run") as run, self.assertRaises(OSError):
             headers.source_apt_get(self.work / "full", "update")
         run.assert_not_called()
-
-    def test_models_of_bench(self):
-        def names():
-            return [mesh.name for mesh in table_models("bunny", "igea", "dragon_res2", checkout=self.work / "checkout")]
-
-        with mock.patch("product.models.unpack_dragon",
-                        return_value=False), mock.patch("product.models.ensure_packages"):  # no network
-            found = []
-            said = self.said_by(lambda: found.extend(names()))
-            self.assertIn("left out: the model dragon_res2 cannot be fetched", said)
-            self.assertEqual(found, ["bumpy_torus.ply"])
-            self.assertIn("\nelement face 102400\n", kept_bumpy_torus().read_text())
-            path("cache/models/dragon/dragon_res2.ply", b"ply")
-            self.assertEqual(names(), ["dragon_res2.ply"])
-            path("shared/models/igea.ply.gz")
-            self.assertEqual(names(), ["igea.ply.gz", "dragon_res2.ply"])
 
 
 class Stage(ScriptTest):

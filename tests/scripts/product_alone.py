@@ -4,8 +4,8 @@ and CMake know all that they look for, and nothing there names them."""
 from harness import *
 
 SOURCES = os.environ.get("MESHLAB_SOURCES", "")
-OTHERS = ("tests", "programs/benchmarks", "scripts/checks", "scripts/hosts", "scripts/measures", "scripts/test.py",
-          "scripts/bench.py", "test", "bench")
+OTHERS = ("tests", "programs/benchmarks", "scripts/checks", "scripts/hosts", "scripts/test.py", "scripts/bench.py",
+          "test", "bench")
 
 
 class ProductAlone(ScriptTest):
