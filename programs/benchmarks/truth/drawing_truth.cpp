@@ -143,6 +143,10 @@ struct Row {
     }
 };
 
+double percent(double part, double all) {
+    return all > 0 ? 100 * part / all : 0;
+}
+
 /// Prints a row per deflection and the worst drawings; whether all are true enough.
 bool print_tables(std::vector<Drawing>& drawings) {
     std::map<std::string, Row> rows;
@@ -155,8 +159,8 @@ bool print_tables(std::vector<Drawing>& drawings) {
     for (const auto& [deflection, row] : rows)
         std::printf("| %s | %d | %.4f | %.4f | %.3f | %.3f | %.2f | %.3f | %.2f |\n",
                     deflection.c_str(), row.drawings, row.recall, row.precision, row.least_recall,
-                    row.least_precision, 100 * row.loose_ends / row.ends,
-                    100 * row.bare_border / row.border, 100 * row.bare_jumps / row.jumps);
+                    row.least_precision, percent(row.loose_ends, row.ends),
+                    percent(row.bare_border, row.border), percent(row.bare_jumps, row.jumps));
     std::sort(drawings.begin(), drawings.end(),
               [](const Drawing& a, const Drawing& b) { return a.worst() < b.worst(); });
     std::printf("\n| worst drawings | recall | precision |\n|---|--:|--:|\n");
