@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The folder from which MeshLab 2022.02 and later load plugins added by the user."""
 
-import hashlib
 import os
 import pathlib
 import re
@@ -33,6 +32,17 @@ def extra_plugins_folder():
     return user_data_folder() / "VCG/MeshLab_64bit_fp/MeshLabExtraPlugins" / version
 
 
+def record_file():
+    """The files that install_plugins() has made, one a line."""
+    return user_data_folder() / "laplacian-lines/installed"
+
+
+def recorded():
+    """The files; former versions had their checksums before them."""
+    lines = record_file().read_text().splitlines() if record_file().exists() else []
+    return [pathlib.Path(re.sub(r"^file \S+ ", "", line)) for line in lines if not line.startswith("folder ")]
+
+
 def refuse_installed_plugins(plugins):
     """MeshLab would load plugins of the same name twice and stop at their parameters."""
     for plugin in plugins:
@@ -44,78 +54,36 @@ def refuse_installed_plugins(plugins):
                           f"sudo {removal}")
 
 
-def record_file():
-    """What install_plugins() has made: one line each, "file CHECKSUM PATH" or "folder - PATH"."""
-    return user_data_folder() / "laplacian-lines/installed"
-
-
-def checksum(file):
-    return hashlib.sha256(file.read_bytes()).hexdigest()
-
-
-def record():
-    return record_file().read_text().splitlines() if record_file().exists() else []
-
-
-def write_record(lines):
-    put_file("".join(f"{line}\n" for line in lines).encode(), record_file())
-
-
-def make_folders(folder):
-    """Makes it and its missing parents; returns their lines for the record."""
-    if folder.is_dir():
-        return []
-    made = make_folders(folder.parent)
-    folder.mkdir()
-    return [*made, f"folder - {folder}"]
-
-
-def is_installed(file):
-    """By install_plugins(), and unchanged since."""
-    return f"file {checksum(file)} {file}" in record()
-
-
 def install_plugins(plugins):
-    """Into the user's own folder, replacing what was installed before. The record has old and new until all are
-    there."""
+    """Into the user's own folder, replacing what was installed before, also for another version of MeshLab."""
     refuse_installed_plugins(plugins)
-    folder = extra_plugins_folder()
-    for target in (folder / plugin.name for plugin in plugins):
-        if target.exists() and not is_installed(target):
+    folder, old = extra_plugins_folder(), recorded()
+    new = [folder / plugin.name for plugin in plugins]
+    for target in new:
+        if target.exists() and target not in old:
             raise Failure(f"{target} already exists, but ./run has not installed it; remove it first")
-    make_folders(record_file().parent)
-    old = [line for line in record() if line.startswith("file ")]
-    folders = [line for line in record() if line.startswith("folder ")] + make_folders(folder)
-    new = [f"file {checksum(plugin)} {folder / plugin.name}" for plugin in plugins]
-    write_record([*folders, *old, *new])
+    for place in (folder, record_file().parent):
+        place.mkdir(parents=True, exist_ok=True)
+    put_file("".join(f"{file}\n" for file in dict.fromkeys([*old, *new])).encode(), record_file())
     for plugin in plugins:
         put_file(plugin, folder / plugin.name)
-    remove_recorded(line for line in old if f" {folder}/" not in line)  # of another version of MeshLab
-    write_record([*folders, *new])
+    remove([file for file in old if file not in new])
+    put_file("".join(f"{file}\n" for file in new).encode(), record_file())
     say(f"installed in {folder}; ./run --uninstall removes them")
 
 
 def uninstall_plugins():
     if not record_file().exists():
         raise Failure("./run --install has installed nothing here")
-    remove_recorded(reversed(record()))
-    record_file().unlink()
-    remove_if_empty(record_file().parent)
+    remove([*recorded(), record_file()])
 
 
-def remove_if_empty(folder):
-    if folder.is_dir() and not any(folder.iterdir()):
-        folder.rmdir()
-
-
-def remove_recorded(lines):
-    for line in lines:
-        kind, _, path = line.split(" ", 2)
-        path = pathlib.Path(path)
-        if kind == "folder":
-            remove_if_empty(path)
-        elif path.exists() and is_installed(path):
-            path.unlink()
-            say(f"removed {path}")
-        elif path.exists():
-            say(f"left alone, because it is not what ./run has installed: {path}")
+def remove(files):
+    """With the folders that are empty then."""
+    for file in files:
+        file.unlink(missing_ok=True)
+        say(f"removed {file}")
+        for folder in file.parents:
+            if folder == user_data_folder() or not folder.is_dir() or any(folder.iterdir()):
+                break
+            folder.rmdir()
