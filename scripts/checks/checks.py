@@ -7,13 +7,14 @@ import pathlib
 import platform
 import re
 import shutil
+import sys
 
 from environment import packages
 from environment.build import CHECKOUT, build_folder, build_targets, ctest, processors
 from environment.files import cache_folder
 from environment.messages import Failure, output, quietly, run, run_together, say
 
-PACKAGES = "clang libclang-rt-dev llvm cppcheck shellcheck".split()
+PACKAGES = "clang libclang-rt-dev llvm cppcheck shellcheck python3-pyflakes".split()
 LEAST_COVERAGE = 97  # percent of the core's lines
 # Under sanitizers these take minutes: accuracy, many meshes, triangles, options or threads. Others run the same code.
 SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Guarantee* RealModel* Models/* Meshes/PlainComparison* *TorusLines*
@@ -60,7 +61,7 @@ def build_with_clang(preset, *targets):
 
 
 def check_statically():
-    """cppcheck of all C++, with reasons for suppressions; shellcheck of all shell scripts; that Python's compile."""
+    """cppcheck of all C++, with reasons for suppressions; shellcheck of all shell scripts; pyflakes of all Python."""
     packages.ensure_packages(*PACKAGES)
     kept = cache_folder() / "cppcheck"  # what has not changed is not analysed again
     kept.mkdir(parents=True, exist_ok=True)
@@ -70,15 +71,13 @@ def check_statically():
             "laplacian_lines/src", *CPP_FOLDERS], cwd=CHECKOUT, stdout=2) != 0:
         raise Failure("cppcheck found the above: fix it, or say why not in scripts/checks/cppcheck_suppressions.txt")
     files = [CHECKOUT / name for name in output("git", "-C", CHECKOUT, "ls-files").splitlines()]
-    shell = [file for file in files if file.is_file() and re.match(rb"#!.*\b(ba)?sh\b", file.read_bytes())]
-    if run(["shellcheck", *shell], stdout=2) != 0:
+    files = [file for file in files if file.is_file()]
+    if run(["shellcheck", *(file for file in files if re.match(rb"#!.*\b(ba)?sh\b", file.read_bytes()))], stdout=2) != 0:
         raise Failure("shellcheck found the above")
-    for file in files:
-        if file.suffix == ".py" and file.exists():
-            try:
-                compile(file.read_text(), file, "exec")
-            except SyntaxError as error:
-                raise Failure(f"{file}: {error}") from None
+    said = output("sh", "-c", '"$0" -m pyflakes "$@" || true', sys.executable, *(file for file in files if file.suffix == ".py"))
+    # what tests have by "from harness import *" is not known to it
+    if found := re.findall(r"^(?!.*(?:import \*|star imports|tests/.* unused)).+$", said, re.M):
+        raise Failure("pyflakes found\n" + "\n".join(found))
 
 
 def check_sanitized():

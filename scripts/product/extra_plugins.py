@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The folder from which MeshLab 2022.02 and later load plugins added by the user."""
+"""The folder from which MeshLab 2022.02 and later load plugins added by the user; what is called as ours there is ours."""
 
 import os
 import pathlib
@@ -22,25 +22,15 @@ def expect_extra_plugins(folder):
                       f"run ./run --package and, as root, apt install {folder}/*.deb")
 
 
-def user_data_folder():
-    return pathlib.Path(os.environ.get("XDG_DATA_HOME") or os.path.join(os.environ["HOME"], ".local/share"))
+def all_extra_plugins():
+    """The folder of those of all versions of MeshLab."""
+    data = os.environ.get("XDG_DATA_HOME") or os.path.join(os.environ["HOME"], ".local/share")
+    return pathlib.Path(data, "VCG/MeshLab_64bit_fp/MeshLabExtraPlugins")
 
 
 def extra_plugins_folder():
-    """MeshLab's folder is named after the first two parts of its version."""
-    version = re.match(r"\d+\.\d+", packages.meshlab_version())[0]
-    return user_data_folder() / "VCG/MeshLab_64bit_fp/MeshLabExtraPlugins" / version
-
-
-def record_file():
-    """The files that install_plugins() has made, one a line."""
-    return user_data_folder() / "laplacian-lines/installed"
-
-
-def recorded():
-    """The files; former versions had their checksums before them."""
-    lines = record_file().read_text().splitlines() if record_file().exists() else []
-    return [pathlib.Path(re.sub(r"^file \S+ ", "", line)) for line in lines if not line.startswith("folder ")]
+    """Named after the first two parts of its version."""
+    return all_extra_plugins() / re.match(r"\d+\.\d+", packages.meshlab_version())[0]
 
 
 def refuse_installed_plugins(plugins):
@@ -55,35 +45,31 @@ def refuse_installed_plugins(plugins):
 
 
 def install_plugins(plugins):
-    """Into the user's own folder, replacing what was installed before, also for another version of MeshLab."""
+    """In place of those of other versions."""
     refuse_installed_plugins(plugins)
-    folder, old = extra_plugins_folder(), recorded()
-    new = [folder / plugin.name for plugin in plugins]
-    for target in new:
-        if target.exists() and target not in old:
-            raise Failure(f"{target} already exists, but ./run has not installed it; remove it first")
-    for place in (folder, record_file().parent):
-        place.mkdir(parents=True, exist_ok=True)
-    put_file("".join(f"{file}\n" for file in dict.fromkeys([*old, *new])).encode(), record_file())
+    folder = extra_plugins_folder()
+    folder.mkdir(parents=True, exist_ok=True)
     for plugin in plugins:
         put_file(plugin, folder / plugin.name)
-    remove([file for file in old if file not in new])
-    put_file("".join(f"{file}\n" for file in new).encode(), record_file())
+    remove(file for file in installed_plugins() if file.parent != folder)
     say(f"installed in {folder}; ./run --uninstall removes them")
 
 
+def installed_plugins():
+    return sorted(all_extra_plugins().glob("*/lib*_laplacian_lines.so"))
+
+
 def uninstall_plugins():
-    if not record_file().exists():
-        raise Failure("./run --install has installed nothing here")
-    remove([*recorded(), record_file()])
+    if not installed_plugins():
+        raise Failure(f"./run --install has installed nothing in {all_extra_plugins()}")
+    remove(installed_plugins())
 
 
 def remove(files):
-    """With the folders that are empty then."""
+    """With the folders that are empty then, but not the user's .local/share."""
     for file in files:
-        file.unlink(missing_ok=True)
+        file.unlink()
         say(f"removed {file}")
-        for folder in file.parents:
-            if folder == user_data_folder() or not folder.is_dir() or any(folder.iterdir()):
-                break
-            folder.rmdir()
+        for folder in list(file.parents)[:4]:
+            if not any(folder.iterdir()):
+                folder.rmdir()
