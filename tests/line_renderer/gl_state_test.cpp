@@ -79,10 +79,10 @@ protected:
     template <class Draw>
     void expectSameState(const char* what, Draw draw) {
         for (const char* time : {"first", "second"}) {
-            const std::string before = driver::glStateText().toStdString();
+            const std::string before = glStateText().toStdString();
             const std::vector<GLint> arrays_before = arrays();
             draw();
-            EXPECT_EQ(driver::glStateText().toStdString(), before) << what << ", " << time;
+            EXPECT_EQ(glStateText().toStdString(), before) << what << ", " << time;
             EXPECT_EQ(arrays(), arrays_before) << what << ", " << time;
         }
     }
