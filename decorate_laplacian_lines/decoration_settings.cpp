@@ -108,15 +108,6 @@ using laplacian_lines::LineKind;
 using laplacian_lines::LineKindSet;
 
 const char* const compared = "all";
-/// Edge detectors for pictures, with labels.
-const std::vector<std::pair<QString, QString>> detectors = {{"log", "LoG of the Picture"},
-                                                            {"canny", "Canny of the Picture"}};
-
-const std::pair<QString, QString>* detectorNamed(const QString& name) {
-    const auto found = std::find_if(detectors.begin(), detectors.end(),
-                                    [&](const auto& detector) { return detector.first == name; });
-    return found == detectors.end() ? nullptr : &*found;
-}
 
 QString command(const QString& label, const QString& value) {
     return QString("setdeco %1 = %2").arg(label, value);
@@ -162,23 +153,16 @@ void showHighlights(ComparedPicture& picture, const std::vector<DecorationSettin
                              QColor(describe(LineKind::SuggestiveHighlight).key_color).name());
 }
 
-ComparedPicture pictureOfEdges(const std::pair<QString, QString>& detector) {
-    ComparedPicture picture{detector.second, detector.first, settingCommands(switches({})), {}};
-    picture.before << command("Surface", "As MeshLab Draws It");
-    picture.after << command("Surface", "Paper");
-    return picture;
-}
-
 ComparedPicture pictureOfKinds(const QString& name,
                                const std::vector<DecorationSetting>& settings) {
     const auto kinds = laplacian_lines::kinds_named(name.toStdString());
     if (!kinds)
         laplacian_lines::refuse(
-            QString("there are no lines \"%1\". Name some of %2, log, canny, or all; one picture "
-                    "each, with + between what is to be in one.")
+            QString("there are no lines \"%1\". Name some of %2, or all; one picture each, with + "
+                    "between what is to be in one.")
                 .arg(name, QString::fromStdString(laplacian_lines::names_of_kinds()))
                 .toStdString());
-    ComparedPicture picture{labelOf(name), "", {}, {}};
+    ComparedPicture picture{labelOf(name), {}, {}};
     if (const auto* mixture = laplacian_lines::mixture_named(name.toStdString()))
         picture.before << command("Lines", mixture->label);
     else
@@ -188,13 +172,11 @@ ComparedPicture pictureOfKinds(const QString& name,
     return picture;
 }
 
-/// Each mixture but that of all kinds, and the edge detectors.
+/// Each mixture but that of all kinds.
 QStringList allCompared() {
     QStringList names;
     for (const auto& mixture : laplacian_lines::line_mixtures)
         if (!(mixture.kinds == laplacian_lines::all_kinds())) names << mixture.key;
-    for (const auto& detector : detectors)
-        names << detector.first;
     return names;
 }
 
@@ -223,9 +205,7 @@ std::vector<ComparedPicture> comparedPictures(const QString& names, const QStrin
         else
             all << name.trimmed();
     std::vector<ComparedPicture> pictures;
-    for (const QString& name : all) {
-        const auto* detector = detectorNamed(name);
-        pictures.push_back(detector ? pictureOfEdges(*detector) : pictureOfKinds(name, settings));
-    }
+    for (const QString& name : all)
+        pictures.push_back(pictureOfKinds(name, settings));
     return pictures;
 }

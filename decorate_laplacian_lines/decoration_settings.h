@@ -26,17 +26,14 @@ QStringList ignoredSettings();
 /// @throws laplacian_lines::Error(InvalidOption) like readDecorationSetting()
 QStringList settingCommands(const QStringList& settings);
 
-/// One picture of a comparison: kinds of lines, or edges detected in a picture of the shaded
-/// surface.
+/// One picture of a comparison of kinds of lines.
 struct ComparedPicture {
     QString label;
-    QString detector;    ///< of edges in the picture: "log", "canny"; empty: lines
     QStringList before;  ///< the driver's commands before the picture is taken,
     QStringList after;   ///< and after it
 };
 
-/// @param names separated by commas: kinds as in laplacian_lines::kinds_named(), joined by +; log,
-///        canny; all
+/// @param names separated by commas: kinds as in laplacian_lines::kinds_named(), joined by +; all
 /// @param settings the user's, as above, for all pictures
 /// @throws laplacian_lines::Error(InvalidOption) that lists the names
 std::vector<ComparedPicture> comparedPictures(const QString& names, const QStringList& settings);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks parameters of the decoration and prints the driver's commands that set them:
 //   decoration_settings NAME=VALUE...
-// or, a line each, those of the pictures of a comparison: label, edge detector or -, commands before
-// and after the picture, separated by tabs, commands by " ; ":
+// or, a line each, those of the pictures of a comparison: label, commands before and after the
+// picture, separated by tabs, commands by " ; ":
 //   decoration_settings --kinds NAMES NAME=VALUE...
 #include <cstdio>
 #include <exception>
@@ -17,8 +17,7 @@ void print(const QString& text) {
 
 void printPictures(const QString& names, const QStringList& settings) {
     for (const ComparedPicture& picture : comparedPictures(names, settings))
-        print(QStringList{picture.label, picture.detector.isEmpty() ? "-" : picture.detector,
-                          picture.before.join(" ; "), picture.after.join(" ; ")}
+        print(QStringList{picture.label, picture.before.join(" ; "), picture.after.join(" ; ")}
                   .join('\t') +
               '\n');
 }
