@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command that fits the surfaces of all layers into the view.
+// The command that fits the surfaces of all layers into the view: where the camera has to be, and
+// how MeshLab takes it there.
 #include <GL/glew.h>  // before any other GL header
 
 #include <Eigen/Geometry>
+#include <QApplication>
+#include <QClipboard>
+#include <QDomDocument>
+#include <QVector3D>
 #include <QtMath>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "camera.h"
 #include "command_table.h"
 #include "gui.h"
 #include "meshlab_host/camera.h"
@@ -24,6 +28,25 @@ constexpr double margin = 0.05;        // of the shorter side
 constexpr double line_pixels = 2;      // an outline lies half outside the form
 constexpr std::size_t few_points = 8;  // each of which may be at a side
 constexpr double least_share = 1e-4;   // of the box of all, of what is in its middle
+
+/// In the scene: right, up, and towards the viewer.
+struct CameraAxes {
+    QVector3D right, up, back;
+};
+
+/// The place alone; MeshLab keeps more of a camera.
+struct CameraPlace {
+    CameraAxes axes;
+    QVector3D target;        // any point in the middle of the picture
+    double distance;         // of the eye from it; if orthographic, half of the picture's height
+    double angle;            // from the bottom of the picture to its top; orthographic_angle
+    double farthest_behind;  // how far behind the target there is something to be seen
+};
+constexpr double perspective_angle = 60, orthographic_angle = 5;  // degrees, as MeshLab has them
+
+// The share of the distance from eye to target that is clipped, and how far before the target an
+// orthographic camera clips, in half heights of the picture.
+constexpr double nearest_shown = 0.1, orthographic_depth = 4;
 
 /// Corners of a layer's faces, in the scene.
 void appendCorners(const CMeshO& mesh, Points& points) {
@@ -172,6 +195,65 @@ CameraPlace orthographicPlace(const Eigen::AlignedBox3d& box, const Eigen::Vecto
     place.distance = std::max(place.distance, box.max().z() / orthographic_depth);
     place.angle = orthographic_angle;
     return place;
+}
+
+/// MeshLab passes views in and out of a GL view by the clipboard.
+QDomDocument viewFromClip() {
+    QMetaObject::invokeMethod(requireView(), "copyToClip", Qt::DirectConnection);
+    QDomDocument document;
+    if (!document.setContent(QApplication::clipboard()->text()) ||
+        document.elementsByTagName("VCGCamera").isEmpty())
+        throw CommandError("MeshLab's GL view does not tell its camera");
+    return document;
+}
+
+void viewToClip(const QDomDocument& document) {
+    QApplication::clipboard()->setText(document.toString());
+    if (!QMetaObject::invokeMethod(requireView(), "pasteFromClip", Qt::DirectConnection))
+        throw CommandError("MeshLab's GL view has no slot to take a camera");
+    requireView()->update();
+}
+
+QString row(const QVector3D& v, int last) {
+    return QString("%1 %2 %3 %4 ")
+        .arg(v.x(), 0, 'g', 9)
+        .arg(v.y(), 0, 'g', 9)
+        .arg(v.z(), 0, 'g', 9)
+        .arg(last);
+}
+
+/// MeshLab's camera shows a ball of this radius, in units of the view's scale, around its pivot.
+constexpr double ball_radius = 1.75;
+
+double ballDistance(double angle) {
+    return ball_radius / std::sin(qDegreesToRadians(angle / 2));
+}
+
+// MeshLab measures depths in the view's scale: it has to grow with the distance, for the same
+// clipping as when its own camera zooms.
+void placeCamera(const CameraPlace& place) {
+    QDomDocument document = viewFromClip();
+    QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
+    QDomElement settings = document.elementsByTagName("ViewSettings").at(0).toElement();
+    const bool is_orthographic = place.angle <= orthographic_angle;
+    const double depth = ballDistance(perspective_angle);
+    const double scale = (is_orthographic ? ball_radius : depth) / place.distance;
+    const double eye = is_orthographic ? ballDistance(orthographic_angle) / scale : place.distance;
+    settings.setAttribute("TrackScale", scale);
+    settings.setAttribute("NearPlane", nearest_shown * depth);
+    settings.setAttribute("FarPlane", scale * (eye + 1.1 * place.farthest_behind));
+    camera.setAttribute("CameraType", is_orthographic ? 1 : 0);
+    const double picture_height = camera.attribute("ViewportPx").section(' ', 1, 1).toDouble() *
+                                  camera.attribute("PixelSizeMm").section(' ', 1, 1).toDouble();
+    camera.setAttribute("FocalMm",
+                        picture_height / (2 * std::tan(qDegreesToRadians(place.angle / 2))));
+    // rows: the camera's axes; the translation is minus the eye
+    const CameraAxes& axes = place.axes;
+    camera.setAttribute("RotationMatrix",
+                        row(axes.right, 0) + row(axes.up, 0) + row(axes.back, 0) + "0 0 0 1 ");
+    camera.setAttribute("TranslationVector",
+                        row(-(place.target + float(eye) * axes.back), 1).trimmed());
+    viewToClip(document);
 }
 
 // AZIMUTH ELEVATION [UP [ZOOM [orthographic]]], computed from the vertices: the view need not be

@@ -28,7 +28,7 @@ def kept():
     return sorted(line for line in text_of("home/.config/VCG/MeshLab_64bit_fp.conf").splitlines() if "LaplacianLines" in line)
 
 
-small_torus()
+torus()
 os.mkdir("odd")
 odd = "it's \"a & b\" ü %1 $HOME.ply"
 write_mesh(f"odd/{odd}", 30, 20)
@@ -45,7 +45,7 @@ expect_window(0, ["torus.ply", f"odd/{odd}", latin, "packed.ply.gz"], *layers, "
 expect_text("window/log", rf"Laplacian Lines: {re.escape(odd)}: computed with the default options in [0-9.]+ s")
 before = kept()
 expect(before, "MeshLab keeps no parameters of the decoration")
-expect_window(0, [scene, "torus.ply"], *settings_commands(BUILD, ["Detail=0", "line_color=red"]), "size 500x400",
+expect_window(0, [scene, "torus.ply"], *settings_commands(BUILD, ["Detail=100", "line_color=red"]), "size 500x400",
               "expect-action Laplacian Lines checked", f"grab {WORK}/red.png", "select-layer 1",
               "expect-action Laplacian Lines unchecked", "expect-log 1: The mesh has no triangle", "leave")
 expect(red_pixels("red.png") > 100, "the settings do not count")
