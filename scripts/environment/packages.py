@@ -10,7 +10,7 @@ from environment.messages import Failure, output, say
 
 BUILD = """meshlab g++ make cmake xz-utils qtbase5-dev libqt5opengl5-dev libglew-dev libeigen3-dev libgl-dev
     libglu1-mesa-dev libgl1-mesa-dri""".split()
-DISPLAY = "xvfb xauth libgl1-mesa-dri fonts-dejavu-core".split()
+DISPLAY = "xvfb libgl1-mesa-dri fonts-dejavu-core".split()
 CORE = "g++ make cmake libeigen3-dev".split()  # enough for the core alone
 PACKAGING = ["dpkg-dev", "file"]  # CPack asks them what is a library, and whose
 TEST = "python3 git libgtest-dev imagemagick ccache librsvg2-bin poppler-utils".split() + PACKAGING
