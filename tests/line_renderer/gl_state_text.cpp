@@ -7,7 +7,6 @@
 #include <QStringList>
 #include <algorithm>
 
-namespace driver {
 namespace {
 
 struct Name {
@@ -121,5 +120,3 @@ QString glStateText() {
     if (glGetError()) lines << "this context does not know all the names";
     return lines.join('\n') + '\n';
 }
-
-}  // namespace driver

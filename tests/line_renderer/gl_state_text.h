@@ -3,9 +3,5 @@
 
 #include <QString>
 
-namespace driver {
-
 /// OpenGL state that drawing depends on, a line per name, and pending errors, which this clears.
 QString glStateText();
-
-}  // namespace driver
