@@ -3,7 +3,7 @@
 """Builds the wheel, says what auditwheel finds of it, and runs cases/ with it in environments of their own, without a
 compiler in their PATH: one with NumPy alone, and one with the other packages whose meshes are taken.
 
-bare_environments.py FOLDER WRITE_REFERENCE LINES_EXAMPLE LAPLACIAN_LINES
+bare_environments.py FOLDER WRITE_REFERENCE LAPLACIAN_LINES
 """
 
 import json
@@ -57,15 +57,10 @@ def build_wheel(work, builder):
     return tagged
 
 
-def write_reference(folder, write_mesh, lines, command):
-    """The core's lines of a torus, by a program in C++, and drawings of it by the command."""
+def write_reference(folder, write_mesh, command):
+    """A torus, and drawings of it by the command."""
     folder.mkdir(parents=True, exist_ok=True)
     run(write_mesh, "torus", folder)
-    rows = (folder / "torus.ply").read_text().partition("end_header\n")[2].splitlines()
-    with (folder / "torus.obj").open("w") as file:
-        for words in map(str.split, rows):
-            print(*(["v", *words] if len(words) == 3 else ["f", *(int(w) + 1 for w in words[1:])]), file=file)
-    run(lines, folder / "torus.obj", folder / "lines.obj")
     for name, options in DRAWINGS.items():
         words = [word for key, value in options.items() for word in ("--section" if key == "sections" else f"--{key}", str(value))]
         run(command, folder / name, *words, folder / "torus.ply")

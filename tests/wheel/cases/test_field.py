@@ -3,7 +3,7 @@ import unittest
 
 import laplacian_lines as ll
 import numpy
-from shapes import sphere, torus
+from shapes import sphere
 
 
 class Field(unittest.TestCase):
@@ -32,12 +32,3 @@ class Field(unittest.TestCase):
         surface = ll.Surface(mesh, normal_smoothing="none", kernel_mode=1)
         self.assertEqual(surface.measures()["normal_sigma"], 0)
         self.assertGreater(numpy.ptp(surface.field()["ll_kernel_size"]), 0)
-
-    def test_derivatives_for_lines_do_not_appear_in_the_field(self):
-        surface = ll.Surface(torus())
-        surface.lines(direction=(1, 1, 1), kinds="suggestive_contours")
-        self.assertNotIn("ll_smooth_curvature", surface.field())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -56,8 +56,4 @@ class OtherPackages(unittest.TestCase):
         self.expect_same(meshes)
 
     def test_files(self):
-        self.expect_same(REFERENCE / "torus.ply", ll.read_mesh(REFERENCE / "torus.obj"))
-
-
-if __name__ == "__main__":
-    unittest.main()
+        self.expect_same(REFERENCE / "torus.ply", ll.read_mesh(REFERENCE / "torus.ply"))

@@ -111,7 +111,3 @@ class Types(unittest.TestCase):
         said, errors, _ = mypy.api.run(["--strict", "-c", good + bad])
         self.assertIn("kernelsize", said)
         self.assertIn("Found 2 errors", said)
-
-
-if __name__ == "__main__":
-    unittest.main()
