@@ -2,7 +2,6 @@
 """./test --reach: the portable plugins in MeshLabs that did not build them, and the packages of all releases of
 Debian, the wheel for Python, and another processor."""
 
-import pathlib
 import shutil
 import sys
 
@@ -11,15 +10,10 @@ from environment.build import CHECKOUT, ctest, processors
 from environment.messages import Failure, run
 from hosts import aarch64, hosts
 from hosts.roots import SUITES, run_in_root
-from product import portable, pymeshlab
+from product import portable
 from product.stage import built_plugins
 
 BUILD = portable.BUILD
-BUNDLE = BUILD / "bundle"
-GLEW = "libGLEW.so.2.3"  # as the root's MeshLab calls it
-# What PyMeshLab, which shows no windows, lacks of Qt: of this system, whose Qt is nearest to its.
-QT_PLUGINS = pathlib.Path("/usr/lib/x86_64-linux-gnu/qt5/plugins")
-XCB = ("platforms/libqxcb.so", "xcbglintegrations/libqxcb-glx-integration.so")
 GUI_TESTS = r"meshlab\.(stage|driver|install|gui_.*)$"
 
 
@@ -36,25 +30,9 @@ def build():
         raise Failure("the plugins of the .zip need more")
 
 
-def test_in_root(*settings):
+def test_in_root():
     """Runs the build's tests in the root, which has nothing else of this machine."""
-    run_in_root(portable.SUITE, BUILD, ctest(BUILD, "meshlab", "--parallel", str(processors()), "--tests-regex", GUI_TESTS),
-                settings=settings)
-
-
-def test_in_bundle():
-    """The same MeshLab with upstream's Qt and GLEW, as the AppImage has them."""
-    libraries = next(pymeshlab.ensure_pymeshlab().parents[1].glob("lib/python*/site-packages/pymeshlab/lib"))
-    shutil.rmtree(BUNDLE, ignore_errors=True)
-    BUNDLE.mkdir()
-    for pattern in ("libQt5*.so.5", "libicu*.so.56", "libexternal-glew.so"):
-        for library in libraries.glob(pattern):
-            shutil.copy2(library, BUNDLE)
-    (BUNDLE / GLEW).symlink_to("libexternal-glew.so")
-    for plugin in XCB:
-        (BUNDLE / plugin).parent.mkdir()
-        shutil.copy2(QT_PLUGINS / plugin, BUNDLE / plugin)
-    test_in_root(f"LD_LIBRARY_PATH={BUNDLE}", f"QT_PLUGIN_PATH={BUNDLE}")
+    run_in_root(portable.SUITE, BUILD, ctest(BUILD, "meshlab", "--parallel", str(processors()), "--tests-regex", GUI_TESTS))
 
 
 def check_packages():
@@ -68,7 +46,6 @@ def check_packages():
 def run_stages(stage):
     stage("portable plugins", build)
     stage(f"MeshLab of Debian {portable.SUITE}", test_in_root)
-    stage("that with upstream's libraries", test_in_bundle)
     for host in SUITES:
         stage(f"package in MeshLab {host}", hosts.test_host, host, [r"meshlab\.(stage|package)$"])
     stage("lintian", check_packages)

@@ -39,7 +39,7 @@ def enter(root, access, binds, command, **options):
                 f"PYTHONPATH={CHECKOUT}/scripts", *command], **options)
 
 
-def run_in_root(suite, build, command, kind="", install=None, settings=()):
+def run_in_root(suite, build, command, kind="", install=None):
     """In the root of this release, which has the checkout, this build folder, and what is compiled, and no network."""
     with ensured_root(suite, kind, install or install_toolchain) as root:
         for folder in (build, compiled_folder()):
@@ -50,7 +50,7 @@ def run_in_root(suite, build, command, kind="", install=None, settings=()):
             if place.is_dir():
                 binds.append(f"ro:{place}{name}")
         environment = {**os.environ, "LAPLACIAN_LINES_CACHE": str(cache_folder()), "LAPLACIAN_LINES_BUILD": str(build)}
-        if enter(root, "ro", binds, [*settings, *command], env=environment) != 0:
+        if enter(root, "ro", binds, command, env=environment) != 0:
             raise Failure(f"{' '.join(map(str, command[:4]))} failed in {root}")
 
 
