@@ -29,18 +29,28 @@ class Column:
     after: str = ""
 
 
+# What the value of an option has to look like, and what is said otherwise.
+VALUES = {
+    "--size": ("[1-9][0-9]*x[1-9][0-9]*", "WIDTHxHEIGHT, such as 1200x900"),
+    "--view": (rf"{'|'.join(VIEWS)}|-?{NUMBER},-?(0*[1-8]?[0-9](\.[0-9]+)?|0*90(\.0+)?)",
+               "front, back, left, right, top or bottom, or AZIMUTH,ELEVATION in degrees, such as 30,15; the elevation is from -90 to 90"),
+    "--up": ("[xyz]", "the axis that points upwards: x, y or z"),
+    "--zoom": (r"0\.[1-9][0-9]*|[1-9](\.[0-9]+)?|10(\.0+)?", "a factor from 0.1 to 10"),
+    "--kinds": ("[^-].*", "names of kinds of lines with commas between, such as all or apparent_ridges,valleys")}
+
+
 @dataclasses.dataclass
 class Options:
     """What the options of a picture say."""
 
-    size: tuple = (1200, 900)
+    size: str = "1200x900"
     views: list = dataclasses.field(default_factory=list)
     up: str = "y"
     zoom: str = "1"
     projection: str = "perspective"
     kinds: str = ""
 
-    OPTIONS: typing.ClassVar = ("--size", "--view", "--up", "--zoom", "--orthographic", "--kinds")
+    OPTIONS: typing.ClassVar = ("--orthographic", *VALUES)
 
     def take(self, words):
         """Takes an option from the beginning of the words."""
@@ -48,25 +58,15 @@ class Options:
         if option == "--orthographic":
             self.projection = "orthographic"
             return
-        value = words.pop(0) if words else ""
-        if option == "--size":
-            check(re.fullmatch("[1-9][0-9]*x[1-9][0-9]*", value), "--size needs WIDTHxHEIGHT, such as 1200x900")
-            self.size = tuple(map(int, value.split("x")))
-        elif option == "--view":
-            check(value in VIEWS or re.fullmatch(rf"-?{NUMBER},-?(0*[1-8]?[0-9](\.[0-9]+)?|0*90(\.0+)?)", value),
-                  "--view needs front, back, left, right, top or bottom, or AZIMUTH,ELEVATION in degrees, such as 30,15; the elevation is "
-                  "from -90 to 90")
+        value, (pattern, what) = words.pop(0) if words else "", VALUES[option]
+        check(re.fullmatch(pattern, value), f"{option} needs {what}")
+        if option == "--view":
             self.views.append(value)
-        elif option == "--up":
-            check(value in ("x", "y", "z"), "--up needs the axis that points upwards: x, y or z")
-            self.up = value
-        elif option == "--zoom":
-            check(re.fullmatch(NUMBER, value) and 0.1 <= float(value) <= 10, "--zoom needs a factor from 0.1 to 10")
-            self.zoom = value
         else:
-            check(value and value[0] != "-",
-                  "--kinds needs names of kinds of lines with commas between, such as all or apparent_ridges,valleys")
-            self.kinds = value
+            setattr(self, option[2:], value)
+
+    def width_and_height(self):
+        return tuple(map(int, self.size.split("x")))
 
 
 def check(condition, complaint):
@@ -107,10 +107,10 @@ class Pictures:
         which then ends with an error."""
         target = os.path.join(os.path.realpath(os.path.dirname(picture) or "."), os.path.basename(picture))
         self.add_rows(meshes)
-        width, height = self.options.size
+        width, height = self.options.width_and_height()
         # room for the window around the view and dialogs beside it
         with display(width + 600, height + 300):
-            say(f"drawing {len(self.rows) * len(self.views) * len(self.columns)} times {width}x{height} in MeshLab")
+            say(f"drawing {len(self.rows) * len(self.views) * len(self.columns)} times {self.options.size} in MeshLab")
             self.draw_rows()
         self.put_together(target)
         check(not self.failed, f"not drawn: {' '.join(self.failed)}")
@@ -136,7 +136,7 @@ class Pictures:
         show what is large enough for the picture, while kinds are compared at one kernel."""
         options = self.options
         yield from loading(self.rows[number][0])
-        yield f"size {options.size[0]}x{options.size[1]}"
+        yield f"size {options.size}"
         scale = [] if options.kinds else ["setdeco Scale = With the View"]
         commands = ["draw-lines", "setdeco Surface = Paper", *scale, *self.settings]
         for v, view in enumerate(self.views):
@@ -149,7 +149,7 @@ class Pictures:
     def script(self, first):
         """Draws the rows from the first-th on in one MeshLab, on white paper."""
         yield from (LIMIT, "wait", "check Show Layer Dialog on", "check Show Info Panel off", "check Show Trackball off",
-                    f"size {self.options.size[0]}x{self.options.size[1]}", f"scale-lines {LINE_SIDE}", "wait-for-levels")
+                    f"size {self.options.size}", f"scale-lines {LINE_SIDE}", "wait-for-levels")
         for number in range(first, len(self.rows)):
             yield from self.row_script(number)
         yield "quit"
@@ -191,6 +191,6 @@ class Pictures:
             put_file(cells[0][1], target)
         else:
             sheet = self.folder / "sheet.png"
-            make_sheet(sheet, self.options.size, len(self.columns) if len(self.columns) > 1 else len(self.views), cells)
+            make_sheet(sheet, self.options.width_and_height(), len(self.columns) if len(self.columns) > 1 else len(self.views), cells)
             put_file(sheet, target)
         say(f"the picture is {target}")
