@@ -11,8 +11,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QTextDocument>
-#include <QTextDocumentFragment>
 #include <QTimer>
 #include <QTreeWidget>
 #include "command_table.h"
@@ -47,21 +45,14 @@ Widgets editorsBeside(QWidget* container, QLabel* label) {
     return editors;
 }
 
-/// Without the heading that may stand above it.
-QString nameOf(const QLabel* label) {
-    QString text = label->text();
-    if (Qt::mightBeRichText(text))
-        text = QTextDocumentFragment::fromHtml(text).toPlainText().section('\n', -1);
-    return withoutMnemonic(text).trimmed();
-}
-
 Widgets findEditors(QWidget* container, const QString& name) {
     for (QCheckBox* box : container->findChildren<QCheckBox*>())  // up to 2020.09
         if (withoutMnemonic(box->text()) == name) return {box};
     QStringList others;
     for (QLabel* label : container->findChildren<QLabel*>()) {
-        others << "'" + nameOf(label) + "'";
-        if (nameOf(label) != name) continue;
+        const QString text = withoutMnemonic(label->text()).trimmed();
+        others << "'" + text + "'";
+        if (text != name) continue;
         if (const Widgets editors = editorsBeside(container, label); !editors.isEmpty())
             return editors;
     }

@@ -150,5 +150,5 @@ class Command:
         is_sheet = self.options.kinds or len(self.meshes) > 1 or len(self.options.views) > 1
         stage = build_and_stage("picture_plugins", *packages.DISPLAY, *(["imagemagick"] if is_sheet else []))
         settings = settings_commands(build_folder(), self.settings)
-        columns = picture.columns_of(build_folder(), self.options.kinds, self.settings)
+        columns = picture.columns_of(build_folder(), self.options.kinds)
         picture.Pictures(stage, work, self.options, columns, settings).take(self.picture, self.meshes or [""])

@@ -22,11 +22,10 @@ NUMBER = r"[0-9]+(\.[0-9]+)?"
 
 @dataclasses.dataclass
 class Column:
-    """A column of a sheet: its title, the driver's commands before and after a picture."""
+    """A column of a sheet: its title, the driver's commands before a picture."""
 
     label: str = ""
     before: str = ""
-    after: str = ""
 
 
 # What the value of an option has to look like, and what is said otherwise.
@@ -81,12 +80,11 @@ def check_picture(name):
     check(os.path.isdir(folder) and os.access(folder, os.W_OK), f"cannot write into the folder of {name}")
 
 
-def columns_of(build, kinds, settings=()):
-    """Columns for kinds of lines by their names, with the user's settings, from a program built on the decoration's
-    table."""
+def columns_of(build, kinds):
+    """Columns for kinds of lines by their names, from a program built on the decoration's table."""
     if not kinds:
         return [Column()]
-    done = subprocess.run([build / "bin/decoration_settings", "--kinds", kinds, *settings], stdout=subprocess.PIPE,
+    done = subprocess.run([build / "bin/decoration_settings", "--kinds", kinds], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT)
     table = os.fsdecode(done.stdout).rstrip("\n")
     check(done.returncode == 0, f"--kinds: {table}")
@@ -143,7 +141,7 @@ class Pictures:
             angles = VIEWS.get(view or "front", view).replace(",", " ")
             commands.append(f"frame {angles} {options.up} {options.zoom} {options.projection}")
             for c, column in enumerate(self.columns):
-                commands += filter(None, (column.before, f"grab {self.drawing(number, v, c)}", column.after))
+                commands += filter(None, (column.before, f"grab {self.drawing(number, v, c)}"))
         yield "together " + " ; ".join([*commands, "trigger Delete Current Mesh"])
 
     def script(self, first):

@@ -65,15 +65,13 @@ grab after.png
 # a script of both, saved and applied to another mesh, from where the first was seen
 trigger New Empty Project...
 open torus.ply
-trigger Generate Laplacian Lines Polylines
-apply
-close
-select-layer 0
 trigger Export Laplacian Lines Drawing
-set Views = window
 apply
 close
 expect-log Drawing of torus.ply: .*torus_drawing.svg, in perspective
+trigger Generate Laplacian Lines Polylines
+apply
+close
 trigger Show current filter script
 expect-modal .*
 button Save Script

@@ -20,7 +20,7 @@ def take(file, meshes, *words, settings=(), code=0, said=()):
     os.mkdir("drawings")
     pathlib.Path(file).unlink(missing_ok=True)
     check_picture(file)
-    pictures = Pictures(STAGE, WORK / "drawings", options, columns_of(BUILD, options.kinds, settings),
+    pictures = Pictures(STAGE, WORK / "drawings", options, columns_of(BUILD, options.kinds),
                         settings_commands(BUILD, settings))
     ended = said_by(pictures.take, file, meshes)
     expect(ended == code, f"it ended with {ended} instead of {code}: {text_of('log')}")
@@ -102,4 +102,4 @@ small, large = (float(convert(f"usual_{size}.png", "-alpha", "off", "-colorspace
                               "%[fx:mean]")) for size in ("900", "1800"))
 expect(0.85 * small < large < 1.15 * small, f"ink of large drawings is {large}, that of small ones {small}")
 expect(said_by(columns_of, BUILD, "ridge") == 1, "there are no lines called ridge")
-expect_text("log", '^laplacian-lines: --kinds: there are no lines "ridge". Name some of usual, ')
+expect_text("log", '^laplacian-lines: --kinds: there is no picture of lines "ridge". Name some of usual, ')
