@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
 #include "thrown_vessel.h"
 #include "with_threads.h"
@@ -165,15 +165,16 @@ TEST(SeveralObjects, AreTheSameOnAnyNumberOfThreads) {
     const auto bumpy = moved(test_meshes::bumpy_sphere(4).mesh, {30, 0, -200}, 60);
     const auto draw = [&](int threads) {
         const test_meshes::WithThreads scope(threads);
-        return writeSvg(sheetOfAll({cubeOf100(), bumpy}, plainViews("six,30,20")));
+        return writeSheet(sheetOfAll({cubeOf100(), bumpy}, plainViews("six,30,20")),
+                          SheetFormat::Svg);
     };
     EXPECT_EQ(draw(1), draw(3));
 }
 
 TEST(SeveralObjects, OneIsDrawnAsByItself) {
     const TriangleMesh cube = cubeOf100();
-    EXPECT_EQ(writeSvg(sheetOfAll({cube}, plainViews("six"))),
-              writeSvg(made_sheets::sheetOf(cube, plainViews("six"))));
+    EXPECT_EQ(writeSheet(sheetOfAll({cube}, plainViews("six")), SheetFormat::Svg),
+              writeSheet(made_sheets::sheetOf(cube, plainViews("six")), SheetFormat::Svg));
     EXPECT_THROW(sheetOfAll({}, plainViews("six")), laplacian_lines::Error);
 }
 
