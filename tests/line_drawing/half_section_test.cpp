@@ -150,46 +150,4 @@ TEST(HalfSection, StandsBesideAFrontView) {
               made_sheets::extentOf(sheet.groups[0]).right());
 }
 
-/// A closed cylinder along y, as large as the cube.
-TriangleMesh drum() {
-    constexpr std::uint32_t kSides = 64;
-    TriangleMesh mesh;
-    for (const double y : {-50., 50.})
-        for (std::uint32_t i = 0; i < kSides; ++i) {
-            const double angle = 2 * M_PI * i / kSides;
-            mesh.positions.push_back({50 * std::cos(angle), y, -50 * std::sin(angle)});
-        }
-    for (std::uint32_t i = 0; i < kSides; ++i) {
-        const std::uint32_t next = (i + 1) % kSides;
-        mesh.triangles.push_back({i, next, next + kSides});
-        mesh.triangles.push_back({i, next + kSides, i + kSides});
-        if (i > 0 && next > 0) {
-            mesh.triangles.push_back({0, next, i});
-            mesh.triangles.push_back({kSides, i + kSides, next + kSides});
-        }
-    }
-    return mesh;
-}
-
-TEST(HalfSection, ShowsHiddenEdgesIfWanted) {
-    SheetOptions options = vesselOptions();
-    TriangleMesh mesh = drum();
-    auto block = made_sheets::cubeOf100();  // behind the drum, on both sides of its axis
-    for (Vector3d& p : block.positions)
-        p = Vector3d(0.6 * p.x(), 0.2 * p.y(), 0.2 * p.z() - 100);
-    test_meshes::append(mesh, block);
-    for (const bool wanted : {false, true}) {
-        options.hidden = wanted ? HiddenLines::Dashed : HiddenLines::LeftOut;
-        const SheetGroup view = made_sheets::sheetOf(mesh, options).groups.at(0);
-        double right = 0, left = 0;
-        const double middle = made_sheets::extentOf(view).center().x();
-        for (const SheetPath& path : layerOf(view, "hidden").paths)
-            (painterPath(path.path).boundingRect().center().x() > middle ? right : left) +=
-                painterPath(path.path).length();
-        // the half of the block that is hidden by the drum; on the left it is behind the wall
-        EXPECT_NEAR(right, wanted ? 2 * 30 + 20 : 0, 1);
-        EXPECT_EQ(left, 0);
-    }
-}
-
 }  // namespace

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "laplacian_lines/error.h"
-#include "line_drawing/make_sheet.h"
 #include "line_drawing/sheet_file.h"
-#include "painter_path.h"
+#include "made_sheets.h"
 
 using namespace line_drawing;
+using made_sheets::painterPath;
 
 namespace {
 

@@ -154,17 +154,6 @@ TEST(SlightLines, AreShortContoursThatEndInNothing) {
     EXPECT_EQ(kept({exact}), 1u);
 }
 
-TEST(SlightLines, AreShortEndsInNothing) {
-    const DrawnLine whole{LineClass::Edge, false, {{{0, 0}, 1, 1}, {{10, 0}, 1, 2}}};
-    const auto from_its_end = [](double length) {
-        return DrawnLine{LineClass::Edge, false, {{{10, 0}, 1, 2}, {{10, length}, 1, 3}}};
-    };
-    EXPECT_EQ(kept({whole, from_its_end(0.7)}), 1u);
-    EXPECT_EQ(kept({whole, from_its_end(0.9)}), 2u);
-    const DrawnLine closing{LineClass::Edge, false, {{{10, 0.7}, 1, 3}, {{0, 0}, 1, 1}}};
-    EXPECT_EQ(kept({whole, from_its_end(0.7), closing}), 3u);  // it ends in nothing no more
-}
-
 constexpr double tolerance = 0.02;
 
 int curvesOf(const Path& path) {
@@ -230,31 +219,6 @@ TEST(CurveFitting, StaysNearLinesOfAnyShape) {
             largest = std::max(largest, distanceTo(points, p));
         ASSERT_LT(largest, 3 * tolerance) << line;
     }
-}
-
-TEST(CurveFitting, OfASquareBeginsAtACornerAndHasFour) {
-    Points points;
-    const Vector2d corners[] = {{0, 0}, {5, 0}, {5, 5}, {0, 5}, {0, 0}};
-    for (int side = 0; side < 4; ++side)
-        for (int i = 0; i < 50; ++i)
-            points.push_back(corners[side] + (corners[side + 1] - corners[side]) * i / 50.);
-    std::rotate(points.begin(), points.begin() + 20, points.end());
-    points.push_back(points.front());
-    EXPECT_EQ(findCorners(points, true, 0.2).size(), 4u);
-    Path path;
-    fitCurve(points, true, tolerance, path);
-    EXPECT_EQ(path.pieces.size(), 5u);
-    EXPECT_LE(largestDistance(points, path), 1.01 * tolerance);
-    EXPECT_EQ(path.bounds().min(), Vector2d(0, 0));
-    EXPECT_EQ(path.bounds().max(), Vector2d(5, 5));
-}
-
-TEST(CurveFitting, KeepsAngularLinesOfFewPoints) {
-    const Points points = {{0, 0}, {20, 0}, {40, 12}, {45, 50}};
-    Path path;
-    fitCurve(points, false, tolerance, path);
-    EXPECT_EQ(path.pieces.size(), 4u);
-    EXPECT_LE(largestDistance(points, path), 1e-9);
 }
 
 }  // namespace

@@ -146,16 +146,6 @@ TEST(MeasuredDrawing, HiddenEdgesAreDashedIfWanted) {
     }
 }
 
-TEST(MeasuredDrawing, OutlinesHaveThePenEverywhere) {
-    SheetOptions options = plainViews("front");
-    options.mm_per_unit = 40;
-    options.strokes = StrokeStyle::Tapered;
-    const Sheet sheet = sheetOf(test_meshes::sphere(5).mesh, options);
-    const SheetPath& ring = sheet.groups[0].layers.back().paths.at(0);
-    EXPECT_EQ(ring.pen_width, options.pens[0]);
-    EXPECT_NEAR(painterPath(ring.path).boundingRect().width(), 80, 0.1);
-}
-
 TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {
     const auto mesh = made_sheets::cubeOf100();
     const auto refused = [&](const auto& change) {

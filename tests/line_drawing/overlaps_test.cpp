@@ -42,16 +42,6 @@ TEST(Overlaps, LinesThatCrossOrEndAtOthersStayWhole) {
         EXPECT_EQ(l.points.size(), 2u);
 }
 
-/// What goes beyond the end of the line that it doubles meets it.
-TEST(Overlaps, LeaveNoGaps) {
-    const auto rest = withoutDoubles({line(LineClass::Contour, {{0, 0}, {20, 0}}),
-                                      line(LineClass::Contour, {{15, 0.05}, {30, 0.05}})},
-                                     reach);
-    ASSERT_EQ(rest.size(), 2u);
-    EXPECT_GE(rest[1].points.front().position.x(), 20 - reach);
-    EXPECT_LE(rest[1].points.front().position.x(), 20);
-}
-
 /// The short line between them has doubled the outline.
 TEST(Overlaps, EndsMeetTheLinesThatTheyAreBeside) {
     const auto rest = withoutDoubles({line(LineClass::Outline, {{0, 0}, {20, 0}}),
@@ -96,20 +86,6 @@ TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
     EXPECT_EQ(rest_of(line(LineClass::Contour, {{5, near}, {5.5, 0.1}})), 1u);
 }
 
-TEST(Overlaps, LinesHaveNoJogs) {
-    const auto rest = withoutDoubles(
-        {line(LineClass::Contour, {{0, 0}, {10, 0}, {9.8, 0.01}, {10.5, 0.02}, {20, 0}})}, reach);
-    ASSERT_EQ(rest.size(), 1u);
-    const auto& points = rest[0].points;
-    EXPECT_EQ(points.front().position, Eigen::Vector2d(0, 0));
-    EXPECT_EQ(points.back().position, Eigen::Vector2d(20, 0));
-    for (std::size_t i = 1; i < points.size(); ++i)
-        EXPECT_GT(points[i].position.x(), points[i - 1].position.x()) << i;
-    // A spike is no jog.
-    const DrawnLine spike = line(LineClass::Contour, {{0, 0}, {10, 0}, {2, 3}});
-    EXPECT_EQ(withoutDoubles({spike}, reach)[0].points.size(), 3u);
-}
-
 constexpr double pen = 0.25;
 
 /// 10 mm along x, then `length` at `degrees`, in steps of .1 mm.
@@ -140,12 +116,6 @@ TEST(EndHooks, AreCutAtBothEnds) {
 TEST(EndHooks, AreNoBendsOfTheFeature) {
     EXPECT_NEAR(lengthWithoutHooks({hooked(1, 40)}), 11, 1e-6);   // slight
     EXPECT_NEAR(lengthWithoutHooks({hooked(5, 100)}), 15, 1e-6);  // long
-}
-
-TEST(EndHooks, StayWhereTheyMeetALine) {
-    const DrawnLine line = hooked(1, 90);
-    const DrawnLine met{LineClass::Contour, false, {{{5, 1}}, {{15, 1}}}};
-    EXPECT_NEAR(lengthWithoutHooks({line, met}), 11, 1e-6);
 }
 
 /// Along x to 10 mm, in steps of .1, towards an outline across the axis at `x`.

@@ -115,22 +115,6 @@ DrawnLine towards(double x, double angle, LineClass line_class = LineClass::Inne
     return straight({x, 0}, Vector2d(x, 0) + 9 * Vector2d(std::cos(a), std::sin(a)), 1, line_class);
 }
 
-TEST(Chaining, LeadsEndsThatMeetToEachOtherWithoutAStep) {
-    const double aside = 1.8 * pen;
-    for (const LineClass c : {LineClass::Inner, LineClass::Contour}) {
-        const auto chained = chain(
-            {straight({0, 0}, {10, 0}, 1, c), straight({9.9, aside}, {20, aside})}, pens, true);
-        ASSERT_EQ(chained.size(), 1u);
-        const auto& points = chained[0].points;
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            const Vector2d step = points[i].position - points[i - 1].position;
-            EXPECT_LE(std::abs(step.y()), 0.25 * std::abs(step.x()));
-            EXPECT_TRUE(c == LineClass::Inner || std::abs(points[i].position.x()) > 10 ||
-                        points[i].position.y() == 0);
-        }
-    }
-}
-
 TEST(Chaining, GoesAroundCorners) {
     EXPECT_EQ(strokes({towards(0, 180), towards(0, 100)}), 1u);
     EXPECT_EQ(strokes({towards(0, 180), towards(0, 120)}), 2u);  // a hairpin
@@ -209,32 +193,6 @@ TEST(Families, AreDrawnEvenlyTheSmallerTheFewer) {
         for (std::size_t i = 1; i < whole.size(); ++i)
             EXPECT_EQ(whole[i] - whole[i - 1], every) << pens_apart << ": " << whole[i];
     }
-}
-
-/// From x to x at a height, in pens.
-DrawnLine fold(double begin, double end, double y, double rise = 0, double weight = 1) {
-    DrawnLine line{LineClass::Inner, false, {}};
-    for (double t = 0; t <= 1; t += 0.01)
-        line.points.push_back({pen * Vector2d(begin + t * (end - begin), y + t * rise), weight,
-                               laplacian_lines::kNoSightNode, false});
-    return line;
-}
-
-/// Among three folds of 100 pens, 12 pens apart.
-bool isLeft(const DrawnLine& line, int folds = 3, double rise = 0) {
-    std::vector<DrawnLine> lines = {line};
-    for (int i = 0; i < folds; ++i)
-        lines.push_back(fold(0, 100, 12 * i, i > 0 ? rise : 0));
-    return thinOut(lines, pens).size() == lines.size();
-}
-
-TEST(Families, HaveNoShortLinesBetweenThem) {
-    EXPECT_FALSE(isLeft(fold(0, 50, 5)));
-    EXPECT_FALSE(isLeft(fold(20, 80, 5)));
-    EXPECT_TRUE(isLeft(fold(0, 90, 5)));              // one of them
-    EXPECT_TRUE(isLeft(fold(0, 50, 5), 2));           // no family
-    EXPECT_TRUE(isLeft(fold(0, 50, -5)));             // beside it
-    EXPECT_TRUE(isLeft(fold(50, 100, 8, 4), 3, 20));  // where they part, it fills the gap
 }
 
 }  // namespace
