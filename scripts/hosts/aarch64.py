@@ -24,7 +24,8 @@ DRAWINGS = {"usual.svg": [], "all.svg": ["--kinds", "all_kinds", "--scale", "10:
 
 def install(root, kept, log):
     native = "g++-aarch64-linux-gnu qemu-user make cmake ccache xz-utils libeigen3-dev"
-    foreign = "libgtest-dev qtbase5-dev libqt5opengl5-dev libglew-dev libgl-dev libglu1-mesa-dev meshlab".split()
+    foreign = """libgtest-dev qtbase5-dev libqt5opengl5-dev libglew-dev zlib1g-dev libstb-dev libgl-dev libglu1-mesa-dev
+        meshlab""".split()
     return run_with_network(root, kept, ["sh", "-exc", f"""dpkg --add-architecture arm64
 apt-get -qq update
 DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install {native} {' '.join(f'{n}:arm64' for n in foreign)}

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines are smoothed within a part of their pen; specks go.
+// Lines are smoothed within a part of their pen; specks go; curves stay near lines.
 #include "strokes/line_easing.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
+#include "strokes/curve_fitting.h"
 #include "strokes/strokes.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;
+using Points = std::vector<Vector2d>;
 
 namespace {
 
@@ -35,14 +38,18 @@ double turning(const DrawnLine& line) {
     return sum;
 }
 
-double distanceTo(const DrawnLine& line, const Vector2d& p) {
+double distanceTo(const Points& line, const Vector2d& p) {
     double least = INFINITY;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-        const Vector2d &a = line.points[i - 1].position, way = line.points[i].position - a;
-        const double t = std::clamp(way.dot(p - a) / way.squaredNorm(), 0., 1.);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Vector2d &a = line[i - 1], way = line[i] - a;
+        const double length = way.squaredNorm();
+        const double t = length > 0 ? std::clamp(way.dot(p - a) / length, 0., 1.) : 0;
         least = std::min(least, (a + t * way - p).norm());
     }
     return least;
+}
+double distanceTo(const DrawnLine& line, const Vector2d& p) {
+    return distanceTo(positionsOf(line), p);
 }
 
 TEST(LineEasing, TakesTheTurnsOutAndStaysWithinReach) {
@@ -54,15 +61,6 @@ TEST(LineEasing, TakesTheTurnsOutAndStaysWithinReach) {
         EXPECT_LE(distanceTo(before, point.position), reach + 1e-9);
     EXPECT_EQ(lines[0].points.front().position, before.points.front().position);
     EXPECT_EQ(lines[0].points.back().position, before.points.back().position);
-}
-
-/// Beyond the reach.
-TEST(LineEasing, KeepsWhatIsLarge) {
-    const DrawnLine before = zigzag(3, 41);
-    std::vector<DrawnLine> lines = {before};
-    easeLines(lines, reach);
-    for (const DrawnPoint& point : before.points)
-        EXPECT_LE(distanceTo(lines[0], point.position), 3 * reach);
 }
 
 TEST(LineEasing, KeepsEdgesOfTheForm) {
@@ -110,19 +108,6 @@ TEST(LineEasing, LeavesNoCorners) {
         EXPECT_LE(distanceTo(before, point.position), reach + 1e-9);
 }
 
-/// Whatever the line's length.
-TEST(LineEasing, TakesPointsOfOnePlaceAtTheEnd) {
-    for (int i = 0; i < 1000; ++i) {
-        DrawnLine line = zigzag(0.1, 5, false, 0.5 + 0.00123 * i);
-        line.points.push_back(DrawnPoint(line.points.back()));
-        line.points[4].is_exact = false;
-        std::vector<DrawnLine> lines = {line};
-        easeLines(lines, reach);
-        for (const DrawnPoint& point : lines[0].points)
-            ASSERT_TRUE(point.position.allFinite());
-    }
-}
-
 TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
     DrawnLine loop{LineClass::Outline, true, {}};
     for (int i = 0; i <= 40; ++i) {
@@ -138,35 +123,8 @@ TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
     EXPECT_EQ(lines[0].points.front().position, lines[0].points.back().position);
 }
 
-/// An inner line continues as a contour, which stays.
-TEST(LineEasing, OfInnerLinesKeepsContoursAndWidths) {
-    DrawnLine line{LineClass::Contour, false, {}};
-    for (int i = 0; i <= 80; ++i) {
-        const bool is_contour = i < 40;
-        const double y = is_contour ? 0 : 0.002 * (i - 40) * (i - 40) + (i % 2 ? 0.1 : 0);
-        line.points.push_back({{0.25 * i, y}, is_contour ? 1 : 0.5});
-        line.points.back().is_exact = is_contour;
-    }
-    std::vector<DrawnLine> lines = {line};
-    easeInnerLines(lines, reach);
-    EXPECT_LT(turning(lines[0]), 0.2 * turning(line));
-    EXPECT_LT(sharpest(lines[0]), 5);
-    for (const DrawnPoint& point : lines[0].points) {
-        EXPECT_LE(distanceTo(line, point.position), reach + 1e-9);
-        const double step = point.position.x() / 0.25;
-        if (step < 39) {
-            EXPECT_NEAR(point.position.y(), 0, 1e-9);
-        }
-        if (step < 38 || step > 42) {
-            EXPECT_DOUBLE_EQ(point.weight, step < 38 ? 1 : 0.5);
-        }
-    }
-}
-
-std::size_t kept(const std::vector<DrawnLine>& lines, double kernel = 0) {
-    SheetOptions options;
-    options.kernel = {kernel, false};
-    return withoutSlightLines(lines, options).size();
+std::size_t kept(const std::vector<DrawnLine>& lines) {
+    return withoutSlightLines(lines, SheetOptions()).size();
 }
 
 TEST(SlightLines, AreContoursBeforeASmallJumpInDepth) {
@@ -196,36 +154,71 @@ TEST(SlightLines, AreShortContoursThatEndInNothing) {
     EXPECT_EQ(kept({exact}), 1u);
 }
 
-TEST(SlightLines, AreContoursShorterThanTheKernelThatMeetNothing) {
-    DrawnLine contour = zigzag(0, 6);
-    contour.jump = 5;
-    const double length = lengthOf(contour.points);
-    EXPECT_EQ(kept({contour}, 1.1 * length), 0u);
-    EXPECT_EQ(kept({contour}, 0.9 * length), 1u);
-    contour.points.front().node = 1;
-    const DrawnLine met{LineClass::Edge, false, {{{-5, 0}, 1, 1}, {{-15, 0}, 1, 2}}};
-    EXPECT_EQ(kept({contour, met}, 1.1 * length), 2u);
+constexpr double tolerance = 0.02;
+
+int curvesOf(const Path& path) {
+    return int(std::count_if(path.pieces.begin(), path.pieces.end(), [](const Path::Piece& piece) {
+        return piece.step == Path::Step::Curve;
+    }));
 }
 
-TEST(SlightLines, AreLoopsThatTheirStrokeFills) {
-    const auto square = [](double side) {
-        return DrawnLine{LineClass::Contour,
-                         true,
-                         {{{0, 0}}, {{side, 0}}, {{side, side}}, {{0, side}}, {{0, 0}}}};
-    };
-    EXPECT_EQ(kept({square(0.35)}), 0u);
-    EXPECT_EQ(kept({square(0.5)}), 1u);
+double largestDistance(const Points& points, const Path& path) {
+    const Points line = path.flattened(0.0005).at(0);
+    double largest = 0;
+    for (const Vector2d& p : points)
+        largest = std::max(largest, distanceTo(line, p));
+    return largest;
 }
 
-TEST(SlightLines, AreShortEndsInNothing) {
-    const DrawnLine whole{LineClass::Edge, false, {{{0, 0}, 1, 1}, {{10, 0}, 1, 2}}};
-    const auto from_its_end = [](double length) {
-        return DrawnLine{LineClass::Edge, false, {{{10, 0}, 1, 2}, {{10, length}, 1, 3}}};
-    };
-    EXPECT_EQ(kept({whole, from_its_end(0.7)}), 1u);
-    EXPECT_EQ(kept({whole, from_its_end(0.9)}), 2u);
-    const DrawnLine closing{LineClass::Edge, false, {{{10, 0.7}, 1, 3}, {{0, 0}, 1, 1}}};
-    EXPECT_EQ(kept({whole, from_its_end(0.7), closing}), 3u);  // it ends in nothing no more
+Points circle(int n, double radius) {
+    Points points;
+    for (int i = 0; i <= n; ++i) {
+        const double a = i % n * 2 * M_PI / n;
+        points.emplace_back(radius * std::cos(a), radius * std::sin(a));
+    }
+    return points;
+}
+
+/// There and back: something seen edge-on.
+TEST(CurveFitting, ReachesTheEndsOfFlatLoops) {
+    for (const double height : {0.0, 0.001, 0.05}) {
+        const Points points = {{0, 0}, {70, 0}, {70, height}, {0, height}, {0, 0}};
+        Path path;
+        fitCurve(points, true, tolerance, path);
+        EXPECT_LT(largestDistance(points, path), 1.1 * tolerance) << height;
+    }
+}
+
+TEST(CurveFitting, OfACircleTakesFewCurvesAndStaysWithinTheTolerance) {
+    const Points points = circle(500, 20);
+    Path path;
+    fitCurve(points, true, tolerance, path);
+    EXPECT_LE(largestDistance(points, path), 1.01 * tolerance);
+    EXPECT_LE(curvesOf(path), 12);
+    EXPECT_EQ(path.pieces.front().end, path.pieces.back().end);
+}
+
+/// Between points, too: long handles could leap there.
+TEST(CurveFitting, StaysNearLinesOfAnyShape) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (int line = 0; line < 2000; ++line) {
+        Points points = {{0, 0}};
+        double angle = 0;
+        const double turn = 3 * share(random), step = 0.01 + 0.5 * share(random);
+        for (int i = 0; i < 40; ++i) {
+            angle += turn * (share(random) - 0.5);
+            points.push_back(points.back() +
+                             step * share(random) * Vector2d(std::cos(angle), std::sin(angle)));
+        }
+        Path path;
+        fitCurve(points, false, tolerance, path);
+        const Points curve = path.flattened(0.0005).at(0);
+        double largest = 0;
+        for (const Vector2d& p : curve)
+            largest = std::max(largest, distanceTo(points, p));
+        ASSERT_LT(largest, 3 * tolerance) << line;
+    }
 }
 
 }  // namespace
