@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The core as in a plugin, for unload_core.
-#include <atomic>
+#include "generators.h"
+#include "laplacian_lines/precompute.h"
 
-#include "system/parallel.h"
-
-extern "C" int count_on_threads(int count) {
-    std::atomic<int> done{0};
-    laplacian_lines::in_parallel(std::size_t(count), [&](std::size_t) { ++done; });
-    return done;
+extern "C" std::size_t count_normals() {
+    return laplacian_lines::precompute(test_meshes::torus(80, 40).mesh).normals.size();
 }

@@ -2,11 +2,11 @@
 #include "generators.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 
-#include "random_unit.h"
+#include "laplacian_lines/precompute.h"
 
 namespace test_meshes {
 namespace {
@@ -45,27 +45,6 @@ std::vector<Triangle> grid_triangles(const Grid& grid) {
     return triangles;
 }
 
-void split_triangles(TriangleMesh& mesh) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-        const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), 0);
-        if (is_new) {
-            found->second = std::uint32_t(mesh.positions.size());
-            mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]).normalized());
-        }
-        return found->second;
-    };
-    std::vector<Triangle> split;
-    for (const Triangle& t : mesh.triangles) {
-        const std::uint32_t ab = middle(t[0], t[1]), bc = middle(t[1], t[2]),
-                            ca = middle(t[2], t[0]);
-        for (const Triangle& part : {Triangle{t[0], ab, ca}, Triangle{ab, t[1], bc},
-                                     Triangle{ca, bc, t[2]}, Triangle{ab, bc, ca}})
-            split.push_back(part);
-    }
-    mesh.triangles.swap(split);
-}
-
 TriangleMesh icosahedron() {
     const double g = (1 + std::sqrt(5.0)) / 2;
     TriangleMesh mesh;
@@ -101,10 +80,50 @@ AnalyticMesh grid_mesh(const Grid& grid,
     return result;
 }
 
+TriangleMesh subdivided(TriangleMesh mesh, int times) {
+    for (int i = 0; i < times; ++i) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+        const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+            const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), 0);
+            if (is_new) {
+                found->second = std::uint32_t(mesh.positions.size());
+                mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]) / 2);
+            }
+            return found->second;
+        };
+        std::vector<Triangle> split;
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            for (const Triangle& t : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+                split.push_back(t);
+        }
+        mesh.triangles.swap(split);
+    }
+    return mesh;
+}
+
 TriangleMesh icosphere(int level) {
     TriangleMesh mesh = icosahedron();
-    for (int i = 0; i < level; ++i)
-        split_triangles(mesh);
+    for (int i = 0; i < level; ++i) {
+        const std::size_t before = mesh.positions.size();
+        mesh = subdivided(std::move(mesh));
+        for (std::size_t v = before; v < mesh.positions.size(); ++v)
+            mesh.positions[v].normalize();
+    }
+    return mesh;
+}
+
+TriangleMesh with_noise(TriangleMesh mesh, double share, unsigned seed) {
+    const double length = share * laplacian_lines::measure_scale(mesh).mean_edge;
+    std::mt19937 random(seed);
+    for (Eigen::Vector3d& p : mesh.positions) {
+        Eigen::Vector3d move;
+        do {  // uniform: points of the cube outside the ball are drawn again
+            for (double& x : move)
+                x = signed_unit(random);
+        } while (move.norm() > 1 || move.norm() <= 0.01);
+        p += length * move.normalized();
+    }
     return mesh;
 }
 
