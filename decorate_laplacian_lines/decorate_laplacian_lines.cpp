@@ -3,9 +3,7 @@
 
 #include <QPainter>
 #include <stdexcept>
-#include <utility>
 
-#include "decoration_parameters.h"
 #include "decoration_settings.h"
 #include "laplacian_lines/version.h"
 #include "meshlab_host/camera.h"
@@ -35,8 +33,8 @@ laplacian_lines::View viewOf(const CameraMatrices& camera, const Eigen::Matrix4d
                              const DecorationParameters& chosen) {
     auto view = meshlab_host::viewFromMatrices(camera.modelview, camera.projection, layer);
     if (!view) throw std::runtime_error("The layer's transformation cannot be inverted.");
-    if (chosen.light == Light::FixedToTheCamera)
-        view->light = meshlab_host::directionInMesh(meshlab_host::towardsLight(chosen.camera_light),
+    if (const auto azimuth = lightAzimuth(chosen))
+        view->light = meshlab_host::directionInMesh(meshlab_host::towardsLight(*azimuth),
                                                     camera.modelview, layer);
     return *view;
 }
@@ -112,21 +110,13 @@ bool isWithoutDerivatives(const PreparedLines& lines) {
     return lines.extractor && !lines.has_derivatives && lines.lack.isEmpty();
 }
 
-QStringList sentences(const std::map<std::string, QString>& refused) {
-    QStringList result;
-    for (const auto& parameter : refused)
-        result << parameter.second;
-    return result;
-}
-
 QString refusalLine(const MeshModel& mesh, const QString& refusal) {
     return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
 }
 
 }  // namespace
 
-DecorateLaplacianLines::DecorateLaplacianLines()
-    : DecoratePluginBase(description()), panel_(title) {}
+DecorateLaplacianLines::DecorateLaplacianLines() : DecoratePluginBase(description()) {}
 
 void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
     listDecorationParameters(list);
@@ -143,15 +133,12 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
     // Not at redraws: MeshLab restarts decorations whenever a parameter changes.
     const ValidParameters valid = validParameters(parameters);
     meshlab_host::noteDrawnStyle(drawnStyleOf(valid.chosen));
-    panel_.arrange(panelLines(valid));
-    if (!std::exchange(has_looked_at_settings_, true))
-        for (const QString& line : ignoredSettings())
-            say(QString("%1: %2").arg(title, line));
+    const QString forgotten = forgetOtherSettings();
+    if (!forgotten.isEmpty()) say(QString("%1: %2").arg(title, forgotten));
     QString refusal;
     try {
-        meshlab_host::WindowProgress progress;
         const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
-        refusal = demandLines(mesh, view, needs_derivatives, &progress)->failure;
+        refusal = demandLines(mesh, view, needs_derivatives)->failure;
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
     }
@@ -162,11 +149,9 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
 
 void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& parameters,
                                   GLArea* view, QPainter* painter, GLLogStream& log) {
-    emit drawingBegins(mesh);
     const ValidParameters valid = validParameters(parameters);
-    QStringList complaints = sentences(valid.refused);
+    QStringList complaints = valid.refused;
     QString text;
-    bool is_drawn = false;
     if (shows_statistics_) glFinish();  // the mesh's own drawing must not count
     RedrawClock clock;
     try {
@@ -174,14 +159,13 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
         PreparedLinesPointer lines = currentLines(mesh, view, painter);
         if (!lines || (needs_derivatives && isWithoutDerivatives(*lines)))
             lines = demandLines(mesh, view, needs_derivatives);
-        is_drawn = lines->failure.isEmpty();
-        if (is_drawn) text = drawLines(mesh, lines, valid.chosen, view, painter, clock);
+        if (lines->failure.isEmpty())
+            text = drawLines(mesh, lines, valid.chosen, view, painter, clock);
         const QString& lack = needs_derivatives ? lines->lack : QString();
         complaints += QStringList{lines->failure, lack};
         if (valid.chosen.scale == Scale::WithTheView && !lines->failed_levels.empty())
             complaints << lines->failed_levels.begin()->second;
     } catch (const std::exception& error) {
-        is_drawn = false;
         complaints << QString::fromUtf8(error.what());
     }
     complaints.removeAll({});
@@ -193,7 +177,6 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     tellOfNewLayers(mesh, view);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
-    emit drawingEnds(mesh, valid.chosen, kernels_, is_drawn ? &lines_ : nullptr, refusal);
 }
 
 void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
@@ -211,21 +194,20 @@ void DecorateLaplacianLines::meshGone(GLArea* view) {
 }
 
 PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view,
-                                                         bool needs_derivatives,
-                                                         meshlab_host::WindowProgress* shown) {
+                                                         bool needs_derivatives) {
     const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
     if (!alive.empty()) cache_.releaseAllBut(view, alive);
     const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
     const auto say_line = [this](const QString& line) { say(line); };
     const auto prepare = [&] {
         return prepareLines(mesh.cm, mesh.label(),
-                            needs_derivatives ? withDerivatives(source) : source, say_line, shown);
+                            needs_derivatives ? withDerivatives(source) : source, say_line);
     };
     PreparedLinesPointer lines = cache_.find(source.key);
     if (!lines || lines->lacked_memory) lines = prepare();
     if (lines->lacked_memory && kept_.drop()) lines = prepare();
     if (needs_derivatives && lines->extractor && !lines->has_derivatives)
-        addDerivatives(*lines, mesh.cm, mesh.label(), source, say_line, shown);
+        addDerivatives(*lines, mesh.cm, mesh.label(), source, say_line);
     cache_.assign(view, mesh.id(), lines);
     keep(mesh, lines);
     return lines;
@@ -276,7 +258,7 @@ std::vector<DrawnKernel> DecorateLaplacianLines::kernelsFor(
     const laplacian_lines::View& eye, const LayerInView& layer, double tiles) {
     if (chosen.scale == Scale::AsComputed) return {DrawnKernel()};
     const PictureOfMesh picture = pictureOf(layer, eye, tiles_.camera().projection, tiles);
-    const double width = chosen.lines.width * layer.placement.pixel_scale;
+    const double width = chosen.line_width * layer.placement.pixel_scale;
     const double wanted =
         laplacian_lines::kDrawnKernelWidths * width * lines->samples.pixelSize(picture);
     const bool waits =
@@ -298,9 +280,9 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     if (tiles > 1)
         layer.placement.picture_to_clip = tiles_.camera().projection * tiles_.camera().modelview *
                                           meshlab_host::layerTransform(mesh.cm);
-    kernels_ = kernelsFor(mesh, lines, chosen, eye, layer, tiles);
+    const auto kernels = kernelsFor(mesh, lines, chosen, eye, layer, tiles);
     clock.count(RedrawClock::DrawCalls);
-    laplacian_lines::extract_kernels(*lines->extractor, eye, chosen.style, kernels_, scratch_,
+    laplacian_lines::extract_kernels(*lines->extractor, eye, chosen.style, kernels, scratch_,
                                      faded_lines_, lines_);
     clock.count(RedrawClock::Extraction);
 
@@ -311,7 +293,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     if (!chosen.show_statistics) return {};
     glFinish();
     clock.count(RedrawClock::Drawing);
-    return kernelSize(kernels_.front(), *lines) +
+    return kernelSize(kernels.front(), *lines) +
            statistics(lines_, clock, lines->preparation + *lines->first_redraw);
 }
 

@@ -4,12 +4,12 @@
 #include <set>
 
 #include "complaints.h"
+#include "decoration_parameters.h"
 #include "kept_lines.h"
 #include "laplacian_lines/line_extractor.h"
 #include "line_cache.h"
 #include "line_renderer/redraw_clock.h"
 #include "meshlab_host/decorate_plugin_base.h"
-#include "meshlab_host/parameter_panel.h"
 #include "meshlab_host/snapshot_tiles.h"
 #include "view_drawing.h"
 #include "view_levels.h"
@@ -24,16 +24,6 @@ class DecorateLaplacianLines : public meshlab_host::DecoratePluginBase {
 public:
     DecorateLaplacianLines();
 
-signals:
-    /// For observers, around each drawing of a layer with MeshLab's GL context current, which they
-    /// leave as it is. `lines` in mesh coordinates, valid during the call; null if `refusal` says
-    /// why none were drawn; it also says which parameters are not `drawn`. `kernels` are those of
-    /// the lines.
-    void drawingBegins(const MeshModel& mesh);
-    void drawingEnds(const MeshModel& mesh, const DecorationParameters& drawn,
-                     const std::vector<laplacian_lines::DrawnKernel>& kernels,
-                     const laplacian_lines::LineSet* lines, const QString& refusal);
-
 protected:
     void listParameters(RichParameterList& list) const override;
     bool start(MeshModel& mesh, const RichParameterList& parameters, GLArea* view) override;
@@ -46,10 +36,8 @@ protected:
 private:
     /// Values out of range stay as they were last time.
     ValidParameters validParameters(const RichParameterList& parameters);
-    /// Lines of the mesh's present geometry, found or prepared and assigned to the view. `shown` is
-    /// null while a view is painted.
-    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view, bool needs_derivatives,
-                                     meshlab_host::WindowProgress* shown = nullptr);
+    /// Lines of the mesh's present geometry, found or prepared and assigned to the view.
+    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view, bool needs_derivatives);
     /// The view's lines if they still belong to the mesh, as far as that is checked while the
     /// camera moves; else null.
     PreparedLinesPointer currentLines(const MeshModel& mesh, GLArea* view, QPainter* painter);
@@ -71,7 +59,6 @@ private:
     /// While the mesh and its document live and memory allows.
     void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 
-    meshlab_host::ParameterPanel panel_;
     DecorationParameters last_good_;
     LineCache cache_;
     KeptLines kept_;
@@ -83,6 +70,5 @@ private:
     ViewDrawing drawing_;
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_, faded_lines_;
-    std::vector<laplacian_lines::DrawnKernel> kernels_;
-    bool shows_statistics_ = false, has_looked_at_settings_ = false;
+    bool shows_statistics_ = false;
 };

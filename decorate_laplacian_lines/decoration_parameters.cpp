@@ -3,154 +3,102 @@
 
 #include <algorithm>
 
-#include "decoration_table.h"
 #include "laplacian_lines/error.h"
-#include "laplacian_lines/option_table.h"
 #include "meshlab_host/parameters.h"
 
 namespace {
 
-/// Calls the visitor with each row and its label, below the heading of its group.
-template <class Visitor>
-void visitRows(const Visitor& visitor) {
-    for (const ParameterGroup& group : decorationTable())
-        for (const ParameterRow& any : group.rows)
-            std::visit(
-                [&](const auto& row) {
-                    const bool opens_group = group.heading && &any == &group.rows.front();
-                    visitor.visit(row, opens_group
-                                           ? meshlab_host::underHeading(group.heading, row.label)
-                                           : QString(row.label));
-                },
-                any);
+void add(const DecorationRow& row, RichParameterList& list) {
+    meshlab_host::addParameter(meshlab_host::describe(row, decoration_prefix),
+                               row.get(DecorationParameters()), 0, list);
 }
 
-struct Lister {
-    RichParameterList& list;
-
-    template <class Options>
-    void visit(const laplacian_lines::OptionDescription<Options>& row, const QString& label) const {
-        meshlab_host::ParameterDescription description =
-            meshlab_host::describe(row, decoration_prefix);
-        description.label = label;
-        description.for_experts = false;  // the panel hides it, in all versions alike
-        meshlab_host::addParameter(description, row.get(Options()), 0, list);
-    }
-    void visit(const ColorRow& row, const QString& label) const {
-        DecorationParameters defaults;
-        list.addParam(RichColor(decoration_prefix + QString(row.key), row.color(defaults), label,
-                                meshlab_host::toolTip(row.help)));
-    }
-};
-
-struct Describer {
-    std::vector<DecorationField>& fields;
-
-    template <class Row>
-    void visit(const Row& row, const QString& label) const {
-        fields.push_back({row.key, label, meshlab_host::toolTip(row.help), row.for_experts});
-    }
-};
+void add(const ColorRow& row, RichParameterList& list) {
+    list.addParam(RichColor(decoration_prefix + row.key, DecorationParameters().*row.color,
+                            row.label, meshlab_host::toolTip(row.help)));
+}
 
 struct Reader {
     ValidParameters& result;
     const RichParameterList& list;
     const DecorationParameters& last_time;
 
-    template <class Parameters>
-    static auto& options(const DecorationRow&, Parameters& of) {
-        return of;
-    }
-    template <class Parameters>
-    static auto& options(const StyleRow&, Parameters& of) {
-        return of.style;
-    }
-
-    template <class Options>
-    void visit(const laplacian_lines::OptionDescription<Options>& row, const QString&) const {
-        Options& read = options(row, result.as_set);
-        const meshlab_host::ParameterDescription parameter =
-            meshlab_host::describe(row, decoration_prefix);
+    void operator()(const DecorationRow& row) const {
+        DecorationParameters& read = result.as_set;
+        const auto parameter = meshlab_host::describe(row, decoration_prefix);
         try {
             row.set(read, meshlab_host::readParameter(parameter, row.get(read), list));
         } catch (const laplacian_lines::Error& error) {
-            const double value = row.get(options(row, last_time));
+            const double value = row.get(last_time);
             row.set(read, value);
-            result.refused[row.key] =
+            result.refused +=
                 QString("%1 Until then it stays %2.").arg(error.what(), textOf(value, parameter));
         }
     }
-    void visit(const ColorRow& row, const QString&) const {
-        QColor& color = row.color(result.as_set);
-        color = meshlab_host::readColor(decoration_prefix + QString(row.key), color, list);
+    void operator()(const ColorRow& row) const {
+        QColor& color = result.as_set.*row.color;
+        color = meshlab_host::readColor(decoration_prefix + row.key, color, list);
     }
 };
 
-/// White on paper of another color.
-QColor shadeOf(const QColor& paper) {
-    const QColor of_white = line_renderer::SurfaceAppearance().shade;
-    const auto share = [](int channel, int of_paper) { return channel * of_paper / 255; };
-    return {share(of_white.red(), paper.red()), share(of_white.green(), paper.green()),
-            share(of_white.blue(), paper.blue())};
-}
-
-void putMixtureIntoEffect(DecorationParameters& parameters) {
+/// Kinds that a mixture tells apart by their colors have them in any drawing style if it is the
+/// one that colors all.
+laplacian_lines::LineKindSet coloredKinds(const DecorationParameters& parameters) {
     const laplacian_lines::LineMixture* mixture = mixtureOf(parameters);
-    if (!mixture) return;
-    parameters.style.shows = mixture->kinds;
-    parameters.lines.colored = mixture->colored;
+    if (!mixture) return {};
+    const bool is_in_black = parameters.drawing_style != DrawingStyle::Custom;
+    const bool colors_all = mixture->colored == laplacian_lines::kinds_with_key_color();
+    return is_in_black && !colors_all ? laplacian_lines::LineKindSet() : mixture->colored;
 }
 
-void putIntoEffect(DrawingStyle style, DecorationParameters& parameters) {
-    if (style == DrawingStyle::Custom) return;
-    for (const auto& kind : laplacian_lines::line_kinds)
-        if (!keepsColor(kind.kind, parameters))
-            parameters.appearance.looks[std::size_t(kind.kind)].color = Qt::black;
-    parameters.surface.style = line_renderer::SurfaceAppearance::Paper;
-    parameters.surface.paper = Qt::white;
-    parameters.background = Background::Paper;
-    parameters.light =
-        style == DrawingStyle::Archaeology ? Light::FixedToTheCamera : Light::AtTheEye;
+line_renderer::LineLooks looksOf(const DecorationParameters& parameters) {
+    const laplacian_lines::LineKindSet colored = coloredKinds(parameters);
+    line_renderer::LineLooks looks;
+    std::transform(
+        laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(), looks.begin(),
+        [&](const laplacian_lines::LineKindDescription& kind) {
+            return line_renderer::LineLook{
+                colored[kind.kind] ? QColor(kind.key_color) : parameters.line_color,
+                parameters.line_width * (kind.is_outline ? parameters.outline_width : 1)};
+        });
+    return looks;
 }
 
 DecorationParameters inEffect(DecorationParameters parameters) {
-    putMixtureIntoEffect(parameters);
-    parameters.surface.shade = shadeOf(parameters.surface.paper);
-    // Invisible contours must not push other lines aside.
-    if (parameters.lines.outline_factor == 0)
-        parameters.style.shows[laplacian_lines::LineKind::Contour] = false;
-    parameters.appearance.looks = looksOf(parameters.lines);
-    putIntoEffect(parameters.drawing_style, parameters);
+    if (const auto* mixture = mixtureOf(parameters)) parameters.style.shows = mixture->kinds;
+    if (parameters.drawing_style != DrawingStyle::Custom) {
+        parameters.line_color = Qt::black;
+        parameters.surface = SurfaceLook::Paper;
+    }
+    if (parameters.drawing_style == DrawingStyle::Publication) parameters.light = at_the_eye;
+    if (parameters.drawing_style == DrawingStyle::Archaeology)
+        parameters.light = std::max(parameters.light, from_the_upper_left);
+    parameters.appearance.looks = looksOf(parameters);
     return parameters;
 }
 
 }  // namespace
 
 void listDecorationParameters(RichParameterList& list) {
-    visitRows(Lister{list});
+    for (const auto& any : decorationTable())
+        std::visit([&](const auto& row) { add(row, list); }, any);
 }
 
-std::vector<DecorationField> decorationFields() {
-    std::vector<DecorationField> fields;
-    visitRows(Describer{fields});
-    return fields;
+std::optional<double> lightAzimuth(const DecorationParameters& parameters) {
+    if (parameters.light == at_the_eye) return std::nullopt;
+    return 315 + 45 * (parameters.light - from_the_upper_left);
 }
 
 const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters) {
-    if (parameters.mixture == as_switched) return nullptr;
+    if (parameters.mixture == as_ticked) return nullptr;
     return &laplacian_lines::line_mixtures.at(std::size_t(parameters.mixture - 1));
-}
-
-bool keepsColor(laplacian_lines::LineKind kind, const DecorationParameters& parameters) {
-    const laplacian_lines::LineMixture* mixture = mixtureOf(parameters);
-    const auto in_colors = laplacian_lines::kinds_with_key_color();
-    return mixture && mixture->colored == in_colors && in_colors[kind];
 }
 
 ValidParameters readValidParameters(const RichParameterList& list,
                                     const DecorationParameters& last_time) {
     ValidParameters result;
-    visitRows(Reader{result, list, last_time});
+    for (const auto& row : decorationTable())
+        std::visit(Reader{result, list, last_time}, row);
     result.chosen = inEffect(result.as_set);
     return result;
 }
@@ -158,7 +106,7 @@ ValidParameters readValidParameters(const RichParameterList& list,
 meshlab_host::DrawnStyle drawnStyleOf(const DecorationParameters& parameters) {
     meshlab_host::DrawnStyle drawn;
     drawn.style = parameters.style;
-    if (parameters.light == Light::FixedToTheCamera) drawn.light = parameters.camera_light;
+    drawn.light_azimuth = lightAzimuth(parameters);
     drawn.shows_hidden = parameters.appearance.hidden != line_renderer::HiddenLines::LeftOut;
     std::transform(parameters.appearance.looks.begin(), parameters.appearance.looks.end(),
                    drawn.colors.begin(),

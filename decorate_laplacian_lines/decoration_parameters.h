@@ -1,84 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
-#include <string>
+#include <QColor>
+#include <QStringList>
+#include <optional>
+#include <variant>
 #include <vector>
 
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/line_style.h"
-#include "line_choice.h"
+#include "laplacian_lines/option_table.h"
 #include "line_renderer/line_appearance.h"
-#include "line_renderer/surface_renderer.h"
-#include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"
-#include "meshlab_host/parameter_panel.h"
 
 /// Makes names unique among MeshLab's plugins.
 inline const QString decoration_prefix = "MeshLab::Decoration::LaplacianLines_";
 
-/// Looks chosen by one parameter, which overrides those it stands for.
+/// Looks chosen by one parameter, whatever color, surface and light say.
 enum class DrawingStyle { Custom, Publication, Archaeology };
 
-/// The switches of kinds count; otherwise a mixture does.
-constexpr int as_switched = 0;
+/// The ticks of kinds count; otherwise a mixture does.
+constexpr int as_ticked = 0;
 
-enum class Background { AsMeshLabDrawsIt, Paper };
-
-enum class ShownParameters { Basic, All };
+/// All but the first have paper around the surface.
+enum class SurfaceLook { AsMeshLabDrawsIt, Paper, Toon, OnPaper };
 
 /// The kernel of the field as computed, or one that suits the size of the surface in the view.
 enum class Scale { AsComputed, WithTheView };
 
-enum class Light { AtTheEye, FixedToTheCamera };
+/// From 1 on, lights turn with the camera: eight around the picture, clockwise.
+constexpr int at_the_eye = 0, from_the_upper_left = 1;
 
 /// MeshLab's decoration parameters, which all views share.
 struct DecorationParameters {
     DrawingStyle drawing_style = DrawingStyle::Custom;
-    int mixture = as_switched;  ///< of laplacian_lines::line_mixtures, counted from 1
+    int mixture = as_ticked;  ///< of laplacian_lines::line_mixtures, counted from 1
     laplacian_lines::LineStyle style;
-    LineChoice lines;
-    line_renderer::LineAppearance appearance;  ///< its looks are those of `lines` and the style
-    line_renderer::SurfaceAppearance surface;
-    Background background = Background::AsMeshLabDrawsIt;
+    double line_width = line_renderer::usual_line_width;
+    double outline_width = describe(laplacian_lines::LineKind::Contour).width;  ///< in line widths
+    QColor line_color = Qt::black;
+    line_renderer::LineAppearance appearance;  ///< its looks are made of the above
     Scale scale = Scale::AsComputed;
-    Light light = Light::AtTheEye;
-    meshlab_host::CameraLight camera_light;
-    ShownParameters shown = ShownParameters::Basic;
+    SurfaceLook surface = SurfaceLook::AsMeshLabDrawsIt;
+    int light = at_the_eye;
     bool show_statistics = false;
 };
 
-/// In MeshLab's order: what everybody uses first.
+using DecorationRow = laplacian_lines::OptionDescription<DecorationParameters>;
+struct ColorRow {
+    const char* key;
+    const char* label;
+    const char* help;
+    QColor DecorationParameters::*color;
+};
+/// In MeshLab's order.
+const std::vector<std::variant<DecorationRow, ColorRow>>& decorationTable();
+
 void listDecorationParameters(RichParameterList& list);
 
-struct DecorationField {
-    const char* key;
-    QString label;  ///< with the heading of the group that it opens
-    QString help;   ///< tool tip
-    bool for_experts;
-};
-std::vector<DecorationField> decorationFields();
+/// Of the light that turns with the camera, if it does, as meshlab_host::towardsLight() takes it.
+std::optional<double> lightAzimuth(const DecorationParameters& parameters);
 
-/// Null if the switches count.
+/// Null if the ticks count.
 const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters);
 
-/// In any drawing style: the mixture tells its kinds apart by their colors.
-bool keepsColor(laplacian_lines::LineKind kind, const DecorationParameters& parameters);
-
-/// With drawing style and mixture applied. Values out of range are those of the last time.
+/// Values out of range are those of the last time.
 struct ValidParameters {
-    DecorationParameters chosen;
-    DecorationParameters as_set;             ///< without drawing style and mixture put into effect
-    std::map<std::string, QString> refused;  ///< what is wrong, by key of those out of range
+    DecorationParameters chosen;  ///< with drawing style and mixture applied
+    DecorationParameters as_set;
+    QStringList refused;  ///< what is wrong, a sentence a value
 };
 ValidParameters readValidParameters(const RichParameterList& list,
                                     const DecorationParameters& last_time = {});
 
 /// The part that filters can follow.
 meshlab_host::DrawnStyle drawnStyleOf(const DecorationParameters& parameters);
-
-/// The layer dialog's panel: parameters of the first hour on the first screen, others on request,
-/// and disabled what has no effect, above all what a drawing style overrides. Errors can always be
-/// mended.
-std::vector<meshlab_host::PanelLine> panelLines(const ValidParameters& parameters);

@@ -1,231 +1,144 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "decoration_settings.h"
 
-#include <QRegularExpression>
 #include <QSettings>
-#include <algorithm>
-#include <functional>
-#include <utility>
 
-#include "decoration_table.h"
+#include "decoration_parameters.h"
 #include "laplacian_lines/error.h"
-#include "laplacian_lines/line_mixture.h"
 #include "meshlab_host/parameters.h"
 
 namespace {
 
-/// The text of any row of the tables.
-struct TextRow {
-    QString key;
-    QString label;
-    QString allowed;
-    std::function<QString(const QString&)> value;  ///< as the dialog has it; throws
-};
+const QString a_color = "a color, such as #202020 or gray";
 
-template <class Options>
-TextRow textRow(const laplacian_lines::OptionDescription<Options>& row) {
+QString allowedBy(const DecorationRow& row) {
+    return QString::fromStdString(allowed_values(row));
+}
+QString allowedBy(const ColorRow&) {
+    return a_color;
+}
+
+/// As the dialog has it.
+QString valueIn(const QString& text, const DecorationRow& row) {
     const meshlab_host::ParameterDescription description = meshlab_host::describe(row, "");
-    return {row.key, row.label, description.allowed, [description](const QString& text) {
-                return meshlab_host::textOf(meshlab_host::valueIn(text, description), description);
-            }};
+    return meshlab_host::textOf(meshlab_host::valueIn(text, description), description);
 }
-
-TextRow textRow(const ColorRow& row) {
-    const QString label = row.label, allowed = "a color, such as #202020 or gray";
-    return {row.key, label, allowed, [label, allowed](const QString& text) {
-                const QColor color(text);
-                if (!color.isValid()) meshlab_host::refuseValue(text, label, allowed);
-                return color.name();
-            }};
-}
-
-std::vector<TextRow> textRows() {
-    std::vector<TextRow> rows;
-    for (const ParameterGroup& group : decorationTable())
-        for (const ParameterRow& row : group.rows)
-            std::visit([&](const auto& r) { rows.push_back(textRow(r)); }, row);
-    return rows;
-}
-
-bool isNamed(const QString& name, const QString& label, const QString& key) {
-    return name.compare(label, Qt::CaseInsensitive) == 0 ||
-           name.compare(key, Qt::CaseInsensitive) == 0;
-}
-
-QString sentenceOf(const GoneParameter& gone) {
-    return QString("\"%1\" can no longer be set, it is always %2. %3")
-        .arg(gone.label, gone.value, gone.instead);
-}
-
-/// From what MeshLab keeps, <Param value="..."/>, to the dialog's words.
-QString valueIn(const QString& kept) {
-    const auto attribute = [&](const char* name) {
-        return QRegularExpression(QString("\\b%1=\"([^\"]*)\"").arg(name)).match(kept).captured(1);
-    };
-    const QString value = attribute("value");
-    if (value.isEmpty())
-        return QColor(attribute("r").toInt(), attribute("g").toInt(), attribute("b").toInt())
-            .name();
-    if (value == "true" || value == "false") return value == "true" ? "on" : "off";
-    return QString::number(value.toDouble());
+QString valueIn(const QString& text, const ColorRow& row) {
+    const QColor color(text);
+    if (!color.isValid()) meshlab_host::refuseValue(text, row.label, a_color);
+    return color.name();
 }
 
 [[noreturn]] void refuse(const QString& sentence) {
     QStringList lines = {sentence + " A setting is NAME=VALUE, of these:"};
-    for (const TextRow& row : textRows())
-        lines << QString("  %1 (%2): %3").arg(row.label, row.key, row.allowed);
+    for (const auto& any : decorationTable())
+        std::visit(
+            [&](const auto& row) {
+                lines << QString("  %1 (%2): %3").arg(row.label, row.key, allowedBy(row));
+            },
+            any);
     laplacian_lines::refuse(lines.join('\n').toStdString());
-}
-
-}  // namespace
-
-DecorationSetting readDecorationSetting(const QString& text) {
-    if (!text.contains('=')) refuse(QString("\"%1\" has no value.").arg(text));
-    const QString name = text.section('=', 0, 0).trimmed();
-    for (const TextRow& row : textRows())
-        if (isNamed(name, row.label, row.key))
-            return {row.key, row.label, row.value(text.section('=', 1).trimmed())};
-    for (const GoneParameter& gone : goneParameters())
-        if (isNamed(name, gone.label, gone.key))
-            laplacian_lines::refuse(sentenceOf(gone).toStdString());
-    refuse(QString("The decoration has no parameter \"%1\".").arg(name));
-}
-
-QStringList ignoredSettings() {
-    const QSettings settings;
-    QStringList lines;
-    for (const GoneParameter& gone : goneParameters()) {
-        const QVariant kept = settings.value(decoration_prefix + gone.key);
-        if (kept.isValid() && valueIn(kept.toString()) != gone.usual)
-            lines << "A setting of a former version is ignored: " + sentenceOf(gone);
-    }
-    return lines;
-}
-
-namespace {
-
-using laplacian_lines::LineKind;
-using laplacian_lines::LineKindSet;
-
-const char* const compared = "all";
-/// Edge detectors for pictures, with labels.
-const std::vector<std::pair<QString, QString>> detectors = {{"log", "LoG of the Picture"},
-                                                            {"canny", "Canny of the Picture"}};
-
-const std::pair<QString, QString>* detectorNamed(const QString& name) {
-    const auto found = std::find_if(detectors.begin(), detectors.end(),
-                                    [&](const auto& detector) { return detector.first == name; });
-    return found == detectors.end() ? nullptr : &*found;
 }
 
 QString command(const QString& label, const QString& value) {
     return QString("setdeco %1 = %2").arg(label, value);
 }
 
-QString command(const DecorationSetting& setting) {
-    return command(setting.label, setting.value);
+QString settingCommand(const QString& text) {
+    if (!text.contains('=')) refuse(QString("\"%1\" has no value.").arg(text));
+    const QString name = text.section('=', 0, 0).trimmed();
+    const QString value = text.section('=', 1).trimmed();
+    QString found;
+    for (const auto& any : decorationTable())
+        std::visit(
+            [&](const auto& row) {
+                if (!name.compare(row.label, Qt::CaseInsensitive) ||
+                    !name.compare(row.key, Qt::CaseInsensitive))
+                    found = command(row.label, valueIn(value, row));
+            },
+            any);
+    if (found.isEmpty()) refuse(QString("The decoration has no parameter \"%1\".").arg(name));
+    return found;
 }
 
-bool isAmong(const QString& label, const std::vector<DecorationSetting>& settings) {
-    return std::any_of(settings.begin(), settings.end(),
-                       [&](const DecorationSetting& s) { return s.label == label; });
+}  // namespace
+
+QString forgetOtherSettings() {
+    RichParameterList known;
+    listDecorationParameters(known);
+    QSettings settings;
+    QStringList names;
+    for (const QString& key : settings.allKeys()) {
+        if (!key.startsWith(decoration_prefix) || known.hasParameter(key)) continue;
+        names << key.mid(decoration_prefix.size());
+        settings.remove(key);
+    }
+    return names.isEmpty() ? QString()
+                           : "Settings of another version are ignored: " + names.join(", ") + '.';
 }
 
-std::vector<DecorationSetting> readAll(const QStringList& texts) {
-    std::vector<DecorationSetting> settings;
-    for (const QString& text : texts)
-        settings.push_back(readDecorationSetting(text));
-    return settings;
+QStringList settingCommands(const QStringList& settings) {
+    QStringList commands;
+    for (const QString& setting : settings)
+        commands << settingCommand(setting);
+    return commands;
 }
 
-QStringList switches(const LineKindSet& kinds) {
-    QStringList settings;
-    for (const auto& kind : laplacian_lines::line_kinds)
-        settings << QString("%1=%2").arg(kind.key, kinds[kind.kind] ? "on" : "off");
-    return settings;
+namespace {
+
+using laplacian_lines::LineKindDescription;
+using laplacian_lines::LineKindSet;
+
+const QString all = "all";
+
+QStringList tick(const LineKindSet& kinds) {
+    QStringList commands = {command("Lines", "As Ticked Below")};
+    for (const LineKindDescription& kind : laplacian_lines::line_kinds)
+        if (kind.shown) commands << command(kind.label, kinds[kind.kind] ? "on" : "off");
+    return commands;
 }
 
 QString labelOf(const QString& name) {
-    for (const auto& kind : laplacian_lines::line_kinds)
+    for (const LineKindDescription& kind : laplacian_lines::line_kinds)
         if (name == kind.key) return kind.label;
     const auto* mixture = laplacian_lines::mixture_named(name.toStdString());
     return mixture ? QString(mixture->label) : name;
 }
 
-/// White lights and dark contours, as in the paper that has them, need a darker paper.
-void showHighlights(ComparedPicture& picture, const std::vector<DecorationSetting>& settings) {
-    const QString paper = "Paper Color", lights = "Highlight Color";
-    if (isAmong(paper, settings) || isAmong(lights, settings)) return;
-    picture.before << command(paper, "#a8a8a8") << command(lights, "#ffffff");
-    picture.after << command(paper, "#ffffff")
-                  << command(lights,
-                             QColor(describe(LineKind::SuggestiveHighlight).key_color).name());
+QStringList mixtureKeys() {
+    QStringList keys;
+    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::line_mixtures)
+        keys << mixture.key;
+    return keys;
 }
 
-ComparedPicture pictureOfEdges(const std::pair<QString, QString>& detector) {
-    ComparedPicture picture{detector.second, detector.first, settingCommands(switches({})), {}};
-    picture.before << command("Surface", "As MeshLab Draws It");
-    picture.after << command("Surface", "Paper");
-    return picture;
+bool canBeTicked(const LineKindSet& kinds) {
+    return (kinds | LineKindSet::defaults()) == LineKindSet::defaults();
 }
 
-ComparedPicture pictureOfKinds(const QString& name,
-                               const std::vector<DecorationSetting>& settings) {
-    const auto kinds = laplacian_lines::kinds_named(name.toStdString());
-    if (!kinds)
-        laplacian_lines::refuse(
-            QString("there are no lines \"%1\". Name some of %2, log, canny, or all; one picture "
-                    "each, with + between what is to be in one.")
-                .arg(name, QString::fromStdString(laplacian_lines::names_of_kinds()))
-                .toStdString());
-    ComparedPicture picture{labelOf(name), "", {}, {}};
+ComparedPicture pictureOf(const QString& name) {
     if (const auto* mixture = laplacian_lines::mixture_named(name.toStdString()))
-        picture.before << command("Lines", mixture->label);
-    else
-        picture.before << settingCommands(switches(*kinds));
-    if ((*kinds)[LineKind::SuggestiveHighlight] && !(*kinds)[LineKind::Laplacian])
-        showHighlights(picture, settings);
-    return picture;
-}
-
-/// Each mixture but that of all kinds, and the edge detectors.
-QStringList allCompared() {
-    QStringList names;
-    for (const auto& mixture : laplacian_lines::line_mixtures)
-        if (!(mixture.kinds == laplacian_lines::all_kinds())) names << mixture.key;
-    for (const auto& detector : detectors)
-        names << detector.first;
-    return names;
+        return {labelOf(name), {command("Lines", mixture->label)}};
+    const auto kinds = laplacian_lines::kinds_named(name.toStdString());
+    if (kinds && canBeTicked(*kinds)) return {labelOf(name), tick(*kinds)};
+    laplacian_lines::refuse(
+        QString("there is no picture of lines \"%1\". Name some of usual, %2, or all; or ridges, "
+                "creases, borders, laplacian_lines, with + between what is to be in one.")
+            .arg(name, mixtureKeys().join(", "))
+            .toStdString());
 }
 
 }  // namespace
 
-QStringList settingCommands(const QStringList& texts) {
-    const std::vector<DecorationSetting> settings = readAll(texts);
-    QStringList commands;
-    for (const DecorationSetting& setting : settings) {
-        const Override* overriding = overrideOf(setting.key.toStdString());
-        if (!overriding || isAmong(overriding->label, settings)) continue;
-        const QString release = command(overriding->label, overriding->value);
-        if (!commands.contains(release)) commands << release;
-    }
-    for (const DecorationSetting& setting : settings)
-        commands << command(setting);
-    return commands;
-}
-
-std::vector<ComparedPicture> comparedPictures(const QString& names, const QStringList& texts) {
-    const std::vector<DecorationSetting> settings = readAll(texts);
-    QStringList all;
+std::vector<ComparedPicture> comparedPictures(const QString& names) {
+    QStringList wanted;
     for (const QString& name : names.split(','))
-        if (name.trimmed() == compared)
-            all << allCompared();
+        if (name.trimmed() == all)  // each mixture but that of all kinds
+            wanted << mixtureKeys().mid(0, int(laplacian_lines::line_mixtures.size()) - 1);
         else
-            all << name.trimmed();
+            wanted << name.trimmed();
     std::vector<ComparedPicture> pictures;
-    for (const QString& name : all) {
-        const auto* detector = detectorNamed(name);
-        pictures.push_back(detector ? pictureOfEdges(*detector) : pictureOfKinds(name, settings));
-    }
+    for (const QString& name : wanted)
+        pictures.push_back(pictureOf(name));
     return pictures;
 }

@@ -4,39 +4,22 @@
 #include <QStringList>
 #include <vector>
 
-/// As in the layer dialog.
-struct DecorationSetting {
-    QString key;
-    QString label;
-    QString value;
-};
+/// What to say, once, of settings that MeshLab has kept for parameters of another version: empty if
+/// there are none. They are removed.
+QString forgetOtherSettings();
 
-/// Reads "NAME=VALUE". NAME is a parameter's label or key in any case; VALUE a color, "#202020" or
-/// a name, or what meshlab_host::valueIn() takes. Thread-safe.
-/// @throws laplacian_lines::Error(InvalidOption) with the names or values allowed; for parameters
-/// of former versions, with what to do instead
-DecorationSetting readDecorationSetting(const QString& text);
-
-/// A line for each parameter of former versions that MeshLab's settings give another value than its
-/// constant.
-QStringList ignoredSettings();
-
-/// The GUI driver's commands for settings "NAME=VALUE". Parameters that would override one of them
-/// are reset, unless they are set as well. Thread-safe.
-/// @throws laplacian_lines::Error(InvalidOption) like readDecorationSetting()
+/// The GUI driver's commands for settings "NAME=VALUE". NAME is a parameter's label or key in any
+/// case; VALUE a color, "#202020" or a name, or what meshlab_host::valueIn() takes. Thread-safe.
+/// @throws laplacian_lines::Error(InvalidOption) with the names or values allowed
 QStringList settingCommands(const QStringList& settings);
 
-/// One picture of a comparison: kinds of lines, or edges detected in a picture of the shaded
-/// surface.
+/// One picture of a comparison of kinds of lines.
 struct ComparedPicture {
     QString label;
-    QString detector;    ///< of edges in the picture: "log", "canny"; empty: lines
-    QStringList before;  ///< the driver's commands before the picture is taken,
-    QStringList after;   ///< and after it
+    QStringList commands;  ///< the driver's, before the picture is taken
 };
 
-/// @param names separated by commas: kinds as in laplacian_lines::kinds_named(), joined by +; log,
-///        canny; all
-/// @param settings the user's, as above, for all pictures
+/// @param names separated by commas: mixtures as in laplacian_lines::mixture_named(); sums of
+///        ticked kinds, joined by +; all
 /// @throws laplacian_lines::Error(InvalidOption) that lists the names
-std::vector<ComparedPicture> comparedPictures(const QString& names, const QStringList& settings);
+std::vector<ComparedPicture> comparedPictures(const QString& names);

@@ -14,10 +14,6 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
-/// Share of the time for the field; the rest builds the extractor.
-constexpr double field_share = 0.65;
-/// Share of the time for computing derivatives; the rest adds them.
-constexpr double derivatives_share = 0.95;
 /// Of an extractor's memory.
 constexpr double share_of_levels = 0.7;
 
@@ -28,10 +24,6 @@ public:
     WaitCursor(const WaitCursor&) = delete;
     WaitCursor& operator=(const WaitCursor&) = delete;
 };
-
-laplacian_lines::Progress step(meshlab_host::WindowProgress* shown, double begin, double end) {
-    return shown ? shown->step(begin, end) : laplacian_lines::Progress();
-}
 
 std::size_t bytesOf(const PreparedLines& lines) {
     std::size_t sum = lines.extractor->memory() + line_renderer::bytesOf(*lines.surface) +
@@ -50,8 +42,7 @@ std::size_t bytesForLevels(const PreparedLines& lines) {
 
 PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
-                                  const std::function<void(const QString&)>& say,
-                                  meshlab_host::WindowProgress* shown) {
+                                  const std::function<void(const QString&)>& say) {
     QElapsedTimer clock;
     clock.start();
     auto result = std::make_shared<PreparedLines>();
@@ -59,15 +50,14 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
     try {
         const WaitCursor wait_cursor;
         const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
-        Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say,
-                                                step(shown, 0, field_share));
+        Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say);
         result->diagonal = field.scale.diagonal;
         result->sight_edge = laplacian_lines::sight_edge(field);
         result->options = source.options;
         result->levels = laplacian_lines::KernelLevels(field.scale.mean_edge, field.scale.diagonal);
         result->samples = SurfaceSamples(triangles, field);
         result->surface = line_renderer::makeSurface(triangles, field);
-        result->extractor.emplace(triangles, field, step(shown, field_share, 1));
+        result->extractor.emplace(triangles, field);
         result->has_derivatives = field.has_derivatives();
         const bool is_in_mesh = source.status == meshlab_host::FieldStatus::Current;
         if (!is_in_mesh && !result->has_derivatives) result->field = std::move(field);
@@ -93,19 +83,17 @@ bool hasRoomForLevel(const PreparedLines& lines) {
 
 void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
                     const meshlab_host::FieldSource& source,
-                    const std::function<void(const QString&)>& say,
-                    meshlab_host::WindowProgress* shown) {
+                    const std::function<void(const QString&)>& say) {
     QElapsedTimer clock;
     clock.start();
     try {
         const WaitCursor wait_cursor;
         const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
-        const auto progress = step(shown, 0, derivatives_share);
         if (lines.field)
-            meshlab_host::demandDerivatives(triangles, *lines.field, progress);
+            meshlab_host::demandDerivatives(triangles, *lines.field);
         else
-            lines.field = meshlab_host::demandField(
-                mesh, triangles, mesh_name, meshlab_host::withDerivatives(source), say, progress);
+            lines.field = meshlab_host::demandField(mesh, triangles, mesh_name,
+                                                    meshlab_host::withDerivatives(source), say);
         lines.extractor->add_derivatives(triangles, *lines.field);
         lines.field.reset();
         lines.has_derivatives = true;

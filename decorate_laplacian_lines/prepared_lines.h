@@ -11,7 +11,6 @@
 #include "laplacian_lines/kernel_levels.h"
 #include "line_renderer/surface.h"
 #include "meshlab_host/field_source.h"
-#include "meshlab_host/window_progress.h"
 #include "surface_samples.h"
 
 /// A mesh ready for line extraction, or why it is not.
@@ -38,12 +37,11 @@ struct PreparedLines {
 using PreparedLinesPointer = std::shared_ptr<PreparedLines>;
 
 /// From the mesh's attributes if current, else by computing the field with the defaults, which
-/// takes seconds for a million triangles and is logged by `say`; `shown` has the progress. Does not
-/// change the mesh. Throws only std::bad_alloc, at the very end.
+/// takes seconds for a million triangles and is logged by `say`. Does not change the mesh. Throws
+/// only std::bad_alloc, at the very end.
 PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
-                                  const std::function<void(const QString&)>& say,
-                                  meshlab_host::WindowProgress* shown = nullptr);
+                                  const std::function<void(const QString&)>& say);
 
 /// Levels take at most .7 times the memory of their extractor, unless drawings need more at once.
 void addLevel(PreparedLines& lines, int level, laplacian_lines::KernelLaplacian laplacian);
@@ -54,5 +52,4 @@ bool hasRoomForLevel(const PreparedLines& lines);
 /// std::bad_alloc, at the very end.
 void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
                     const meshlab_host::FieldSource& source,
-                    const std::function<void(const QString&)>& say,
-                    meshlab_host::WindowProgress* shown = nullptr);
+                    const std::function<void(const QString&)>& say);

@@ -4,9 +4,9 @@
 using line_renderer::DepthTexture;
 using line_renderer::LinePlacement;
 using line_renderer::RedrawClock;
-using line_renderer::SurfaceAppearance;
 using line_renderer::SurfaceDepth;
 using line_renderer::SurfaceLayer;
+using line_renderer::SurfaceStyle;
 
 void ViewDrawing::draw(const LayerInView& layer, const laplacian_lines::LineSet& lines,
                        const DecorationParameters& chosen, RedrawClock& clock) {
@@ -28,7 +28,7 @@ DepthTexture ViewDrawing::prepare(const LayerInView& layer, bool has_lines,
     if (layer.is_first) {
         layers_.keepOnly(layer.view, layer.shown);
         depth_.forgetDepthBuffer();
-        if (chosen.background == Background::Paper) background_.paint(chosen.surface.paper);
+        if (chosen.surface != SurfaceLook::AsMeshLabDrawsIt) background_.paint();
     }
     const bool is_expected =
         layers_.note(layer.view, layer.widget, layer.mesh, layer.surface, layer.is_first);
@@ -46,10 +46,11 @@ DepthTexture ViewDrawing::depths(ViewLayers::View view) {
     return depth_.update(layers_.of(view), buffers_);
 }
 
-void ViewDrawing::paint(const std::vector<SurfaceLayer>& layers,
-                        const SurfaceAppearance& appearance, const Eigen::Matrix4d& modelview,
-                        const DepthTexture& depths) {
-    if (appearance.style == SurfaceAppearance::AsMeshLabDrawsIt) return;
+void ViewDrawing::paint(const std::vector<SurfaceLayer>& layers, SurfaceLook look,
+                        const Eigen::Matrix4d& modelview, const DepthTexture& depths) {
+    if (look != SurfaceLook::Paper && look != SurfaceLook::Toon) return;
+    const SurfaceStyle style =
+        look == SurfaceLook::Paper ? SurfaceStyle::Paper : SurfaceStyle::Toon;
     for (const SurfaceLayer& layer : layers)
-        surfaces_.paint(layer, appearance, modelview * layer.transform, depths, buffers_);
+        surfaces_.paint(layer, style, modelview * layer.transform, depths, buffers_);
 }

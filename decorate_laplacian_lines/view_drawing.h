@@ -38,9 +38,8 @@ private:
     line_renderer::DepthTexture prepare(const LayerInView& layer, bool has_lines,
                                         const DecorationParameters& chosen);
     line_renderer::DepthTexture depths(ViewLayers::View view);
-    void paint(const std::vector<line_renderer::SurfaceLayer>& layers,
-               const line_renderer::SurfaceAppearance& appearance, const Eigen::Matrix4d& modelview,
-               const line_renderer::DepthTexture& depths);
+    void paint(const std::vector<line_renderer::SurfaceLayer>& layers, SurfaceLook look,
+               const Eigen::Matrix4d& modelview, const line_renderer::DepthTexture& depths);
 
     ViewLayers layers_;
     line_renderer::SurfaceBuffers buffers_;

@@ -2,14 +2,13 @@
 #include "filters.h"
 
 #include <QElapsedTimer>
-#include <cmath>
+#include <string>
 
 #include "compute_filter.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/version.h"
-#include "line_drawing/object.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/parameters.h"
@@ -18,44 +17,26 @@
 using laplacian_lines::Error;
 using laplacian_lines::ErrorCode;
 using laplacian_lines::Field;
-using laplacian_lines::FieldScale;
 using laplacian_lines::PrecomputeOptions;
-using laplacian_lines::TriangleMesh;
 
 namespace {
 
 const QString key_prefix;  // scripts use the keys of the option table as they are
 
-/// Of a large mesh, near enough to be shown.
-FieldScale scaleByCopy(const TriangleMesh& coarse_copy) {
-    PrecomputeOptions as_it_is;
-    as_it_is.weld_duplicates = false;  // of the copy's triangles, which do not touch
-    FieldScale scale = laplacian_lines::measure_scale(coarse_copy, as_it_is);
-    scale.diagonal = line_drawing::boundsOf(coarse_copy).diagonal().norm();
-    scale.kernel_size = laplacian_lines::automatic_kernel_size(scale.mean_edge, scale.diagonal);
-    return scale;
+/// Of the core's table. The others keep their defaults here.
+std::vector<laplacian_lines::OptionDescription<PrecomputeOptions>> makeTable() {
+    std::vector<laplacian_lines::OptionDescription<PrecomputeOptions>> rows;
+    for (const std::string key :
+         {"kernel_size", "kernel_mode", "normal_smoothing", "normal_sigma", "bilateral_angle",
+          "weld_duplicates", "laplace_operator", "gradient_estimator", "curvature_derivatives"})
+        for (const auto& row : laplacian_lines::precompute_option_table())
+            if (row.key == key) rows.push_back(row);
+    return rows;
 }
 
-/// For the defaults; zeros if the mesh is unusable, which the filter itself explains.
-FieldScale defaultScale(const MeshModel* mesh) {
-    if (!mesh) return {};
-    try {
-        if (const std::optional<TriangleMesh> copy = coarseCopy(mesh->cm))
-            return scaleByCopy(*copy);
-        return laplacian_lines::measure_scale(meshlab_host::toTriangleMesh(mesh->cm));
-    } catch (const std::exception&) {
-        return {};
-    }
-}
-
-/// Large meshes show an estimate as default; a user who leaves it wants the exact value.
-void measureAnew(const CMeshO& mesh, PrecomputeOptions& options) {
-    constexpr double as_shown = 1e-4;  // share by which a text may differ from its number
-    if (options.kernel_size == 0) return;
-    const std::optional<TriangleMesh> copy = coarseCopy(mesh);
-    if (!copy) return;
-    const double shown = scaleByCopy(*copy).kernel_size;
-    if (std::abs(options.kernel_size - shown) <= as_shown * shown) options.kernel_size = 0;
+const auto& optionTable() {
+    static const auto table = makeTable();
+    return table;
 }
 
 /// Unless the mesh was deleted or edited while the progress bar ran the event loop: a field must
@@ -93,27 +74,15 @@ meshlab_host::FilterDescription ComputeFilter::description() const {
 }
 
 void ComputeFilter::listParameters(const MeshModel* mesh, RichParameterList& list) const {
-    const FieldScale scale = defaultScale(mesh);
-    PrecomputeOptions defaults;
-    defaults.kernel_size = scale.kernel_size;  // shown as a number; 0 in scripts means the same
-    meshlab_host::addParameters(laplacian_lines::precompute_option_table(), defaults,
-                                scale.diagonal, key_prefix, list);
-}
-
-std::vector<meshlab_host::ParameterDescription> ComputeFilter::describeParameters() const {
-    std::vector<meshlab_host::ParameterDescription> result;
-    for (const auto& row : laplacian_lines::precompute_option_table())
-        result.push_back(meshlab_host::describe(row, key_prefix));
-    return result;
+    meshlab_host::addParameters(optionTable(), PrecomputeOptions(),
+                                mesh ? double(mesh->cm.bbox.Diag()) : 0, key_prefix, list);
 }
 
 void ComputeFilter::run(const meshlab_host::FilterRun& run) const {
     QElapsedTimer clock;
     clock.start();
-    PrecomputeOptions options = meshlab_host::readOptions(
-        laplacian_lines::precompute_option_table(), key_prefix, run.parameters);
+    const auto options = meshlab_host::readOptions(optionTable(), key_prefix, run.parameters);
     const CMeshO& mesh = run.document.mm()->cm;
-    measureAnew(mesh, options);
     const int mesh_id = run.document.mm()->id();
     const meshlab_host::GeometryStamp stamp = meshlab_host::geometryStamp(mesh);
     const Field field = laplacian_lines::precompute(meshlab_host::toTriangleMesh(mesh), options,

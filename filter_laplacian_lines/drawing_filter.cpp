@@ -4,9 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QPointer>
 
-#include "drawing_dialog.h"
 #include "drawing_parameters.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/object.h"
@@ -96,27 +94,12 @@ void DrawingFilter::listParameters(const MeshModel* mesh, RichParameterList& lis
     listDrawingParameters(drawingDefaults(mesh, has_window), list);
 }
 
-void DrawingFilter::prepareDialog(const MeshDocument& document) const {
-    if (!meshlab_host::currentView()) return;
-    const DrawingParameters defaults = drawingDefaults(document.mm(), true);
-    const QPointer<const MeshDocument> still_open(&document);
-    meshlab_host::FilterDialog::whenOpen(
-        filter_name, [defaults, still_open](const meshlab_host::FilterDialog& dialog) {
-            if (still_open) furnishDrawingDialog(dialog, defaults, *still_open);
-        });
-}
-
-std::vector<meshlab_host::ParameterDescription> DrawingFilter::describeParameters() const {
-    return describeDrawingParameters();
-}
-
 void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     const DrawingParameters chosen = readDrawingParameters(run.parameters);
     QString name = inQt(fileFor(*run.document.mm(), chosen.file));
     std::string place = QFile::encodeName(name).toStdString();  // as the system has it
     const line_drawing::SheetFormat format = line_drawing::formatOf(place);
     line_drawing::checkWritable(place);
-    const QString mesh = run.document.mm()->fullName();  // before layers may go
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::currentView();
     SheetOptions options = sheetOptions(chosen, window);
     RichParameterList recorded;
@@ -136,19 +119,15 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
             .front();
     meshlab_host::beginStep(run.progress, 1, "Writing the drawing");
     sheet.provenance = provenanceOf(layers);
-    const bool has_dialog = meshlab_host::FilterDialog::isOpen(filter_name);
-    if (!has_dialog) {  // scripts run over a folder
-        name = freeName(name, sheet.provenance);
-        place = QFile::encodeName(name).toStdString();
-    }
+    name = freeName(name, sheet.provenance);  // scripts run over a folder
+    place = QFile::encodeName(name).toStdString();
     line_drawing::writeWhole(place, writeSheet(sheet, format));
     const QString file = QFileInfo(name).absoluteFilePath();
     const Eigen::Vector3d size = options.mm_per_unit * sizeOf(layers);
     run.say(report(layers, file, sheet, size, options));
     for (const std::string& remark : sheet.remarks)
         run.say(inQt(remark));
-    if (has_dialog) keepSettings(chosen, mesh);
-    if (has_dialog && window) meshlab_host::recordAs(filter_name, recorded, run.document);
+    if (window) meshlab_host::recordAs(filter_name, recorded, run.document);
     run.results["file"] = file;
     run.results["scale"] = sheet.scale;
     meshlab_host::addResult("paper", {sheet.size.x(), sheet.size.y(), 0}, run.results);

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <cmath>
 
-#include "drawing_dialog.h"
 #include "line_drawing/words.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
@@ -39,8 +38,8 @@ ParameterDescription describe(const SheetOption& option) {
 
 TextDescription describeText(const SheetOption& option) {
     const bool is_file = option.text == &DrawingParameters::file;
-    return {option.row.key, option.row.label, option.row.help, is_file ? drawing_files : QString(),
-            option.row.for_experts};
+    return {option.row.key, option.row.label, option.row.help,
+            is_file ? "Drawings (*.svg *.pdf *.dxf *.png)" : ""};
 }
 
 /// In world coordinates.
@@ -50,6 +49,7 @@ double diagonalOf(const MeshModel& layer) {
     return factor * double(layer.cm.bbox.Diag());
 }
 
+const char* const window_view = "window";
 const QString folder_place = "{folder}", name_place = "{name}";
 
 QString folderOf(const MeshModel& mesh) {
@@ -73,7 +73,7 @@ void takeFromDecoration(SheetOptions& options) {
             "The decoration Laplacian Lines has drawn nothing here. Switch it on in MeshLab's "
             "window first, or set \"Settings\" to 0 (Defaults).");
     options.style = line_drawing::styleOnPaper(drawn->style);
-    if (drawn->light) options.light = meshlab_host::towardsLight(*drawn->light);
+    if (drawn->light_azimuth) options.light = meshlab_host::towardsLight(*drawn->light_azimuth);
 }
 
 }  // namespace
@@ -95,36 +95,6 @@ void listDrawingParameters(const DrawingParameters& defaults, RichParameterList&
             meshlab_host::addText(describeText(option), inQt(defaults.*option.text), list);
         else
             meshlab_host::addParameter(describe(option), option.row.get(defaults), 0, list);
-}
-
-std::vector<DrawingField> fieldsOf(const DrawingParameters& parameters) {
-    std::vector<DrawingField> fields;
-    for (const SheetOption& option : filterOptions())
-        fields.push_back(
-            {option.row.key, option.row.label,
-             option.text ? inQt(parameters.*option.text)
-                         : meshlab_host::textOf(option.row.get(parameters), describe(option))});
-    return fields;
-}
-
-DrawingParameters drawingParametersIn(
-    const std::function<std::optional<QString>(const QString& label)>& text_of) {
-    DrawingParameters result;
-    for (const SheetOption& option : filterOptions()) {
-        const std::optional<QString> text = text_of(option.row.label);
-        if (text && option.text)
-            result.*option.text = text->toStdString();
-        else if (text)
-            option.row.set(result, meshlab_host::valueIn(*text, describe(option)));
-    }
-    return result;
-}
-
-std::vector<ParameterDescription> describeDrawingParameters() {
-    std::vector<ParameterDescription> result;
-    for (const SheetOption& option : filterOptions())
-        if (!option.text) result.push_back(describe(option));
-    return result;
 }
 
 DrawingParameters readDrawingParameters(const RichParameterList& list) {

@@ -2,14 +2,11 @@
 #pragma once
 
 #include <QString>
-#include <functional>
 #include <optional>
-#include <vector>
 
 #include "line_drawing/sheet_choices.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/meshlab_api.h"
-#include "meshlab_host/parameters.h"
 
 /// The user's choices; the filter has a part of line_drawing::sheetOptionTable().
 using DrawingParameters = line_drawing::SheetChoices;
@@ -25,32 +22,11 @@ inline QString inQt(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-/// Fields to which the dialog adds something.
-namespace drawing_labels {
-inline const QString file = "File", views = "Views";
-}
-
-/// For file dialogs.
-inline const QString drawing_files = "Drawings (*.svg *.pdf *.dxf *.png)";
-
 /// The file is beside the mesh's; with a window its view and the likely unit. Scripts have the same
 /// everywhere.
 DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window);
 
 void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list);
-
-struct DrawingField {
-    QString key, label, text;
-};
-std::vector<DrawingField> fieldsOf(const DrawingParameters& parameters);
-
-/// From fields of the dialog by their labels. @throws laplacian_lines::Error(InvalidOption) that
-/// names a field out of range
-DrawingParameters drawingParametersIn(
-    const std::function<std::optional<QString>(const QString& label)>& text_of);
-
-/// Switches and choices, without texts.
-std::vector<meshlab_host::ParameterDescription> describeDrawingParameters();
 
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter out of range
 DrawingParameters readDrawingParameters(const RichParameterList& list);

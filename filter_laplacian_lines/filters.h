@@ -11,7 +11,6 @@ class ComputeFilter : public meshlab_host::Filter {
 public:
     meshlab_host::FilterDescription description() const override;
     void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
-    std::vector<meshlab_host::ParameterDescription> describeParameters() const override;
     void run(const meshlab_host::FilterRun& run) const override;
 };
 
@@ -20,7 +19,6 @@ class PolylineFilter : public meshlab_host::Filter {
 public:
     meshlab_host::FilterDescription description() const override;
     void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
-    std::vector<meshlab_host::ParameterDescription> describeParameters() const override;
     void run(const meshlab_host::FilterRun& run) const override;
 };
 
@@ -32,7 +30,5 @@ class DrawingFilter : public meshlab_host::Filter {
 public:
     meshlab_host::FilterDescription description() const override;
     void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
-    void prepareDialog(const MeshDocument& document) const override;
-    std::vector<meshlab_host::ParameterDescription> describeParameters() const override;
     void run(const meshlab_host::FilterRun& run) const override;
 };

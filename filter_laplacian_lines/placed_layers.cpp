@@ -3,9 +3,7 @@
 
 #include <QStringList>
 #include <cmath>
-#include <tuple>
 
-#include "compute_filter.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 #include "meshlab_host/camera.h"
@@ -63,16 +61,6 @@ std::vector<int> visibleLayers(const MeshDocument& document) {
     return numbers;
 }
 
-std::vector<const MeshModel*> layersToDraw(const MeshDocument& document, bool all_visible) {
-    if (!all_visible)
-        return document.mm() ? std::vector<const MeshModel*>{document.mm()}
-                             : std::vector<const MeshModel*>();
-    std::vector<const MeshModel*> layers;
-    for (const MeshModel* layer : meshlab_host::layersOf(document))
-        if (layer->isVisible() && layer->cm.fn > 0) layers.push_back(layer);
-    return layers;
-}
-
 const MeshModel* layerOf(const MeshDocument& document, int number) {
     for (const MeshModel* layer : meshlab_host::layersOf(document))
         if (int(layer->id()) == number) return layer;
@@ -105,13 +93,6 @@ void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
             "0 (Current Layer).");
 }
 
-/// As much of a mesh as its bounds in any view take.
-laplacian_lines::TriangleMesh shapeOf(const CMeshO& mesh) {
-    if (std::optional<laplacian_lines::TriangleMesh> copy = coarseCopy(mesh))
-        return std::move(*copy);
-    return meshlab_host::toTriangleMesh(mesh);
-}
-
 }  // namespace
 
 PlacedLayers placeLayers(const LayerChoice& choice, const FilterRun& run, double share) {
@@ -134,38 +115,6 @@ PlacedLayers placeLayers(const LayerChoice& choice, const FilterRun& run, double
         begin += step;
     }
     return placed;
-}
-
-PlacedLayers placeShapes(const MeshDocument& document, bool all_visible) {
-    PlacedLayers placed;
-    for (const MeshModel* layer : layersToDraw(document, all_visible))
-        try {
-            PlacedLayer shape{layer->label(), shapeOf(layer->cm), {}};
-            place(meshlab_host::layerTransform(layer->cm), shape.mesh);
-            placed.push_back(std::move(shape));
-        } catch (const Error&) {  // left out
-        }
-    return placed;
-}
-
-bool LayerState::operator==(const LayerState& other) const {
-    return std::tie(number, vertices, faces, place) ==
-           std::tie(other.number, other.vertices, other.faces, other.place);
-}
-
-std::vector<LayerState> layerStates(const MeshDocument& document, bool all_visible) {
-    std::vector<LayerState> states;
-    for (const MeshModel* layer : layersToDraw(document, all_visible)) {
-        LayerState state{int(layer->id()), layer->cm.vn, layer->cm.fn, {}};
-        const Eigen::Matrix4d transform = meshlab_host::layerTransform(layer->cm);
-        std::copy(transform.data(), transform.data() + transform.size(), state.place.begin());
-        for (int i = 0; i < 3; ++i) {
-            state.place[std::size_t(transform.size() + i)] = layer->cm.bbox.min[i];
-            state.place[std::size_t(transform.size() + 3 + i)] = layer->cm.bbox.max[i];
-        }
-        states.push_back(state);
-    }
-    return states;
 }
 
 line_drawing::Objects objectsOf(const PlacedLayers& layers) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QString>
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -30,20 +29,6 @@ struct LayerChoice {
 /// @throws laplacian_lines::Error if none is left, Cancelled
 PlacedLayers placeLayers(const LayerChoice& choice, const meshlab_host::FilterRun& run,
                          double share);
-
-/// Without fields and without layers that cannot be drawn; perhaps none. Large meshes are coarse
-/// copies, whose bounds are slightly too small in some views.
-PlacedLayers placeShapes(const MeshDocument& document, bool all_visible);
-
-/// Changes when a layer is moved or edited, practically always.
-struct LayerState {
-    int number, vertices, faces;
-    std::array<double, 22> place;  ///< transformation and bounds
-
-    bool operator==(const LayerState& other) const;
-};
-/// Of the layers of placeShapes().
-std::vector<LayerState> layerStates(const MeshDocument& document, bool all_visible);
 
 line_drawing::Objects objectsOf(const PlacedLayers& layers);
 /// "a.ply, b.ply"

@@ -14,7 +14,6 @@
 #include "meshlab_host/documents.h"
 #include "meshlab_host/edge_mesh.h"
 #include "meshlab_host/field_source.h"
-#include "meshlab_host/filter_dialog.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/progress.h"
@@ -113,7 +112,7 @@ LineSet extract(const Source& source, const laplacian_lines::Field& field, const
     if (lines.lines.empty())
         laplacian_lines::refuse(
             "No lines are seen from there, so no layer was created. Take another view, "
-            "more \"Detail\", or more kinds of lines.");
+            "more \"Detail\", or other \"Settings\".");
     return lines;
 }
 
@@ -167,10 +166,6 @@ void PolylineFilter::listParameters(const MeshModel* mesh, RichParameterList& li
     listPolylineParameters(polylineDefaults(mesh, meshlab_host::currentView()), list);
 }
 
-std::vector<meshlab_host::ParameterDescription> PolylineFilter::describeParameters() const {
-    return describePolylineParameters();
-}
-
 void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     const PolylineParameters chosen = readPolylineParameters(run.parameters);
     const MeshModel& mesh = *run.document.mm();
@@ -195,6 +190,5 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     if (!warning.isEmpty()) run.say(warning);
     addResults(eye, run.results);
     run.results["sees_all"] = warning.isEmpty();
-    if (chosen.view == ViewChoice::CurrentView && meshlab_host::FilterDialog::isOpen(filter_name))
-        recordView(run, chosen, eye);
+    if (chosen.view == ViewChoice::CurrentView) recordView(run, chosen, eye);
 }

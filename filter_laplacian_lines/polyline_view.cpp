@@ -50,8 +50,8 @@ Eye ofWindow(const std::optional<CurrentView>& window) {
 }
 
 /// In world coordinates.
-Eigen::Vector3d cameraLight(const Eye& eye, const meshlab_host::CameraLight& light) {
-    const Eigen::Vector3d in_eye = meshlab_host::towardsLight(light);
+Eigen::Vector3d cameraLight(const Eye& eye, double azimuth) {
+    const Eigen::Vector3d in_eye = meshlab_host::towardsLight(azimuth);
     return in_eye.x() * eye.up.cross(eye.towards_viewer) + in_eye.y() * eye.up +
            in_eye.z() * eye.towards_viewer;
 }
@@ -87,13 +87,9 @@ laplacian_lines::View viewOf(const Eye& eye, const PolylineParameters& chosen,
     if (!view)
         laplacian_lines::refuse(
             "The layer's transformation cannot be inverted. Reset it, or freeze it.");
-    const auto in_mesh = [&](const Eigen::Vector3d& direction) {
-        return meshlab_host::directionInMesh(direction, Eigen::Matrix4d::Identity(), layer);
-    };
-    if (chosen.camera_light)
-        view->light = in_mesh(cameraLight(eye, *chosen.camera_light));
-    else if (chosen.light == LightChoice::FromADirection)
-        view->light = in_mesh(chosen.light_direction);
+    if (chosen.light_azimuth)
+        view->light = meshlab_host::directionInMesh(cameraLight(eye, *chosen.light_azimuth),
+                                                    Eigen::Matrix4d::Identity(), layer);
     return *view;
 }
 

@@ -1,79 +1,73 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how fast the core is, beside plain ways to do the same, and how true drawings are: ./bench --help."""
+"""Measures how fast the core is, and how true drawings are: ./bench --help."""
 
 import argparse
-import os
+import contextlib
 import sys
+import tempfile
 
-from environment.files import put_file
-from environment.messages import Failure, run_main
-from measures import core_times, drawing_truth
-from product.models import check_mesh
+from environment import packages
+from environment.build import CHECKOUT, build_folder, build_targets
+from environment.messages import output, run, run_main, started
+from product.models import check_mesh, prepare_mesh
 
 ABOUT = """\
-./bench prints a table of the times of redraws and of what is computed once, beside plain methods that do less, and of the
-plugins in MeshLab if it is installed, with Xvfb: ten minutes. MESH is a PLY or OBJ file, also gzipped. Without one, the
-table has the Stanford dragon, which is fetched (--quick: with a quarter of its triangles), and again with 4 and 16 times
-as many triangles; and the bunny and igea, where files of these names lie in ../shared/models. With no network, a torus of
-our own. Nothing else should run on the machine.
+./bench [MESH] times what is computed once a mesh, redraws of each kind of lines and a drawing on paper, beside a plain
+loop that draws less: of MESH, a PLY, STL, OBJ or OFF file, also gzipped, or of the Stanford dragon, which is fetched.
+Options of Google Benchmark go on to it, such as --benchmark_filter=redraw or --benchmark_out=FILE.json; it takes
+medians of five repetitions in random order. Nothing else should run on the machine. LAPLACIAN_LINES_THREADS=1 and
+LAPLACIAN_LINES_VECTOR_BYTES=16 or 32 in the environment have it use fewer threads and lesser instructions.
 
-./bench --truth [OPTION VALUE]... [PART...] holds measured drawings against exact hidden lines of CAD parts, which are made
-at the first time by OpenCASCADE, in a Python environment in the cache: an hour; with a PART, such as knob, or --deflection
-0.1/0.3, or --from TEXT (in the names of directions, as 0-0 or "by 1e-6"), a minute. --pictures FOLDER takes a picture of
-each disagreement.
-
-./bench --silhouettes [OPTION VALUE]... [MESH...] holds measured drawings of meshes of every kind against what they cover of
-a picture: ten minutes. --only TEXT: meshes with this in their names; --from NAME: a direction, as --+ or 23,31; --pictures
-FOLDER as above.
+./bench --truth [PART...] holds measured drawings of CAD parts against their exact visible lines and against what their
+meshes cover, in ten seconds; ./test drawing_truth has the bounds.
 """
+MEDIANS = ["--benchmark_repetitions=5", "--benchmark_enable_random_interleaving", "--benchmark_min_time=0.2",
+           "--benchmark_report_aggregates_only"]
+STREAM = "a, b = bytearray(1 << 28), bytearray(1 << 28)\nwhile True:\n    a[:] = b"  # more than caches hold
 
 
 def parse(words):
     parser = argparse.ArgumentParser("./bench", description=ABOUT, allow_abbrev=False,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("mesh", nargs="*", metavar="MESH")
-    parser.add_argument("--json", default="", metavar="FILE", help="takes all figures")
-    parser.add_argument("--quick", action="store_true", help="one minute, without MeshLab")
-    parser.add_argument("--busy", action="store_true", help="the main figures beside a process that streams memory and with "
-                        "other processors busy, in turns with those with nothing else on the machine: a minute or two; without MESH "
-                        "also pictures and drawings of the dragon, with 16 times its triangles, too, and what lines add to a "
-                        "frame in MeshLab: half an hour")
-    return parser.parse_intermixed_args(words)
+    parser.add_argument("names", nargs="*", metavar="MESH|PART", help="a part's name, such as knob")
+    parser.add_argument("--busy", action="store_true", help="beside a process that streams memory")
+    parser.add_argument("--truth", action="store_true", help="measures drawings, not times")
+    parser.add_argument("--pictures", metavar="FOLDER", help="with --truth: gets SVG files of what is missed or wrong")
+    options, others = parser.parse_known_args(words)
+    unknown = [word for word in others if not word.startswith("--benchmark_")]
+    if unknown or len(options.names) > 1 and not options.truth:
+        parser.error(f"not understood: {' '.join(unknown or options.names[1:])}")
+    return options, others
 
 
-def write_json(text, file):
-    if file:
-        put_file(text.encode(), file)
+def truth(options):
+    packages.ensure_packages(*packages.CORE, "qtbase5-dev")
+    build_targets("drawing_truth", preset="benchmarks")
+    folder = CHECKOUT / "programs/benchmarks/truth/parts"
+    parts = [folder / f"{name}.part" for name in options.names] or sorted(folder.glob("*.part"))
+    pictures = ["--pictures", options.pictures] if options.pictures else []
+    return run([build_folder() / "programs/benchmarks/truth/drawing_truth", *pictures, *parts])
 
 
-def make_table(meshes, file, quick):
-    options = ["--precompute", *(["--seconds", "5"] if quick else [])]
-    if not meshes:
-        meshes = core_times.table_models("bunny", "igea", "dragon_res2", *([] if quick else ["dragon"]))
-        options += [] if quick else ["--subdivide", "2"]
-    core = core_times.measure(core_times.build_benchmarks("extraction_table"), *options, *meshes)
-    in_meshlab = "null" if quick else core_times.measure_in_meshlab(meshes[-1])
-    write_json(f'{{"commit": "{core_times.commit()}",\n"core": {core},\n"in_meshlab": {in_meshlab}}}\n', file)
+def speed(options, others):
+    packages.ensure_packages(*packages.CORE, "libbenchmark-dev")
+    build_targets("speed", preset="benchmarks")
+    commit = output("git", "-C", CHECKOUT, "describe", "--always", "--dirty", "--abbrev=12") or "unknown"
+    with tempfile.TemporaryDirectory() as work, contextlib.ExitStack() as neighbours:
+        mesh = prepare_mesh(*options.names or [""], work)
+        if options.busy:
+            neighbours.enter_context(started([sys.executable, "-c", STREAM]))
+        program = build_folder() / "programs/benchmarks/speed"
+        return run([program, *MEDIANS, f"--benchmark_context=commit={commit}", *others, mesh])
 
 
 def main():
-    words = sys.argv[1:]
-    if words[:1] == ["--truth"]:
-        return drawing_truth.compare_with_parts(words[1:])
-    if words[:1] == ["--silhouettes"]:
-        return drawing_truth.compare_with_silhouettes(words[1:])
-    options = parse(words)
-    for mesh in options.mesh:
+    options, others = parse(sys.argv[1:])
+    if options.truth:
+        return truth(options)
+    for mesh in options.names:
         check_mesh(mesh)
-    folder = os.path.dirname(options.json) or "."
-    if options.json and (os.path.isdir(options.json) or
-                         not os.access(options.json if os.path.exists(options.json) else folder, os.W_OK)):
-        raise Failure(f"cannot write {options.json}")
-    if options.busy:
-        if not options.mesh:
-            return write_json(core_times.measure_busy(core_times.table_models("bunny", "igea", "dragon")), options.json)
-        return write_json(core_times.measure(core_times.build_benchmarks("busy_table"), *options.mesh), options.json)
-    return make_table(options.mesh, options.json, options.quick)
+    return speed(options, others)
 
 
 run_main(main)

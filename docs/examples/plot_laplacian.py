@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # %% [markdown]
-# How strongly the normal bends: |Δn| on a mesh, with PyMeshLab and Matplotlib.
+# How strongly the normal bends: |Δn| on a mesh, with Matplotlib.
 #
 #     ./run --python docs/examples/plot_laplacian.py MESH [PICTURE.png]
 #
@@ -19,15 +19,12 @@ if "ipykernel" not in sys.modules:
 import laplacian_lines
 import matplotlib
 import numpy
-import pymeshlab
 
 try:
-    laplacian_lines.load()
-    meshes = pymeshlab.MeshSet()
-    meshes.load_new_mesh(MESH)
-    # Twice the automatic size shows less of the noise: pymeshlab.PercentageValue(2), say. 0 is automatic.
-    meshes.compute_laplacian_lines_per_vertex(kernel_size=pymeshlab.PureValue(0))
-except pymeshlab.PyMeshLabException as error:
+    vertices, triangles = laplacian_lines.read_mesh(MESH)
+    # A larger kernel_size, a length, shows less of the noise. 0 is automatic.
+    field = laplacian_lines.field((vertices, triangles), kernel_size=0)
+except (OSError, laplacian_lines.Error) as error:
     sys.exit(f"{MESH} cannot be plotted: {error}")
 
 # %% [markdown]
@@ -35,12 +32,10 @@ except pymeshlab.PyMeshLabException as error:
 # number without a unit, the same for a model in millimetres and in metres.
 
 # %%
-mesh = meshes.current_mesh()
-field = laplacian_lines.field(mesh)
 bending = numpy.linalg.norm(field["ll_laplacian_normal"], axis=1) * field["ll_kernel_size"] ** 2
 used = field["ll_kernel_size"] > 0  # vertices without a triangle hold zeros
 low, high = numpy.percentile(bending[used], (2, 98))
-print(f"{mesh.vertex_number()} vertices; |Δn| h: median {numpy.median(bending[used]):.3g}, 2 to 98 %: {low:.3g} to {high:.3g}")
+print(f"{len(vertices)} vertices; |Δn| h: median {numpy.median(bending[used]):.3g}, 2 to 98 %: {low:.3g} to {high:.3g}")
 
 # %% [markdown]
 # Seen along −z, with y upward: triangles that face the eye, the farthest first, darker where they turn away.
@@ -51,8 +46,7 @@ if "ipykernel" not in sys.modules:
 import matplotlib.pyplot as plt
 from matplotlib.collections import PolyCollection
 
-triangles = mesh.face_matrix()
-corners = mesh.vertex_matrix()[triangles]
+corners = vertices[triangles]
 facing = field["ll_normal"][triangles].mean(axis=1)[:, 2]
 order = numpy.argsort(corners[:, :, 2].mean(axis=1))
 order = order[facing[order] > 0]

@@ -17,10 +17,9 @@ void main()
 )";
 
 const char* const fragment_shader = R"(#version 120
-uniform vec4 color;
 void main()
 {
-    gl_FragColor = color;
+    gl_FragColor = vec4(1.0);
 }
 )";
 
@@ -29,20 +28,17 @@ void main()
 struct BackgroundRenderer::Program {
     GLuint id =
         buildShaderProgram("The background cannot be painted", vertex_shader, fragment_shader);
-    GLint color = glGetUniformLocation(id, "color");
 };
 
 BackgroundRenderer::BackgroundRenderer() : programs_(std::make_unique<PerShareGroup<Program>>()) {}
 
 BackgroundRenderer::~BackgroundRenderer() = default;
 
-void BackgroundRenderer::paint(const QColor& color) {
-    const Program& program = programs_->current();
+void BackgroundRenderer::paint() {
     const GlState state;
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    glUseProgram(program.id);
-    glUniform4f(program.color, float(color.redF()), float(color.greenF()), float(color.blueF()), 1);
+    glUseProgram(programs_->current().id);
     glRectf(-1, -1, 1, 1);
 }
 

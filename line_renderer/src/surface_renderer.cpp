@@ -13,18 +13,12 @@ namespace {
 constexpr double least_move = 0.0005;
 constexpr double greatest_move = 0.03;
 
-void setColor(GLint location, const QColor& color) {
-    glUniform4f(location, float(color.redF()), float(color.greenF()), float(color.blueF()), 1);
-}
-
 }  // namespace
 
 struct SurfaceRenderer::Program {
     GLuint id = buildShaderProgram("The surface cannot be painted", surface_vertex_shader,
                                    surface_fragment_shader);
-    GLint paper = glGetUniformLocation(id, "paper");
-    GLint shade = glGetUniformLocation(id, "shade");
-    GLint tones = glGetUniformLocation(id, "tones");
+    GLint is_toon = glGetUniformLocation(id, "is_toon");
     GLint nearer = glGetUniformLocation(id, "nearer");
     GLint surface_depth = glGetUniformLocation(id, "surface_depth");
     GLint texel = glGetUniformLocation(id, "texel");
@@ -34,17 +28,14 @@ SurfaceRenderer::SurfaceRenderer() : programs_(std::make_unique<PerShareGroup<Pr
 
 SurfaceRenderer::~SurfaceRenderer() = default;
 
-void SurfaceRenderer::paint(const SurfaceLayer& layer, const SurfaceAppearance& appearance,
+void SurfaceRenderer::paint(const SurfaceLayer& layer, SurfaceStyle style,
                             const Eigen::Matrix4d& to_eye, const DepthTexture& depth,
                             SurfaceBuffers& buffers) {
     const Program& program = programs_->current();
     const GlState state;
     glDisable(GL_BLEND);
     glUseProgram(program.id);
-    setColor(program.paper, appearance.paper);
-    setColor(program.shade, appearance.shade);
-    const bool is_toon = appearance.style == SurfaceAppearance::Toon;
-    glUniform1f(program.tones, is_toon ? float(appearance.tones) : 1);
+    glUniform1i(program.is_toon, style == SurfaceStyle::Toon);
     const double diagonal = layer.diagonal * meanScale(to_eye);
     glUniform2f(program.nearer, float(least_move * diagonal), float(greatest_move * diagonal));
     const bool is_needed = !depth.is_complete;

@@ -20,9 +20,7 @@ void main()
 // falls in half their width, and at a fold over the part behind. Only the compared depth is moved;
 // none is written.
 const char* const surface_fragment_shader = R"(#version 120
-uniform vec4 paper;
-uniform vec4 shade;
-uniform float tones;  // 1: paper only
+uniform bool is_toon;
 uniform vec2 nearer;  // least and greatest move towards the eye, length in eye coordinates
 uniform sampler2D surface_depth;  // of the nearest faces
 uniform vec2 texel;  // of it, for a pixel; zero: the depth buffer alone decides
@@ -30,6 +28,8 @@ varying vec3 eye_position;
 varying vec3 eye_normal;
 
 const float pixels_of_slope = 3.0;
+const float tones = 3.0;
+const float shade = 150.0 / 255.0;
 
 vec3 towardsEye()
 {
@@ -48,7 +48,7 @@ float depthMoved(float distance)
 // 0 in the shade, 1 on bare paper, with steps one pixel wide.
 float tone()
 {
-    if (tones < 2.0)
+    if (!is_toon)
         return 1.0;
     float size = length(eye_normal);
     float brightness = size > 0.0 ? abs(dot(eye_normal, towardsEye())) / size : 1.0;
@@ -86,7 +86,7 @@ void main()
     float moved = clamp(gl_FragCoord.z - pixels_of_slope * slope,
                         depthMoved(nearer.y), depthMoved(nearer.x));
     gl_FragDepth = min(moved, nearestAround() + depthMoved(nearer.y) - gl_FragCoord.z);
-    gl_FragColor = mix(shade, paper, tone());
+    gl_FragColor = vec4(vec3(mix(shade, 1.0, tone())), 1.0);
 }
 )";
 

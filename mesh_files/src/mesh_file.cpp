@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "ply_header.h"
 #include "readers.h"
 #include "text.h"
 
@@ -48,20 +47,6 @@ std::vector<std::string> endings() {
     for (const Reader& reader : kReaders)
         all.emplace_back(reader.ending);
     return all;
-}
-
-double expected_triangles(Format format, std::string_view begin, double size) {
-    const bool is_text = begin.find('\0') == std::string_view::npos;
-    if (format == Format::Stl) return size / (is_text ? 150 : 50);
-    if (format != Format::Ply) return size / 35;  // half a vertex and three numbers
-    double faces = 0;
-    try {
-        Text text(begin);
-        for (const PlyElement& element : read_ply_header(text).elements)
-            if (element.name == "face") faces += double(element.count);
-    } catch (const Defect&) {
-    }
-    return faces > 0 ? faces : size / 4;  // of strips
 }
 
 MeshInFile read_mesh(Format format, std::string_view bytes) {

@@ -43,11 +43,10 @@ std::optional<laplacian_lines::View> viewFromWorld(const Eigen::Vector4d& eye,
     return laplacian_lines::View::perspective(direction / in_mesh.w());
 }
 
-Eigen::Vector3d towardsLight(const CameraLight& light) {
-    const double degree = std::acos(-1.0) / 180;
-    const double azimuth = light.azimuth * degree, elevation = light.elevation * degree;
-    return {std::cos(elevation) * std::sin(azimuth), std::cos(elevation) * std::cos(azimuth),
-            std::sin(elevation)};
+Eigen::Vector3d towardsLight(double azimuth) {
+    const double degree = std::acos(-1.0) / 180, elevation = 45 * degree;
+    return {std::cos(elevation) * std::sin(azimuth * degree),
+            std::cos(elevation) * std::cos(azimuth * degree), std::sin(elevation)};
 }
 
 std::optional<Eigen::Vector3d> directionInMesh(const Eigen::Vector3d& direction,

@@ -62,10 +62,6 @@ std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
     return layers;
 }
 
-bool isBusy(const MeshDocument& document) {
-    return const_cast<MeshDocument&>(document).isBusy();  // which changes nothing
-}
-
 GLLogStream* documentLog(const MeshModel& mesh) {
     MLSceneGLSharedDataContext* scene = sceneOf(mesh);
     return scene ? &scene->meshDoc().Log : nullptr;

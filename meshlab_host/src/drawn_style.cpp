@@ -13,7 +13,6 @@ namespace {
 
 const char* const property = "laplacian_lines_drawn_style";
 const char* const azimuth = "light_azimuth";
-const char* const elevation = "light_elevation";
 const char* const hidden = "hidden_lines";
 
 // The kinds' own keys are those of their switches.
@@ -38,10 +37,7 @@ void noteDrawnStyle(const DrawnStyle& drawn) {
     for (const auto& kind : laplacian_lines::line_kinds)
         map[colorKey(kind)] = drawn.colors[std::size_t(kind.kind)];
     map[hidden] = drawn.shows_hidden;
-    if (drawn.light) {
-        map[azimuth] = drawn.light->azimuth;
-        map[elevation] = drawn.light->elevation;
-    }
+    if (drawn.light_azimuth) map[azimuth] = *drawn.light_azimuth;
     if (QObject* application = QCoreApplication::instance())
         application->setProperty(property, map);
 }
@@ -58,8 +54,7 @@ std::optional<DrawnStyle> drawnStyle() {
         color = map.value(colorKey(kind), color).toUInt();
     }
     drawn.shows_hidden = map.value(hidden).toBool();
-    if (map.contains(azimuth))
-        drawn.light = CameraLight{map.value(azimuth).toDouble(), map.value(elevation).toDouble()};
+    if (map.contains(azimuth)) drawn.light_azimuth = map.value(azimuth).toDouble();
     return drawn;
 }
 

@@ -15,6 +15,22 @@ void addResult(const char* name, const Eigen::Vector3d& value, FilterResults& re
 #endif
 }
 
+namespace {
+
+/// That the filter does not have. MeshLab adds its own, MeshLab::..., to those of a filter.
+QStringList otherParameters(const Filter& filter, const MeshModel& mesh,
+                            const RichParameterList& parameters) {
+    RichParameterList known;
+    filter.listParameters(&mesh, known);
+    QStringList names;
+    for (const RichParameter& parameter : parameters)
+        if (!known.hasParameter(parameter.name()) && !parameter.name().contains("::"))
+            names << parameter.name();
+    return names;
+}
+
+}  // namespace
+
 FilterPluginBase::FilterPluginBase(const QString& plugin_name, FilterList filters)
     : plugin_name_(plugin_name) {
     for (auto& filter : filters) {
@@ -38,6 +54,9 @@ QString FilterPluginBase::runCatchingAll(const Filter& filter, MeshDocument& doc
                                          vcg::CallBackPos* progress, FilterResults& results) {
     try {
         if (!document.mm()) return "There is no mesh. Open one first.";
+        const QStringList others = otherParameters(filter, *document.mm(), parameters);
+        if (!others.isEmpty())
+            say("Parameters of another version are ignored: " + others.join(", ") + '.');
         filter.run(
             {document, parameters, progress, [this](const QString& line) { say(line); }, results});
         return QString();
@@ -54,9 +73,7 @@ QString FilterPluginBase::runCatchingAll(const Filter& filter, MeshDocument& doc
 
 void FilterPluginBase::initParameterSet(QAction* action, MeshDocument& document,
                                         RichParameterList& list) {
-    const Filter& filter = *entry(action).filter;
-    filter.listParameters(document.mm(), list);
-    filter.prepareDialog(document);
+    entry(action).filter->listParameters(document.mm(), list);
 }
 
 bool FilterPluginBase::applyFilter(QAction* action, MeshDocument& document,
@@ -74,9 +91,7 @@ bool FilterPluginBase::applyFilter(QAction* action, MeshDocument& document,
 RichParameterList FilterPluginBase::initParameterList(const QAction* action,
                                                       const MeshDocument& document) {
     RichParameterList list;
-    const Filter& filter = *entry(action).filter;
-    filter.listParameters(document.mm(), list);
-    filter.prepareDialog(document);
+    entry(action).filter->listParameters(document.mm(), list);
     return list;
 }
 

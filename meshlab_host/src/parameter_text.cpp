@@ -34,10 +34,10 @@ double choiceIn(const QString& text, const QStringList& choices) {
     return found;
 }
 
-double numberIn(const QString& text, bool is_whole) {
+double numberIn(const QString& text) {
     bool is_number = false;
     const double number = text.toDouble(&is_number);
-    return is_number && (!is_whole || number == std::floor(number)) ? number : no_value;
+    return is_number ? number : no_value;
 }
 
 }  // namespace
@@ -51,14 +51,13 @@ double valueIn(const QString& text, const ParameterDescription& d) {
         case OptionKind::Choice:
             value = choiceIn(text, d.choices);
             break;
-        case OptionKind::Integer:
         case OptionKind::Real:
         case OptionKind::Length:
-            value = numberIn(text, d.kind == OptionKind::Integer);
+            value = numberIn(text);
             break;
     }
     if (value >= d.minimum && value <= d.maximum) return value;
-    const bool has_comma = !std::isnan(numberIn(QString(text).replace(',', '.'), false));
+    const bool has_comma = !std::isnan(numberIn(QString(text).replace(',', '.')));
     const QString hint = has_comma && text.contains(',') ? ", with a decimal point" : "";
     refuseValue(text, d.label, d.allowed + hint);
 }

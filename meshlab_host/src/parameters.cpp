@@ -35,18 +35,10 @@ std::optional<double> number(const Value& value) {
 
 template <class Rich, class Description, class... Value>
 void add(const Description& d, RichParameterList& list, const Value&... value) {
-#if MESHLAB_API < 2022
     list.addParam(Rich(d.name, value..., d.label, toolTip(d.help)));
-#else
-    list.addParam(Rich(d.name, value..., d.label, toolTip(d.help), d.for_experts));
-#endif
 }
 
 }  // namespace
-
-QString underHeading(const QString& heading, const QString& label) {
-    return QString("<b>%1</b><br>%2").arg(heading, label);
-}
 
 QString toolTip(const QString& help) {
     // Qt wraps only rich text.
@@ -63,8 +55,6 @@ void addParameter(const ParameterDescription& d, double value, double diagonal,
     switch (d.kind) {
         case OptionKind::Real:
             return add<RichFloat>(d, list, float(value));
-        case OptionKind::Integer:
-            return add<RichInt>(d, list, int(value));
         case OptionKind::Length: {
             const double whole = diagonal > 0 ? diagonal : 1;  // the widget divides by it
             return add<RichLength>(d, list, float(value), 0.f, float(whole));
@@ -85,10 +75,6 @@ double readParameter(const ParameterDescription& d, double fallback,
     if (!(*value >= d.minimum && *value <= d.maximum))
         refuseValue(std::isnan(*value) ? "not a number" : QString::number(*value), d);
     return *value;
-}
-
-std::optional<double> defaultOf(const RichParameter& parameter) {
-    return number(parameter.value());
 }
 
 void addPlace(const PlaceDescription& d, const Eigen::Vector3d& value, RichParameterList& list) {
@@ -116,10 +102,6 @@ Eigen::Vector3d readPlace(const PlaceDescription& d, const Eigen::Vector3d& fall
     return result;
 }
 
-bool needsBrowsing() {
-    return MESHLAB_API < 2022;
-}
-
 void addText(const TextDescription& d, const QString& value, RichParameterList& list) {
     if (d.files.isEmpty())
         add<RichString>(d, list, value);
@@ -129,14 +111,9 @@ void addText(const TextDescription& d, const QString& value, RichParameterList& 
 
 QString readText(const TextDescription& d, const QString& fallback, const RichParameterList& list) {
     if (!list.hasParameter(d.name)) return fallback;
-    const std::optional<QString> text = defaultText(list.getParameterByName(d.name));
-    if (!text) refuseValue("not a text", d.label, "one");
-    return *text;
-}
-
-std::optional<QString> defaultText(const RichParameter& parameter) {
-    const Value& value = parameter.value();
-    return value.isString() ? std::make_optional(value.getString()) : std::nullopt;
+    const Value& value = list.getParameterByName(d.name).value();
+    if (!value.isString()) refuseValue("not a text", d.label, "one");
+    return value.getString();
 }
 
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list) {

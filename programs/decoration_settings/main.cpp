@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks parameters of the decoration and prints the driver's commands that set them:
 //   decoration_settings NAME=VALUE...
-// or, a line each, those of the pictures of a comparison: label, edge detector or -, commands before
-// and after the picture, separated by tabs, commands by " ; ":
-//   decoration_settings --kinds NAMES NAME=VALUE...
+// or, a line each, those of the pictures of a comparison: label, a tab, commands with " ; "
+// between:
+//   decoration_settings --kinds NAMES
 #include <cstdio>
 #include <exception>
 
@@ -15,12 +15,9 @@ void print(const QString& text) {
     std::fputs(text.toLocal8Bit().constData(), stdout);
 }
 
-void printPictures(const QString& names, const QStringList& settings) {
-    for (const ComparedPicture& picture : comparedPictures(names, settings))
-        print(QStringList{picture.label, picture.detector.isEmpty() ? "-" : picture.detector,
-                          picture.before.join(" ; "), picture.after.join(" ; ")}
-                  .join('\t') +
-              '\n');
+void printPictures(const QString& names) {
+    for (const ComparedPicture& picture : comparedPictures(names))
+        print(picture.label + '\t' + picture.commands.join(" ; ") + '\n');
 }
 
 }  // namespace
@@ -30,7 +27,7 @@ int main(int argc, char** argv) try {
     for (int i = 1; i < argc; ++i)
         words << QString::fromLocal8Bit(argv[i]);
     if (words.value(0) == "--kinds") {
-        printPictures(words.value(1), words.mid(2));
+        printPictures(words.value(1));
     } else {
         for (const QString& command : settingCommands(words))
             print(command + '\n');

@@ -1,50 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.h"
 
-#include <QFileInfo>
-
-#include "file_names.h"
 #include "mesh_reading.h"
+
+using line_drawing::refuse;
 
 namespace {
 
-const char* const format = "--format";              // of a collection
-const char* const contact_view = "--contact-view";  // of the processes of a collection
+const char* const format_option = "--format";  // of a collection
 
-/// A folder of drawings exists, or is named like one.
-void nameFiles(const QStringList& names, bool has_format, CommandLine& result) {
-    if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
-    result.drawing = names[0];
-    result.choices.file = fileName(names[0]);
-    result.meshes = names.mid(1);
-    result.is_collection = names[0].endsWith('/') || QFileInfo(names[0]).isDir();
-    if (result.is_collection) return;
-    result.meshes = meshesOf(result.meshes);
-    if (has_format)
-        refuse("--format is for a folder of drawings; the extension of a file sets its format.");
+std::string take(Words& rest) {
+    std::string first = std::move(rest.front());
+    rest.erase(rest.begin());
+    return first;
 }
 
-QString takeValue(QStringList& rest, const QString& option) {
-    if (rest.isEmpty()) refuse(option + " needs a value; see --help.");
-    return rest.takeFirst();
+std::string takeValue(Words& rest, const std::string& option) {
+    if (rest.empty()) refuse(option + " needs a value; see --help.");
+    return take(rest);
 }
 
 /// Consumes an option with its value. False for the name of a file.
-bool takeOption(const QString& word, QStringList& rest, CommandLine& result) {
+bool takeOption(const std::string& word, Words& rest, Words& formats, CommandLine& result) {
     if (word == "-h" || word == "--help") {
         result.help = true;
     } else if (word == "--version") {
         result.version = true;
     } else if (word == "--like") {
-        result.like = likeOf(takeValue(rest, word));
-        rest = result.like->options + rest;
-    } else if (word == contact_view) {
-        result.contact_view = takeValue(rest, word);
-    } else if (word == format) {
-        result.format = takeValue(rest, word);
-    } else if (line_drawing::commandOption(word.toStdString())) {
-        result.words << word << takeValue(rest, word);
-    } else if (word.startsWith("--")) {
+        result.like = earlierDrawing(takeValue(rest, word));
+        rest.insert(rest.begin(), result.like->options.begin(), result.like->options.end());
+    } else if (line_drawing::commandOption(word)) {
+        Words& words = word == format_option ? formats : result.words;
+        words.push_back(word);
+        words.push_back(takeValue(rest, word));
+    } else if (word.substr(0, 2) == "--") {
         refuse("unknown option " + word + "; see --help.");
     } else {
         return false;
@@ -52,45 +41,57 @@ bool takeOption(const QString& word, QStringList& rest, CommandLine& result) {
     return true;
 }
 
+/// A folder of drawings exists, or is named like one.
+void nameFiles(const Words& names, CommandLine& result) {
+    if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
+    result.drawing = names[0];
+    result.is_collection = line_drawing::endsWith(names[0], "/") || isFolder(names[0]);
+    result.meshes = meshesOf({names.begin() + 1, names.end()});
+}
+
 }  // namespace
 
-CommandLine parseCommandLine(const QStringList& arguments) {
+std::string CommandLine::format() const {
+    return line_drawing::commandOption(format_option)->valueIn(choices);
+}
+
+CommandLine parseCommandLine(Words rest) {
     CommandLine result;
-    QStringList rest = arguments, names;
-    while (!rest.isEmpty()) {
-        const QString word = rest.takeFirst();
+    Words names, formats;
+    while (!rest.empty()) {
+        const std::string word = take(rest);
         if (word == "--")
-            names << rest, rest.clear();
-        else if (!takeOption(word, rest, result))
-            names << word;
+            names.insert(names.end(), rest.begin(), rest.end()), rest.clear();
+        else if (!takeOption(word, rest, formats, result))
+            names.push_back(word);
     }
     if (result.help || result.version) return result;
-    const bool has_format = !result.format.isEmpty();
-    result.choices = line_drawing::readChoices(
-        inUtf8(has_format ? result.words + QStringList{format, result.format} : result.words));
-    nameFiles(names, has_format, result);
-    result.format = inQt(line_drawing::commandOption(format)->valueIn(result.choices));
+    const bool has_format = !formats.empty();
+    formats.insert(formats.begin(), result.words.begin(), result.words.end());
+    result.choices = line_drawing::readChoices(formats);
+    nameFiles(names, result);
+    if (has_format && !result.is_collection)
+        refuse("--format is for a folder of drawings; the extension of a file sets its format.");
+    result.choices.file = result.is_collection ? '.' + result.format() : result.drawing;
     result.options = line_drawing::sheetOptions(result.choices);
-    if (result.is_collection) return result;
-    QStringList mesh_names;
-    for (const QString& mesh : result.meshes)
-        mesh_names << readable(QFileInfo(mesh).completeBaseName());
-    result.options.title = line_drawing::titleOf(result.options.title, inUtf8(mesh_names));
     return result;
 }
 
-QString usage() {
+std::string usage() {
     return "laplacian-lines FILE.svg|.pdf|.dxf|.png [OPTION...] MESH|FOLDER...\n"
            "                       a measured drawing of a mesh, or of several that hide each "
            "other\n"
            "laplacian-lines FOLDER/ [OPTION...] MESH|FOLDER...\n"
-           "                       one of each, and a contact sheet; what is there and unchanged "
-           "is\n"
-           "                       not drawn again\n"
+           "                       one of each, and a contact sheet\n"
            "\n" +
-           inQt(line_drawing::sheetOptionsHelp()) +
+           line_drawing::sheetOptionsHelp() +
            "  --like FILE          with the options that a drawing (SVG, PDF, DXF) was made with;\n"
            "                       others that follow count more\n"
            "  --version            of this program\n"
            "  --help               this text\n";
+}
+
+void say(FILE* stream, const std::string& line) {
+    std::fprintf(stream, "%s\n", line.c_str());
+    std::fflush(stream);
 }

@@ -2,81 +2,101 @@
 #include "mesh_reading.h"
 
 #include <QCryptographicHash>
-#include <QDir>
-#include <QFile>
-#include <QFileInfo>
-#include <utility>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <future>
 
-#include "file_names.h"
 #include "mesh_files/mesh_file.h"
+
+namespace fs = std::filesystem;
+using line_drawing::Words;
 
 namespace {
 
-[[noreturn]] void refuse(const QString& file, const QString& why) {
-    laplacian_lines::refuse(QString("%1: %2").arg(file, why).toStdString(),
-                            laplacian_lines::ErrorCode::InvalidMesh);
+[[noreturn]] void refuse(const std::string& file, const std::string& why) {
+    laplacian_lines::refuse(file + ": " + why, laplacian_lines::ErrorCode::InvalidMesh);
 }
 
-std::optional<mesh_files::Format> formatOf(const QString& file) {
-    return mesh_files::format_of(QFileInfo(file).suffix().toLower().toStdString());
+std::optional<mesh_files::Format> formatOf(const fs::path& file) {
+    const std::string ending = line_drawing::lower(file.extension().string());
+    return mesh_files::format_of(ending.substr(std::min<std::size_t>(1, ending.size())));
+}
+
+Words meshesIn(const fs::path& folder) {
+    Words meshes;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (formatOf(entry->path()) && entry->is_regular_file(error))
+            meshes.push_back(entry->path().string());
+    std::sort(meshes.begin(), meshes.end());
+    return meshes;
+}
+
+std::string sha256Of(const std::string& bytes) {
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    constexpr std::size_t most = 1 << 30;  // of what Qt takes at once
+    for (std::size_t i = 0; i < bytes.size(); i += most)
+        hash.addData(bytes.data() + i, int(std::min(most, bytes.size() - i)));
+    return hash.result().toHex().toStdString();
 }
 
 }  // namespace
 
-QStringList meshesOf(const QStringList& named) {
-    QStringList meshes;
-    for (const QString& name : named) {
-        if (!QFileInfo(name).isDir()) {
-            meshes << name;
-            continue;
-        }
-        const QDir folder(name);
-        const int before = meshes.size();
-        for (const QString& file : folder.entryList(QDir::Files, QDir::Name))
-            if (formatOf(file)) meshes << folder.filePath(file);
-        if (meshes.size() == before)
-            refuse(QString("there is no mesh in the folder \"%1\".").arg(name));
+bool isFolder(const std::string& name) {
+    std::error_code none;
+    return fs::is_directory(name, none);
+}
+
+Words meshesOf(const Words& named) {
+    Words meshes;
+    for (const std::string& name : named) {
+        const Words found = isFolder(name) ? meshesIn(name) : Words{name};
+        if (found.empty())
+            laplacian_lines::refuse("there is no mesh in the folder \"" + name + "\".");
+        for (const std::string& mesh : found)
+            if (std::find(meshes.begin(), meshes.end(), mesh) == meshes.end())
+                meshes.push_back(mesh);
     }
-    meshes.removeDuplicates();
     return meshes;
 }
 
-double expectedTriangles(const QString& name) {
-    QFile file(name);
-    const auto format = formatOf(name);
-    if (!format || !file.open(QIODevice::ReadOnly)) return 0;
-    const QByteArray begin = file.read(4096);  // more than most headers
-    return mesh_files::expected_triangles(*format, {begin.constData(), std::size_t(begin.size())},
-                                          double(file.size()));
+std::optional<std::string> contentsOf(const std::string& file) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);  // of files alone
+    if (error) return {};
+    std::string bytes(size, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream.read(bytes.data(), std::streamsize(size))) return {};
+    return bytes;
 }
 
-ReadMesh readMesh(const QString& name, bool draws_damaged) {
-    const auto format = formatOf(name);
-    QFile file(name);
-    if (!QFileInfo(name).isFile() || !file.open(QIODevice::ReadOnly))
-        refuse(name, "there is no such file, or it cannot be read.");
-    if (!format) refuse(name, "meshes are read from PLY, OBJ, STL and OFF files.");
-    const QByteArray bytes = file.readAll();
-    if (bytes.size() != file.size()) refuse(name, "it cannot be read to its end.");
-    auto hash = std::async(std::launch::async, [own = bytes]() mutable {
-        const QByteArray all = std::exchange(own, {});  // let go of at the end
-        return QCryptographicHash::hash(all, QCryptographicHash::Sha256).toHex().toStdString();
-    });
-    mesh_files::MeshInFile read =
-        mesh_files::read_mesh(*format, {bytes.constData(), std::size_t(bytes.size())});
-    const std::size_t triangles = read.mesh.triangles.size();
-    const QString defect = QString::fromStdString(read.defect),
-                  remark = QString::fromStdString(read.remark);
-    if (triangles == 0 && !defect.isEmpty())
-        refuse(name, QString("the mesh cannot be read: %1.").arg(defect));
-    if (triangles == 0)
-        refuse(name, "the mesh has no faces; lines are drawn on surfaces." +
-                         (remark.isEmpty() ? "" : " Of the file, " + remark + '.'));
-    if (!defect.isEmpty() && !draws_damaged)
-        refuse(name,
-               QString("the file is damaged: %1. With --damaged draw, the %2 triangles before "
-                       "that are drawn.")
-                   .arg(defect)
-                   .arg(triangles));
-    return {std::move(read.mesh), defect, remark, hash.share()};
+std::string readable(const std::string& name) {
+    return line_drawing::inUtf8(line_drawing::lettersOf(name));
+}
+
+ReadMesh readMesh(const std::string& file, bool draws_damaged) {
+    const std::optional<std::string> bytes = contentsOf(file);
+    if (!bytes) refuse(file, "there is no such file, or it cannot be read.");
+    const auto format = formatOf(file);
+    if (!format) refuse(file, "meshes are read from PLY, OBJ, STL and OFF files.");
+    auto hash = std::async(std::launch::async, [&] { return sha256Of(*bytes); });
+    auto [mesh, defect, remark] = mesh_files::read_mesh(*format, *bytes);
+    const std::string triangles = std::to_string(mesh.triangles.size());
+    if (mesh.triangles.empty() && !defect.empty())
+        refuse(file, "the mesh cannot be read: " + defect + '.');
+    if (mesh.triangles.empty())
+        refuse(file, "the mesh has no faces; lines are drawn on surfaces." +
+                         (remark.empty() ? "" : " Of the file, " + remark + '.'));
+    if (!defect.empty() && !draws_damaged)
+        refuse(file, "the file is damaged: " + defect + ". With --damaged draw, the " + triangles +
+                         " triangles before that are drawn.");
+    const fs::path name = fs::path(file).filename();
+    return {file,
+            std::move(mesh),
+            {readable(name.string()), hash.get()},
+            readable(name.stem().string()),
+            defect,
+            remark};
 }

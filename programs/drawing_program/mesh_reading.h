@@ -1,26 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStringList>
-#include <future>
+#include <optional>
+#include <string>
 
 #include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/sheet_file.h"
+
+bool isFolder(const std::string& name);
 
 /// The named meshes and those in named folders. @throws laplacian_lines::Error(InvalidOption) if a
 /// folder has none
-QStringList meshesOf(const QStringList& named);
+line_drawing::Words meshesOf(const line_drawing::Words& named);
 
-/// From the file's beginning and size; 0 if it cannot be read.
-double expectedTriangles(const QString& name);
+/// Nothing if there is no such file, or it cannot be read to its end.
+std::optional<std::string> contentsOf(const std::string& file);
+
+/// Any name, as UTF-8: names of files are bytes.
+std::string readable(const std::string& name);
 
 struct ReadMesh {
+    std::string file;
     laplacian_lines::TriangleMesh mesh;
-    QString defect;  ///< of a damaged file: why the mesh is not whole
-    QString remark;  ///< what of a sound file was skipped
-    /// Of the file, in hexadecimal; computed while the mesh is drawn.
-    std::shared_future<std::string> sha256;
+    line_drawing::SourceMesh source;
+    std::string title;   ///< the file's name without ending
+    std::string defect;  ///< of a damaged file: why the mesh is not whole
+    std::string remark;  ///< what of a sound file was skipped
 };
 
 /// Reads a PLY, OBJ, STL or OFF file, triangulated. A malformed file is refused, or drawn as far as
 /// it goes. @throws laplacian_lines::Error(InvalidMesh) with a sentence that names the file
-ReadMesh readMesh(const QString& name, bool draws_damaged);
+ReadMesh readMesh(const std::string& file, bool draws_damaged);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_table.h"
 
-#include <QElapsedTimer>
 #include <QFile>
 #include <QTextStream>
 
@@ -11,6 +10,10 @@ const QString& Command::word(int index) const {
     if (index >= words.size())
         throw CommandError(QString("%1 needs at least %2 argument(s)").arg(name).arg(index + 1));
     return words[index];
+}
+
+QString Command::wordOr(int index, const QString& otherwise) const {
+    return index < words.size() ? words[index] : otherwise;
 }
 
 double Command::number(int index) const {
@@ -27,79 +30,32 @@ QSize Command::size(int index) const {
     return result;
 }
 
-QString Command::wordOr(int index, const QString& otherwise) const {
-    return index < words.size() ? words[index] : otherwise;
-}
-
-Outcome retryAWhile(const Command& command, const QString& why) {
-    constexpr qint64 longest_wait = 5000;  // ms
-    static int line = 0;
-    static QElapsedTimer waiting;
-    if (line != command.line) {
-        line = command.line;
-        waiting.start();
-    }
-    if (waiting.elapsed() < longest_wait) return Outcome::Retry;
-    throw CommandError(why);
-}
-
-void CommandTable::add(const QString& name, Handler handler, Place place) {
-    entries_[name] = Entry{std::move(handler), place};
+void CommandTable::add(const QString& name, Handler handler, Boxes boxes) {
+    entries_[name] = Entry{std::move(handler), boxes};
 }
 
 void CommandTable::addSimple(const QString& name, std::function<void(const Command&)> handler,
-                             Place place) {
+                             Boxes boxes) {
     add(
         name,
         [handler = std::move(handler)](const Command& command) {
             handler(command);
             return Outcome::Done;
         },
-        place);
+        boxes);
 }
 
 const CommandTable::Entry& CommandTable::find(const QString& name) const {
     const auto found = entries_.find(name);
-    if (found == entries_.end()) {
-        QStringList known;
-        for (const auto& entry : entries_)
-            known << entry.first;
-        throw CommandError(
-            QString("unknown command '%1'; there are: %2").arg(name, known.join(' ')));
-    }
+    if (found == entries_.end()) throw CommandError(QString("unknown command '%1'").arg(name));
     return found->second;
 }
-
-namespace {
-
-QStringList cutIntoWords(const QString& text) {
-    QStringList words;
-    QString word;
-    bool quoted = false, inWord = false;
-    for (const QChar c : text) {
-        if (c == '"') {
-            quoted = !quoted;
-            inWord = true;  // "" is an empty word
-        } else if (c.isSpace() && !quoted) {
-            if (inWord) words << word;
-            word.clear();
-            inWord = false;
-        } else {
-            word += c;
-            inWord = true;
-        }
-    }
-    if (inWord) words << word;
-    return words;
-}
-
-}  // namespace
 
 Command parseLine(const QString& text) {
     Command command;
     command.name = text.section(' ', 0, 0);
     command.rest = text.mid(command.name.size()).trimmed();
-    command.words = cutIntoWords(command.rest);
+    command.words = command.rest.split(' ', Qt::SkipEmptyParts);
     return command;
 }
 
@@ -120,17 +76,10 @@ QVector<Command> readScript(const QString& file_name) {
     return script;
 }
 
-void writeFile(const QString& file_name, const QByteArray& content) {
-    QFile file(file_name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.flush())
-        throw CommandError("cannot write " + file_name);
-}
-
 CommandTable allCommands() {
     CommandTable table;
-    for (const auto add : {addWindowCommands, addActionCommands, addDialogCommands,
-                           addModalCommands, addDrawingCommands, addMouseCommands,
-                           addMemoryCommands, addProbeCommands, addWatchCommands, addFrameCommands})
+    for (const auto add :
+         {addDialogCommands, addDrawingCommands, addFrameCommands, addWindowCommands})
         add(table);
     return table;
 }

@@ -10,17 +10,17 @@
 
 namespace driver {
 
-// A line of a script: NAME REST; REST also comes as words ("double quotes" keep blanks).
+// A line of a script: NAME REST.
 struct Command {
     int line = 0;
     QString name;
     QString rest;
-    QStringList words;
+    QStringList words;  // of the rest
 
     const QString& word(int index) const;  // CommandError when there are fewer words
-    double number(int index) const;        // CommandError when it is not a number
-    QSize size(int index) const;           // CommandError when it is not WIDTHxHEIGHT
     QString wordOr(int index, const QString& otherwise) const;
+    double number(int index) const;  // CommandError when it is not a number
+    QSize size(int index) const;     // CommandError when it is not WIDTHxHEIGHT
 };
 
 // `text` has no blanks around it.
@@ -28,9 +28,6 @@ Command parseLine(const QString& text);
 
 // One command a line; skips empty lines and those that start with #. CommandError if unreadable.
 QVector<Command> readScript(const QString& file_name);
-
-// CommandError if it fails.
-void writeFile(const QString& file_name, const QByteArray& content);
 
 // Ends the run with exit code 3, line and reason.
 struct CommandError : std::runtime_error {
@@ -42,13 +39,11 @@ enum class Outcome {
     Retry  // not yet: run the command again soon, until the time limit of a line is over
 };
 
-// Retry for up to five seconds, then CommandError.
-Outcome retryAWhile(const Command& command, const QString& why);
-
-enum class Place {
-    MainWindow,  // refused while a modal box is in the way
-    ModalBox,    // meant to be run while a modal box is up
-    Everywhere   // answers modal boxes itself: no other command is run before it returns
+// What modal boxes are to a command.
+enum class Boxes {
+    Errors,    // it is not begun while there is one, and fails if it brings one up
+    Answered,  // the runner accepts those that it brings up, and notes what they say
+    Subject    // it is begun while there is one
 };
 
 class CommandTable {
@@ -56,13 +51,13 @@ public:
     using Handler = std::function<Outcome(const Command&)>;
     struct Entry {
         Handler handler;
-        Place place;
+        Boxes boxes;
     };
 
-    void add(const QString& name, Handler handler, Place place = Place::MainWindow);
+    void add(const QString& name, Handler handler, Boxes boxes = Boxes::Errors);
     // For commands that are done when they return.
     void addSimple(const QString& name, std::function<void(const Command&)> handler,
-                   Place place = Place::MainWindow);
+                   Boxes boxes = Boxes::Errors);
 
     const Entry& find(const QString& name) const;  // CommandError when there is none
 
@@ -71,16 +66,10 @@ private:
 };
 
 // Each file of commands registers its own; README.md describes them.
-void addWindowCommands(CommandTable& table);
-void addActionCommands(CommandTable& table);
 void addDialogCommands(CommandTable& table);
-void addModalCommands(CommandTable& table);
 void addDrawingCommands(CommandTable& table);
-void addMouseCommands(CommandTable& table);
-void addMemoryCommands(CommandTable& table);
-void addProbeCommands(CommandTable& table);
-void addWatchCommands(CommandTable& table);
 void addFrameCommands(CommandTable& table);
+void addWindowCommands(CommandTable& table);
 CommandTable allCommands();
 
 }  // namespace driver

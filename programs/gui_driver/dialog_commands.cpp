@@ -1,135 +1,245 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
 #include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDialog>
+#include <QFile>
+#include <QFileInfo>
+#include <QGridLayout>
 #include <QLabel>
-#include <QMainWindow>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTextDocument>
+#include <QTextDocumentFragment>
+#include <QTimer>
 #include <QTreeWidget>
 #include "command_table.h"
-#include "fields.h"
 #include "gui.h"
-#include "process.h"
 
 namespace driver {
 namespace {
 
-/// As if maximized on a screen of this size.
-Outcome setWindowSize(const Command& command) {
-    QMainWindow* window = requireMainWindow();
-    if (window->isMaximized() || window->isFullScreen()) window->showNormal();
-    const QSize wanted = command.size(0);
-    if (window->size() == wanted) return Outcome::Done;
-    window->setGeometry(QRect(QPoint(0, 0), wanted));
-    return Outcome::Retry;
+using Widgets = QList<QWidget*>;
+
+void collectWidgets(QLayoutItem* item, Widgets& widgets) {
+    if (!item) return;
+    if (QWidget* widget = item->widget(); widget && !widgets.contains(widget)) widgets << widget;
+    if (QLayout* layout = item->layout())
+        for (int i = 0; i < layout->count(); ++i)
+            collectWidgets(layout->itemAt(i), widgets);
 }
 
-void expectWithin(const QString& what, const QSize& size, const Command& command) {
-    const QSize most = command.size(0);
-    const QString words = QString("%1 is %2x%3").arg(what).arg(size.width()).arg(size.height());
-    say(words.toStdString());
-    if (size.width() > most.width() || size.height() > most.height()) throw CommandError(words);
-}
-
-void expectDialogWithin(const Command& command) {
-    expectWithin("the dialog", filterDialog()->frameGeometry().size(), command);
-}
-
-void expectWindowWithin(const Command& command) {
-    expectWithin("the window", requireMainWindow()->size(), command);
-}
-
-QTreeWidget* decorationTree() {
-    if (auto* tree = requireMainWindow()->findChild<QTreeWidget*>("decParsTree")) return tree;
-    throw CommandError("the layer dialog shows no decoration parameters");
-}
-
-void unfoldDecoration(const Command& command) {
-    const auto items = decorationTree()->findItems(command.rest, Qt::MatchExactly);
-    if (items.isEmpty()) throw CommandError("the decoration has no parameters there");
-    items.first()->setExpanded(true);
-}
-
-void expectDecorationField(const Command& command) {
-    const QString wanted = command.rest.section(' ', -1);
-    const QString state = stateOfField(decorationTree(), command.rest.section(' ', 0, -2));
-    if (state != wanted) throw CommandError("it is " + state);
-}
-
-/// A label in red with a matching tool tip, or no label in red.
-void expectFault(const Command& command) {
-    const QString name = command.rest.section('=', 0, 0).trimmed();
-    const QRegularExpression wanted(command.rest.section('=', 1).trimmed());
-    for (const QLabel* label : decorationTree()->findChildren<QLabel*>()) {
-        if (!label->text().endsWith(name)) continue;
-        const bool is_red = label->palette().color(QPalette::WindowText) == Qt::red;
-        if (is_red == wanted.pattern().isEmpty() || !label->toolTip().contains(wanted))
-            throw CommandError((is_red ? "red: " : "not red: ") + label->toolTip());
-        return;
+/// A label and its editors share a grid's row.
+Widgets editorsBeside(QWidget* container, QLabel* label) {
+    Widgets editors;
+    for (QGridLayout* grid : container->findChildren<QGridLayout*>()) {
+        if (grid->indexOf(label) < 0) continue;
+        int row, column, row_span, column_span;
+        grid->getItemPosition(grid->indexOf(label), &row, &column, &row_span, &column_span);
+        for (int c = column + column_span; c < grid->columnCount(); ++c) {
+            QLayoutItem* item = grid->itemAtPosition(row, c);
+            if (item && qobject_cast<QLabel*>(item->widget())) break;  // of another field
+            collectWidgets(item, editors);
+        }
     }
-    throw CommandError("there is no such parameter");
+    return editors;
 }
 
-/// The decorations' fields show without scrolling on a screen of this height.
-void expectFieldsAbove(const Command& command) {
-    const QTreeWidget* tree = decorationTree();
-    const auto bottom = [](const QWidget* widget) {
-        return widget->mapTo(widget->window(), QPoint(0, widget->height())).y();
+/// Without the heading that may stand above it.
+QString nameOf(const QLabel* label) {
+    QString text = label->text();
+    if (Qt::mightBeRichText(text))
+        text = QTextDocumentFragment::fromHtml(text).toPlainText().section('\n', -1);
+    return withoutMnemonic(text).trimmed();
+}
+
+Widgets findEditors(QWidget* container, const QString& name) {
+    for (QCheckBox* box : container->findChildren<QCheckBox*>())  // up to 2020.09
+        if (withoutMnemonic(box->text()) == name) return {box};
+    QStringList others;
+    for (QLabel* label : container->findChildren<QLabel*>()) {
+        others << "'" + nameOf(label) + "'";
+        if (nameOf(label) != name) continue;
+        if (const Widgets editors = editorsBeside(container, label); !editors.isEmpty())
+            return editors;
+    }
+    throw CommandError(QString("no field '%1' among %2").arg(name, others.join(", ")));
+}
+
+template <class Editor>
+Editor* only(const Widgets& widgets) {
+    for (QWidget* widget : widgets)
+        if (auto* editor = qobject_cast<Editor*>(widget)) return editor;
+    return nullptr;
+}
+
+void setCheckBox(QCheckBox* box, const QString& value) {
+    if (value != "on" && value != "off")
+        throw CommandError(QString("a check box takes on or off, not '%1'").arg(value));
+    if (box->isChecked() != (value == "on")) box->click();
+}
+
+void setComboBox(QComboBox* box, const QString& value) {
+    int index = box->findText(value);
+    bool is_number = true;
+    if (index < 0) index = value.toInt(&is_number);
+    if (!is_number || index < 0 || index >= box->count()) {
+        QStringList entries;
+        for (int i = 0; i < box->count(); ++i)
+            entries << "'" + box->itemText(i) + "'";
+        throw CommandError(QString("no entry '%1' among %2").arg(value, entries.join(", ")));
+    }
+    box->setCurrentIndex(index);
+    QMetaObject::invokeMethod(box, "activated", Q_ARG(int, index));  // as after a user's choice
+}
+
+void setLineEdit(QLineEdit* edit, const QString& value) {
+    edit->setText(value);
+    QMetaObject::invokeMethod(edit, "editingFinished");
+    QMetaObject::invokeMethod(edit, "returnPressed");
+}
+
+// The button opens a modal box: arm the answer, then click.
+void setColor(QPushButton* button, const QString& value) {
+    const QColor color(value);
+    if (!color.isValid()) throw CommandError(QString("'%1' is not a color").arg(value));
+    QTimer::singleShot(0, button, [color] {
+        if (auto* box = qobject_cast<QColorDialog*>(QApplication::activeModalWidget())) {
+            box->setCurrentColor(color);
+            box->accept();
+        }
+    });
+    button->click();
+}
+
+/// LABEL = VALUE: sets the container's field with this label as a user would. Check box: on or off;
+/// combo box: text or number of an entry; color: #rrggbb or a name.
+void setField(QWidget* container, const Command& command) {
+    // Labels may contain '=', values do not.
+    const QString name = command.rest.section('=', 0, -2).trimmed();
+    const QString value = command.rest.section('=', -1).trimmed();
+    const Widgets editors = findEditors(container, name);
+    if (auto* check_box = only<QCheckBox>(editors))
+        setCheckBox(check_box, value);
+    else if (auto* combo_box = only<QComboBox>(editors))
+        setComboBox(combo_box, value);
+    else if (auto* edit = only<QLineEdit>(editors))
+        setLineEdit(edit, value);
+    else if (auto* button = only<QPushButton>(editors))
+        setColor(button, value);
+    else
+        throw CommandError(QString("the field '%1' cannot be set").arg(name));
+}
+
+void trigger(const Command& command) {
+    QAction* action = requireAction(command.rest);
+    if (!action->isEnabled()) throw CommandError("the action is disabled");
+    action->trigger();
+}
+
+// ACTION on or off
+void check(const Command& command) {
+    const QString state = command.rest.section(' ', -1);
+    QAction* action = requireAction(command.rest.section(' ', 0, -2));
+    if (state != "on" && state != "off") throw CommandError("say on or off after the action");
+    if (!action->isEnabled() || !action->isCheckable())
+        throw CommandError("the action is disabled or not checkable");
+    if (action->isChecked() != (state == "on")) action->trigger();
+}
+
+// ACTION, or ACTION checked or unchecked
+void expectAction(const Command& command) {
+    const QString state = command.rest.section(' ', -1);
+    const bool has_state = state == "checked" || state == "unchecked";
+    QAction* action = requireAction(has_state ? command.rest.section(' ', 0, -2) : command.rest);
+    if (has_state && action->isChecked() != (state == "checked"))
+        throw CommandError(QString("it is %1").arg(action->isChecked() ? "checked" : "unchecked"));
+}
+
+void setDecorationParameter(const Command& command) {
+    auto* tree = requireMainWindow()->findChild<QTreeWidget*>("decParsTree");
+    if (!tree) throw CommandError("the layer dialog shows no decoration parameters");
+    setField(tree, command);
+}
+
+// For commands that wait for a modal box.
+CommandTable::Handler inModal(void (*act)(QWidget*, const Command&)) {
+    return [act](const Command& command) {
+        QWidget* modal = QApplication::activeModalWidget();
+        if (!modal) return Outcome::Retry;
+        act(modal, command);
+        return Outcome::Done;
     };
-    int lowest = 0;
-    for (const QLabel* label : tree->findChildren<QLabel*>())
-        if (label->isVisible()) lowest = qMax(lowest, bottom(label));
-    for (const QCheckBox* box : tree->findChildren<QCheckBox*>())
-        if (box->isVisible()) lowest = qMax(lowest, bottom(box));
-    const QString words = QString("the fields end at %1, their panel at %2")
-                              .arg(lowest)
-                              .arg(bottom(tree->viewport()));
-    say(words.toStdString());
-    if (lowest == 0 || lowest > command.number(0) || lowest > bottom(tree->viewport()))
-        throw CommandError(words);
 }
 
-/// Qt wraps tool tips only if they are rich text.
-void expectWrappedToolTips(const Command&) {
-    int tool_tips = 0;
-    for (QWidget* widget : decorationTree()->findChildren<QWidget*>()) {
-        if (widget->toolTip().isEmpty()) continue;
-        ++tool_tips;
-        if (!Qt::mightBeRichText(widget->toolTip()))
-            throw CommandError("one line: " + widget->toolTip());
+void expectModal(QWidget* modal, const Command& command) {
+    if (!describeBox(modal).contains(QRegularExpression(command.rest)))
+        throw CommandError("the box says: " + describeBox(modal));
+}
+
+/// Of one layer, on white, which is entry 2 of the backgrounds. MeshLab adds two digits, the
+/// counter, to the base name.
+QString fillSnapshotBox(QWidget* box, const QFileInfo& target, int tiles) {
+    const struct {
+        const char *name, *property;
+        QVariant value;
+    } fields[] = {{"outDirLineEdit", "text", target.absolutePath()},
+                  {"baseNameLineEdit", "text", target.completeBaseName()},
+                  {"counterSpinBox", "value", 0},
+                  {"resolutionSpinBox", "value", tiles},
+                  {"backgroundComboBox", "currentIndex", 2}};
+    for (const auto& field : fields) {
+        auto* child = box->findChild<QWidget*>(field.name);
+        if (!child || !child->setProperty(field.property, field.value))
+            throw CommandError(QString("the snapshot box has no field '%1'").arg(field.name));
     }
-    if (!tool_tips) throw CommandError("there are no tool tips");
+    return target.absolutePath() + "/" + target.completeBaseName() + "00.png";
 }
 
-void expectField(const Command& command) {
-    const QString wanted = command.rest.section('=', 1).trimmed();
-    const QString shown = textOfField(filterDialog(), command.rest.section('=', 0, 0).trimmed());
-    if (shown != wanted) throw CommandError(QString("it shows '%1'").arg(shown));
-}
-
-/// Some texts follow the typing after a pause.
-Outcome expectInDialog(const Command& command) {
-    QStringList texts;
-    for (const QLabel* label : filterDialog()->findChildren<QLabel*>())
-        if (label->isVisible()) texts << label->text();
-    if (texts.join('\n').contains(QRegularExpression(command.rest))) return Outcome::Done;
-    return retryAWhile(command, "the dialog does not say so; it says:\n" + texts.join('\n'));
+// FILE TILES
+void takeSnapshot(const Command& command) {
+    const QFileInfo target(command.word(0));
+    QString written, error;
+    QTimer::singleShot(0, requireMainWindow(), [&] {  // runs inside the box's event loop
+        auto* box = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (!box) return void(error = "MeshLab showed no snapshot box");
+        try {
+            written = fillSnapshotBox(box, target, int(command.number(1)));
+            QFile::remove(written);
+            box->accept();
+        } catch (const CommandError& e) {
+            error = e.what();
+            box->reject();
+        }
+    });
+    QMetaObject::invokeMethod(requireMainWindow(), "saveSnapshot", Qt::DirectConnection);
+    if (!error.isEmpty()) throw CommandError(error);
+    // MeshLab draws tiles later, one per repaint. The time limit ends this otherwise.
+    while (!QFileInfo(written).size())
+        QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
+    QFile::remove(target.absoluteFilePath());
+    if (!QFile::rename(written, target.absoluteFilePath()))
+        throw CommandError("cannot write " + target.filePath());
 }
 
 }  // namespace
 
 void addDialogCommands(CommandTable& table) {
-    table.add("window", setWindowSize);
-    table.addSimple("unfold", unfoldDecoration);
-    table.addSimple("expect-deco", expectDecorationField);
-    table.addSimple("expect-fields-above", expectFieldsAbove);
-    table.addSimple("expect-fault", expectFault);
-    table.addSimple("expect-wrapped-tool-tips", expectWrappedToolTips);
-    table.addSimple("help", [](const Command&) { clickButton(filterDialog(), "Help"); });
-    table.addSimple("click", [](const Command& c) { clickButton(filterDialog(), c.rest); });
-    table.addSimple("expect-field", expectField);
-    table.add("expect-in-dialog", expectInDialog);
-    table.addSimple("expect-dialog-within", expectDialogWithin);
-    table.addSimple("expect-window-within", expectWindowWithin);
+    table.addSimple("trigger", trigger);
+    table.addSimple("check", check);
+    table.addSimple("expect-action", expectAction);
+    table.addSimple("set", [](const Command& c) { setField(filterDialog(), c); });
+    table.addSimple("apply", [](const Command&) { clickButton(filterDialog(), "Apply"); });
+    table.addSimple("close", [](const Command&) { clickButton(filterDialog(), "Close"); });
+    table.addSimple("setdeco", setDecorationParameter);
+    table.add("expect-modal", inModal(expectModal), Boxes::Subject);
+    table.add("set-modal", inModal(setField), Boxes::Subject);
+    table.add("button",
+              inModal([](QWidget* modal, const Command& c) { clickButton(modal, c.rest); }),
+              Boxes::Subject);
+    table.addSimple("snapshot", takeSnapshot);
 }
 
 }  // namespace driver

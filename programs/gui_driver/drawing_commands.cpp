@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <GL/glew.h>  // before any other GL header
 
-#include <QTextStream>
 #include <algorithm>
 
 #include "command_table.h"
-#include "core_lines.h"
 #include "gui.h"
-#include "mesh_noise.h"
+#include "meshlab_host/documents.h"
 #include "process.h"
-#include "situation.h"
 #include "view_properties.h"
 
 namespace driver {
@@ -17,36 +14,45 @@ namespace {
 
 const QString decoration = "Laplacian Lines";
 
+std::vector<const MeshModel*> layers() {
+    const MeshDocument* document = shownDocument();
+    return document ? meshlab_host::layersOf(*document) : std::vector<const MeshModel*>();
+}
+
+/// What MeshLab says in boxes meanwhile, and whether its slot succeeds.
+std::pair<QString, bool> invoke(const char* slot, const Command& command) {
+    bool succeeds = false;
+    takeAnsweredTexts();
+    QMetaObject::invokeMethod(requireMainWindow(), slot, Qt::DirectConnection,
+                              Q_RETURN_ARG(bool, succeeds), Q_ARG(QString, command.rest));
+    return {takeAnsweredTexts().join("; "), succeeds};
+}
+
+[[noreturn]] void refuse(QString sentence, const QString& said) {
+    if (!said.isEmpty()) sentence += ": " + said;
+    throw CommandError(sentence);
+}
+
 /// MeshLab's message boxes are an error only if there is no mesh afterwards. The caller reports the
 /// file.
-Outcome load(const Command& command) {
-    const std::size_t layers = presentSituation().layers.size();
-    BoxAnswerer boxes;
-    bool opened = false;
-    QMetaObject::invokeMethod(requireMainWindow(), "importMeshWithLayerManagement",
-                              Qt::DirectConnection, Q_RETURN_ARG(bool, opened),
-                              Q_ARG(QString, command.rest));
-    const QString said = boxes.takeTexts().join("; ");
-    if (!opened || presentSituation().layers.size() <= layers)
-        throw CommandError("MeshLab cannot read it" + (said.isEmpty() ? "" : ": " + said));
+void load(const Command& command) {
+    const std::size_t before = layers().size();
+    const auto [said, is_loaded] = invoke("importMeshWithLayerManagement", command);
+    if (!is_loaded || layers().size() <= before) refuse("MeshLab cannot read it", said);
     if (!said.isEmpty()) say("remark: " + said.toStdString());
-    return Outcome::Done;
 }
 
 /// Fails on an incomplete project, with MeshLab's message.
 void openProject(const Command& command) {
-    BoxAnswerer boxes;
-    bool opened = false;
-    QMetaObject::invokeMethod(requireMainWindow(), "openProject", Qt::DirectConnection,
-                              Q_RETURN_ARG(bool, opened), Q_ARG(QString, command.rest));
-    const QString said = boxes.takeTexts().join("; ");
-    if (opened && said.isEmpty() && !presentSituation().layers.empty()) return;
-    throw CommandError("MeshLab cannot open the project" + (said.isEmpty() ? "" : ": " + said));
+    const auto [said, is_opened] = invoke("openProject", command);
+    if (!is_opened || !said.isEmpty() || layers().empty())
+        refuse("MeshLab cannot open the project", said);
 }
 
-/// From the log; empty if it gives no reason.
+/// Why there are no lines, from the log; empty if it gives no reason.
 QString refusal() {
-    const MeshModel* layer = presentSituation().current;
+    MeshDocument* document = shownDocument();
+    const MeshModel* layer = document ? document->mm() : nullptr;
     const QString beginning = decoration + ": " + (layer ? layer->label() + ": " : QString());
     const QString log = logText();
     const int place = log.lastIndexOf(beginning);
@@ -62,9 +68,14 @@ void sayWarnings() {
     told = log.size();
 }
 
-void drawLines(const Command&) {
+QAction* drawn() {
     QAction* action = requireAction(decoration);
     if (!action->isChecked()) action->trigger();
+    return action;
+}
+
+void drawLines(const Command&) {
+    const QAction* action = drawn();
     sayWarnings();
     if (action->isChecked()) return;
     const QString reason = refusal();
@@ -73,10 +84,9 @@ void drawLines(const Command&) {
 
 /// MeshLab switches decorations on layer by layer; the log tells which have no lines.
 void drawAllLines(const Command&) {
-    for (const MeshModel* layer : presentSituation().layers) {
-        makeLayerCurrent(layer);
-        QAction* action = requireAction(decoration);
-        if (!action->isChecked()) action->trigger();
+    for (const MeshModel* layer : layers()) {
+        shownDocument()->setCurrentMesh(layer->id());
+        drawn();
     }
 }
 
@@ -88,32 +98,6 @@ void scaleLines(const Command& command) {
     area->update();
 }
 
-using laplacian_lines::TriangleMesh;
-
-void writePly(const TriangleMesh& mesh, const QString& name) {
-    QByteArray content;
-    QTextStream text(&content);
-    text.setRealNumberPrecision(9);
-    text << "ply\nformat ascii 1.0\nelement vertex " << mesh.positions.size()
-         << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
-         << mesh.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (const Eigen::Vector3d& p : mesh.positions)
-        text << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-    for (const auto& triangle : mesh.triangles)
-        text << "3 " << triangle[0] << ' ' << triangle[1] << ' ' << triangle[2] << '\n';
-    text.flush();
-    writeFile(name, content);
-}
-
-// SHARE SEED FILE: moves each vertex by SHARE of the mean edge in a random direction.
-void writeNoisy(const Command& command) {
-    const MeshModel* layer = presentSituation().current;
-    if (!layer) throw CommandError("there is no layer");
-    writePly(mesh_noise::with_noise(liveTriangles(layer->cm), command.number(0),
-                                    unsigned(command.number(1))),
-             command.word(2));
-}
-
 /// So that pictures do not depend on timing.
 void waitForLevels(const Command&) {
     requireView()->setProperty(waits_property, true);
@@ -122,13 +106,12 @@ void waitForLevels(const Command&) {
 }  // namespace
 
 void addDrawingCommands(CommandTable& table) {
-    table.add("load", load, Place::Everywhere);
-    table.addSimple("open-project", openProject, Place::Everywhere);
+    table.addSimple("load", load, Boxes::Answered);
+    table.addSimple("open-project", openProject, Boxes::Answered);
     table.addSimple("draw-lines", drawLines);
     table.addSimple("draw-all-lines", drawAllLines);
     table.addSimple("scale-lines", scaleLines);
     table.addSimple("wait-for-levels", waitForLevels);
-    table.addSimple("write-noisy", writeNoisy);
 }
 
 }  // namespace driver

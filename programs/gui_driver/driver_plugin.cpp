@@ -4,17 +4,12 @@
 #include <QApplication>
 
 #include "command_table.h"
-#include "line_probe.h"
 #include "process.h"
 #include "runner.h"
 
-DriverPlugin::DriverPlugin()
-    : DecoratePluginBase({"LaplacianLinesDriver", "Laplacian Lines Probe",
-                          "Notes what the view shows, for tests."}) {
-    if (!qEnvironmentVariableIsSet("LAPLACIAN_LINES_PROBE")) {
-        actionList.clear();
-        typeList.clear();
-    }
+DriverPlugin::DriverPlugin() : DecoratePluginBase({"LaplacianLinesDriver", "", ""}) {
+    actionList.clear();
+    typeList.clear();
     const QString script = qEnvironmentVariable("LAPLACIAN_LINES_DRIVER");
     if (script.isEmpty() || !qobject_cast<QApplication*>(QCoreApplication::instance())) return;
     try {
@@ -22,11 +17,6 @@ DriverPlugin::DriverPlugin()
     } catch (const driver::CommandError& e) {
         driver::endWithError(e.what());
     }
-}
-
-void DriverPlugin::draw(MeshModel& mesh, const RichParameterList&, GLArea*, QPainter*,
-                        GLLogStream& log) {
-    driver::layerIsDrawn(mesh, log);
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DriverPlugin)

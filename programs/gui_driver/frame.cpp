@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The command that fits the surfaces of all layers into the view: where the camera has to be, and
+// how MeshLab takes it there.
 #include <GL/glew.h>  // before any other GL header
 
+#include <Eigen/Geometry>
+#include <QApplication>
+#include <QClipboard>
+#include <QDomDocument>
+#include <QVector3D>
 #include <QtMath>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
-#include "camera.h"
 #include "command_table.h"
-#include "core_lines.h"
-#include "framing.h"
 #include "gui.h"
-#include "laplacian_lines/precompute.h"
 #include "meshlab_host/camera.h"
-#include "situation.h"
+#include "meshlab_host/documents.h"
 
 namespace driver {
 namespace {
@@ -23,6 +28,25 @@ constexpr double margin = 0.05;        // of the shorter side
 constexpr double line_pixels = 2;      // an outline lies half outside the form
 constexpr std::size_t few_points = 8;  // each of which may be at a side
 constexpr double least_share = 1e-4;   // of the box of all, of what is in its middle
+
+/// In the scene: right, up, and towards the viewer.
+struct CameraAxes {
+    QVector3D right, up, back;
+};
+
+/// The place alone; MeshLab keeps more of a camera.
+struct CameraPlace {
+    CameraAxes axes;
+    QVector3D target;        // any point in the middle of the picture
+    double distance;         // of the eye from it; if orthographic, half of the picture's height
+    double angle;            // from the bottom of the picture to its top; orthographic_angle
+    double farthest_behind;  // how far behind the target there is something to be seen
+};
+constexpr double perspective_angle = 60, orthographic_angle = 5;  // degrees, as MeshLab has them
+
+// The share of the distance from eye to target that is clipped, and how far before the target an
+// orthographic camera clips, in half heights of the picture.
+constexpr double nearest_shown = 0.1, orthographic_depth = 4;
 
 /// Corners of a layer's faces, in the scene.
 void appendCorners(const CMeshO& mesh, Points& points) {
@@ -37,13 +61,6 @@ void appendCorners(const CMeshO& mesh, Points& points) {
         const Eigen::Vector3d point = to_scene * Eigen::Vector3d(p[0], p[1], p[2]);
         if (point.allFinite()) points.push_back(point);
     }
-}
-
-Points allCorners() {
-    Points points;
-    for (const MeshModel* layer : presentSituation().layers)
-        appendCorners(layer->cm, points);
-    return points;
 }
 
 Eigen::AlignedBox3d boxOf(const Points& points) {
@@ -71,7 +88,36 @@ double diagonalOfMost(const Points& points) {
     return sizes.norm();
 }
 
-/// Into the camera's axes around `origin`.
+Points allCorners() {
+    Points points;
+    if (const MeshDocument* document = shownDocument())
+        for (const MeshModel* layer : meshlab_host::layersOf(*document))
+            appendCorners(layer->cm, points);
+    const Eigen::AlignedBox3d box = boxOf(points);
+    if (box.isEmpty() || box.sizes().isZero(0))
+        throw CommandError("there is no surface to look at");
+    if (diagonalOfMost(points) < least_share * box.diagonal().norm())
+        throw CommandError(
+            "a few vertices lie so far off that nothing could be seen of the rest; delete them");
+    return points;
+}
+
+/// Degrees to the right around the scene and up, at most 90; 0 0 looks against z with y up. Another
+/// axis `up` first turns the scene by the least angle that brings it up: for z, 0 0 looks along y.
+CameraAxes axesFrom(double azimuth, double elevation, const QString& up) {
+    const double a = qDegreesToRadians(azimuth), e = qDegreesToRadians(elevation);
+    const auto turned = [&](double x, double y, double z) {
+        if (up == "x") return QVector3D(float(y), float(-x), float(z));
+        if (up == "y") return QVector3D(float(x), float(y), float(z));
+        if (up == "z") return QVector3D(float(x), float(-z), float(y));
+        throw CommandError("the axis that is up is x, y or z, not " + up);
+    };
+    return {turned(std::cos(a), 0, -std::sin(a)),
+            turned(-std::sin(a) * std::sin(e), std::cos(e), -std::cos(a) * std::sin(e)),
+            turned(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e))};
+}
+
+/// Into the camera's axes around `origin`: x right, y up, z to the viewer.
 void turn(Points& points, const Eigen::Vector3d& origin, const CameraAxes& axes) {
     Eigen::Matrix3d rotation;
     rotation << axes.right.x(), axes.right.y(), axes.right.z(),  //
@@ -81,11 +127,39 @@ void turn(Points& points, const Eigen::Vector3d& origin, const CameraAxes& axes)
         p = rotation * (p - origin);
 }
 
-/// The part to fill of a picture of height 2.
-Window windowWithinMargin(const QSize& view) {
-    const double width = view.width(), height = view.height();
-    const double border = margin * std::min(width, height) + line_pixels;
-    return {(width - 2 * border) / height, (height - 2 * border) / height};
+/// Half of the part to fill of a picture of height 2.
+Eigen::Vector2d windowWithinMargin(const QSize& view) {
+    const double border = margin * std::min(view.width(), view.height()) + line_pixels;
+    return Eigen::Vector2d(view.width() - 2 * border, view.height() - 2 * border) / view.height();
+}
+
+/// How far from the origin an eye has to be to show all points within the window along an axis of
+/// the picture: p is, at a distance of 1, if |p[axis] - eye[axis]| <= half_size (eye.z - p.z).
+double leastDistance(const Points& points, int axis, double half_size) {
+    double left = -std::numeric_limits<double>::infinity(), right = left;
+    for (const Eigen::Vector3d& p : points) {
+        right = std::max(right, p[axis] + half_size * p.z());
+        left = std::max(left, -p[axis] + half_size * p.z());
+    }
+    return (left + right) / (2 * half_size);
+}
+
+/// Where the eye sees the outermost points on both sides at the same angle. Which these are changes
+/// as the eye moves, since near ones shift faster: iterate until they stay.
+double middleSeenFrom(double distance, const Points& points, int axis) {
+    constexpr int most_rounds = 20;
+    double eye = 0;
+    for (int round = 0; round < most_rounds; ++round) {
+        const auto [left, right] = std::minmax_element(
+            points.begin(), points.end(), [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+                return (p[axis] - eye) / (distance - p.z()) < (q[axis] - eye) / (distance - q.z());
+            });
+        const double l = 1 / (distance - left->z()), r = 1 / (distance - right->z());
+        const double next = ((*left)[axis] * l + (*right)[axis] * r) / (l + r);
+        if (next == eye) break;
+        eye = next;
+    }
+    return eye;
 }
 
 /// The next distance that the mouse wheel reaches from MeshLab's first camera, in quarter notches.
@@ -95,86 +169,120 @@ double wheelDistance(double least, double diagonal) {
     return first * std::pow(step, std::ceil(std::log(least / first) / std::log(step)));
 }
 
-/// The target, in the points' coordinates, is the box's centre moved across the picture.
-CameraPlace perspectivePlace(const Points& points, Window window, double zoom, double diagonal) {
+/// The target, in the points' coordinates, is the origin moved across the picture.
+CameraPlace perspectivePlace(const Points& points, const Eigen::Vector2d& window, double zoom,
+                             double diagonal) {
     const double tangent = std::tan(qDegreesToRadians(perspective_angle / 2));
-    window.half_width *= tangent;
-    window.half_height *= tangent;
-    const double least = leastDistance(points, window, nearest_shown);
-    const Eigen::Vector3d eye = centredEye(points, wheelDistance(least, diagonal));
+    double least = 0;
+    for (int axis = 0; axis < 2; ++axis)
+        least = std::max(least, leastDistance(points, axis, tangent * window[axis]));
+    for (const Eigen::Vector3d& p : points)
+        least = std::max(least, p.z() / (1 - nearest_shown));
     CameraPlace place;
-    place.target = QVector3D(float(eye.x()), float(eye.y()), 0);
-    place.distance = eye.z();
+    place.distance = wheelDistance(least, diagonal);
+    place.target = QVector3D(float(middleSeenFrom(place.distance, points, 0)),
+                             float(middleSeenFrom(place.distance, points, 1)), 0);
     place.angle = 2 * qRadiansToDegrees(std::atan(tangent / zoom));
     return place;
 }
 
-CameraPlace orthographicPlace(const Points& points, const Window& window, double zoom,
-                              double nearest_to_eye) {
-    const ParallelFrame frame = parallelFrame(points, window);
+CameraPlace orthographicPlace(const Eigen::AlignedBox3d& box, const Eigen::Vector2d& window,
+                              double zoom) {
+    const Eigen::Vector3d middle = box.center(), sizes = box.sizes() / 2;
     CameraPlace place;
-    place.target = QVector3D(float(frame.middle.x()), float(frame.middle.y()), 0);
-    place.distance = std::max(frame.scale / zoom, nearest_to_eye / orthographic_depth);
+    place.target = QVector3D(float(middle.x()), float(middle.y()), 0);
+    place.distance = std::max(sizes.x() / window.x(), sizes.y() / window.y()) / zoom;
+    place.distance = std::max(place.distance, box.max().z() / orthographic_depth);
     place.angle = orthographic_angle;
     return place;
 }
 
-double noted_pixels_to_unit = 0;
-
-/// At the camera's target.
-double pixelsToUnit(const CameraPlace& place, bool is_orthographic, int height) {
-    const double tangent = is_orthographic ? 1 : std::tan(qDegreesToRadians(place.angle / 2));
-    return height / (2 * place.distance * tangent);
+/// MeshLab passes views in and out of a GL view by the clipboard.
+QDomDocument viewFromClip() {
+    QMetaObject::invokeMethod(requireView(), "copyToClip", Qt::DirectConnection);
+    QDomDocument document;
+    if (!document.setContent(QApplication::clipboard()->text()) ||
+        document.elementsByTagName("VCGCamera").isEmpty())
+        throw CommandError("MeshLab's GL view does not tell its camera");
+    return document;
 }
 
-double zoomIn(const Command& command) {
-    const double zoom = command.words.size() > 3 ? command.number(3) : 1;
-    if (!(zoom > 0)) throw CommandError("the zoom has to be positive");
-    return zoom;
+void viewToClip(const QDomDocument& document) {
+    QApplication::clipboard()->setText(document.toString());
+    if (!QMetaObject::invokeMethod(requireView(), "pasteFromClip", Qt::DirectConnection))
+        throw CommandError("MeshLab's GL view has no slot to take a camera");
+    requireView()->update();
 }
 
-// AZIMUTH ELEVATION [UP [ZOOM [orthographic]]]: fits the surfaces of all layers into the view up to
-// a margin. Computed from the vertices: the view need not be drawn.
+QString row(const QVector3D& v, int last) {
+    return QString("%1 %2 %3 %4 ")
+        .arg(v.x(), 0, 'g', 9)
+        .arg(v.y(), 0, 'g', 9)
+        .arg(v.z(), 0, 'g', 9)
+        .arg(last);
+}
+
+/// MeshLab's camera shows a ball of this radius, in units of the view's scale, around its pivot.
+constexpr double ball_radius = 1.75;
+
+double ballDistance(double angle) {
+    return ball_radius / std::sin(qDegreesToRadians(angle / 2));
+}
+
+// MeshLab measures depths in the view's scale: it has to grow with the distance, for the same
+// clipping as when its own camera zooms.
+void placeCamera(const CameraPlace& place) {
+    QDomDocument document = viewFromClip();
+    QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
+    QDomElement settings = document.elementsByTagName("ViewSettings").at(0).toElement();
+    const bool is_orthographic = place.angle <= orthographic_angle;
+    const double depth = ballDistance(perspective_angle);
+    const double scale = (is_orthographic ? ball_radius : depth) / place.distance;
+    const double eye = is_orthographic ? ballDistance(orthographic_angle) / scale : place.distance;
+    settings.setAttribute("TrackScale", scale);
+    settings.setAttribute("NearPlane", nearest_shown * depth);
+    settings.setAttribute("FarPlane", scale * (eye + 1.1 * place.farthest_behind));
+    camera.setAttribute("CameraType", is_orthographic ? 1 : 0);
+    const double picture_height = camera.attribute("ViewportPx").section(' ', 1, 1).toDouble() *
+                                  camera.attribute("PixelSizeMm").section(' ', 1, 1).toDouble();
+    camera.setAttribute("FocalMm",
+                        picture_height / (2 * std::tan(qDegreesToRadians(place.angle / 2))));
+    // rows: the camera's axes; the translation is minus the eye
+    const CameraAxes& axes = place.axes;
+    camera.setAttribute("RotationMatrix",
+                        row(axes.right, 0) + row(axes.up, 0) + row(axes.back, 0) + "0 0 0 1 ");
+    camera.setAttribute("TranslationVector",
+                        row(-(place.target + float(eye) * axes.back), 1).trimmed());
+    viewToClip(document);
+}
+
+// AZIMUTH ELEVATION [UP [ZOOM [orthographic]]], computed from the vertices: the view need not be
+// drawn.
 void frame(const Command& command) {
     const CameraAxes axes = axesFrom(command.number(0), command.number(1), command.wordOr(2, "y"));
-    const bool is_orthographic = command.wordOr(4, "") == "orthographic";
+    const double zoom = command.words.size() > 3 ? command.number(3) : 1;
+    if (!(zoom > 0)) throw CommandError("the zoom has to be positive");
     Points points = allCorners();
-    Eigen::AlignedBox3d box = boxOf(points);
-    if (box.isEmpty() || box.sizes().isZero(0))
-        throw CommandError("there is no surface to look at");
-    if (diagonalOfMost(points) < least_share * box.diagonal().norm())
-        throw CommandError(
-            "a few vertices lie so far off that nothing could be seen of the rest; delete them");
-    const Eigen::Vector3d centre = box.center();
-    const double diagonal = box.diagonal().norm();
+    const Eigen::AlignedBox3d in_scene = boxOf(points);
+    const Eigen::Vector3d centre = in_scene.center();
     turn(points, centre, axes);
-    box = boxOf(points);
-    const Window window = windowWithinMargin(requireView()->size());
-    const double zoom = zoomIn(command);
-    CameraPlace place = is_orthographic ? orthographicPlace(points, window, zoom, box.max().z())
-                                        : perspectivePlace(points, window, zoom, diagonal);
+    const Eigen::AlignedBox3d box = boxOf(points);
+    const Eigen::Vector2d window = windowWithinMargin(requireView()->size());
+    CameraPlace place = command.wordOr(4, "") == "orthographic"
+                            ? orthographicPlace(box, window, zoom)
+                            : perspectivePlace(points, window, zoom, in_scene.diagonal().norm());
     place.axes = axes;
     place.farthest_behind = -box.min().z();
-    noted_pixels_to_unit = pixelsToUnit(place, is_orthographic, requireView()->height());
     const QVector3D shift = place.target;
     place.target = QVector3D(float(centre.x()), float(centre.y()), float(centre.z())) +
                    shift.x() * axes.right + shift.y() * axes.up;
     placeCamera(place);
 }
 
-// FILE: the current layer's default kernel size in the decoration, pixels of the last frame.
-void writeKernel(const Command& command) {
-    const MeshModel* mesh = presentSituation().current;
-    if (!mesh || noted_pixels_to_unit == 0) throw CommandError("nothing has been framed");
-    const double kernel = laplacian_lines::measure_scale(liveTriangles(mesh->cm)).kernel_size;
-    writeFile(command.rest, QByteArray::number(kernel * noted_pixels_to_unit) + '\n');
-}
-
 }  // namespace
 
 void addFrameCommands(CommandTable& table) {
     table.addSimple("frame", frame);
-    table.addSimple("write-kernel", writeKernel);
 }
 
 }  // namespace driver

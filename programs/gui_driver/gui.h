@@ -2,13 +2,12 @@
 #pragma once
 #include <QAction>
 #include <QGLWidget>
-#include <QList>
 #include <QMainWindow>
-#include <QMdiSubWindow>
-#include <QObject>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
+
+class MeshDocument;
 
 // MeshLab's widgets by class name: the executable exports no symbols.
 namespace driver {
@@ -16,39 +15,23 @@ namespace driver {
 QMainWindow* mainWindow();         // null before it exists
 QMainWindow* requireMainWindow();  // CommandError when there is none
 
-QList<QMdiSubWindow*> documentWindows();
-QMdiSubWindow* currentDocumentWindow();  // null when there is none
-
-// GL views of the current document, from upper left to lower right.
-QList<QGLWidget*> visibleViews();
-QGLWidget* view();  // the chosen one (the first by default); null when there is none
+// Of the current document: the chosen one of the GL views from upper left to lower right, the first
+// by default. Null when there is none.
+QGLWidget* view();
 QGLWidget* requireView();
 void chooseView(int index);
+MeshDocument* shownDocument();  // the view's; null without one
 
-QWidget* childOfClass(const char* className);  // a visible descendant of the main window, or null
-QWidget* filterDialog();                       // CommandError when none is open
-QString withoutMnemonic(QString text);         // no '&', no shortcut
-QAction* requireAction(const QString& text);   // CommandError with look-alikes when there is none
-QAction* findAction(const QString& text);
+QWidget* filterDialog();                      // CommandError when none is open
+QAction* requireAction(const QString& text);  // without '&' and shortcut; CommandError
 void clickButton(QWidget* container, const QString& text);
+QString withoutMnemonic(QString text);  // no '&', no shortcut
 
-QString describeBox(QWidget* modal);  // title and text, on one line
-bool acceptOptionsBox(
-    QWidget* modal);  // accepts MeshLab's own "options" box on opening a file; false: another box
+QString describeBox(QWidget* modal);    // title and text, on one line
+bool acceptOptionsBox(QWidget* modal);  // of a reader of meshes, as they are; false: another box
+void answerBox(QWidget* modal);         // yes, OK, or closed
+QStringList takeAnsweredTexts();        // of the boxes answered since the last call
 
 QString logText();  // all of MeshLab's log panel; CommandError when there is none
-
-/// Answers modal boxes as they appear: accepts options, says yes, closes other dialogs.
-class BoxAnswerer : public QObject {
-public:
-    BoxAnswerer();
-    QStringList takeTexts();  ///< of the boxes answered since the last call
-
-private:
-    void lookAgain();
-    void answer(QWidget* modal);
-
-    QStringList texts_;
-};
 
 }  // namespace driver

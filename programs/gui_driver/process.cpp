@@ -1,12 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "process.h"
 #include <unistd.h>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 
 // The leak sanitizer's, only with sanitized plugins.
 extern "C" int __lsan_do_recoverable_leak_check() __attribute__((weak));
 
 namespace driver {
+namespace {
+
+// Made beforehand: a signal's handler may neither allocate nor lock.
+char last_words[4096];
+unsigned watched_seconds = 0;
+
+void endByAlarm(int) {
+    const auto written = write(STDERR_FILENO, last_words, std::strlen(last_words));
+    _exit(written < 0 ? failure_exit_code + 1 : failure_exit_code);
+}
+
+}  // namespace
 
 void say(const std::string& text) {
     std::fprintf(stderr, "meshlab_driver: %s\n", text.c_str());
@@ -18,61 +32,29 @@ void endWithError(const std::string& why) {
     endProcess(failure_exit_code);
 }
 
-void endProcess(int exitCode) {
+void endProcess(int exit_code) {
+    watchNothing();  // looking for leaks takes as long as it takes
     std::fflush(nullptr);
     if (__lsan_do_recoverable_leak_check) __lsan_do_recoverable_leak_check();
-    _exit(exitCode);
+    _exit(exit_code);
 }
 
-Watchdog::Watchdog(std::chrono::milliseconds limit) : limit_(limit), thread_([this] { run(); }) {}
-
-Watchdog::~Watchdog() {
-    {
-        std::lock_guard<std::mutex> lock(mutex_);
-        ending_ = true;
-    }
-    changed_.notify_one();
-    thread_.join();
+void watch(const std::string& what, unsigned seconds) {
+    watchNothing();
+    std::snprintf(last_words, sizeof last_words, "meshlab_driver: error: %s: time-out after %u s\n",
+                  what.c_str(), seconds);
+    std::signal(SIGALRM, endByAlarm);
+    watched_seconds = seconds;
+    watchOn();
 }
 
-void Watchdog::setLimit(std::chrono::milliseconds limit) {
-    std::lock_guard<std::mutex> lock(mutex_);
-    limit_ = limit;
+void watchOn() {
+    alarm(watched_seconds);
 }
 
-void Watchdog::watch(const std::string& what) {
-    {
-        std::lock_guard<std::mutex> lock(mutex_);
-        what_ = what;
-        spent_ = {};
-        watching_ = true;
-    }
-    changed_.notify_one();
-}
-
-void Watchdog::progress() {
-    std::lock_guard<std::mutex> lock(mutex_);
-    spent_ = {};
-}
-
-void Watchdog::rest() {
-    std::lock_guard<std::mutex> lock(mutex_);
-    watching_ = false;
-}
-
-void Watchdog::run() {
-    constexpr std::chrono::milliseconds look(50);
-    std::unique_lock<std::mutex> lock(mutex_);
-    while (!ending_) {
-        if (!watching_) {
-            changed_.wait(lock);
-        } else if (changed_.wait_for(lock, look) == std::cv_status::timeout && watching_) {
-            spent_ += look;  // however long it took until this thread could look
-            if (spent_ >= limit_)
-                endWithError(what_ + ": time-out after " + std::to_string(limit_.count() / 1000.) +
-                             " s");
-        }
-    }
+void watchNothing() {
+    watched_seconds = 0;
+    watchOn();
 }
 
 }  // namespace driver

@@ -5,53 +5,42 @@
 #include <QProgressBar>
 #include <QTimer>
 #include "gui.h"
-#include "times.h"
+#include "process.h"
 
 namespace driver {
 namespace {
 
-constexpr std::chrono::seconds default_limit(60);
 constexpr int between_commands = 60;  // ms, so that MeshLab's own queued events run first
 constexpr int between_retries = 50;
-constexpr int between_actions = 5;  // thousands of them
 
-QString describe(const Command& command) {
-    return QString("line %1: %2 %3").arg(command.line).arg(command.name, command.rest).trimmed();
+std::string describe(const Command& command) {
+    const QString text =
+        QString("line %1: %2 %3").arg(command.line).arg(command.name, command.rest);
+    return text.trimmed().toStdString();
 }
 
-[[noreturn]] void endAt(const QString& where, const std::exception& why) {
+[[noreturn]] void endAt(const Command& command, const std::exception& why) {
     say(std::string("reason: ") + why.what());  // alone, for ./run to tell its user
-    endWithError(where.toStdString() + ": " + why.what());
+    endWithError(describe(command) + ": " + why.what());
 }
 
 }  // namespace
 
 Runner::Runner(QVector<Command> script, CommandTable table, QObject* parent)
-    : QObject(parent),
-      script_(std::move(script)),
-      table_(std::move(table)),
-      watchdog_(default_limit) {
+    : QObject(parent), script_(std::move(script)), table_(std::move(table)) {
     addOwnCommands();
     checkNames();
-    watchdog_.watch("waiting for MeshLab's main window");
+    watch("waiting for MeshLab's main window", time_limit_);
     scheduleStep(between_commands);
 }
 
 void Runner::addOwnCommands() {
     table_.add(
-        "sleep", [this](const Command& c) { return sleep(c); }, Place::ModalBox);
+        "sleep", [this](const Command& c) { return sleep(c); }, Boxes::Subject);
     table_.addSimple("time-limit",
-                     [this](const Command& c) {  // seconds, for each of the lines that follow
-                         watchdog_.setLimit(std::chrono::milliseconds(qint64(1000 * c.number(0))));
-                     });
+                     [this](const Command& c) { time_limit_ = unsigned(c.number(0)); });
     table_.addSimple("together", [this](const Command& c) { together(c); });
-    table_.addSimple("time", [this](const Command& c) { time(c); });
-    table_.addSimple("quit", [this](const Command&) {
-        watchdog_.rest();  // looking for leaks takes as long as it takes
-        endProcess(0);
-    });
-    table_.add(
-        "random-actions", [this](const Command& c) { return randomActions(c); }, Place::Everywhere);
+    table_.addSimple("quit", [](const Command&) { endProcess(0); });
 }
 
 // Misspelt commands fail at once, not after minutes.
@@ -60,7 +49,7 @@ void Runner::checkNames() const {
         try {
             table_.find(command.name);
         } catch (const CommandError& e) {
-            endAt(describe(command), e);
+            endAt(command, e);
         }
     }
 }
@@ -76,48 +65,44 @@ void Runner::step() {
     if (!window || !window->isVisible()) return scheduleStep(between_retries);
     if (next_ == 0)
         for (QProgressBar* bar : window->findChildren<QProgressBar*>())
-            connect(bar, &QProgressBar::valueChanged, this, [this] { watchdog_.progress(); });
-    if (next_ >= script_.size())
-        return watchdog_.rest();  // no "quit" at the end: the user goes on by hand
-
-    const Command command = script_[next_];
+            connect(bar, &QProgressBar::valueChanged, this, [] { watchOn(); });
+    QWidget* modal = QApplication::activeModalWidget();
+    // Without a box, it is a filter's progress that runs the event loop.
+    const bool has_to_wait = modal ? false : !in_progress_.isEmpty();
+    if (next_ >= script_.size() && in_progress_.isEmpty())
+        return watchNothing();  // no "quit" at the end: the user goes on by hand
     try {
-        const CommandTable::Entry& entry = table_.find(command.name);
-        if (!mayStart(entry)) return scheduleStep(between_retries);
-        watch(command);
-        run(command, entry);
+        if (has_to_wait || (modal && answers(modal))) return scheduleStep(between_retries);
+        if (next_ < script_.size()) start(script_[next_]);
     } catch (const std::exception& e) {  // must not travel through Qt's event loop
-        endAt(in_progress_.isEmpty() ? describe(command) : in_progress_.last(), e);
+        endAt(in_progress_.isEmpty() ? script_[next_] : in_progress_.last(), e);
     }
 }
 
-bool Runner::mayStart(const CommandTable::Entry& entry) {
-    QWidget* modal = QApplication::activeModalWidget();
-    if (!modal)
-        return in_progress_
-            .isEmpty();  // otherwise a filter's progress call-back is running the event loop
-    if (entry.place != Place::MainWindow) return true;
-    if (acceptOptionsBox(modal)) return false;
+/// Otherwise it is left to the next command.
+bool Runner::answers(QWidget* modal) {
+    if (acceptOptionsBox(modal)) return true;
+    if (!in_progress_.isEmpty() && table_.find(in_progress_.last().name).boxes == Boxes::Answered) {
+        answerBox(modal);
+        return true;
+    }
+    if (next_ < script_.size() && table_.find(script_[next_].name).boxes == Boxes::Subject)
+        return false;
     throw CommandError("MeshLab says: " + describeBox(modal));
 }
 
-void Runner::watch(const Command& command) {
-    if (watched_line_ == command.line) return;  // a retry: its time goes on
-    watched_line_ = command.line;
-    say(describe(command).toStdString());
-    watchdog_.watch(describe(command).toStdString());
-}
-
-void Runner::run(const Command& command, const CommandTable::Entry& entry) {
+void Runner::start(const Command& command) {
+    if (watched_line_ != command.line) {  // otherwise it is retried: its time goes on
+        watched_line_ = command.line;
+        say(describe(command));
+        watch(describe(command), time_limit_);
+    }
     const int position = next_++;
-    const bool alone = entry.place == Place::Everywhere;
-    // Before the command, which may block in a modal box.
-    if (!alone) scheduleStep(between_commands);
-    in_progress_ << describe(command);
-    const Outcome outcome = entry.handler(command);
+    scheduleStep(between_commands);  // before the command, which may block in a modal box
+    in_progress_ << command;
+    const Outcome outcome = table_.find(command.name).handler(command);
     in_progress_.removeLast();
     if (outcome == Outcome::Retry) next_ = position;
-    if (alone) scheduleStep(between_actions);
 }
 
 Outcome Runner::sleep(const Command& command) {
@@ -134,29 +119,6 @@ void Runner::together(const Command& command) {
         if (table_.find(part.name).handler(part) == Outcome::Retry)
             throw CommandError(part.name + " takes longer");
     }
-}
-
-// FILE COMMAND
-void Runner::time(const Command& command) {
-    const Command part = parseLine(command.rest.section(' ', 1).trimmed());
-    appendTimes(command.word(0), [&] {
-        if (table_.find(part.name).handler(part) == Outcome::Retry)
-            throw CommandError(part.name + " takes longer");
-    });
-}
-
-// SEED COUNT FILE...
-Outcome Runner::randomActions(const Command& command) {
-    if (!random_)
-        random_ = std::make_unique<RandomActions>(
-            unsigned(command.number(0)), int(command.number(1)), command.words.mid(2), table_,
-            [this](const QString& line) {
-                say(line.toStdString());
-                watchdog_.watch("random action " + line.toStdString());
-            });
-    if (random_->step()) return Outcome::Retry;
-    random_.reset();
-    return Outcome::Done;
 }
 
 }  // namespace driver

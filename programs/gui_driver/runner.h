@@ -2,10 +2,9 @@
 #pragma once
 #include <QElapsedTimer>
 #include <QObject>
-#include <memory>
 #include "command_table.h"
-#include "process.h"
-#include "random_actions.h"
+
+class QWidget;
 
 namespace driver {
 
@@ -16,25 +15,21 @@ public:
     Runner(QVector<Command> script, CommandTable table, QObject* parent);
 
 private:
-    void step();
-    bool mayStart(const CommandTable::Entry& entry);
-    void run(const Command& command, const CommandTable::Entry& entry);
-    void scheduleStep(int milliseconds);
-    void watch(const Command& command);
     void addOwnCommands();
     void checkNames() const;
+    void scheduleStep(int milliseconds);
+    void step();
+    bool answers(QWidget* modal);
+    void start(const Command& command);
     Outcome sleep(const Command& command);
     void together(const Command& command);
-    void time(const Command& command);
-    Outcome randomActions(const Command& command);
 
     QVector<Command> script_;
     CommandTable table_;
-    Watchdog watchdog_;
     QElapsedTimer sleeping_;
-    std::unique_ptr<RandomActions> random_;
-    QStringList
-        in_progress_;  // commands: more than one when a command sits in a modal box's event loop
+    unsigned time_limit_ = 60;  // seconds
+    // More than one when a command sits in a modal box's event loop.
+    QVector<Command> in_progress_;
     int next_ = 0;
     int watched_line_ = 0;
 };

@@ -3,26 +3,20 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFocusEvent>
-#include <QGuiApplication>
-#include <QMdiArea>
+#include <QMouseEvent>
 #include <QRegularExpression>
-#include <QScreen>
 #include <QTreeWidget>
-#include "camera.h"
+#include "command_table.h"
 #include "gui.h"
 #include "process.h"
 
 namespace driver {
 namespace {
 
-Outcome waitForView(const Command&) {
-    return view() ? Outcome::Done : Outcome::Retry;
-}
-
 // Docked dialogs keep the view from getting small, and change its size when they come and go: put
 // them beside it.
-void undockDialogs(const QSize& windowSize) {
-    int left = windowSize.width();
+void undockDialogs(const QSize& window_size) {
+    int left = window_size.width();
     for (QDockWidget* dock : requireMainWindow()->findChildren<QDockWidget*>()) {
         if (!dock->isVisible()) continue;
         dock->setFloating(true);
@@ -31,51 +25,40 @@ void undockDialogs(const QSize& windowSize) {
     }
 }
 
-// Whether window and view have had these sizes for a while.
-bool stoodStill(const QSize& window, const QSize& view) {
-    constexpr qint64 a_while = 500;  // ms
-    static QSize last_window, last_view;
-    static QElapsedTimer since;
-    if (!since.isValid() || window != last_window || view != last_view) {
-        last_window = window;
-        last_view = view;
-        since.start();
-    }
-    return since.elapsed() >= a_while;
-}
-
 // The main window follows the view: the bars around it have sizes of their own, which settle after
 // some events. Before, a window may seem to be too small.
 Outcome setViewSize(const Command& command) {
+    constexpr qint64 settled = 2000;  // ms
+    static QElapsedTimer waiting;
+    static int line = 0;
+    if (line != command.line) waiting.start();
+    line = command.line;
     const QSize wanted = command.size(0);
     QMainWindow* window = requireMainWindow();
     if (window->isMaximized() || window->isFullScreen()) window->showNormal();
     QGLWidget* area = requireView();
-    undockDialogs(window->size() + wanted - area->size());
-    if (area->size() == wanted) return Outcome::Done;
     const QSize needed = window->size() + wanted - area->size();
-    if (needed.width() < window->minimumSizeHint().width() ||
-        needed.height() < window->minimumSizeHint().height()) {
-        if (!stoodStill(window->size(), area->size())) return Outcome::Retry;
-        throw CommandError(
-            QString("MeshLab's window does not get so small; at least %1x%2")
-                .arg(window->minimumSizeHint().width() - window->width() + area->width())
-                .arg(window->minimumSizeHint().height() - window->height() + area->height()));
-    }
-    window->setGeometry(QRect(QPoint(0, 0), needed));
+    undockDialogs(needed);
+    if (area->size() == wanted) return Outcome::Done;
+    const QSize least = window->minimumSizeHint(), around = window->size() - area->size();
+    if (needed.expandedTo(least) == needed)
+        window->setGeometry(QRect(QPoint(0, 0), needed));
+    else if (waiting.elapsed() > settled)
+        throw CommandError(QString("MeshLab's window does not get so small; at least %1x%2")
+                               .arg(least.width() - around.width())
+                               .arg(least.height() - around.height()));
     return Outcome::Retry;
 }
 
 void openMesh(const Command& command) {
     bool opened = false;
-    if (!QMetaObject::invokeMethod(requireMainWindow(), "importMeshWithLayerManagement",
-                                   Qt::DirectConnection, Q_RETURN_ARG(bool, opened),
-                                   Q_ARG(QString, command.rest)))
-        throw CommandError("MeshLab's main window has no slot to import a mesh");
+    QMetaObject::invokeMethod(requireMainWindow(), "importMeshWithLayerManagement",
+                              Qt::DirectConnection, Q_RETURN_ARG(bool, opened),
+                              Q_ARG(QString, command.rest));
     if (!opened) throw CommandError("MeshLab could not open the mesh");
 }
 
-void makeCurrent(const Command& command) {
+void makeViewCurrent(const Command& command) {
     chooseView(int(command.number(0)));
     // MeshLab takes the view that got the focus last; a display without window manager may hand out
     // none
@@ -84,57 +67,18 @@ void makeCurrent(const Command& command) {
     QApplication::sendEvent(requireView(), &event);
 }
 
-void makeDocumentCurrent(const Command& command) {
-    const QList<QMdiSubWindow*> windows = documentWindows();
-    const int index = int(command.number(0));
-    if (index < 0 || index >= windows.size())
-        throw CommandError(QString("there are %1 documents, counted from 0").arg(windows.size()));
-    windows[index]->mdiArea()->setActiveSubWindow(windows[index]);
-}
-
-void expectViews(const Command& command) {
-    const int count = visibleViews().size();
-    if (count != int(command.number(0)))
-        throw CommandError(QString("there are %1 views").arg(count));
-}
-
-void invokeSlot(const Command& command) {
-    QObject* object = nullptr;
-    if (command.word(0) == "window")
-        object = requireMainWindow();
-    else if (command.word(0) == "view")
-        object = requireView();
-    else
-        throw CommandError("say window or view");
-    const QByteArray slot = command.word(1).toLatin1();
-    const bool invoked =
-        command.words.size() > 2
-            ? QMetaObject::invokeMethod(object, slot, Q_ARG(QString, command.word(2)))
-            : QMetaObject::invokeMethod(object, slot);
-    if (!invoked) throw CommandError("there is no such slot");
-}
-
 // MeshLab's layer list shows an eye, a number and a name, with a star when the layer was changed.
 enum LayerColumn { Eye, Number, Name };
 
-bool isLayer(const QTreeWidgetItem* item, const QString& which) {
-    QString name = item->text(Name);
-    if (name.endsWith(" *")) name.chop(2);
-    return name == which || item->text(Number) == which;
-}
-
 void clickLayer(const Command& command, LayerColumn column) {
     auto* tree = requireMainWindow()->findChild<QTreeWidget*>("meshTreeWidget");
-    QStringList layers;
     for (int i = 0; tree && i < tree->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = tree->topLevelItem(i);
-        layers << QString("'%1' (%2)").arg(item->text(Name), item->text(Number));
-        if (isLayer(item, command.rest)) {
-            emit tree->itemPressed(item, column);
-            return;
-        }
+        if (item->text(Number) != command.rest) continue;
+        emit tree->itemPressed(item, column);
+        return;
     }
-    throw CommandError(QString("no layer '%1' among %2").arg(command.rest, layers.join(", ")));
+    throw CommandError(QString("no layer %1").arg(command.rest));
 }
 
 void deleteLayer(const Command& command) {
@@ -142,79 +86,87 @@ void deleteLayer(const Command& command) {
     requireAction("Delete Current Mesh")->trigger();
 }
 
-/// As users do, while the views have yet to be redrawn. Ends the process, or the time limit does.
+/// As users do, while the view has yet to be redrawn: the exit code is MeshLab's own.
 Outcome leave(const Command&) {
     static bool is_closed = false;
     if (is_closed) return Outcome::Retry;
-    const BoxAnswerer boxes;
-    for (QGLWidget* shown : visibleViews())
-        shown->update();
+    requireView()->update();
     is_closed = requireMainWindow()->close();
     if (!is_closed) throw CommandError("MeshLab's window does not close");
     return Outcome::Retry;
 }
 
-void save(const QImage& picture, const QString& file_name) {
-    if (picture.isNull() || !picture.save(file_name))
-        throw CommandError(QString("cannot write the picture %1").arg(file_name));
-    say(QString("%1: %2x%3")
-            .arg(file_name)
-            .arg(picture.width())
-            .arg(picture.height())
-            .toStdString());
-}
-
 // repaint, not updateGL: MeshLab draws in paintEvent, and updateGL only clears
-void grabView(const Command& command) {
+void grab(const Command& command) {
     QGLWidget* area = requireView();
     area->repaint();
-    save(area->grabFrameBuffer(), command.rest);
+    if (!area->grabFrameBuffer().save(command.rest))
+        throw CommandError("cannot write the picture " + command.rest);
 }
 
-void grabScreen(const Command& command) {
-    if (QGLWidget* area = view()) area->repaint();
-    save(QGuiApplication::primaryScreen()->grabWindow(0).toImage(), command.rest);
-}
-
-bool logHas(const QString& pattern) {
-    const QRegularExpression expression(pattern);
-    if (!expression.isValid())
-        throw CommandError("this is not a regular expression: " + expression.errorString());
-    return logText().contains(expression);
-}
-
-/// Some lines come with a redraw, late on a busy machine.
-Outcome expectLog(const Command& command) {
-    if (logHas(command.rest)) return Outcome::Done;
-    return retryAWhile(command, "the log does not say so; it says:\n" + logText());
+bool logHas(const Command& command) {
+    return logText().contains(QRegularExpression(command.rest));
 }
 
 void expectNoLog(const Command& command) {
-    if (logHas(command.rest)) throw CommandError("the log says so:\n" + logText());
+    if (logHas(command)) throw CommandError("the log says so");
+}
+
+void sendMouse(QEvent::Type type, QPointF point) {
+    QGLWidget* area = requireView();
+    const bool is_move = type == QEvent::MouseMove;
+    const Qt::MouseButtons held =
+        type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, point, area->mapToGlobal(point.toPoint()),
+                      is_move ? Qt::NoButton : Qt::LeftButton, held, Qt::NoModifier);
+    QApplication::sendEvent(area, &event);
+    area->repaint();
+}
+
+// X0 Y0 X1 Y1, in fractions of the view
+void drag(const Command& command) {
+    const QSizeF size = requireView()->size();
+    const auto point = [&](int first) {
+        return QPointF(command.number(first) * size.width(),
+                       command.number(first + 1) * size.height());
+    };
+    const QPointF from = point(0), to = point(2);
+    constexpr int moves = 12;  // a trackball follows the path, not only its end
+    sendMouse(QEvent::MouseButtonPress, from);
+    for (int i = 1; i <= moves; ++i)
+        sendMouse(QEvent::MouseMove, from + (to - from) * i / moves);
+    sendMouse(QEvent::MouseButtonRelease, to);
+}
+
+void turnWheel(const Command& command) {
+    constexpr int one_notch = 120;
+    QGLWidget* area = requireView();
+    const QPoint centre = area->rect().center();
+    QWheelEvent event(centre, area->mapToGlobal(centre), QPoint(),
+                      QPoint(0, int(one_notch * command.number(0))), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(area, &event);
+    area->repaint();
 }
 
 }  // namespace
 
 void addWindowCommands(CommandTable& table) {
-    table.addSimple("grab", grabView);
-    table.addSimple("screen", grabScreen, Place::ModalBox);
-    table.add("wait", waitForView);
+    table.add("wait", [](const Command&) { return view() ? Outcome::Done : Outcome::Retry; });
     table.add("size", setViewSize);
     table.addSimple("open", openMesh);
-    table.addSimple("view", makeCurrent);
-    table.addSimple("document", makeDocumentCurrent);
-    table.addSimple("expect-views", expectViews);
-    table.addSimple("camera", [](const Command& c) { loadCamera(c.rest); });
-    table.addSimple("save-camera", [](const Command& c) { saveCamera(c.rest); });
-    table.addSimple("look", [](const Command& c) { lookFrom(c); });
-    table.addSimple("slot", invokeSlot);
-    table.add("leave", leave, Place::Everywhere);
+    table.addSimple("view", makeViewCurrent);
     table.addSimple("select-layer", [](const Command& c) { clickLayer(c, Name); });
     table.addSimple("show-layer", [](const Command& c) { clickLayer(c, Eye); });
     table.addSimple("delete-layer", deleteLayer);
-    table.addSimple("log", [](const Command& c) { writeFile(c.rest, logText().toUtf8()); });
-    table.add("expect-log", expectLog);
+    table.addSimple("drag", drag);
+    table.addSimple("wheel", turnWheel);
+    table.addSimple("grab", grab);
+    // Some lines come with a redraw, late on a busy machine.
+    table.add("expect-log",
+              [](const Command& c) { return logHas(c) ? Outcome::Done : Outcome::Retry; });
     table.addSimple("expect-no-log", expectNoLog);
+    table.add("leave", leave, Boxes::Answered);
 }
 
 }  // namespace driver

@@ -32,7 +32,7 @@ using Values = std::map<std::string, double>;
 using Direction = std::array<double, 3>;
 
 const char* name_of(OptionKind kind) {
-    constexpr const char* names[] = {"real", "integer", "length", "boolean", "choice"};
+    constexpr const char* names[] = {"real", "length", "boolean", "choice"};
     return names[std::size_t(kind)];
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <shared_mutex>
+#include <mutex>
 #include <vector>
 
 #include "laplacian_lines/field.h"
@@ -36,17 +36,16 @@ public:
         laplacian_lines::SightOptions options, const laplacian_lines::Progress& progress);
 
 private:
-    /// Passes the extractor to `read`, with derivatives if the style needs them.
-    template <class Read>
-    auto with_extractor(const laplacian_lines::LineStyle& style,
-                        const laplacian_lines::Progress& progress, const Read& read);
+    /// With derivatives if the style needs them.
+    const laplacian_lines::LineExtractor& extractor(const laplacian_lines::LineStyle& style,
+                                                    const laplacian_lines::Progress& progress);
 
     const laplacian_lines::TriangleMesh mesh_;
     laplacian_lines::Field field_;
     const bool wants_derivatives_;
     std::unique_ptr<laplacian_lines::LineExtractor> extractor_;
     std::unique_ptr<const laplacian_lines::LineVisibility> visibility_;
-    mutable std::shared_mutex parts_;  // guards the extractor, visibility and optional columns
+    mutable std::mutex parts_;  // one view at a time, which the core computes on all processors
 };
 
 }  // namespace python_module

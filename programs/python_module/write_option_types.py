@@ -13,7 +13,7 @@ import _core
 def type_of(row):
     if row["kind"] == "choice":
         return f"Literal[{', '.join(repr(choice) for choice in row['choices'])}] | int"
-    return {"boolean": "bool", "integer": "int", "text": "str | Iterable[str]"}.get(row["kind"], "float")
+    return {"boolean": "bool", "text": "str | Iterable[str]"}.get(row["kind"], "float")
 
 
 def typed_dict(name, rows):

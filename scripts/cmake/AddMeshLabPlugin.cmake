@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
+add_custom_target(picture_plugins COMMENT "What a picture of MeshLab's view takes: all but the filters")
 add_custom_target(meshlab_plugins COMMENT "All that MeshLab is to load")
+add_dependencies(meshlab_plugins picture_plugins)
 
 # add_meshlab_plugin(NAME SOURCES...): built into <build>/plugins, installed to MeshLab's plugin folder.
 function(add_meshlab_plugin name)
@@ -21,8 +23,13 @@ function(add_loadable_plugin name)
   endif()
   set_target_properties(${name} PROPERTIES
     AUTOMOC ON
+    DEFINE_SYMBOL "" # precompiled headers are of libraries without one
     SKIP_BUILD_RPATH ON # MeshLab has loaded its library before any plugin; another of that name must not come in
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
+  precompile(${name} "${MESHLAB_HEADERS}")
   add_dependencies(meshlab_plugins ${name})
+  if(NOT name MATCHES filter)
+    add_dependencies(picture_plugins ${name})
+  endif()
 endfunction()

@@ -22,10 +22,14 @@ function(add_room_library name)
   set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
-# precompile(TARGET HEADERS...): compiles expensive headers once per target. Not every build does: sources include all
-# they need.
+# precompile(TARGET HEADERS...): compiles expensive headers once per target, MeshLab's once for all libraries and plugins.
+# Not every build does: sources include all they need.
 function(precompile target)
-  if(LAPLACIAN_LINES_PRECOMPILE)
+  get_target_property(type ${target} TYPE)
+  if(LAPLACIAN_LINES_PRECOMPILE AND "${ARGN}" STREQUAL "${MESHLAB_HEADERS}" AND NOT type STREQUAL EXECUTABLE
+      AND NOT target STREQUAL meshlab_host)
+    target_precompile_headers(${target} REUSE_FROM meshlab_host)
+  elseif(LAPLACIAN_LINES_PRECOMPILE)
     target_precompile_headers(${target} PRIVATE ${ARGN})
   endif()
 endfunction()

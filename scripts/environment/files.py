@@ -6,7 +6,6 @@ import fcntl
 import os
 import pathlib
 import shutil
-import stat
 import tempfile
 
 from environment.messages import Failure, say
@@ -26,59 +25,47 @@ def compiled_folder():
 def publish_into(folder, fill):
     """Has fill(SCRATCH) fill a folder, renamed to `folder` if that returns true, so that an interrupted run leaves
     nothing half done that later runs would trust. Returns whether it did."""
-    scratch = None
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
-        scratch = pathlib.Path(tempfile.mkdtemp(prefix=folder.name + ".", dir=folder.parent))
-        if not fill(scratch):
-            return False
-        scratch.chmod(0o755)  # mkdtemp makes it private; a shared cache should stay readable
-        shutil.rmtree(folder, ignore_errors=True)
-        scratch.rename(folder)
+        with tempfile.TemporaryDirectory(prefix=folder.name + ".", dir=folder.parent) as name:
+            scratch = pathlib.Path(name, folder.name)
+            scratch.mkdir()
+            if not fill(scratch):
+                return False
+            shutil.rmtree(folder, ignore_errors=True)
+            scratch.rename(folder)
+            return True
     except OSError as error:
         say(f"cannot write {folder}: {error.strerror}")
         return False
-    finally:
-        if scratch:
-            shutil.rmtree(scratch, ignore_errors=True)
-    return True
 
 
 def put_file(data, target, mode=None):
     """Writes bytes, or a copy of the file of this path, as `target`, or as what that links to, with the usual rights or
     those of `mode`. What was there is whole until it is replaced, and stays if there is no room; into devices and pipes
     is written."""
-    if mode is None:
-        mode = 0o666 & ~umask()
     place = pathlib.Path(os.path.realpath(target))
-    if not place.parent.is_dir():
-        raise Failure(f"cannot write {target}: there is no such folder")
-    if place.is_dir():
-        raise Failure(f"cannot write {target}: it is a folder")
+    if place.is_dir() or not place.parent.is_dir():
+        raise Failure(f"cannot write {target}: {'it is a folder' if place.is_dir() else 'there is no such folder'}")
+    content = data if isinstance(data, bytes) else pathlib.Path(data).read_bytes()
+    beside = None
     try:
-        if place.exists() and not stat.S_ISREG(place.stat().st_mode):
-            with place.open("wb") as file:
-                file.write(data if isinstance(data, bytes) else pathlib.Path(data).read_bytes())
+        if place.exists() and not place.is_file():
+            place.write_bytes(content)
             return
         handle, beside = tempfile.mkstemp(prefix=".laplacian_lines_", dir=place.parent)
-    except OSError as error:
-        raise Failure(f"cannot write into the folder of {target}: {error.strerror}") from None
-    try:
         with open(handle, "wb") as file:
-            if isinstance(data, bytes):
-                file.write(data)
-            else:
-                with open(data, "rb") as source:
-                    shutil.copyfileobj(source, file)
+            file.write(content)
             file.flush()
             os.fsync(handle)
-        os.chmod(beside, mode)
+        os.chmod(beside, 0o666 & ~umask() if mode is None else mode)
         os.rename(beside, place)
-    except BaseException as error:
-        os.unlink(beside)
-        if not isinstance(error, OSError):
-            raise
+        beside = None
+    except OSError as error:
         raise Failure(f"cannot write {target}: {error.strerror}; what was there is unchanged") from None
+    finally:
+        if beside:
+            os.unlink(beside)
 
 
 def umask():
@@ -104,6 +91,4 @@ def turn(folder):
         except BlockingIOError:
             say(f"another run is building in {folder}: waiting until it is done")
             fcntl.flock(lock, fcntl.LOCK_EX)
-        except OSError:
-            pass  # a file system without locks
         yield

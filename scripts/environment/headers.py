@@ -6,7 +6,6 @@ never changed."""
 import os
 import pathlib
 import platform
-import re
 import subprocess
 import tempfile
 
@@ -18,72 +17,56 @@ KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
 HEADERS = "*/ML_VERSION", "*/src/common", "*/vcglib/vcg", "*/vcglib/wrap"  # beside src/ (2020.09) or inside it (later)
 
 
+def apt_sources():
+    """Triples of address, release and component that this machine's packages come from."""
+    rows = output("apt-get", "indextargets", "--format", "$(REPO_URI) $(RELEASE) $(COMPONENT)", "Created-By: Packages")
+    return dict.fromkeys(tuple(row.split()) for row in (rows or "").splitlines() if len(row.split()) == 3)
+
+
 def debian_mirror():
     """The mirror of this machine's release; None if it is not Debian."""
     release = platform.freedesktop_os_release()
-    if release.get("ID") != "debian":
-        return None
-    format_of_rows = "$(REPO_URI) $(RELEASE) $(COMPONENT)"
-    rows = output("apt-get", "indextargets", "--format", format_of_rows, "Created-By: Packages") or ""
     wanted = [release.get("VERSION_CODENAME"), "main"]
-    return next((row.split()[0] for row in rows.splitlines() if row.split()[1:] == wanted), None)
+    return next((address for address, *of in apt_sources() if of == wanted and release.get("ID") == "debian"), None)
 
 
-def readable(pattern, folder=pathlib.Path("/etc/apt")):
-    return [file.read_text(errors="replace") for file in sorted(folder.glob(pattern)) if os.access(file, os.R_OK)]
-
-
-def write_source_list(folder, suite=None, kind="deb-src"):
-    """Entries for apt's sourceparts folder: the machine's sources as source packages, or those of another release of
-    Debian. Returns whether there are any."""
-    folder.mkdir(parents=True, exist_ok=True)
-    if suite:
-        mirror = debian_mirror()
-        options = f"[signed-by={KEYRING}] " if os.access(KEYRING, os.R_OK) else ""
-        (folder / "debian.list").write_text(f"{kind} {options}{mirror} {suite} main\n")
-        return mirror is not None
-    # one-line style: "deb [options] uri suite components"
-    entries = {re.sub(r"^\s*deb(-src)?\s", "deb-src ", line)
-               for text in readable("sources.list") + readable("sources.list.d/*.list")
-               for line in text.splitlines() if re.match(r"\s*deb(-src)?\s", line) and "cdrom:" not in line}
-    (folder / "classic.list").write_text("".join(f"{entry}\n" for entry in sorted(entries)))
-    # deb822 style: paragraphs of fields, where "Enabled: no" must keep its meaning
-    paragraphs = (re.sub(r"(?mi)^Types:.*", "Types: deb-src", re.sub(r"(?m)^#.*\n", "", text))
-                  for text in readable("sources.list.d/*.sources"))
-    (folder / "deb822.sources").write_text("\n\n".join(paragraphs))
-    return True
-
-
-def source_apt_get(folder, *words, **options):
-    """Whether apt-get succeeds with sources, lists and cache in the folder. Leaves the user's own alone."""
+def private_apt(folder, suite=None, kind="deb-src"):
+    """Whether an apt with lists and cache in the folder has lists of the machine's source packages, or of what another
+    release of Debian has. The user's own are left alone."""
+    sources = [(debian_mirror(), suite, "main")] if suite else apt_sources()
+    options = f"[signed-by={KEYRING}] " if os.access(KEYRING, os.R_OK) and debian_mirror() else ""
+    (folder / "sources.list").write_text("".join(f"{kind} {options}{' '.join(map(str, row))}\n" for row in sources))
+    for name in ("lists/partial", "cache"):
+        (folder / name).mkdir(parents=True)
     # -c is read last, so that it can clear the system's hooks. Lists may be out of date on a mirror that lags behind:
-    # source packages do not mind. All lines are needed, or apt-get would write the machine's own lists.
+    # source packages do not mind.
     (folder / "apt.conf").write_text(f"""#clear APT::Update::Post-Invoke;
 #clear APT::Update::Post-Invoke-Success;
-Dir::Etc::sourcelist "/dev/null";
-Dir::Etc::sourceparts "{folder}/sources";
+Dir::Etc::sourcelist "{folder}/sources.list";
+Dir::Etc::sourceparts "/dev/null";
 Dir::State::lists "{folder}/lists";
 Dir::Cache "{folder}/cache";
 APT::Sandbox::User "";
 Acquire::Check-Valid-Until "false";
 """)
-    return subprocess.run(["apt-get", "-qq", "-c", folder / "apt.conf", *words], **options).returncode == 0
+    if not apt_get(folder, "update"):  # sources of other vendors often hold no source packages
+        say("not all package sources answered; going on with those that did")
+    return None not in (row[0] for row in sources)
 
 
-def unpack_source(package, folder, suite=None, parts=HEADERS):
+def apt_get(folder, *words):
+    """Whether the apt in the folder succeeds there."""
+    return subprocess.run(["apt-get", "-qq", "-c", folder / "apt.conf", *words], cwd=folder).returncode == 0
+
+
+def unpack_source(package, folder, suite=None):
     """The tarball alone; some mirrors lack a source package's other files. The package may be NAME=VERSION, of this
     machine's sources or of another release of Debian."""
     with tempfile.TemporaryDirectory() as name:
         apt = pathlib.Path(name)
-        if not write_source_list(apt / "sources", suite):
-            return False
-        (apt / "lists/partial").mkdir(parents=True)
-        (apt / "cache").mkdir()
-        if not source_apt_get(apt, "update"):  # sources of other vendors often hold no source packages
-            say("not all package sources answered; going on with those that did")
-        return (source_apt_get(apt, "source", "--tar-only", "--download-only", package, cwd=apt) and
+        return (private_apt(apt, suite) and apt_get(apt, "source", "--tar-only", "--download-only", package) and
                 subprocess.run(["tar", "-xf", next(apt.glob("meshlab_*.orig.tar.*")), "-C", folder,
-                                "--strip-components=1", "--wildcards", *parts]).returncode == 0)
+                                "--strip-components=1", "--wildcards", *HEADERS]).returncode == 0)
 
 
 def ensure_headers():

@@ -19,13 +19,8 @@ class Obstacle(Exception):
 
 
 def say(text):
-    line = f"laplacian-lines: {text}\n"
-    try:
-        line = os.fsencode(line)
-    except UnicodeEncodeError:  # more than the user's locale can say
-        line = line.encode("utf-8", "surrogateescape")
     sys.stderr.flush()
-    os.write(2, line)
+    os.write(2, f"laplacian-lines: {text}\n".encode("utf-8", "surrogateescape"))
 
 
 def exit_code(returncode):
@@ -33,68 +28,41 @@ def exit_code(returncode):
     return returncode if returncode >= 0 else 128 - returncode
 
 
-class Signals:
-    """A signal ends the script at once, or as soon as a process that is being started can be ended, too."""
-
-    def __init__(self):
-        self.held, self.others, self.code = False, False, 0
-
-    def take(self, number, _):
-        if number == signal.SIGINT and self.others:
-            return
-        self.code = 128 + number
-        if not self.held:
-            sys.exit(self.code)
-
-    def __enter__(self):
-        self.held = True
-
-    def __exit__(self, *_):
-        self.held = False
-        if self.code:
-            sys.exit(self.code)
-
-
-signals = Signals()
-
-
 def run_main(main):
-    """Runs main(), which returns an exit code or None, and ends the script."""
+    """Runs main(), which returns an exit code or None, and ends the script, at once on a signal."""
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, signals.take)
+        signal.signal(number, lambda number, _: sys.exit(128 + number))
     try:
         code = main()
-    except Failure as failure:
+    except (Failure, Obstacle) as failure:
         if str(failure):
             say(failure)
         code = 1
     sys.exit(code)
 
 
-def run(command, interactive=False, **options):
-    """The exit code of a command in the foreground, which ends with this script; an interactive one handles Ctrl+C."""
-    process, signals.others = None, interactive
-    try:
-        with signals:
-            process = subprocess.Popen(command, **options)
-        return exit_code(process.wait())
-    finally:
-        signals.others = False
-        if process and process.poll() is None:
-            process.terminate()
-
-
 @contextlib.contextmanager
 def started(command, **options):
     """A process that ends with the block, with all that it has started."""
-    process = None
+    process = subprocess.Popen(command, start_new_session=True, **options)
     try:
-        with signals:
-            process = subprocess.Popen(command, start_new_session=True, **options)
         yield process
     finally:
-        if process and process.poll() is None:
+        if process.poll() is None:
             os.killpg(process.pid, signal.SIGTERM)
+
+
+def run(command, interactive=False, **options):
+    """The exit code of a command in the foreground, which ends with this script; an interactive one handles Ctrl+C."""
+    process = subprocess.Popen(command, **options)
+    handler = signal.signal(signal.SIGINT, signal.SIG_IGN) if interactive else None
+    try:
+        return exit_code(process.wait())
+    finally:
+        if interactive:
+            signal.signal(signal.SIGINT, handler)
+        if process.poll() is None:
+            process.terminate()
 
 
 def run_together(jobs):
@@ -105,37 +73,16 @@ def run_together(jobs):
         for log, command, options in jobs:
             pathlib.Path(log).parent.mkdir(parents=True, exist_ok=True)
             file = stack.enter_context(open(log, "wb"))
-            processes.append(stack.enter_context(started(command, stdout=file, stderr=file, close_fds=False,
-                                                         **options)))
+            processes.append(stack.enter_context(started(command, stdout=file, stderr=file, close_fds=False, **options)))
         return [process.wait() == 0 for process in processes]
-
-
-def show_end(log):
-    os.write(2, b"".join(pathlib.Path(log).read_bytes().splitlines(keepends=True)[-40:]))
 
 
 def quietly(log, command, **options):
     """Whether the command succeeds. Its output goes to the log; on failure the user sees the end."""
     (succeeded,) = run_together([(log, command, options)])
     if not succeeded:
-        show_end(log)
+        os.write(2, b"".join(pathlib.Path(log).read_bytes().splitlines(keepends=True)[-40:]))
     return succeeded
-
-
-@contextlib.contextmanager
-def logged(log):
-    """Sends the block's output to the log."""
-    kept = os.dup(1), os.dup(2)
-    with open(log, "wb") as file:
-        for number in (1, 2):
-            os.dup2(file.fileno(), number)
-    try:
-        yield
-    finally:
-        sys.stdout.flush()
-        for number, was in zip((1, 2), kept):
-            os.dup2(was, number)
-            os.close(was)
 
 
 def output(*command, **options):

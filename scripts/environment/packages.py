@@ -8,12 +8,12 @@ import subprocess
 
 from environment.messages import Failure, output, say
 
-BUILD = """meshlab g++ make cmake dpkg-dev xz-utils qtbase5-dev libqt5opengl5-dev libglew-dev libeigen3-dev libgl-dev
-    libglu1-mesa-dev libgl1-mesa-dri""".split()
-DISPLAY = "xvfb xauth libgl1-mesa-dri fonts-dejavu-core".split()
-CORE = "g++ make cmake libeigen3-dev".split()  # enough for the core alone
-PACKAGING = ["file"]  # CPack asks it what is a library
-TEST = "python3 libgtest-dev imagemagick ccache librsvg2-bin locales poppler-utils".split() + PACKAGING
+BUILD = """meshlab g++ make cmake xz-utils qtbase5-dev libqt5opengl5-dev libglew-dev libeigen3-dev zlib1g-dev
+    libstb-dev libgl-dev libglu1-mesa-dev libgl1-mesa-dri""".split()
+DISPLAY = "xvfb libgl1-mesa-dri fonts-dejavu-core".split()
+CORE = "g++ make cmake libeigen3-dev zlib1g-dev libstb-dev".split()  # enough without MeshLab
+PACKAGING = ["dpkg-dev", "file"]  # CPack asks them what is a library, and whose
+TEST = "python3 git libgtest-dev libbenchmark-dev imagemagick ccache librsvg2-bin locales poppler-utils".split() + PACKAGING
 # meshlab 2022 and later show a modal box at start when a bundled plugin misses one of these Recommends; 2020.09 depends
 # on all it needs. Unknown names are skipped.
 MESHLAB_RECOMMENDS = """lib3ds-1-3 libgomp1 libmuparser2v5 libopenctm1 libqhull-r8.0 libxerces-c3.2t64 libmpfr6
@@ -47,8 +47,7 @@ def ensure_packages(*packages):
     if not as_root("apt-get", "-qq", "update"):
         say("apt-get update failed; trying with the package lists at hand")
     if not as_root("env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-qq", "-y", "--no-install-recommends",
-                   "install",
-                   *names, stdout=subprocess.DEVNULL):
+                   "install", *names, stdout=subprocess.DEVNULL):
         raise Failure(f"could not install {words}")
 
 

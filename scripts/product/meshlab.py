@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """MeshLab, told by a script of the GUI driver what to do with the user's meshes and projects."""
 
+import contextlib
 import locale
 import os
 import re
@@ -18,12 +19,9 @@ DRIVER_ERROR = 3  # the exit code of MeshLab when the driver ends it
 def is_odd_name(name):
     """Refuses what means something else to the driver, whose lines are UTF-8, or to MeshLab, whose names are in the
     user's locale."""
-    try:
+    with contextlib.suppress(locale.Error):
         locale.setlocale(locale.LC_CTYPE, "")
-        charmap = locale.nl_langinfo(locale.CODESET)
-    except locale.Error:
-        charmap = "none"
-    return not name.isprintable() or (charmap != "UTF-8" and not name.isascii())
+    return not name.isprintable() or not (name.isascii() or locale.nl_langinfo(locale.CODESET) == "UTF-8")
 
 
 def drivable_mesh(name, folder):
@@ -39,8 +37,7 @@ def drivable_mesh(name, folder):
 def settings_commands(build, settings):
     """The driver's commands for parameters of the decoration, NAME=VALUE, from a program built on the decoration's
     table."""
-    done = subprocess.run([build / "bin/decoration_settings", *settings], stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE)
+    done = subprocess.run([build / "bin/decoration_settings", *settings], capture_output=True)
     if done.returncode != 0:
         raise Failure(os.fsdecode(done.stderr).rstrip("\n"))
     return os.fsdecode(done.stdout).splitlines()

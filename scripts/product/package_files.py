@@ -12,28 +12,22 @@ import sys
 import textwrap
 
 NAME = "laplacian-lines"
-SUMMARY = "measured line drawings of 3D scans, at scale on paper"
 CONTACT = "Laplacian Lines developers <laplacian-lines@localhost>"
 COMPLETION = """# completion of bash for laplacian-lines
 _laplacian_lines() {{
-    local word=${{COMP_WORDS[COMP_CWORD]}}
+    local word=${{COMP_WORDS[COMP_CWORD]}} words=
     case ${{COMP_WORDS[COMP_CWORD - 1]}} in
 {values}
-    *)
-        if [[ $word == -* ]]; then
-            mapfile -t COMPREPLY < <(compgen -W "{options}" -- "$word")
-        else
-            mapfile -t COMPREPLY < <(compgen -f -- "$word")
-        fi
-        ;;
+    *) [[ $word != -* ]] || words="{options}" ;;
     esac
+    mapfile -t COMPREPLY < <(compgen ${{words:+-W "$words"}} ${{words:--f}} -- "$word")
 }}
 complete -o filenames -F _laplacian_lines laplacian-lines
 """
 
 
 def parse(text):
-    """The help's blocks: (what is to be written, what it means), of ways to call the program and of options."""
+    """The help's pairs: what is to be written, what it means; of ways to call the program and of options."""
     calls, options = [], []
     for line in text.splitlines():
         call = re.fullmatch(rf"{NAME} (.*)", line)
@@ -48,19 +42,16 @@ def parse(text):
 
 
 def roff(text):
-    return re.sub(r"^([.'])", r"\\&\1", text.replace("\\", "\\e").replace("-", "\\-"))
+    return re.sub(r"^([.'])", r"\\&\1", text.strip().replace("\\", "\\e").replace("-", "\\-"))
 
 
 def manual(version, calls, options):
-    lines = [f'.TH {NAME.upper()} 1 "" "{NAME} {version}"', ".SH NAME", f"{roff(NAME)} \\- {SUMMARY}", ".SH SYNOPSIS"]
-    for what, _ in calls:
-        lines += [f".B {roff(NAME)}", roff(what), ".br"]
-    lines.append(".SH DESCRIPTION")
-    for what, meaning in calls:
-        lines += [".TP", f".B {roff(what)}", roff(meaning.strip()[:1].upper() + meaning.strip()[1:]) + "."]
-    lines.append(".SH OPTIONS")
-    for what, meaning in options:
-        lines += [".TP", f".B {roff(what)}", roff(meaning.strip())]
+    lines = [f'.TH {NAME.upper()} 1 "" "{NAME} {version}"', ".SH NAME",
+             f"{roff(NAME)} \\- measured line drawings of 3D scans, at scale on paper", ".SH SYNOPSIS"]
+    lines += [line for what, _ in calls for line in (f".B {roff(NAME)}", roff(what), ".br")]
+    for heading, rows in (("DESCRIPTION", calls), ("OPTIONS", options)):
+        lines.append(f".SH {heading}")
+        lines += [line for what, meaning in rows for line in (".TP", f".B {roff(what)}", roff(meaning) + ".")]
     return "\n".join(lines) + "\n"
 
 
@@ -68,9 +59,8 @@ def completion(options):
     values = []
     for name, value in (what.split(" ") for what, _ in options if " " in what):
         words = [word for word in value.split("|") if re.fullmatch("[a-z][a-z0-9_]*", word) and "=" not in value]
-        action = '-W "{}"'.format(" ".join(words)) if words else "-f" if value == "FILE" else ""
-        reply = f'mapfile -t COMPREPLY < <(compgen {action} -- "$word")' if action else "COMPREPLY=()"
-        values.append(f"    {name}) {reply} ;;")
+        if words:
+            values.append(f'    {name}) words="{" ".join(words)}" ;;')
     return COMPLETION.format(values="\n".join(values), options=" ".join(what.split(" ")[0] for what, _ in options))
 
 
@@ -84,17 +74,15 @@ def debian_changelog(text):
     return "\n".join(entries)
 
 
-def write_compressed(file, text):
-    file.write_bytes(gzip.compress(text.encode(), 9, mtime=0))
-
-
 def main(program, changelog, folder):
-    ask = lambda option: subprocess.run([program, option], check=True, capture_output=True, text=True).stdout
-    calls, options = parse(ask("--help"))
+    said, version = (subprocess.run([program, option], check=True, capture_output=True, text=True).stdout
+                     for option in ("--help", "--version"))
+    calls, options = parse(said)
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    write_compressed(folder / f"{NAME}.1.gz", manual(ask("--version").split()[1], calls, options))
-    write_compressed(folder / "changelog.gz", debian_changelog(pathlib.Path(changelog).read_text(encoding="utf-8")))
+    for name, text in ((f"{NAME}.1.gz", manual(version.split()[1], calls, options)),
+                       ("changelog.gz", debian_changelog(pathlib.Path(changelog).read_text(encoding="utf-8")))):
+        (folder / name).write_bytes(gzip.compress(text.encode(), 9, mtime=0))
     (folder / NAME).write_text(completion(options), encoding="utf-8")
 
 

@@ -7,47 +7,32 @@ import re
 import subprocess
 import sys
 
-QT = {f"libQt5{name}.so.5" for name in ("Core", "Gui", "Widgets", "OpenGL", "Xml")}
-SYSTEM = {"libGL.so.1", "libstdc++.so.6", "libgcc_s.so.1", "libm.so.6", "libc.so.6", "ld-linux-x86-64.so.2"}
-LIBRARIES = QT | SYSTEM | {"libmeshlab-common.so"}
+LIBRARIES = {f"libQt5{name}.so.5" for name in ("Core", "Gui", "Widgets", "OpenGL", "Xml")} | {
+    "libmeshlab-common.so", "libGL.so.1", "libstdc++.so.6", "libgcc_s.so.1", "libm.so.6", "libc.so.6", "ld-linux-x86-64.so.2"}
 VERSIONS = {"GLIBC": (2, 35), "GLIBCXX": (3, 4, 29), "CXXABI": (1, 3, 13), "Qt": (5, 15), "GCC": (4, 0, 0)}
-EXPORTS = {"qt_plugin_query_metadata", "qt_plugin_instance", "laplacian_lines_tables"}
+EXPORTS = {"qt_plugin_query_metadata", "qt_plugin_instance"}
 
 
 def output(*command):
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
-def needed_libraries(plugin):
-    return set(re.findall(r"\(NEEDED\).*\[(.*)\]", output("readelf", "-dW", plugin)))
-
-
 def needed_versions(plugin):
-    """The highest of each family, such as GLIBC; those without a number as they are."""
-    highest = {}
-    for family, digits in re.findall(r"\(([A-Za-z_0-9]*?)_(\d[\d.]*|PRIVATE\w*)\)", output("objdump", "-T", plugin)):
-        number = tuple(map(int, digits.split("."))) if digits[0].isdigit() else (sys.maxsize,)
-        highest[family] = max(highest.get(family, ()), number)
-    return highest
-
-
-def exports(plugin):
-    return {line.split()[-1].split("@")[0] for line in output("nm", "-D", "--defined-only", plugin).splitlines()}
+    """Family and number, those without a number as the greatest."""
+    return {(family, tuple(map(int, digits.split("."))) if digits[0].isdigit() else (sys.maxsize,))
+            for family, digits in re.findall(r"\(([A-Za-z_0-9]*?)_(\d[\d.]*|PRIVATE\w*)\)", output("objdump", "-T", plugin))}
 
 
 def excess(plugin, any_version):
-    """Prints what the plugin needs and exports; returns what is too much, a sentence each."""
-    libraries, versions, names = needed_libraries(plugin), needed_versions(plugin), exports(plugin)
-    numbers = {family: ".".join(map(str, number)) for family, number in versions.items()}
-    print(f"{plugin.split('/')[-1]}\n  needs {' '.join(sorted(libraries))}"
-          f"\n  at least {' '.join(f'{family}_{number}' for family, number in sorted(numbers.items()))}"
-          f"\n  exports {' '.join(sorted(names)) if len(names) < 9 else f'{len(names)} symbols'}")
-    found = [f"needs {library}" for library in sorted(libraries - LIBRARIES)]
-    if not any_version:
-        found += [f"needs {family}_{numbers[family]}" for family in sorted(versions)
-                  if versions[family] > VERSIONS.get(family, ())]
+    """What the plugin needs, or shows, too much or too little, a sentence each."""
+    libraries = set(re.findall(r"\(NEEDED\).*\[(.*)\]", output("readelf", "-dW", plugin)))
+    names = {line.split()[-1].split("@")[0] for line in output("nm", "-D", "--defined-only", plugin).splitlines()}
+    versions = [] if any_version else [f"{family}_{'.'.join(map(str, number))}" for family, number in needed_versions(plugin)
+                                       if number > VERSIONS.get(family, ())]
+    found = [f"needs {what}" for what in sorted(libraries - LIBRARIES) + sorted(versions)]
     found += [f"exports {name}" for name in sorted(names - EXPORTS)[:5]]
-    found += [f"does not export {name}" for name in ("qt_plugin_query_metadata", "qt_plugin_instance") if name not in names]
+    found += [f"does not export {name}" for name in sorted(EXPORTS - names)]
+    print(f"{plugin.split('/')[-1]} needs {' '.join(sorted(libraries))}")
     return [f"{plugin} {what}" for what in found]
 
 
@@ -56,8 +41,7 @@ def main(arguments):
     plugins = arguments[1 if any_version else 0:]
     if not plugins:
         sys.exit(__doc__)
-    found = [what for plugin in plugins for what in excess(plugin, any_version)]
-    sys.exit("\n".join(found) or 0)
+    sys.exit("\n".join(what for plugin in plugins for what in excess(plugin, any_version)) or 0)
 
 
 main(sys.argv[1:])

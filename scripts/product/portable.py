@@ -12,15 +12,14 @@ import tempfile
 
 from environment.build import CHECKOUT, build_targets
 from environment.files import cache_folder, publish_into
-from environment.headers import source_apt_get, write_source_list
-from environment.messages import Failure, Obstacle, say
-from environment.releases import SUITES
+from environment.headers import apt_get, private_apt
+from environment.messages import Failure
 from product import pymeshlab
 from product.package import make_packages
+from product.pymeshlab import MESHLAB, SUITE
 from product.stage import built_plugins, multiarch
 
 BUILD = CHECKOUT / "build/portable"
-SUITE = SUITES[pymeshlab.HOST]
 LIBRARY = "libmeshlab-common.so"
 NEEDS = pathlib.Path(__file__).with_name("plugin_needs.py")
 
@@ -29,10 +28,7 @@ def unpack_library(folder):
     """From the package of MeshLab, of which nothing else is taken."""
     with tempfile.TemporaryDirectory() as name:
         apt = pathlib.Path(name)
-        (apt / "lists/partial").mkdir(parents=True)
-        (apt / "cache").mkdir()
-        if not (write_source_list(apt / "sources", SUITE, "deb") and source_apt_get(apt, "update") and
-                source_apt_get(apt, "download", "meshlab", cwd=apt)):
+        if not (private_apt(apt, SUITE, "deb") and apt_get(apt, "download", "meshlab")):
             return False
         subprocess.run(["dpkg-deb", "--extract", next(apt.glob("meshlab_*.deb")), apt / "package"], check=True)
         shutil.copy(apt / "package/usr/lib" / multiarch() / "meshlab" / LIBRARY, folder)
@@ -40,18 +36,16 @@ def unpack_library(folder):
 
 
 def build_portable(*targets, options=()):
-    """Into build/portable, for this process."""
-    try:
-        pymeshlab.ensure_meshlab_headers()
-    except Obstacle as reason:
-        raise Failure(reason) from None
-    libraries = cache_folder() / "libraries" / pymeshlab.MESHLAB
+    """Into build/portable."""
+    libraries = cache_folder() / "libraries" / MESHLAB
     if not (libraries / LIBRARY).exists() and not publish_into(libraries, unpack_library):
-        raise Failure(f"the library of MeshLab {pymeshlab.MESHLAB} could not be fetched")
-    os.environ["LAPLACIAN_LINES_BUILD"] = str(BUILD)
-    say(f"building plugins for all systems with MeshLab {pymeshlab.MESHLAB}")
-    build_targets("meshlab_plugins", *targets, preset="portable",
-                  options=[f"-DMESHLAB_COMMON_LIBRARY={libraries / LIBRARY}", *options])
+        raise Failure(f"the library of MeshLab {MESHLAB} could not be fetched")
+    pymeshlab.ensure_meshlab_headers()
+    try:
+        build_targets("meshlab_plugins", *targets, preset="portable", build=BUILD,
+                      options=[f"-DMESHLAB_COMMON_LIBRARY={libraries / LIBRARY}", *options])
+    finally:
+        del os.environ["MESHLAB_SOURCE_DIR"]
 
 
 def package_portable():

@@ -12,12 +12,7 @@ GAP, LABEL_HEIGHT = 8, 60  # around a cell; two lines
 
 def plain_label(text):
     """For ImageMagick, which reads UTF-8 and interprets %, \\ and a first @."""
-    text = "".join(character if character.isprintable() or "\udc80" <= character <= "\udcff" else "?"
-                   for character in text)
-    try:
-        text.encode()
-    except UnicodeEncodeError:  # each byte that is not ASCII
-        text = "".join(chr(byte) if byte < 128 else "?" for byte in text.encode("utf-8", "surrogateescape"))
+    text = "".join(character if character.isprintable() else "?" for character in text)
     text = text.replace("\\", "\\\\").replace("%", "%%")
     return f"\\{text}" if text.startswith("@") else text
 
@@ -27,27 +22,19 @@ def whole_share(n, parts):
     return -(-n // parts)
 
 
-def sheet_columns(cell_width, count, together):
-    """For `count` cells, of which `together` belong together: in one row if they fit, else in rows of about equal
-    length. Otherwise as many rows as columns."""
-    most = max(1, WIDTH // (cell_width + 2 * GAP))
-    if 1 < together < count:
-        return whole_share(together, whole_share(together, most))
-    return next(columns for columns in range(1, most + 1) if columns * columns >= count or columns == most)
-
-
-def sheet_rows(columns, count, together):
-    """Cells that belong together begin a row."""
-    return whole_share(count, columns) if together == 1 else whole_share(count, together) * whole_share(together,
-                                                                                                        columns)
-
-
 def lay_out(size, count, together):
-    """The columns, and the size of cells, smaller than the pictures if the sheet would be too high."""
+    """The columns for `count` cells, of which `together` belong together: in one row if they fit, else in rows of about
+    equal length; otherwise as many rows as columns. And the size of cells, smaller than the pictures if the sheet would
+    be too high."""
     width, height = size
     while True:
-        columns = sheet_columns(width, count, together)
-        if width <= 100 or sheet_rows(columns, count, together) * (height + LABEL_HEIGHT + 2 * GAP) <= HEIGHT:
+        most = max(1, WIDTH // (width + 2 * GAP))
+        if 1 < together < count:
+            columns = whole_share(together, whole_share(together, most))
+        else:
+            columns = next(c for c in range(1, most + 1) if c * c >= count or c == most)
+        rows = whole_share(count, together) * whole_share(together, columns) if together > 1 else whole_share(count, columns)
+        if width <= 100 or rows * (height + LABEL_HEIGHT + 2 * GAP) <= HEIGHT:
             return columns, (width, height)
         width, height = width * 4 // 5, height * 4 // 5
 

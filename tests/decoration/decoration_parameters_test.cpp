@@ -1,182 +1,146 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The decoration's parameters as MeshLab gets them, and their values read back.
+#include "decoration_parameters.h"
+
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include <QTextDocument>
-
+#include <cmath>
+#include <fstream>
 #include <set>
+#include <sstream>
 
-#include "decoration_parameters.h"
-#include "laplacian_lines/option_table.h"
+#include "meshlab_host/camera.h"
+#include "places.h"
 
 namespace {
 
 using laplacian_lines::LineKind;
 using line_renderer::HiddenLines;
-using line_renderer::SurfaceAppearance;
-
-const QString kPrefix = "MeshLab::Decoration::LaplacianLines_";
 
 RichEnum choice(const char* key, int value) {
-    return {kPrefix + key, value, {"0", "1", "2"}, "", ""};
+    return {decoration_prefix + key, value, QStringList(), "", ""};
 }
 
 RichFloat number(const char* key, double value) {
-    return {kPrefix + key, float(value), "", ""};
+    return {decoration_prefix + key, float(value), "", ""};
 }
 
-QStringList listedKeys() {
+RichBool tick(const char* key, bool is_on) {
+    return {decoration_prefix + key, is_on, "", ""};
+}
+
+RichParameterList listed() {
     RichParameterList list;
     listDecorationParameters(list);
-    QStringList keys;
+    return list;
+}
+
+TEST(DecorationParameters, AreFewHaveNamesOfTheirOwnAndToolTipsThatWrap) {
+    std::set<QString> names;
+    const RichParameterList list = listed();
     for (const RichParameter& parameter : list) {
-        EXPECT_TRUE(parameter.name().startsWith(kPrefix));
-        keys << parameter.name().mid(kPrefix.size());
-    }
-    return keys;
-}
-
-TEST(DecorationParameters, HaveNamesOfTheirOwn) {
-    const QStringList keys = listedKeys();
-    EXPECT_EQ(std::set<QString>(keys.begin(), keys.end()).size(), std::size_t(keys.size()));
-}
-
-TEST(DecorationParameters, BeginWithWhatEverybodyUses) {
-    const QStringList keys = listedKeys();
-    ASSERT_GT(keys.size(), 20);
-    EXPECT_EQ(keys[0], "drawing_style");
-    EXPECT_EQ(keys[1], "lines");
-    EXPECT_EQ(keys[2], "detail");
-    EXPECT_LT(keys.indexOf("light_elevation"), keys.indexOf("gradient_threshold"));
-    EXPECT_LT(keys.indexOf("line_width"), keys.indexOf("gradient_threshold"));
-    EXPECT_LT(keys.indexOf("contours"), keys.indexOf("laplacian_lines"));
-    EXPECT_EQ(keys.indexOf("ridges") + 1, keys.indexOf("ridge_angle"));
-    EXPECT_EQ(keys.indexOf("creases") + 1, keys.indexOf("crease_angle"));
-}
-
-TEST(DecorationParameters, HaveAllOptionsOfTheStyle) {
-    const QStringList keys = listedKeys();
-    for (const auto& row : laplacian_lines::line_style_table())
-        EXPECT_EQ(keys.contains(row.key), !row.instead) << row.key;
-}
-
-/// Qt breaks the lines of rich text only.
-TEST(DecorationParameters, HaveToolTipsThatWrap) {
-    RichParameterList list;
-    listDecorationParameters(list);
-    for (const RichParameter& parameter : list)
+        EXPECT_TRUE(parameter.name().startsWith(decoration_prefix));
+        EXPECT_TRUE(names.insert(parameter.name()).second) << parameter.name().toStdString();
         EXPECT_TRUE(Qt::mightBeRichText(parameter.toolTip())) << parameter.name().toStdString();
+    }
+    EXPECT_LE(names.size(), 18u);
 }
 
-/// A check box would show the markup of a heading.
-TEST(DecorationParameters, HaveNoHeadingOverSwitches) {
-    RichParameterList list;
-    listDecorationParameters(list);
-    int headings = 0;
-    for (const RichParameter& parameter : list) {
-        if (!parameter.fieldDescription().contains('<')) continue;
-        ++headings;
-        EXPECT_FALSE(parameter.value().isBool()) << parameter.name().toStdString();
-    }
-    EXPECT_EQ(headings, 3);
+TEST(DecorationParameters, AreInTheDocuments) {
+    std::ostringstream text;
+    text << std::ifstream(places::repository() / "docs/parameters.md").rdbuf();
+    const RichParameterList list = listed();
+    for (const RichParameter& parameter : list)
+        EXPECT_NE(text.str().find("| " + parameter.fieldDescription().toStdString() + " |"),
+                  std::string::npos)
+            << parameter.fieldDescription().toStdString();
 }
 
 TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
-    RichParameterList list;
-    listDecorationParameters(list);
-    const DecorationParameters defaults, read = readValidParameters(list).chosen;
+    const DecorationParameters defaults, read = readValidParameters(listed()).chosen;
     EXPECT_EQ(read.drawing_style, DrawingStyle::Custom);
-    for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind) {
-        EXPECT_EQ(read.appearance.looks[kind].color, defaults.appearance.looks[kind].color);
-        EXPECT_EQ(read.appearance.looks[kind].width, defaults.appearance.looks[kind].width);
+    const line_renderer::LineLooks usual = line_renderer::usualLooks();
+    for (const auto& kind : laplacian_lines::line_kinds) {
+        const line_renderer::LineLook& look = read.appearance.looks[std::size_t(kind.kind)];
+        EXPECT_EQ(look.color, QColor(Qt::black));
+        EXPECT_DOUBLE_EQ(look.width, usual[std::size_t(kind.kind)].width);
+        EXPECT_EQ(read.style.shows[kind.kind], kind.shown) << kind.key;
     }
-    EXPECT_EQ(read.surface.style, defaults.surface.style);
-    EXPECT_EQ(read.surface.tones, defaults.surface.tones);
-    EXPECT_EQ(read.surface.shade, defaults.surface.shade);
-    EXPECT_EQ(read.background, defaults.background);
-    EXPECT_EQ(read.light, defaults.light);
-    EXPECT_EQ(read.camera_light.azimuth, defaults.camera_light.azimuth);
-    EXPECT_EQ(read.camera_light.elevation, defaults.camera_light.elevation);
-    EXPECT_EQ(read.style.line_slope, defaults.style.line_slope);
-    EXPECT_EQ(read.show_statistics, defaults.show_statistics);
+    EXPECT_EQ(read.surface, SurfaceLook::AsMeshLabDrawsIt);
+    EXPECT_FALSE(lightAzimuth(read));
+    EXPECT_EQ(read.appearance.hidden, HiddenLines::LeftOut);
+    EXPECT_EQ(read.scale, Scale::AsComputed);
+    EXPECT_EQ(read.style.detail, defaults.style.detail);
+    EXPECT_EQ(read.style.gradient_threshold, defaults.style.gradient_threshold);
+    EXPECT_EQ(read.style.strength_threshold, defaults.style.strength_threshold);
+    EXPECT_FALSE(read.show_statistics);
 }
 
-TEST(DecorationParameters, DrawingStylesOverrideColorsPaperAndLight) {
-    for (int style : {1, 2}) {
-        RichParameterList list;
-        list.addParam(choice("drawing_style", style));
-        list.addParam(choice("surface", SurfaceAppearance::Toon));
-        list.addParam(choice("light", style == 1 ? 1 : 0));
-        list.addParam(choice("hidden_lines", 2));
-        list.addParam(number("line_width", 3));
-        list.addParam(number("detail", 70));
-        list.addParam(number("light_azimuth", 20));
-        for (const char* key : {"line_color", "contour_color", "paper_color"})
-            list.addParam(RichColor(kPrefix + key, QColor(255, 0, 0, 90), "", ""));
-        const DecorationParameters read = readValidParameters(list).chosen;
-        for (const line_renderer::LineLook& look : read.appearance.looks)
-            EXPECT_EQ(look.color, QColor(Qt::black));
-        EXPECT_EQ(read.surface.style, SurfaceAppearance::Paper);
-        EXPECT_EQ(read.surface.paper, QColor(Qt::white));
-        EXPECT_EQ(read.background, Background::Paper);
-        EXPECT_EQ(read.light, style == 1 ? Light::AtTheEye : Light::FixedToTheCamera);
-        EXPECT_EQ(read.appearance.hidden, HiddenLines::Dashed);
-        EXPECT_EQ(read.appearance.looks[0].width, 3);
-        EXPECT_EQ(read.style.detail, 70);
-        EXPECT_EQ(read.camera_light.azimuth, 20);
-    }
-}
-
-/// Settings of older versions keep counting.
-TEST(DecorationParameters, SwitchesCountByDefault) {
+TEST(DecorationParameters, WidenOutlinesInProportion) {
     RichParameterList list;
-    list.addParam(RichBool(kPrefix + "laplacian_lines", false, "", ""));
-    list.addParam(RichBool(kPrefix + "valleys", true, "", ""));
+    list.addParam(number("line_width", 3));
+    list.addParam(number("contour_width_factor", 2.5));
     const DecorationParameters read = readValidParameters(list).chosen;
-    EXPECT_EQ(mixtureOf(read), nullptr);
-    EXPECT_FALSE(read.style.shows[LineKind::Laplacian]);
-    EXPECT_TRUE(read.style.shows[LineKind::Valley]);
+    for (const auto& kind : laplacian_lines::line_kinds)
+        EXPECT_DOUBLE_EQ(read.appearance.looks[std::size_t(kind.kind)].width,
+                         kind.is_outline ? 7.5 : 3)
+            << kind.key;
 }
 
-RichEnum mixture(int value) {
-    return {kPrefix + "lines", value, QStringList(), "", ""};
+TEST(DecorationParameters, DrawingStylesOverrideColorSurfaceAndLight) {
+    for (int style : {1, 2})
+        for (int light : {0, 3}) {
+            RichParameterList list;
+            list.addParam(choice("drawing_style", style));
+            list.addParam(choice("surface", int(SurfaceLook::Toon)));
+            list.addParam(choice("light", light));
+            list.addParam(choice("hidden_lines", 2));
+            list.addParam(number("detail", 70));
+            list.addParam(RichColor(decoration_prefix + "line_color", Qt::red, "", ""));
+            const DecorationParameters read = readValidParameters(list).chosen;
+            for (const line_renderer::LineLook& look : read.appearance.looks)
+                EXPECT_EQ(look.color, QColor(Qt::black));
+            EXPECT_EQ(read.surface, SurfaceLook::Paper);
+            EXPECT_EQ(read.light, style == 1 ? at_the_eye : std::max(light, from_the_upper_left));
+            EXPECT_EQ(read.appearance.hidden, HiddenLines::Dashed);
+            EXPECT_EQ(read.style.detail, 70);
+        }
 }
 
-TEST(DecorationParameters, MixturesOverrideSwitchesOfKinds) {
-    for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
-        const laplacian_lines::LineMixture& wanted = laplacian_lines::line_mixtures[i];
+TEST(DecorationParameters, HaveLightsAroundThePicture) {
+    const std::vector<Eigen::Vector2d> directions = {{-1, 1}, {0, 1},  {1, 1},   {1, 0},
+                                                     {1, -1}, {0, -1}, {-1, -1}, {-1, 0}};
+    for (std::size_t i = 0; i < directions.size(); ++i) {
         RichParameterList list;
-        list.addParam(mixture(int(i) + 1));
-        list.addParam(RichBool(kPrefix + "valleys", true, "", ""));
-        list.addParam(RichBool(kPrefix + "contours", false, "", ""));
-        list.addParam(number("detail", 70));
-        const DecorationParameters read = readValidParameters(list).chosen;
-        EXPECT_EQ(mixtureOf(read), &wanted);
-        EXPECT_EQ(read.style.detail, 70);
-        for (const auto& kind : laplacian_lines::line_kinds)
-            EXPECT_EQ(read.style.shows[kind.kind], wanted.kinds[kind.kind])
-                << wanted.key << ": " << kind.key;
+        list.addParam(choice("light", from_the_upper_left + int(i)));
+        const auto azimuth = lightAzimuth(readValidParameters(list).chosen);
+        ASSERT_TRUE(azimuth);
+        const Eigen::Vector3d light = meshlab_host::towardsLight(*azimuth);
+        EXPECT_TRUE(light.head<2>().normalized().isApprox(directions[i].normalized(), 1e-12)) << i;
+        EXPECT_NEAR(light.z(), std::sqrt(0.5), 1e-12);
     }
 }
 
-/// Colored, or as all other lines.
-TEST(DecorationParameters, MixturesSayWhichKindsHaveTheirOwnColor) {
+TEST(DecorationParameters, MixturesOverrideTicksAndSayWhichKindsHaveTheirOwnColor) {
     for (int style : {0, 1})
         for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
             const laplacian_lines::LineMixture& wanted = laplacian_lines::line_mixtures[i];
             RichParameterList list;
-            list.addParam(mixture(int(i) + 1));
             list.addParam(choice("drawing_style", style));
+            list.addParam(choice("lines", int(i) + 1));
+            list.addParam(tick("contours", false));
             const DecorationParameters read = readValidParameters(list).chosen;
             const bool has_colors =  // Publication is black, but for what is shown in its colors
                 style == 0 || wanted.colored == laplacian_lines::kinds_with_key_color();
-            for (const auto& kind : laplacian_lines::line_kinds)
+            for (const auto& kind : laplacian_lines::line_kinds) {
+                EXPECT_EQ(read.style.shows[kind.kind], wanted.kinds[kind.kind])
+                    << wanted.key << ": " << kind.key;
                 EXPECT_EQ(read.appearance.looks[std::size_t(kind.kind)].color,
                           has_colors && wanted.colored[kind.kind] ? QColor(kind.key_color)
                                                                   : QColor(Qt::black))
                     << wanted.key << ": " << kind.key;
+            }
         }
 }
 
@@ -186,29 +150,20 @@ TEST(DecorationParameters, OutOfRangeStayAsTheyWereAndAreNamed) {
     const ValidParameters good = readValidParameters(good_list);
     EXPECT_TRUE(good.refused.empty());
     list.addParam(number("line_width", 0));
+    list.addParam(number("laplacian_lines", NAN));
     list.addParam(number("detail", 70));
     const ValidParameters once = readValidParameters(list, good.as_set);
     for (const ValidParameters& read : {once, readValidParameters(list, once.as_set)}) {
-        ASSERT_EQ(read.refused.size(), 1u);
-        EXPECT_EQ(read.refused.at("line_width"),
+        ASSERT_EQ(read.refused.size(), 2);
+        EXPECT_EQ(read.refused[0],
                   "\"Line Width\" is 0. It has to be between 0.1 and 64. Until then it stays 3.");
-        EXPECT_EQ(read.chosen.lines.width, 3);
-        EXPECT_EQ(read.chosen.appearance.looks[0].width, good.chosen.appearance.looks[0].width);
+        EXPECT_EQ(read.chosen.line_width, 3);
+        EXPECT_EQ(read.chosen.appearance.looks[0].width, 3);
+        EXPECT_TRUE(read.chosen.style.shows[LineKind::Laplacian]);
         EXPECT_EQ(read.chosen.style.detail, 70) << "others count";
     }
-    EXPECT_EQ(readValidParameters(list).chosen.lines.width, DecorationParameters().lines.width)
+    EXPECT_EQ(readValidParameters(list).chosen.line_width, DecorationParameters().line_width)
         << "there was no last time";
-}
-
-TEST(DecorationParameters, OutOfRangeStayAsTheyWereSet) {
-    for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
-        RichParameterList before, list;
-        before.addParam(mixture(int(i) + 1));
-        list.addParam(number("laplacian_lines", NAN));
-        const ValidParameters read = readValidParameters(list, readValidParameters(before).as_set);
-        EXPECT_EQ(read.refused.size(), 1u);
-        EXPECT_TRUE(read.chosen.style.shows[LineKind::Laplacian]);
-    }
 }
 
 }  // namespace

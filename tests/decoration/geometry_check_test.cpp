@@ -38,12 +38,6 @@ TEST_F(GeometryCheckTest, IsDueUnlessTheCameraAloneHasMoved) {
     EXPECT_FALSE(isDueAfterMove(1));
 }
 
-TEST_F(GeometryCheckTest, IsDueWithoutAWidgetToRedraw) {
-    isDueWithoutMove();
-    modelview_(0, 3) += 1;
-    EXPECT_TRUE(check_.isDue(modelview_, 0, nullptr));
-}
-
 /// At least every quarter of a second.
 TEST_F(GeometryCheckTest, IsDueNowAndThenWhileTheCameraMoves) {
     isDueWithoutMove();
@@ -60,14 +54,6 @@ TEST_F(GeometryCheckTest, RedrawsOnceMoreWhenTheCameraHasStopped) {
     ASSERT_FALSE(isDueAfterMove());
     wait(1000);
     EXPECT_EQ(widget_.redraws(), 1);
-}
-
-TEST_F(GeometryCheckTest, DoesNotRedrawWhenThereWasALookSince) {
-    isDueWithoutMove();
-    ASSERT_FALSE(isDueAfterMove());
-    ASSERT_TRUE(isDueWithoutMove());
-    wait(1000);
-    EXPECT_EQ(widget_.redraws(), 0);
 }
 
 /// The widget's memory is overwritten: redrawing it would crash.
@@ -99,14 +85,9 @@ TEST(PressCount, CountsKeysAndButtonsAnywhere) {
         send(type);
         EXPECT_EQ(count.value(), ++expected) << type;
     }
-}
-
-TEST(PressCount, DoesNotCountMoves) {
-    const PressCount count;
-    for (QEvent::Type type : {QEvent::MouseMove, QEvent::Wheel, QEvent::TouchUpdate, QEvent::Paint,
-                              QEvent::Enter, QEvent::User})
+    for (QEvent::Type type : {QEvent::MouseMove, QEvent::Wheel, QEvent::Paint, QEvent::Enter})
         send(type);
-    EXPECT_EQ(count.value(), 0u);
+    EXPECT_EQ(count.value(), expected) << "moves do not count";
 }
 
 }  // namespace

@@ -22,13 +22,6 @@ protected:
     const KeptLines::Document one_ = &documents_[0], other_ = &documents_[1];
 };
 
-TEST_F(KeptLinesTest, StayWhereNobodyUsesThem) {
-    const auto first = keep(one_, 0, 40), second = keep(other_, 0, 40);
-    EXPECT_FALSE(first.expired());
-    EXPECT_FALSE(second.expired());
-    EXPECT_EQ(kept_.bytes(), 80u);
-}
-
 TEST_F(KeptLinesTest, AreTheLastOnesOfAMesh) {
     const auto before = keep(one_, 0, 10), elsewhere = keep(one_, 1, 10);
     const auto now = keep(one_, 0, 20);
@@ -83,19 +76,6 @@ TEST_F(KeptLinesTest, AreGivenBackToThoseWhoLackMemory) {
     EXPECT_TRUE(kept_.drop());
     EXPECT_TRUE(lines.expired());
     EXPECT_EQ(kept_.bytes(), 0u);
-}
-
-TEST_F(KeptLinesTest, AreNotThoseThatLackedMemory) {
-    const auto before = keep(one_, 0, 10);
-    auto failed = std::make_shared<PreparedLines>();
-    failed->lacked_memory = true;
-    kept_.keep(one_, 0, failed);
-    EXPECT_TRUE(before.expired());
-    EXPECT_EQ(failed.use_count(), 1);
-}
-
-TEST_F(KeptLinesTest, MayFillAPartOfTheMachine) {
-    EXPECT_GT(KeptLines::usualBytes(), std::size_t(64) << 20);
 }
 
 }  // namespace

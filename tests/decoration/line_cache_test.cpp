@@ -34,20 +34,6 @@ protected:
     const LineCache::View left_ = &views_[0], right_ = &views_[1];
 };
 
-TEST_F(LineCacheTest, KnowsWhoUsesWhichLines) {
-    const PreparedLinesPointer lines = linesOf(1), others = linesOf(2);
-    cache_.assign(left_, 0, lines);
-    cache_.assign(left_, 1, others);
-    cache_.assign(right_, 0, lines);
-    EXPECT_EQ(cache_.at(left_, 0), lines);
-    EXPECT_EQ(cache_.at(left_, 1), others);
-    EXPECT_EQ(cache_.at(right_, 0), lines);
-    EXPECT_EQ(cache_.at(right_, 1), nullptr);
-    cache_.assign(left_, 0, others);
-    EXPECT_EQ(cache_.at(left_, 0), others);
-    EXPECT_EQ(cache_.at(right_, 0), lines);
-}
-
 TEST_F(LineCacheTest, FindsLinesByTheirContent) {
     assign(left_, 0, 1);
     ASSERT_TRUE(cache_.find(keyOf(1)));
@@ -69,15 +55,6 @@ TEST_F(LineCacheTest, FindsWhatIsReleasedUntilTheTurnEnds) {
     EXPECT_EQ(cache_.find(keyOf(1)), nullptr);
 }
 
-TEST_F(LineCacheTest, KeepsWhatIsAssignedAgain) {
-    const auto lines = assign(left_, 0, 1);
-    cache_.release(left_, 0);
-    cache_.assign(left_, 0, cache_.find(keyOf(1)));
-    endTurn();
-    EXPECT_FALSE(lines.expired());
-    EXPECT_EQ(cache_.at(left_, 0), lines.lock());
-}
-
 TEST_F(LineCacheTest, KeepsLinesAsLongAsSomeoneUsesThem) {
     const auto lines = assign(left_, 0, 1);
     cache_.assign(right_, 7, lines.lock());
@@ -87,16 +64,6 @@ TEST_F(LineCacheTest, KeepsLinesAsLongAsSomeoneUsesThem) {
     cache_.release(right_, 7);
     endTurn();
     EXPECT_TRUE(lines.expired());
-}
-
-TEST_F(LineCacheTest, ReleasesAllOfAViewAndNoneOfAnother) {
-    const auto first = assign(left_, 0, 1), second = assign(left_, 5, 2);
-    const auto kept = assign(right_, 0, 3);
-    cache_.releaseView(left_);
-    endTurn();
-    EXPECT_TRUE(first.expired());
-    EXPECT_TRUE(second.expired());
-    EXPECT_FALSE(kept.expired());
 }
 
 TEST_F(LineCacheTest, ReleasesMeshesThatAreGone) {

@@ -60,24 +60,9 @@ TEST(SurfaceSamples, PixelsGrowWithTheDistance) {
     for (const double depth : {1., 3., 30.})
         EXPECT_NEAR(pixelSize(Square(), at(depth), perspective(0.01)), 2 * depth / height,
                     1e-4 * depth);
-}
-
-TEST(SurfaceSamples, PixelsOfParallelRaysAreTheSameEverywhere) {
-    for (const double depth : {1., 30.})
-        EXPECT_NEAR(pixelSize(Square(), at(depth), orthographic()), 2 / height, 1e-7);
-}
-
-TEST(SurfaceSamples, LengthsAreThoseOfTheMesh) {
-    const Eigen::Affine3d to_eye = at(3) * Eigen::Scaling(10.);
-    EXPECT_NEAR(pixelSize(Square(), to_eye, perspective(0.01)), 2 * 3 / height / 10, 1e-4);
-    EXPECT_NEAR(pixelSize(Square(), at(3) * Eigen::Scaling(0.1), orthographic()), 2 / height / 0.1,
-                1e-5);
-}
-
-TEST(SurfaceSamples, MeshesFarFromTheirOriginLookTheSame) {
-    const Eigen::Vector3d far(1e6, -2e6, 3e6);
-    EXPECT_NEAR(pixelSize(Square(far), at(3) * Eigen::Translation3d(-far), perspective(0.01)),
-                pixelSize(Square(), at(3), perspective(0.01)), 1e-5);
+    for (const double depth : {1., 30.})  // but for parallel rays, here of a tenth of the size
+        EXPECT_NEAR(pixelSize(Square(), at(depth) * Eigen::Scaling(0.1), orthographic()),
+                    2 / height / 0.1, 1e-5);
 }
 
 /// Zoomed in, only what is in the picture counts.
@@ -96,14 +81,6 @@ TEST(SurfaceSamples, NothingBeforeTheEyeHasNoSize) {
     EXPECT_EQ(SurfaceSamples().pixelSize({laplacian_lines::View::orthographic({0, 0, 1}),
                                           Eigen::Matrix4d::Identity(), orthographic(), height}),
               0);
-}
-
-TEST(SurfaceSamples, EyesInsideAndFromBehindSeeASizeToo) {
-    const Eigen::Affine3d behind = at(3) * Eigen::AngleAxisd(3.14159, Eigen::Vector3d::UnitX());
-    EXPECT_NEAR(pixelSize(Square(), behind, perspective(0.01)), 2 * 3 / height, 1e-3);
-    const double within = pixelSize(Square(), at(0), perspective(0.01));
-    EXPECT_TRUE(std::isfinite(within));
-    EXPECT_GE(within, 0);
 }
 
 TEST(SurfaceSamples, TheSizeIsAContinuousFunctionOfTheCamera) {

@@ -43,28 +43,6 @@ protected:
     const std::shared_ptr<const Surface> surface_ = std::make_shared<Surface>();
 };
 
-TEST_F(ViewLayersTest, AreExpectedAsTheyWereInTheLastRedraw) {
-    EXPECT_EQ(redraw({layer(1), layer(2)}), 0);
-    EXPECT_EQ(redraw({layer(1), layer(2)}), 2);
-    EXPECT_EQ(redraw({layer(1), layer(3)}), 1);
-    EXPECT_EQ(redraw({layer(1), layer(3), layer(4)}), 2);
-}
-
-TEST_F(ViewLayersTest, IncludeThoseThatAreStillToCome) {
-    redraw({layer(1), layer(2)});
-    layers_.note(view_, &widget_, 0, layer(7), true);
-    ASSERT_EQ(layers_.of(view_).size(), 2u);
-    EXPECT_EQ(layers_.of(view_)[0], layer(7));
-    EXPECT_EQ(layers_.of(view_)[1], layer(2));
-}
-
-TEST_F(ViewLayersTest, ForgetWhatARedrawHasNotComeTo) {
-    redraw({layer(1), layer(2)});
-    redraw({layer(1)});
-    layers_.note(view_, &widget_, 0, layer(1), true);
-    EXPECT_EQ(layers_.of(view_).size(), 1u);
-}
-
 TEST_F(ViewLayersTest, OfOneViewAreNotThoseOfAnother) {
     const int other = 0;
     redraw({layer(1), layer(2)});

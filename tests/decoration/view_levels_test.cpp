@@ -81,12 +81,6 @@ TEST_F(ViewLevelsTest, ComeFromTheBackgroundAndHaveTheViewRedrawn) {
     EXPECT_EQ(grown_, 3) << "and nothing else";
 }
 
-TEST_F(ViewLevelsTest, TheNearestStandsInForOneThatIsNotThereYet) {
-    demand(size(0), true);
-    demand(size(1), true);
-    EXPECT_EQ(demand(size(3))[0].size, size(1));
-}
-
 TEST_F(ViewLevelsTest, AreNotComputedOfAMeshThatHasChanged) {
     mesh_.vert[7].P()[2] += Scalarm(0.01);
     demand(size(2));
@@ -122,32 +116,12 @@ TEST_F(ViewLevelsTest, ThatFailAreTriedOnce) {
     EXPECT_EQ(demand(size(2), true)[0].laplacian, nullptr);
 }
 
-TEST_F(ViewLevelsTest, NothingIsAskedForWhereNothingIsSeen) {
-    EXPECT_EQ(demand(0, true)[0].laplacian, nullptr);
-    EXPECT_EQ(demand(std::nan(""), true)[0].laplacian, nullptr);
-    EXPECT_EQ(lines_->kept_levels.bytes(), 0u);
-}
-
 TEST_F(ViewLevelsTest, TakeNoMoreMemoryThanTheyMay) {
     for (int level = 0; level < lines_->levels.count(); ++level)
         demand(size(level), true);
     const double one = double(lines_->extractor->memory());
     EXPECT_LT(double(lines_->kept_levels.bytes()), 0.7 * one);
     EXPECT_TRUE(lines_->kept_levels.has(lines_->levels.count() - 1)) << "the last ones stay";
-}
-
-TEST_F(ViewLevelsTest, ThoseThatNoDrawingHadGoFirst) {
-    KeptLevels kept;
-    const auto add = [&](int level) {
-        kept.add(level, computeLevel({lines_, meshlab_host::toTriangleMesh(mesh_), 0}), 1);
-    };
-    add(0);
-    kept.use(0);
-    for (const int later : {1, 2, 3, 4})
-        add(later);
-    EXPECT_TRUE(kept.has(0));
-    EXPECT_FALSE(kept.has(1));
-    EXPECT_TRUE(kept.has(4));
 }
 
 TEST_F(ViewLevelsTest, TheSecondIsAppendedAndFaded) {

@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <QImage>
-
-#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
 
 using namespace line_drawing;
@@ -49,25 +47,6 @@ TEST(ContactSheets, TellSizes) {
               "100.0 × 100.0 × 100.0 mm");
 }
 
-TEST(ContactSheets, ArePackedAndUnpacked) {
-    const Sheet view = entryOf(test_meshes::bumpy_sphere(3).mesh, "").view;
-    const std::string bytes = packSheet(view);
-    const Sheet same = unpackSheet(bytes);
-    EXPECT_EQ(writeSvg(same), writeSvg(view));
-    Sheet dashed = view;
-    dashed.scale = 0.25;
-    dashed.groups.at(0).layers.at(0).paths = {{{}, 0.5, 2, 0.75}};
-    const Sheet unpacked = unpackSheet(packSheet(dashed));
-    EXPECT_EQ(unpacked.scale, 0.25);
-    EXPECT_EQ(unpacked.groups.at(0).layers.at(0).paths.at(0).dash, 2);
-    EXPECT_EQ(unpacked.groups.at(0).layers.at(0).paths.at(0).tone, 0.75);
-    EXPECT_THROW(unpackSheet("no sheet"), laplacian_lines::Error);
-    EXPECT_THROW(unpackSheet({}), laplacian_lines::Error);
-    for (const std::size_t size :
-         {std::size_t(6), std::size_t(40), bytes.size() / 2, bytes.size() - 1})
-        EXPECT_THROW(unpackSheet(bytes.substr(0, size)), laplacian_lines::Error) << size;
-}
-
 TEST(MeasuredDrawing, OfSeveralSheetsIsThatOfEach) {
     const auto mesh = test_meshes::bumpy_sphere(3).mesh;
     const auto field = laplacian_lines::precompute(mesh);
@@ -82,26 +61,10 @@ TEST(MeasuredDrawing, OfSeveralSheetsIsThatOfEach) {
     });
     EXPECT_EQ(last, 1);
     ASSERT_EQ(sheets.size(), 2u);
-    EXPECT_EQ(writeSvg(sheets[0]), writeSvg(makeSheet(mesh, field, a)));
-    EXPECT_EQ(writeSvg(sheets[1]), writeSvg(makeSheet(mesh, field, b)));
-}
-
-TEST(SheetFiles, PngHasItsDotsPerInch) {
-    Sheet sheet{{127, 50.8}, "", {}, 1};
-    SheetPath area;
-    area.path.addRectangle({25.4, 25.4}, 50.8, 12.7);
-    sheet.groups.push_back({"a", "A", {{"outline", "Outlines", {area}, {}}}});
-    const QImage image = QImage::fromData(QByteArray::fromStdString(writePng(sheet, 100)));
-    EXPECT_EQ(image.size(), QSize(500, 200));
-    EXPECT_NEAR(image.dotsPerMeterX() * 0.0254, 100, 0.05);
-    int black = 0;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            black += qGray(image.pixel(x, y)) < 128;
-    EXPECT_EQ(black, 200 * 50);
-    EXPECT_LT(qGray(image.pixel(101, 101)), 128);
-    EXPECT_GT(qGray(image.pixel(99, 101)), 128);
-    EXPECT_THROW(writePng(sheet, 1e5), laplacian_lines::Error);
+    EXPECT_EQ(writeSheet(sheets[0], SheetFormat::Svg),
+              writeSheet(makeSheet(mesh, field, a), SheetFormat::Svg));
+    EXPECT_EQ(writeSheet(sheets[1], SheetFormat::Svg),
+              writeSheet(makeSheet(mesh, field, b), SheetFormat::Svg));
 }
 
 }  // namespace

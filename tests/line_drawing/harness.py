@@ -46,6 +46,13 @@ def draw(*words, code=0, **environment):
     return run([PROGRAM, *words], code, **environment)
 
 
+def refused(sentence, *words):
+    """The program ends with an error that holds the sentence and leaves no file."""
+    said = draw(*words, code=1)
+    expect(sentence in said, f"{words} says: {said}")
+    expect(not list(pathlib.Path().glob("plate.*")), f"{words} left a file")
+
+
 def text_of(file):
     return pathlib.Path(file).read_text(errors="surrogateescape")
 
@@ -77,16 +84,3 @@ def write_cube():
     write("cube.ply", "ply", "format ascii 1.0", "element vertex 8", *(f"property float {axis}" for axis in "xyz"),
           "element face 12",
           "property list uchar int vertex_indices", "end_header", *VERTICES, *(f"3 {face}" for face in FACES))
-
-
-def drawing_tools():
-    """The Python with programs of others that drawings are held against; without it, the test is skipped."""
-    from environment.messages import Failure, Obstacle
-    from environment.python_environments import ensure_python
-
-    try:
-        return ensure_python("drawing_tools", 1, "0.4 GB", "ezdxf==1.4.5", "vpype==1.15.0", "svgpathtools==1.8.0",
-                             "dask==2026.8.0",
-                             "distributed==2026.8.0")
-    except (Failure, Obstacle) as reason:
-        skip(reason)

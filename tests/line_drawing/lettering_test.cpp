@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "planes/lettering.h"
-
 #include <gtest/gtest.h>
 
-#include "formats/pdf_parts.h"
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
-#include "line_drawing/words.h"
-#include "painter_path.h"
+#include "made_sheets.h"
 
 using namespace line_drawing;
+using made_sheets::painterPath;
 
 namespace {
 
@@ -26,20 +23,18 @@ std::string complaintOf(const std::string& title, const std::string& source, She
     return {};
 }
 
-TEST(Lettering, IsAsWideAsThatOfPdf) {
-    for (char32_t letter = 32; letter < 0x2300; ++letter) {
-        const std::string text = inUtf8({&letter, 1});
-        const StandardText standard = inStandardFonts(text);
-        if (!standard.is_whole || letter == U'\u221a' || letter == U'\u00af') continue;
-        EXPECT_NEAR(letteringOf(text).width, standard.width, 0.06) << text;
-    }
-    EXPECT_DOUBLE_EQ(letteringOf("").width, 0);
-    EXPECT_TRUE(letteringOf(" ").path.isEmpty());
+/// The outlines of a text of height 1, from (0, 0) on along its base line.
+QPainterPath outlinesOf(const char* text) {
+    Sheet sheet{{10, 10}, "", {}};
+    sheet.groups = {{"a", "A", {{"b", "B", {}, {{{0, 0}, 1, TextAnchor::Left, text}}}}}};
+    outlineTexts(sheet);
+    const SheetLayer& layer = sheet.groups[0].layers[0];
+    EXPECT_TRUE(layer.texts.empty());
+    return layer.paths.empty() ? QPainterPath() : painterPath(layer.paths[0].path);
 }
 
 TEST(Lettering, HasTheFormsOfLetters) {
-    const QPainterPath l = painterPath(letteringOf("l").path),
-                       o = painterPath(letteringOf("o").path);
+    const QPainterPath l = outlinesOf("l"), o = outlinesOf("o");
     EXPECT_NEAR(l.boundingRect().height(), 0.725, 0.01);
     EXPECT_NEAR(l.boundingRect().bottom(), 0, 1e-9);
     EXPECT_TRUE(l.contains(l.boundingRect().center()));
@@ -48,27 +43,23 @@ TEST(Lettering, HasTheFormsOfLetters) {
     EXPECT_LT(o.boundingRect().height(), 0.6);
 }
 
-/// Also an accent that follows its letter.
+/// Also an accent that follows its letter, and the letter after it stands as without.
 TEST(Lettering, PutsAccentsOnLetters) {
+    const double right = outlinesOf("el").boundingRect().right();
     for (const char* text : {"\xc3\xa9", "e\xcc\x81"}) {  // U+00E9; e and U+0301
-        const Lettering letters = letteringOf(text);
-        const QRectF box = painterPath(letters.path).boundingRect();
-        EXPECT_NEAR(letters.width, letteringOf("e").width, 1e-9);
+        const QRectF box = outlinesOf(text).boundingRect();
         EXPECT_LT(box.top(), -0.7) << text;
         EXPECT_GT(box.left(), 0) << text;
-        EXPECT_LT(box.right(), letters.width) << text;
+        EXPECT_NEAR(outlinesOf((text + std::string("l")).c_str()).boundingRect().right(), right,
+                    1e-9);
     }
 }
 
-TEST(Lettering, HasBoxesForLettersThatItLacks) {
-    const Lettering box = letteringOf("\xe2\x96\xa1"), han = letteringOf("\xe6\x97\xa5");
-    EXPECT_DOUBLE_EQ(han.width, box.width);
-    EXPECT_EQ(painterPath(han.path), painterPath(box.path));
-}
-
-TEST(Lettering, DrawsLettersThatLookAlike) {
-    EXPECT_EQ(painterPath(letteringOf("⌀").path), painterPath(letteringOf("Ø").path));
-    EXPECT_EQ(lackingLetter("⌀ 5"), "");
+TEST(Lettering, HasOtherSignsForLettersThatItLacks) {
+    EXPECT_EQ(outlinesOf("\xe6\x97\xa5"), outlinesOf("\xe2\x96\xa1"));  // a box
+    EXPECT_EQ(outlinesOf("⌀"), outlinesOf("Ø"));
+    EXPECT_EQ(outlinesOf("\xff"), outlinesOf("?"));
+    EXPECT_TRUE(outlinesOf(" ").isEmpty());
 }
 
 TEST(Lettering, RefusesTitlesWithLettersThatItLacks) {

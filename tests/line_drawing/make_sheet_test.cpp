@@ -6,11 +6,9 @@
 #include <atomic>
 #include <thread>
 
-#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
-#include "strokes/strokes.h"
 #include "thrown_vessel.h"
 #include "with_threads.h"
 
@@ -20,7 +18,6 @@ using made_sheets::extentOf;
 using made_sheets::painterPath;
 using made_sheets::plainViews;
 using made_sheets::sheetOf;
-using Eigen::Vector2d;
 
 namespace {
 
@@ -102,31 +99,16 @@ TEST(MeasuredDrawing, UnitsAndScalesMultiply) {
     EXPECT_NEAR(extent.width(), 50, 0.02);
 }
 
-TEST(MeasuredDrawing, KnowsItsScale) {
-    SheetOptions options = plainViews("front", "a4");
-    EXPECT_EQ(sheetOf(made_sheets::cubeOf100(), options).scale, 1);
-    options.scale = 0;
-    options.mm_per_unit = 10;
-    EXPECT_EQ(sheetOf(made_sheets::cubeOf100(), options).scale, 0.1);
-}
-
 TEST(MeasuredDrawing, ALightTurnsWithTheView) {
     const auto mesh = test_meshes::bumpy_sphere(4).mesh;
     const auto svg = [&](const char* views, std::optional<Eigen::Vector3d> light) {
         SheetOptions options = plainViews(views);
         options.mm_per_unit = 40;
         options.light = light;
-        return writeSvg(sheetOf(mesh, options));
+        return writeSheet(sheetOf(mesh, options), SheetFormat::Svg);
     };
     EXPECT_EQ(svg("top", Eigen::Vector3d(0, 0, 2)), svg("top", {}));
     EXPECT_NE(svg("top", Eigen::Vector3d(-1, 1, 1)), svg("top", {}));
-}
-
-TEST(MeasuredDrawing, ViewsAreAligned) {
-    const Sheet sheet = sheetOf(made_sheets::cubeOf100(), plainViews("front,left,top"));
-    const QRectF front = extentOf(sheet.groups[0]);
-    EXPECT_NEAR(extentOf(sheet.groups[1]).top(), front.top(), 0.02);
-    EXPECT_NEAR(extentOf(sheet.groups[2]).left(), front.left(), 0.02);
 }
 
 TEST(MeasuredDrawing, OutlinesOfASphereAreClosedCircles) {
@@ -161,51 +143,6 @@ TEST(MeasuredDrawing, HiddenEdgesAreDashedIfWanted) {
         const double lying = std::hypot(std::cos(M_PI / 6), std::sin(M_PI / 6) * 0.5) +
                              std::hypot(0.5, std::cos(M_PI / 6) * 0.5);
         EXPECT_NEAR(length, wanted ? 100 * (std::cos(M_PI / 6) + lying) : 0, 1);
-    }
-}
-
-TEST(MeasuredDrawing, OutlinesHaveThePenEverywhere) {
-    SheetOptions options = plainViews("front");
-    options.mm_per_unit = 40;
-    options.strokes = StrokeStyle::Tapered;
-    const Sheet sheet = sheetOf(test_meshes::sphere(5).mesh, options);
-    const SheetPath& ring = sheet.groups[0].layers.back().paths.at(0);
-    EXPECT_EQ(ring.pen_width, options.pens[0]);
-    EXPECT_NEAR(painterPath(ring.path).boundingRect().width(), 80, 0.1);
-}
-
-TEST(MeasuredDrawing, StrokesEndRound) {
-    SheetOptions options;
-    const DrawnLine line{
-        LineClass::Outline, false, {{{10, 10}, 1}, {{15, 10}, 0.8}, {{20, 10}, 1}}};
-    const auto stroke = drawStroke(line, options);
-    ASSERT_TRUE(stroke);
-    const double half = options.pens[0] / 2;
-    const QRectF box = painterPath(stroke->path).boundingRect();
-    EXPECT_NEAR(box.left(), 10 - half, 0.02);
-    EXPECT_NEAR(box.right(), 20 + half, 0.02);
-    EXPECT_NEAR(box.height(), 2 * half, 0.05);
-    EXPECT_FALSE(painterPath(stroke->path).contains(QPointF(20 + 0.9 * half, 10 + 0.9 * half)));
-    EXPECT_TRUE(painterPath(stroke->path).contains(QPointF(20 + 0.6 * half, 10 - 0.6 * half)));
-}
-
-/// Of each side, whatever the length of the one beside it, and of a line that turns back.
-TEST(MeasuredDrawing, TaperedStrokesHaveTheirWidthAtCorners) {
-    for (const Vector2d& end : {Vector2d(20, 12), Vector2d(19, 8), Vector2d(10, 10)}) {
-        const DrawnLine line{LineClass::Inner, false, {{{10, 10}, 1}, {{20, 10}, 0.9}, {end, 1}}};
-        const auto stroke = drawStroke(line, SheetOptions());
-        ASSERT_TRUE(stroke);
-        const QPainterPath path = painterPath(stroke->path);
-        const double half = 0.45 * SheetOptions().pens[std::size_t(LineClass::Inner)];
-        for (std::size_t i = 1; i < 3; ++i)
-            for (const double t : {0.02, 0.5, 0.98}) {
-                const Vector2d &a = line.points[i - 1].position, &b = line.points[i].position;
-                const Vector2d p = a + t * (b - a), way = (b - a).normalized();
-                for (const double side : {-0.95, 0., 0.95})
-                    EXPECT_TRUE(path.contains(
-                        QPointF(p.x() - side * half * way.y(), p.y() + side * half * way.x())))
-                        << end.transpose() << ": " << i << ' ' << t << ' ' << side;
-            }
     }
 }
 

@@ -115,25 +115,7 @@ TEST(Outlines, AreClosedInExactSideViews) {
         p *= 30;
     expectClosedOutlines(torus, "six");
     expectClosedOutlines(torus, "45,0,30,35");
-    expectClosedOutlines(test_meshes::thrown_vessel({}), "front,top,20,30");
-}
-
-TEST(Outlines, AreAnAreaIfWanted) {
-    SheetOptions options = plainViews("front");
-    const auto area = [&] {
-        const Sheet sheet = made_sheets::sheetOf(cubeOf100(), options);
-        for (const SheetLayer& layer : sheet.groups[0].layers)
-            if (layer.key == "area") return layer.paths.size();
-        return std::size_t(0);
-    };
-    EXPECT_EQ(area(), 0u);
-    options.area = OutlineArea::Filled;
-    ASSERT_EQ(area(), 1u);
-    const Sheet sheet = made_sheets::sheetOf(cubeOf100(), options);
-    const SheetPath& path = layerOf(sheet.groups[0], "area").paths[0];
-    EXPECT_EQ(path.pen_width, 0);
-    EXPECT_GT(path.tone, 0.5);
-    EXPECT_NEAR(made_sheets::areaOf(path), 100 * 100, 10);
+    expectClosedOutlines(test_meshes::thrown_vessel({150, 180}), "front,top,20,30");
 }
 
 /// A line's pen only changes with its class.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Lines that double others go, hooks at ends too; ends meet the lines that they head for.
 #include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
 
-#include "strokes/drawn_lines.h"
+#include <algorithm>
+#include <cmath>
 
 using namespace line_drawing;
 
@@ -40,24 +42,6 @@ TEST(Overlaps, LinesThatCrossOrEndAtOthersStayWhole) {
         EXPECT_EQ(l.points.size(), 2u);
 }
 
-/// What goes beyond the end of the line that it doubles meets it.
-TEST(Overlaps, LeaveNoGaps) {
-    const auto rest = withoutDoubles({line(LineClass::Contour, {{0, 0}, {20, 0}}),
-                                      line(LineClass::Contour, {{15, 0.05}, {30, 0.05}})},
-                                     reach);
-    ASSERT_EQ(rest.size(), 2u);
-    EXPECT_GE(rest[1].points.front().position.x(), 20 - reach);
-    EXPECT_LE(rest[1].points.front().position.x(), 20);
-}
-
-TEST(Overlaps, OfOneClassTheLongestStays) {
-    const auto rest = withoutDoubles({line(LineClass::Contour, {{3, 0.05}, {9, 0.05}}),
-                                      line(LineClass::Contour, {{0, 0}, {20, 0}})},
-                                     reach);
-    ASSERT_EQ(rest.size(), 1u);
-    EXPECT_EQ(rest[0].points.back().position, Eigen::Vector2d(20, 0));
-}
-
 /// The short line between them has doubled the outline.
 TEST(Overlaps, EndsMeetTheLinesThatTheyAreBeside) {
     const auto rest = withoutDoubles({line(LineClass::Outline, {{0, 0}, {20, 0}}),
@@ -67,24 +51,6 @@ TEST(Overlaps, EndsMeetTheLinesThatTheyAreBeside) {
     ASSERT_EQ(rest.size(), 3u);
     EXPECT_NEAR(rest[1].points.front().position.y(), 0, 1e-9);
     EXPECT_NEAR(rest[2].points.front().position.y(), 3 * reach, 1e-9);
-}
-
-bool isAt(const Eigen::Vector2d& place, const DrawnLine& line) {
-    DrawnLines lines(reach);
-    lines.add(positionsOf(line));
-    return lines.nearestOn(place, 1, same_reach * reach).has_value();
-}
-
-/// Moving each to the other's place would leave the gap.
-TEST(Overlaps, EndsBesideEachOtherAreJoined) {
-    const auto rest = withoutDoubles({line(LineClass::Edge, {{0, 0}, {10, 0}}),
-                                      line(LineClass::Edge, {{10.1, 0.1}, {10.1, 12}})},
-                                     reach);
-    ASSERT_EQ(rest.size(), 2u);
-    EXPECT_TRUE(isAt(rest[1].points.back().position, rest[0]) ||
-                isAt(rest[1].points.front().position, rest[0]));
-    EXPECT_TRUE(isAt({0, 0}, rest[1]) &&
-                isAt({10, 0}, rest[1]));  // what meets it there does so yet
 }
 
 /// A step between two edges that end on different lines has no white beside it, but joins them.
@@ -100,38 +66,6 @@ TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
              line(LineClass::Edge, {{0, 0}, {9, -0.1}})};
     joinLooseEnds(lines, {}, reach);
     EXPECT_EQ(lines[0].points.back().position, lines[1].points.front().position);
-}
-
-TEST(Overlaps, ShortLinesThatJoinAnEndToAnotherLineStay) {
-    std::vector<DrawnLine> lines = {line(LineClass::Contour, {{0, 0}, {20, 0}}),
-                                    line(LineClass::Edge, {{5, 10}, {5, 1.5 * reach}})};
-    const DrawnLine step =
-        line(LineClass::Edge, {{5, 1.5 * reach}, {5 + reach, 0.9 * reach}, {5 + 2 * reach, 0}});
-    const DrawnLine aside =
-        line(LineClass::Edge, {{9, 0.1}, {9.1, 1.3 * reach}, {9.4, 1.3 * reach}, {9.5, 0.1}});
-    joinLooseEnds(lines, {aside, step}, reach);
-    ASSERT_EQ(lines.size(), 3u);
-    EXPECT_EQ(positionsOf(lines[2]), positionsOf(step));
-}
-
-TEST(Overlaps, AreFoundLeftOfAndAboveZero) {
-    DrawnLines there(reach);
-    there.add({{-7, -3}, {-5, -3}});
-    EXPECT_TRUE(there.runAlong({-6, -3.1}, {1, 0}, 0.11));
-    EXPECT_TRUE(there.runAlong({-6, -2.9}, {-1, 0}, 0.11));
-    EXPECT_FALSE(there.runAlong({-6, -2.9}, {-1, 0}, 0.09));
-    EXPECT_FALSE(there.runAlong({-6, -3}, {0, 1}, reach));
-    EXPECT_FALSE(there.runAlong({-4, -3}, {1, 0}, reach));
-}
-
-TEST(Overlaps, ShortPartsThatLieOnAnotherLineAreLeftOut) {
-    const auto rest =
-        withoutDoubles({line(LineClass::Contour, {{0, 0}, {20, 0}}),
-                        line(LineClass::Inner, {{5, 3}, {5.5, 0.01}, {6, 0.01}, {6.5, 3}})},
-                       reach);
-    ASSERT_EQ(rest.size(), 3u);
-    EXPECT_NEAR(rest[1].points.back().position.x(), 5.5, 0.05);
-    EXPECT_NEAR(rest[2].points.front().position.x(), 6, 0.05);
 }
 
 /// Short bumps leave no white beside a line; real lines do.
@@ -152,36 +86,64 @@ TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
     EXPECT_EQ(rest_of(line(LineClass::Contour, {{5, near}, {5.5, 0.1}})), 1u);
 }
 
-TEST(Overlaps, LinesAtOnePlaceAreOne) {
-    const auto rest = withoutDoubles({line(LineClass::Contour, {{0, 0}, {0.13, 0}}),
-                                      line(LineClass::Edge, {{0.13, 0.01}, {0, 0.01}})},
-                                     reach);
-    EXPECT_EQ(rest.size(), 1u);
+constexpr double pen = 0.25;
+
+/// 10 mm along x, then `length` at `degrees`, in steps of .1 mm.
+DrawnLine hooked(double length, double degrees) {
+    DrawnLine line{LineClass::Inner, false, {}};
+    const double angle = degrees * 3.141592653589793 / 180;
+    for (int i = 0; i <= 100; ++i)
+        line.points.push_back({{0.1 * i, 0}});
+    for (double at = 0.1; at < length + 0.05; at += 0.1)
+        line.points.push_back({{10 + at * std::cos(angle), at * std::sin(angle)}});
+    for (DrawnPoint& point : line.points)
+        point.is_exact = false;
+    return line;
 }
 
-TEST(Overlaps, LinesEndWhereTheyMeetOthers) {
-    // Each ends beside the other.
-    const auto rest = withoutDoubles({line(LineClass::Contour, {{0, 0}, {10, 0}}),
-                                      line(LineClass::Contour, {{9.6, 0.01}, {15, 0.01}})},
-                                     reach);
-    ASSERT_EQ(rest.size(), 2u);
-    const double end = rest[0].points.back().position.x();
-    const double begin = rest[1].points.front().position.x();
-    EXPECT_NEAR(end, begin, 0.1);
+double lengthWithoutHooks(std::vector<DrawnLine> lines) {
+    cutHooks(lines, pen);
+    return lengthOf(lines[0].points);
 }
 
-TEST(Overlaps, LinesHaveNoJogs) {
-    const auto rest = withoutDoubles(
-        {line(LineClass::Contour, {{0, 0}, {10, 0}, {9.8, 0.01}, {10.5, 0.02}, {20, 0}})}, reach);
-    ASSERT_EQ(rest.size(), 1u);
-    const auto& points = rest[0].points;
-    EXPECT_EQ(points.front().position, Eigen::Vector2d(0, 0));
-    EXPECT_EQ(points.back().position, Eigen::Vector2d(20, 0));
-    for (std::size_t i = 1; i < points.size(); ++i)
-        EXPECT_GT(points[i].position.x(), points[i - 1].position.x()) << i;
-    // A spike is no jog.
-    const DrawnLine spike = line(LineClass::Contour, {{0, 0}, {10, 0}, {2, 3}});
-    EXPECT_EQ(withoutDoubles({spike}, reach)[0].points.size(), 3u);
+TEST(EndHooks, AreCutAtBothEnds) {
+    DrawnLine line = hooked(1, 100);
+    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+    std::reverse(line.points.begin(), line.points.end());
+    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+}
+
+TEST(EndHooks, AreNoBendsOfTheFeature) {
+    EXPECT_NEAR(lengthWithoutHooks({hooked(1, 40)}), 11, 1e-6);   // slight
+    EXPECT_NEAR(lengthWithoutHooks({hooked(5, 100)}), 15, 1e-6);  // long
+}
+
+/// Along x to 10 mm, in steps of .1, towards an outline across the axis at `x`.
+std::vector<DrawnLine> headingFor(double x, double weight = 1) {
+    DrawnLine line = hooked(0, 0);
+    for (DrawnPoint& point : line.points)
+        point.weight = weight;
+    return {line, {LineClass::Outline, false, {{{x, -5}}, {{x, 5}}}}};
+}
+
+TEST(InnerEnds, AreLedToTheLineThatTheyHeadFor) {
+    std::vector<DrawnLine> lines = headingFor(10.7);
+    const std::vector<MetEnd> met = joinEnds(lines, pen);
+    ASSERT_EQ(met.size(), 1u);
+    EXPECT_TRUE(met[0].is_last);
+    EXPECT_EQ(met[0].met, 1u);
+    EXPECT_NEAR(lines[0].points.back().position.x(), 10.7, 1e-9);
+    EXPECT_EQ(lines[0].points.front().position.x(), 0);
+}
+
+TEST(InnerEnds, StayWhereNothingIsMet) {
+    std::vector<DrawnLine> far = headingFor(10.8), faint = headingFor(10.7, 0.4),
+                           aside = headingFor(10.7);
+    aside[1].points = {{{0, 0.6}}, {{20, 0.6}}};
+    for (auto* lines : {&far, &faint, &aside}) {
+        EXPECT_TRUE(joinEnds(*lines, pen).empty());
+        EXPECT_EQ((*lines)[0].points.back().position.x(), 10);
+    }
 }
 
 }  // namespace

@@ -46,15 +46,6 @@ TEST(Paths, BoundsAndPointsAreThoseOfCurves) {
     }
 }
 
-TEST(Paths, OfCirclesAreRound) {
-    Path path;
-    path.addCircle({3, 4}, 2);
-    const auto lines = path.flattened(1e-3);
-    for (const Vector2d& p : lines.at(0))
-        EXPECT_NEAR((p - Vector2d(3, 4)).norm(), 2, 2e-3);
-    EXPECT_EQ(path.pieces.front().end, path.pieces.back().end);
-}
-
 TEST(Texts, AreReadAsUtf8WhateverTheyHold) {
     EXPECT_EQ(lettersOf("a\xc3\xbc\xe2\x88\x9a\xf0\x9f\x98\x80"), U"a\u00fc\u221a\U0001f600");
     // cut off, too long, half of a pair, no beginning

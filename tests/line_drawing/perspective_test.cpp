@@ -79,15 +79,6 @@ TEST(Perspective, StandsBesideViewsAtScale) {
         EXPECT_EQ(std::count(texts.begin(), texts.end(), name), 1) << name;
 }
 
-/// A plate of 160 x 40 mm from 30 above shows 60 degrees to both sides.
-TEST(Perspective, EndsFarAside) {
-    TriangleMesh plate = test_meshes::plane(32);
-    for (Vector3d& p : plate.positions)
-        p = Vector3d(80 * p.x(), 20 * p.y(), 0);
-    const QRectF extent = made_sheets::extentOf(sheetOf(plate, fromHeight(30)).groups[0]);
-    EXPECT_NEAR(extent.width() / extent.height(), 2 * 30 * tangent_of_sight / 40, 0.01);
-}
-
 TEST(Perspective, RefusesAnEyeThatSeesNothing) {
     EXPECT_THROW(sheetOf(cubeOf100(), fromHeight(0)), laplacian_lines::Error);
     EXPECT_THROW(sheetOf(cubeOf100(), fromHeight(-200)), laplacian_lines::Error);

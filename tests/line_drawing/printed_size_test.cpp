@@ -88,22 +88,6 @@ TEST(PrintedSize, AFieldOfTheUsersIsDrawnAsItIs) {
     EXPECT_NEAR(sheet.kernel, 2, 1e-3);
 }
 
-/// Rings 6 mm apart are wider than the kernel at 2:1, finer at 1:10.
-TEST(PrintedSize, LargerDrawingsHaveMoreLines) {
-    laplacian_lines::TriangleMesh mesh = test_meshes::sphere(6).mesh;
-    for (Eigen::Vector3d& p : mesh.positions)
-        p *= 50 + 0.6 * std::sin(50 * p.z());
-    const auto count = [&](double scale) {
-        std::size_t strokes = 0;
-        for (const char* key : {"inner", "fine"})
-            strokes +=
-                made_sheets::layerOf(draw(mesh, optionsAt(scale)).groups[0], key).paths.size();
-        return strokes;
-    };
-    EXPECT_GT(count(2), count(0.1));
-    EXPECT_GT(count(2), 5u);
-}
-
 TEST(PrintedSize, DetailIsALengthOnPaperOrAShare) {
     EXPECT_EQ(parseDetailSize(" Auto ").size, 0);
     EXPECT_EQ(parseDetailSize("1mm").size, 1);

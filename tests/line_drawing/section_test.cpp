@@ -6,99 +6,102 @@
 #include <cmath>
 
 #include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
-#include "planes/cutting.h"
 
 using namespace line_drawing;
+using laplacian_lines::TriangleMesh;
+using made_sheets::cubeOf100;
+using made_sheets::layerOf;
+using made_sheets::painterPath;
+using made_sheets::sheetOf;
+using test_meshes::moved;
 
 namespace {
 
-double lengthOf(const Cut& cut) {
-    double length = 0;
-    for (std::size_t i = 1; i < cut.size(); ++i)
-        length += (cut[i] - cut[i - 1]).norm();
-    return length;
+SheetOptions withSections(const char* views, const char* sections) {
+    SheetOptions options = made_sheets::plainViews(*views ? views : "front");
+    if (!*views) options.views.clear();
+    options.sections = parseSections(sections);
+    options.up = UpAxis::Z;
+    return options;
 }
 
-laplacian_lines::TriangleMesh soupOf(const laplacian_lines::TriangleMesh& mesh) {
-    laplacian_lines::TriangleMesh soup;
+/// The section alone, at 1:1, without hatching.
+SheetGroup sectionOf(const TriangleMesh& mesh, const char* section) {
+    SheetOptions options = withSections("", section);
+    options.wall = WallStyle::None;
+    return sheetOf(mesh, options).groups.at(0);
+}
+
+int openPathsOf(const SheetGroup& section) {
+    int count = 0;
+    for (const SheetPath& path : layerOf(section, "section").paths)
+        count += path.path.pieces.front().end != path.path.pieces.back().end;
+    return count;
+}
+
+/// The area that is drawn and the number of hatching lines.
+std::pair<double, std::size_t> wallOf(const TriangleMesh& mesh, const char* section,
+                                      WallStyle wall) {
+    SheetOptions options = withSections("", section);
+    options.wall = wall;
+    const SheetGroup group = sheetOf(mesh, options).groups.at(0);
+    double area = 0;
+    std::size_t hatching = 0;
+    for (const SheetLayer& layer : group.layers)
+        for (const SheetPath& path : layer.paths) {
+            hatching += layer.key == "fine";
+            if (path.pen_width == 0) area += made_sheets::areaOf(path);
+        }
+    return {area, hatching};
+}
+
+TEST(Sections, OfASphereAreCircles) {
+    const TriangleMesh ball = moved(test_meshes::sphere(5).mesh, {3, 4, 5}, 40);
+    for (const char* section : {"x=0.8", "y=0.8", "z=0.8"}) {
+        const SheetGroup group = sectionOf(ball, section);
+        EXPECT_EQ(layerOf(group, "section").paths.size(), 1u);
+        EXPECT_EQ(openPathsOf(group), 0);
+        EXPECT_NEAR(made_sheets::lengthOf(layerOf(group, "section")), 2 * M_PI * 0.8 * 40, 0.5);
+    }
+}
+
+TEST(Sections, HaveTheAreaOfTheWall) {
+    const TriangleMesh torus = moved(test_meshes::torus(180, 90).mesh, {0, 0, 0}, 30);
+    const auto [area, hatching] = wallOf(torus, "z=0.5", WallStyle::Filled);
+    EXPECT_EQ(layerOf(sectionOf(torus, "z=0.5"), "section").paths.size(), 2u);
+    EXPECT_NEAR(area, M_PI * (42 * 42 - 18 * 18), 0.01 * area);
+    EXPECT_EQ(hatching, 0u);
+}
+
+TEST(Sections, OfASoupAreTheSame) {
+    const TriangleMesh mesh = moved(test_meshes::bumpy_sphere(4).mesh, {0, 0, 0}, 50);
+    TriangleMesh soup;
     for (const auto& t : mesh.triangles) {
         const auto first = std::uint32_t(soup.positions.size());
         for (const std::uint32_t v : t)
             soup.positions.push_back(mesh.positions[v]);
         soup.triangles.push_back({first, first + 1, first + 2});
     }
-    return soup;
-}
-
-TEST(Sections, OfASphereAreCircles) {
-    const auto mesh = test_meshes::sphere(5).mesh;
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::vector<Cut> cuts = cutMesh(mesh, axis, 0.6);
-        ASSERT_EQ(cuts.size(), 1u);
-        EXPECT_EQ(cuts[0].front(), cuts[0].back());
-        EXPECT_NEAR(lengthOf(cuts[0]), 2 * M_PI * 0.8, 0.01);
-        for (const Eigen::Vector3d& p : cuts[0])
-            EXPECT_EQ(p[axis], 0.6);
-    }
-}
-
-TEST(Sections, OfATorusAreTwoLoopsThatTurnOppositely) {
-    const std::vector<Cut> cuts = cutMesh(test_meshes::torus(90, 45).mesh, 2, 0.01);
-    ASSERT_EQ(cuts.size(), 2u);
-    double area[2] = {0, 0};
-    for (int i = 0; i < 2; ++i) {
-        EXPECT_EQ(cuts[std::size_t(i)].front(), cuts[std::size_t(i)].back());
-        const Cut& cut = cuts[std::size_t(i)];
-        for (std::size_t k = 1; k < cut.size(); ++k)
-            area[i] += (cut[k - 1].x() * cut[k].y() - cut[k - 1].y() * cut[k].x()) / 2;
-    }
-    EXPECT_LT(area[0] * area[1], 0);
-}
-
-TEST(Sections, OfASoupAreTheSame) {
-    const auto mesh = test_meshes::bumpy_sphere(4).mesh;
-    const auto whole = cutMesh(mesh, 1, 0.1), soup = cutMesh(soupOf(mesh), 1, 0.1);
-    ASSERT_EQ(soup.size(), whole.size());
-    for (std::size_t i = 0; i < whole.size(); ++i)
-        EXPECT_EQ(soup[i], whole[i]);
+    const auto draw = [](const TriangleMesh& drawn) {
+        return writeSheet(sheetOf(drawn, withSections("", "y=0.4")), SheetFormat::Svg);
+    };
+    EXPECT_EQ(draw(soup), draw(mesh));
 }
 
 TEST(Sections, ThroughVerticesAreClosedToo) {
-    const std::vector<Cut> cuts = cutMesh(test_meshes::cube(4), 2, 0);
-    ASSERT_EQ(cuts.size(), 1u);
-    EXPECT_EQ(cuts[0].front(), cuts[0].back());
-    EXPECT_NEAR(lengthOf(cuts[0]), 8, 1e-12);
+    const SheetGroup group = sectionOf(cubeOf100(), "z=0.5");
+    EXPECT_EQ(openPathsOf(group), 0);
+    EXPECT_NEAR(made_sheets::lengthOf(layerOf(group, "section")), 400, 1e-3);
 }
 
 TEST(Sections, OfOpenSurfacesAreOpen) {
-    const std::vector<Cut> cuts = cutMesh(test_meshes::half_torus(60, 30).mesh, 2, 0.01);
-    ASSERT_EQ(cuts.size(), 2u);
-    for (const Cut& cut : cuts)
-        EXPECT_NE(cut.front(), cut.back());
+    const TriangleMesh half = moved(test_meshes::half_torus(60, 30).mesh, {0, 0, 0}, 30);
+    EXPECT_EQ(openPathsOf(sectionOf(half, "z=0.51")), 2);
 }
 
-TEST(Sections, BesideTheMeshAreEmpty) {
-    EXPECT_TRUE(cutMesh(test_meshes::cube(2), 0, 5).empty());
-}
-
-TEST(Hatching, FillsWhatIsBetweenLoops) {
-    const auto square = [](double half) {
-        return std::vector<Eigen::Vector2d>{
-            {-half, -half}, {half, -half}, {half, half}, {-half, half}, {-half, -half}};
-    };
-    const double spacing = 0.1;
-    double length = 0;
-    for (const auto& line : hatch({{square(5), square(2)}}, {1, 0}, spacing)) {
-        ASSERT_EQ(line.size(), 2u);
-        length += (line[1] - line[0]).norm();
-        EXPECT_TRUE(std::abs(line[0].y()) > 2 || std::abs(line[0].x()) >= 2);
-    }
-    EXPECT_NEAR(length * spacing, 100 - 16, 0.5);
-    EXPECT_TRUE(hatch({}, {1, 0}, spacing).empty());
-}
-
-TEST(Sections, AreNamed) {
+TEST(Sections, AreRead) {
     const std::vector<Section> sections = parseSections("y=0.5, Z=.25");
     ASSERT_EQ(sections.size(), 2u);
     EXPECT_EQ(sections[0].axis, 1);
@@ -106,27 +109,64 @@ TEST(Sections, AreNamed) {
     EXPECT_TRUE(parseSections("").empty());
     for (const char* words : {"y", "0.5", "w=0.5", "y=0", "y=1", "y=nan", "y=0.5=1"})
         EXPECT_THROW(parseSections(words), laplacian_lines::Error) << words;
-}
-
-TEST(Sections, AreSeenAcrossTheirAxes) {
     for (const UpAxis up : {UpAxis::X, UpAxis::Y, UpAxis::Z})
         for (int axis = 0; axis < 3; ++axis)
             EXPECT_EQ(std::abs(frameOfSection({axis, 0.5}, up).towards_viewer[axis]), 1);
 }
 
-TEST(Sections, AreDrawnAtScaleWithHatching) {
-    SheetOptions options = made_sheets::plainViews("front");
-    options.sections = parseSections("x=0.5");
-    options.up = UpAxis::Z;
-    const Sheet sheet = made_sheets::sheetOf(made_sheets::cubeOf100(), options);
-    const SheetGroup& group = sheet.groups.at(1);
-    EXPECT_NEAR(made_sheets::extentOf(group).width(), 100, 0.02);
-    EXPECT_NEAR(made_sheets::extentOf(group).height(), 100, 0.02);
-    std::size_t section = 0, hatching = 0;
-    for (const SheetLayer& layer : group.layers)
-        (layer.key == "section" ? section : hatching) += layer.paths.size();
-    EXPECT_EQ(section, 1u);
+TEST(Walls, AreHatchedFilledOrEmpty) {
+    EXPECT_EQ(wallOf(cubeOf100(), "x=0.5", WallStyle::None), std::pair(0., std::size_t(0)));
+    const auto [no_area, hatching] = wallOf(cubeOf100(), "x=0.5", WallStyle::Hatched);
+    EXPECT_EQ(no_area, 0);
     EXPECT_GT(hatching, 50u);
+    const auto [area, none] = wallOf(cubeOf100(), "x=0.5", WallStyle::Filled);
+    EXPECT_NEAR(area, 10000, 1);
+    EXPECT_EQ(none, 0u);
+}
+
+/// Of a view, without its marks.
+QRectF surfaceOf(SheetGroup view) {
+    if (view.layers.back().key == "marks") view.layers.pop_back();
+    return made_sheets::extentOf(view);
+}
+
+TEST(SectionMarks, StandWhereThePlaneIsBesideTheSurfaceAndOnThePaper) {
+    SheetOptions options = withSections("front,left,top", "x=0.3 y=0.5 z=0.6");
+    options.paper = "fit";
+    const Sheet sheet = sheetOf(cubeOf100(), options);
+    const QRectF paper = made_sheets::paperOf(sheet.size);
+    for (std::size_t view = 0; view < 3; ++view) {
+        const SheetLayer& marks = layerOf(sheet.groups[view], "marks");
+        EXPECT_EQ(marks.texts.size(), 4u);
+        EXPECT_EQ(marks.paths.size(), 12u);
+        const QRectF surface = surfaceOf(sheet.groups[view]);
+        EXPECT_NEAR(surface.width(), 100, 0.1);
+        int at_plane = 0;  // of the front: x = 0.3, or z = 0.6 from below
+        for (const SheetPath& path : marks.paths) {
+            const QRectF mark =
+                painterPath(path.path).boundingRect().adjusted(-0.25, -0.25, 0.25, 0.25);
+            EXPECT_FALSE(mark.intersects(surface));
+            EXPECT_TRUE(paper.contains(mark));
+            at_plane += std::abs(mark.center().x() - surface.left() - 30) < 0.1 ||
+                        std::abs(surface.bottom() - mark.center().y() - 60) < 0.1;
+        }
+        if (view == 0) {
+            EXPECT_GE(at_plane, 4);
+        }
+        for (const SheetText& text : marks.texts) {
+            EXPECT_FALSE(surface.contains(text.position.x(), text.position.y()));
+            EXPECT_TRUE(paper.contains(text.position.x(), text.position.y()));
+        }
+    }
+}
+
+TEST(SectionMarks, GiveSectionsTheirNames) {
+    const Sheet marked = sheetOf(cubeOf100(), withSections("front", "x=0.3 z=0.6"));
+    EXPECT_EQ(marked.groups[1].name, "A–A");
+    EXPECT_EQ(marked.groups[2].name, "B–B");
+    EXPECT_EQ(sectionOf(cubeOf100(), "x=0.3").name, "Section x = 30 %");
+    EXPECT_EQ(letterOf(25), "Z");
+    EXPECT_EQ(letterOf(53), "BB");
 }
 
 }  // namespace

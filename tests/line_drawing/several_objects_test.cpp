@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
-#include "thrown_vessel.h"
 #include "with_threads.h"
 
 using namespace line_drawing;
@@ -66,28 +65,6 @@ TEST(SeveralObjects, HaveCommonBoundsAndOneScale) {
     EXPECT_NEAR(front.width(), 360 * sheet.scale, 0.02);
     EXPECT_NEAR(left.width(), 100 * sheet.scale, 0.02);
     EXPECT_NEAR(front.top(), left.top(), 0.02);
-}
-
-TEST(SeveralObjects, LookAsTheyDoAlone) {
-    test_meshes::VesselShape shape;
-    shape.rings = 200;
-    shape.columns = 120;
-    const auto vessel = test_meshes::thrown_vessel(shape);
-    const auto ball = moved(test_meshes::sphere(3).mesh, {500, 0, 0}, 60);
-    const auto length = [](const Sheet& sheet, const char* key) {
-        return lengthOf(layerOf(sheet.groups[0], key));
-    };
-    SheetOptions options = plainViews("front");
-    options.views = parseViews("20,30", UpAxis::Y);
-    const Sheet both = sheetOfAll({vessel, ball}, options);
-    const Sheet one = sheetOfAll({vessel}, options), other = sheetOfAll({ball}, options);
-    for (const char* key : {"outline", "contour", "inner", "fine"}) {
-        const double alone = length(one, key) + length(other, key);
-        // Crest lines may be off the surface by a share of the drawing's size, and doubles end in
-        // steps from their start.
-        EXPECT_NEAR(length(both, key), alone, 0.025 * alone) << key;
-    }
-    EXPECT_GT(length(one, "fine") + length(one, "inner"), 100);
 }
 
 /// Rising and falling lines.
@@ -165,15 +142,16 @@ TEST(SeveralObjects, AreTheSameOnAnyNumberOfThreads) {
     const auto bumpy = moved(test_meshes::bumpy_sphere(4).mesh, {30, 0, -200}, 60);
     const auto draw = [&](int threads) {
         const test_meshes::WithThreads scope(threads);
-        return writeSvg(sheetOfAll({cubeOf100(), bumpy}, plainViews("six,30,20")));
+        return writeSheet(sheetOfAll({cubeOf100(), bumpy}, plainViews("six,30,20")),
+                          SheetFormat::Svg);
     };
     EXPECT_EQ(draw(1), draw(3));
 }
 
 TEST(SeveralObjects, OneIsDrawnAsByItself) {
     const TriangleMesh cube = cubeOf100();
-    EXPECT_EQ(writeSvg(sheetOfAll({cube}, plainViews("six"))),
-              writeSvg(made_sheets::sheetOf(cube, plainViews("six"))));
+    EXPECT_EQ(writeSheet(sheetOfAll({cube}, plainViews("six")), SheetFormat::Svg),
+              writeSheet(made_sheets::sheetOf(cube, plainViews("six")), SheetFormat::Svg));
     EXPECT_THROW(sheetOfAll({}, plainViews("six")), laplacian_lines::Error);
 }
 

@@ -3,13 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <QXmlStreamReader>
-#include <map>
-#include <set>
-
-#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
-#include "made_sheets.h"
+#include "line_drawing/words.h"
 
 using namespace line_drawing;
 
@@ -41,97 +36,27 @@ bool has(const std::string& text, const std::string& part) {
     return count(text, part) > 0;
 }
 
-TEST(SheetFiles, SvgIsInMillimetresWithLayers) {
-    const std::string svg = writeSvg(smallSheet());
-    for (const char* part :
-         {"width=\"100mm\"", "height=\"50mm\"", "viewBox=\"0 0 100 50\"", "id=\"front-outline\"",
-          "inkscape:groupmode=\"layer\"", "inkscape:label=\"Outlines\"",
-          "d=\"M10 20l20 0c1 0 2 1 2 2\"", "stroke-width=\".25\"", "text-anchor=\"middle\"",
-          "A &amp; B", "d=\"M40 10l5 0l0 5l-5 0l0-5z\""})
-        EXPECT_TRUE(has(svg, part)) << part << "\n" << svg;
-    QXmlStreamReader reader(QByteArray::fromStdString(svg));
-    while (!reader.atEnd())
-        reader.readNext();
-    EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
-}
-
 TEST(SheetFiles, DashesAreAPropertyOfLines) {
     Sheet sheet = smallSheet();
-    EXPECT_FALSE(has(writeSvg(sheet), "dasharray"));
-    EXPECT_FALSE(has(writeDxf(sheet), "DASHED"));
+    EXPECT_FALSE(has(writeSheet(sheet, SheetFormat::Svg), "dasharray"));
+    EXPECT_FALSE(has(writeSheet(sheet, SheetFormat::Dxf), "DASHED"));
     sheet.groups[0].layers[0].paths[0].dash = 2;
-    EXPECT_EQ(count(writeSvg(sheet), "stroke-dasharray=\"2 1\""), 1);
-    const std::string dxf = writeDxf(sheet);
+    EXPECT_EQ(count(writeSheet(sheet, SheetFormat::Svg), "stroke-dasharray=\"2 1\""), 1);
+    const std::string dxf = writeSheet(sheet, SheetFormat::Dxf);
     EXPECT_TRUE(has(dxf, "2\nDASHED\n"));
     EXPECT_TRUE(has(dxf, "2\nOUTLINE\n70\n0\n62\n7\n6\nDASHED\n"));
     EXPECT_TRUE(has(dxf, "2\nNAMES\n70\n0\n62\n30\n6\nCONTINUOUS\n"));
-}
-
-TEST(SheetFiles, DxfPointsUp) {
-    const std::string dxf = writeDxf(smallSheet());
-    EXPECT_EQ(dxf.find("0\nSECTION\n"), 0u);
-    EXPECT_TRUE(endsWith(dxf, "0\nEOF\n"));
-    EXPECT_TRUE(has(dxf, "0\nVERTEX\n8\nOUTLINE\n10\n10.0000\n20\n30.0000\n"));
-    EXPECT_TRUE(has(dxf, "1\n30%%d\n"));
 }
 
 /// Any text is one value of DXF; R12 has letters of four digits.
 TEST(SheetFiles, OfDxfHaveTextsAsData) {
     Sheet sheet = smallSheet();
     SheetText& text = sheet.groups[0].layers[1].texts[0];
-    const std::string before = writeDxf(sheet);
+    const std::string before = writeSheet(sheet, SheetFormat::Dxf);
     text.text = "a\n0\nLINE\r8 100 %c 5%% %° \xc3\xbc \xf0\x9f\x98\x80";
-    const std::string dxf = writeDxf(sheet);
+    const std::string dxf = writeSheet(sheet, SheetFormat::Dxf);
     EXPECT_TRUE(has(dxf, "\n1\na 0 LINE 8 100 %c 5%%%%%% %%%%%d \\U+00FC ?\n"));
     EXPECT_EQ(count(dxf, "\n"), count(before, "\n"));
-}
-
-/// Colours of a file's layers by name.
-std::map<std::string, int> layersOf(const std::string& dxf) {
-    std::map<std::string, int> colors;
-    const QList<QByteArray> lines = QByteArray::fromStdString(dxf).split('\n');
-    for (int i = 0; i + 7 < lines.size(); i += 2)
-        if (lines[i] == "0" && lines[i + 1] == "LAYER" && lines[i + 6] == "62")
-            colors[lines[i + 3].toStdString()] = lines[i + 7].toInt();
-    return colors;
-}
-
-TEST(SheetFiles, OfDxfHaveAColorForEachClass) {
-    Sheet sheet = smallSheet();
-    const SheetLayer lines = sheet.groups[0].layers[0];
-    sheet.groups[0].layers.clear();
-    for (const char* key : {"outline", "contour", "edge", "inner", "fine", "hidden", "section",
-                            "marks", "area", "names", "scale", "title"})
-        sheet.groups[0].layers.push_back({key, key, lines.paths, {}});
-    sheet.groups[0].layers.push_back({"empty", "Empty", {}, {}});
-    std::set<int> colors;
-    for (const auto& [name, color] : layersOf(writeDxf(sheet)))
-        EXPECT_TRUE(color > 0 && color < 256 && colors.insert(color).second) << name << color;
-    EXPECT_EQ(colors.size(), 12u);
-}
-
-TEST(SheetFiles, OfDxfHaveLayersByViews) {
-    SheetOptions options = made_sheets::plainViews("front,30,15,front");
-    options.up = UpAxis::Z;
-    options.sections = parseSections("y=0.5");
-    const auto layers = layersOf(writeDxf(made_sheets::sheetOf(made_sheets::cubeOf100(), options)));
-    for (const char* name : {"FRONT_OUTLINE", "FRONT-2_OUTLINE", "VIEW-2_OUTLINE", "VIEW-4_SECTION",
-                             "NAMES", "SCALE", "TITLE"})
-        EXPECT_EQ(layers.count(name), 1u) << name;
-    EXPECT_EQ(layers.count("OUTLINE"), 0u);
-    EXPECT_EQ(layers.at("FRONT_OUTLINE"), layers.at("VIEW-2_OUTLINE"));
-    for (const auto& [name, color] : layers)
-        EXPECT_EQ(name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-"), name.npos)
-            << name;
-}
-
-TEST(SheetFiles, HaveTheSameBytesAgain) {
-    const Sheet sheet = smallSheet();
-    for (const char* ending : {".svg", ".pdf", ".dxf", ".png", ".SVG"}) {
-        const std::string data = writeSheet(sheet, formatOf(ending));
-        EXPECT_GT(data.size(), 500u) << ending;
-        EXPECT_EQ(writeSheet(sheet, formatOf(ending)), data);
-    }
 }
 
 TEST(SheetFiles, OfDxfHavePlainStrokes) {

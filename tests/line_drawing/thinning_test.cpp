@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// White between lines, folds by families, and what is joined to one stroke.
 #include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "sheet/sheet_layout.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;
@@ -68,18 +67,6 @@ TEST(Thinning, TakesAwayOnlyThePartBesideAnotherLine) {
     EXPECT_NEAR(lengthOf(thinned[1].points), 10, 0.7);
 }
 
-/// Of a fold mostly taken by others.
-TEST(Thinning, LeavesNoIslands) {
-    const auto left = [](double begin, double end) {
-        return lengthOfAll(thinOut(
-                   {straight({0, 0}, {20, 0}), straight({begin, 0.2}, {end, 0.2}, 0.5)}, pens)) -
-               20;
-    };
-    EXPECT_NEAR(left(17, 24), 3.5, 0.5);  // half of it
-    EXPECT_NEAR(left(12, 24), 0, 1e-9);
-    EXPECT_NEAR(left(5, 27), 6.5, 0.5);  // long enough to stand alone
-}
-
 TEST(Thinning, LeavesWhiteBesideOutlinesAndEdgesWhichStay) {
     for (const LineClass c : {LineClass::Outline, LineClass::Contour, LineClass::Edge}) {
         const double touching = pens[std::size_t(c)] / 2 + pen / 2;
@@ -93,18 +80,6 @@ TEST(Thinning, LeavesWhiteBesideOutlinesAndEdgesWhichStay) {
         EXPECT_NEAR(left(1.6, 0), 20, 1e-9);
         EXPECT_NEAR(left(0.6, pen), 20, 0.1);  // whole, or not at all
         EXPECT_EQ(left(0.6, 0.8 * pen), 0);
-    }
-}
-
-TEST(Thinning, LeavesOutContoursThatAreSpecks) {
-    for (const LineClass c : {LineClass::Outline, LineClass::Contour, LineClass::Edge}) {
-        const DrawnLine speck = straight({0, 0}, {0.3, 0}, 1, c);
-        EXPECT_EQ(thinOut({speck}, pens).size(), c == LineClass::Contour ? 0u : 1u);
-        EXPECT_EQ(thinOut({straight({0, 0}, {6.1 * pen, 0}, 1, c)}, pens).size(), 1u);
-        const DrawnLine met = straight({0.3, -5}, {0.3, 5});
-        EXPECT_EQ(thinOut({speck, met}, pens).size(), 2u);
-        EXPECT_EQ(thinOut({speck, straight({0.3, 0}, {0.8, 0})}, pens).size(),  // goes itself
-                  c == LineClass::Contour ? 0u : 1u);
     }
 }
 
@@ -140,27 +115,6 @@ DrawnLine towards(double x, double angle, LineClass line_class = LineClass::Inne
     return straight({x, 0}, Vector2d(x, 0) + 9 * Vector2d(std::cos(a), std::sin(a)), 1, line_class);
 }
 
-TEST(Chaining, JoinsLinesOverGapsThatAnArcCloses) {
-    EXPECT_EQ(strokes({towards(0, 180 - 25), towards(1.5, 25)}), 1u);
-    EXPECT_EQ(strokes({towards(0, 180 - 35), towards(1.5, 35)}), 2u);
-}
-
-TEST(Chaining, LeadsEndsThatMeetToEachOtherWithoutAStep) {
-    const double aside = 1.8 * pen;
-    for (const LineClass c : {LineClass::Inner, LineClass::Contour}) {
-        const auto chained = chain(
-            {straight({0, 0}, {10, 0}, 1, c), straight({9.9, aside}, {20, aside})}, pens, true);
-        ASSERT_EQ(chained.size(), 1u);
-        const auto& points = chained[0].points;
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            const Vector2d step = points[i].position - points[i - 1].position;
-            EXPECT_LE(std::abs(step.y()), 0.25 * std::abs(step.x()));
-            EXPECT_TRUE(c == LineClass::Inner || std::abs(points[i].position.x()) > 10 ||
-                        points[i].position.y() == 0);
-        }
-    }
-}
-
 TEST(Chaining, GoesAroundCorners) {
     EXPECT_EQ(strokes({towards(0, 180), towards(0, 100)}), 1u);
     EXPECT_EQ(strokes({towards(0, 180), towards(0, 120)}), 2u);  // a hairpin
@@ -170,33 +124,6 @@ TEST(Chaining, GoesAroundCorners) {
     const auto chained = chain({towards(0, 180), towards(0, 100), towards(0, 30)}, pens, false);
     ASSERT_EQ(chained.size(), 2u);  // what goes straight on comes first
     EXPECT_NEAR(lengthOf(chained[0].points), 18, 0.1);
-}
-
-TEST(ViewDrawing, JoinsWhatOnlyALineThatIsLeftOutHasParted) {
-    const auto inner_paths = [](const DrawnLine& between) {
-        DrawnView view{parseViews("front", UpAxis::Y)[0], {Vector2d(0, -5), Vector2d(20, 5)}};
-        view.lines = {straight({0, 0}, {9, 0}), between, straight({10.5, 0}, {20, 0})};
-        std::size_t paths = 0;
-        for (const SheetLayer& layer : drawView(view, 1, {1, {0, 0}}, {}, {}).layers)
-            if (layer.key == "inner") paths += layer.paths.size();
-        return paths;
-    };
-    EXPECT_EQ(inner_paths(straight({9.75, -3}, {9.75, 3})), 3u);
-    EXPECT_EQ(inner_paths(straight({9.75, -0.5}, {9.75, 0.5})), 1u);
-}
-
-TEST(Chaining, KeepsAllPointsInOrder) {
-    const auto chained = chain(
-        {straight({10.2, 0}, {20, 0}), straight({0, 0}, {10, 0}), straight({30, 0}, {20.1, 0})},
-        pens, false);
-    ASSERT_EQ(chained.size(), 1u);
-    const bool rises = chained[0].points.front().position.x() < 1;
-    for (std::size_t i = 1; i < chained[0].points.size(); ++i) {
-        const double step =
-            chained[0].points[i].position.x() - chained[0].points[i - 1].position.x();
-        EXPECT_GT(rises ? step : -step, 0);
-    }
-    EXPECT_NEAR(lengthOf(chained[0].points), 30, 1e-9);
 }
 
 TEST(Chaining, ClosesARingOfTwoHalves) {
@@ -226,11 +153,46 @@ TEST(Chaining, PassesFromAContourToALineWithOneWidth) {
     EXPECT_EQ(last, 1);
 }
 
-TEST(Chaining, LeavesEdgesAndOutlinesAlone) {
-    for (const LineClass c : {LineClass::Outline, LineClass::Edge, LineClass::Section})
-        EXPECT_EQ(
-            strokes({straight({0, 0}, {10, 0}, 1, c), straight({10.1, 0}, {20, 0}, 1, c)}, true),
-            2u);
+/// Grooves of a vessel with walls r(z) = 30 + 2 cos(z / 20), from 15° above: lines at even heights,
+/// this many pens apart, slightly stronger or weaker than their neighbours.
+std::vector<DrawnLine> rings(int count, double pens_apart) {
+    std::vector<DrawnLine> lines;
+    for (int ring = 0; ring < count; ++ring) {
+        DrawnLine line{LineClass::Inner, false, {}};
+        const double height = ring * pens_apart * pen / std::cos(0.26);
+        const double radius = 30 + 2 * std::cos(height / 20);
+        for (double angle = 0.6; angle < 2.55; angle += 0.01)
+            line.points.push_back(
+                {{radius * std::cos(angle),
+                  height * std::cos(0.26) - radius * std::sin(angle) * std::sin(0.26)},
+                 0.9 + 0.1 * std::sin(12.9898 * (ring + 1)),
+                 laplacian_lines::kNoSightNode,
+                 false});
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+/// The lines of a family that are left, all whole.
+std::vector<std::size_t> wholeOf(const std::vector<DrawnLine>& family) {
+    std::vector<std::size_t> whole;
+    const auto thinned = thinOut(family, pens);
+    for (std::size_t i = 0; i < family.size(); ++i)
+        for (const DrawnLine& line : thinned)
+            if (line.points.front().position == family[i].points.front().position &&
+                line.points.back().position == family[i].points.back().position)
+                whole.push_back(i);
+    EXPECT_EQ(whole.size(), thinned.size()) << "islands";
+    return whole;
+}
+
+TEST(Families, AreDrawnEvenlyTheSmallerTheFewer) {
+    for (const auto& [pens_apart, every] : {std::pair(6., 1u), {3.5, 1u}, {1.75, 2u}, {1.2, 3u}}) {
+        const auto whole = wholeOf(rings(24, pens_apart));
+        ASSERT_GE(whole.size(), 24 / every - 1) << pens_apart;
+        for (std::size_t i = 1; i < whole.size(); ++i)
+            EXPECT_EQ(whole[i] - whole[i - 1], every) << pens_apart << ": " << whole[i];
+    }
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include "laplacian_lines/error.h"
-#include "views/drawn_view.h"
 
 using namespace line_drawing;
 using Eigen::Vector3d;
@@ -34,12 +33,6 @@ TEST(ViewFrames, OfAnUprightZ) {
     EXPECT_EQ(frameOfSide(Side::Left, UpAxis::Z).towards_viewer, Vector3d(-1, 0, 0));
     EXPECT_EQ(frameOfSide(Side::Top, UpAxis::Z).up, Vector3d(0, 1, 0));
     EXPECT_EQ(frameOfSide(Side::Bottom, UpAxis::Z).up, Vector3d(0, -1, 0));
-}
-
-TEST(ViewFrames, OfAnUprightYShowTheObjectAsItLies) {
-    const ViewFrame front = frameOfSide(Side::Front, UpAxis::Y);
-    EXPECT_EQ(front.right, Vector3d(1, 0, 0));
-    EXPECT_EQ(front.up, Vector3d(0, 1, 0));
 }
 
 TEST(ViewFrames, DirectionsMeetTheSides) {
@@ -90,21 +83,6 @@ TEST(ViewFrames, AreReadFromTheirWords) {
     for (const char* words :
          {"toward", "toward 1 0 0 0 1", "toward 1 0 0 2 0 0", "toward 0 0 0 0 1 0"})
         EXPECT_THROW(parseViews(words, UpAxis::Z), laplacian_lines::Error) << words;
-}
-
-TEST(DrawnLines, AreFineWhereTheyAreLessThanHalfAsWideOnTheMean) {
-    const ViewFrame front = frameOfSide(Side::Front, UpAxis::Z);
-    const Projection projection(front, Vector3d::Zero());
-    for (const float width : {0.45f, 0.55f}) {
-        laplacian_lines::SightLine line{};
-        line.kind = laplacian_lines::LineKind::Laplacian;
-        line.points = {{Vector3d(0, 0, 0), 1, 1, width, laplacian_lines::kNoSightNode, false},
-                       {Vector3d(3, 0, 4), width, 1, 1, laplacian_lines::kNoSightNode, false}};
-        const DrawnLine drawn = project({line}, projection, 10).at(0);
-        EXPECT_EQ(drawn.line_class, width < 0.5 ? LineClass::Fine : LineClass::Inner);
-        EXPECT_EQ(drawn.points[1].position, Eigen::Vector2d(30, 40));
-        EXPECT_EQ(drawn.points[1].weight, double(width));
-    }
 }
 
 TEST(ViewFrames, OfOtherWordsAreRefused) {

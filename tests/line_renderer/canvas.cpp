@@ -36,8 +36,8 @@ Canvas::~Canvas() {
     glDeleteRenderbuffers(1, &depths_);
 }
 
-void Canvas::clear(float alpha) const {
-    glClearColor(1, 1, 1, alpha);
+void Canvas::clear(float alpha, const QColor& color) const {
+    glClearColor(float(color.redF()), float(color.greenF()), float(color.blueF()), alpha);
     glClearDepth(1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
@@ -73,13 +73,6 @@ double inkOfColumn(const QImage& picture, int x) {
     double ink = 0;
     for (int y = 0; y < picture.height(); ++y)
         ink += 1 - picture.pixelColor(x, y).greenF();
-    return ink;
-}
-
-double inkOfRow(const QImage& picture, int y) {
-    double ink = 0;
-    for (int x = 0; x < picture.width(); ++x)
-        ink += 1 - colorAt(picture, x, y).greenF();
     return ink;
 }
 

@@ -4,6 +4,7 @@
 #include <GL/gl.h>
 
 #include <Eigen/Core>
+#include <QColor>
 #include <QImage>
 
 #include "line_renderer/line_renderer.h"
@@ -21,7 +22,7 @@ public:
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
-    void clear(float alpha = 1) const;
+    void clear(float alpha = 1, const QColor& color = Qt::white) const;
     /// Fills part of the depth buffer.
     void putDepth(int x, int y, int columns, int rows, double z) const;
 
@@ -39,7 +40,6 @@ private:
 
 /// Sum of darkness, white 0 and black 1.
 double inkOfColumn(const QImage& picture, int x);
-double inkOfRow(const QImage& picture, int y);
 double inkOf(const QImage& picture);
 
 /// From the lower left.

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawing restores OpenGL's state.
-#include <map>
-
-#include "gl_functions.h"
 #include "gl_state_text.h"
 #include "line_renderer/background_renderer.h"
 #include "line_renderer/surface_renderer.h"
@@ -11,7 +8,6 @@
 namespace {
 
 using line_renderer::HiddenLines;
-using line_renderer::SurfaceAppearance;
 
 GLuint boundBuffer(GLenum target) {
     GLuint buffer = 0;
@@ -79,10 +75,10 @@ protected:
     template <class Draw>
     void expectSameState(const char* what, Draw draw) {
         for (const char* time : {"first", "second"}) {
-            const std::string before = driver::glStateText().toStdString();
+            const std::string before = glStateText().toStdString();
             const std::vector<GLint> arrays_before = arrays();
             draw();
-            EXPECT_EQ(driver::glStateText().toStdString(), before) << what << ", " << time;
+            EXPECT_EQ(glStateText().toStdString(), before) << what << ", " << time;
             EXPECT_EQ(arrays(), arrays_before) << what << ", " << time;
         }
     }
@@ -91,16 +87,14 @@ protected:
         Rectangles rectangles;
         rectangles.add(20, 20, 90, 70, 0);
         const line_renderer::SurfacePointer surface = rectangles.surface();
-        SurfaceAppearance toon;
-        toon.style = SurfaceAppearance::Toon;
-        expectSameState("background", [&] { background_.paint(Qt::red); });
+        expectSameState("background", [&] { background_.paint(); });
         expectSameState("copy of depths", [&] {
             depth_.forgetDepthBuffer();
             depth_.copy();
         });
         expectSameState("surface", [&] {
-            surfaces_.paint(layerOf(surface), toon, Eigen::Matrix4d::Identity(), depth_.copy(),
-                            buffers_);
+            surfaces_.paint(layerOf(surface), line_renderer::SurfaceStyle::Toon,
+                            Eigen::Matrix4d::Identity(), depth_.copy(), buffers_);
         });
         expectSameState("depths", [&] {
             depth_.copy();
@@ -133,21 +127,6 @@ TEST_F(GlStateTest, IsAsItWasInAnArrayObject) {
     glBindVertexArray(array);
     makeStateUnusual();
     expectSameStateWhateverIsDrawn();
-}
-
-TEST_F(GlStateTest, HasDivisorsTakenBackOneByOne) {
-    static std::map<GLuint, GLuint> divisors;
-    static PFNGLVERTEXATTRIBDIVISORPROC original;
-    const Replaced<PFNGLVERTEXATTRIBDIVISORPROC> replaced(
-        line_renderer::glVertexAttribDivisor.pointer(), [](GLuint attribute, GLuint divisor) {
-            original(attribute, divisor);
-            divisors[attribute] = divisor;
-        });
-    original = replaced.before();
-    drawn(oneLine({{9, 9, 0}, {90, 80, 0}}), blackLines(3));
-    EXPECT_EQ(divisors.size(), 7u);
-    for (const auto& [attribute, divisor] : divisors)
-        EXPECT_EQ(divisor, 0u) << attribute;
 }
 
 /// Unusual state does not affect the picture.

@@ -155,15 +155,6 @@ TEST_F(HiddenLinesTest, AreDashedIfWanted) {
     EXPECT_NEAR(ink, 4 * 25, 2);
 }
 
-TEST_F(HiddenLinesTest, HaveLongerDashesOnLargerPictures) {
-    LinePlacement placement = Canvas::placement();
-    placement.pixel_scale = 3;
-    const QImage picture = lineWithSurfaceAt(0.5, appearanceOf(HiddenLines::Dashed), placement);
-    const int dash = 10 + 27 * 4;  // begins here
-    EXPECT_NEAR(inkOfColumn(picture, dash + 13), 12, 0.1);
-    EXPECT_NEAR(inkOfColumn(picture, dash + 17), 0, 0.1);
-}
-
 /// With points and wires drawn, the texture has only the surface. They stand out slightly and hide
 /// nothing; what is well in front does.
 TEST_F(HiddenLinesTest, AreThoseBehindTheTextureAndWellBehindTheDepthBuffer) {

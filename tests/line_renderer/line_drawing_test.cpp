@@ -2,9 +2,7 @@
 // Visible lines: width, colors, joints and ends, in pixels.
 #include <cmath>
 
-#include "line_program.h"
 #include "line_test.h"
-#include "shaders.h"
 
 namespace {
 
@@ -39,20 +37,6 @@ TEST_F(LineTest, GrowWithThePixelsOfTheViewport) {
     EXPECT_NEAR(widthIn(drawn(horizontal, blackLines(2), placement), 0), 5, 0.03);
 }
 
-TEST_F(LineTest, FadeWhereTheyAreThin) {
-    const QImage picture = drawn(oblique, blackLines(0.5));
-    for (int x = 40; x < 120; ++x) {
-        EXPECT_GT(inkOfColumn(picture, x), 0.15) << x;
-        EXPECT_LT(inkOfColumn(picture, x), 0.5) << x;
-    }
-}
-
-TEST_F(LineTest, HaveRoundEnds) {
-    const double length = 120, width = 9;
-    EXPECT_NEAR(inkOf(drawn(horizontal, blackLines(width))),
-                length * width + std::acos(-1.0) * width * width / 4, 2);
-}
-
 TEST_F(LineTest, HaveTheLookOfTheirKind) {
     LineSet lines;
     LineAppearance appearance;
@@ -73,25 +57,6 @@ TEST_F(LineTest, HaveTheLookOfTheirKind) {
     }
 }
 
-TEST_F(LineTest, HaveRoomForMoreLooks) {
-    const line_renderer::LineProgram program;
-    EXPECT_GE(line_renderer::most_looks, 16u);
-    GLint uniforms = 0, arrays = 0;
-    glGetProgramiv(program.id, GL_ACTIVE_UNIFORMS, &uniforms);
-    for (GLint i = 0; i < uniforms; ++i) {
-        char name[64];
-        GLint size = 0;
-        GLenum type = 0;
-        glGetActiveUniform(program.id, GLuint(i), sizeof name, nullptr, &size, &type, name);
-        const GLint location = glGetUniformLocation(program.id, name);
-        if (location != program.colors && location != program.depth_biases) continue;
-        ++arrays;
-        EXPECT_EQ(std::size_t(size), line_renderer::most_looks) << name;
-    }
-    EXPECT_EQ(arrays, 2);
-    glDeleteProgram(program.id);
-}
-
 TEST_F(LineTest, BlendByOpacityAndTheAlphaOfTheirColor) {
     LineSet lines;
     addLine(lines, {{20, 30.5f, 0}, {140, 30.5f, 0}}, LineKind::Laplacian, false, 0.25f);
@@ -101,13 +66,6 @@ TEST_F(LineTest, BlendByOpacityAndTheAlphaOfTheirColor) {
     const QImage picture = drawn(lines, appearance);
     EXPECT_NEAR(colorAt(picture, 80, 30).greenF(), 0.75, 0.005);
     EXPECT_NEAR(colorAt(picture, 80, 80).greenF(), 0.6, 0.005);
-}
-
-TEST_F(LineTest, AreOpaqueWhereThePictureIsNot) {
-    canvas_.clear(0);
-    const QImage picture = drawn(horizontal, blackLines(5));
-    EXPECT_EQ(colorAt(picture, 80, 60).alpha(), 255);
-    EXPECT_EQ(colorAt(picture, 80, 20).alpha(), 0);
 }
 
 /// Pixels painted twice would differ in color, at joints up to a right angle and at the start of
@@ -168,6 +126,13 @@ TEST_F(LineTest, LookTheSameWithoutThePointsThatAreNotSeen) {
                                                    colorAt(all, x, y).greenF()));
     EXPECT_GT(greatest, 0) << "nothing was left out";
     EXPECT_LT(greatest, 0.3);
+}
+
+TEST_F(LineTest, AreOpaqueWhereThePictureIsNot) {
+    canvas_.clear(0);
+    const QImage picture = drawn(horizontal, blackLines(5));
+    EXPECT_EQ(colorAt(picture, 80, 60).alpha(), 255);
+    EXPECT_EQ(colorAt(picture, 80, 20).alpha(), 0);
 }
 
 /// More, fewer, or none.

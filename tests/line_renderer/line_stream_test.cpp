@@ -13,13 +13,37 @@ namespace {
 
 using Eigen::Vector3f;
 using laplacian_lines::LineKind;
+using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
+using laplacian_lines::Polyline;
+using line_renderer::LinePlacement;
 using line_renderer::LineRadii;
 using line_renderer::neighbour_only;
-using line_renderer::nothing_here;
-using line_renderer::ScreenTransform;
 using line_renderer::StreamPoint;
 using line_renderer::StreamSettings;
+
+/// All parts in sequence; checks that nothing is written between them.
+std::vector<StreamPoint> writtenStream(const laplacian_lines::LineSet& lines,
+                                       const StreamSettings& settings) {
+    const StreamPoint untouched = {{-7, -7, -7}, -7, -7, -7, -7};
+    std::vector<StreamPoint> stream(line_renderer::streamLength(lines) + 1, untouched), result;
+    std::vector<line_renderer::StreamPart> parts;
+    line_renderer::writeStream(lines, settings, stream.data(), parts);
+    std::size_t next = 0;
+    const auto skipTo = [&](std::size_t end) {
+        for (; next < end; ++next)
+            EXPECT_EQ(stream[next].radius, untouched.radius) << "written between parts: " << next;
+    };
+    for (const line_renderer::StreamPart& part : parts) {
+        skipTo(part.first);
+        next += part.length;
+        EXPECT_LT(next, stream.size()) << "written beyond its length";
+        result.insert(result.end(), stream.begin() + std::ptrdiff_t(part.first),
+                      stream.begin() + std::ptrdiff_t(next));
+    }
+    skipTo(stream.size());
+    return result;
+}
 
 LineRadii equalRadii(float radius) {
     LineRadii radii;
@@ -28,47 +52,16 @@ LineRadii equalRadii(float radius) {
 }
 
 /// With all points.
-std::vector<StreamPoint> streamOf(const LineSet& lines, const LineRadii& radii,
-                                  const ScreenTransform* measured_on = nullptr) {
+std::vector<StreamPoint> streamOf(const LineSet& lines, const LineRadii& radii) {
     StreamSettings settings;
     settings.radii = radii;
     settings.tolerance.distance = 0;
-    settings.is_measured = measured_on;
-    if (measured_on) settings.screen = *measured_on;
     std::vector<StreamPoint> stream = writtenStream(lines, settings);
     EXPECT_EQ(stream.size(), line_renderer::streamLength(lines));
     return stream;
 }
 
-void expectPlace(const StreamPoint& point, const Vector3f& place) {
-    EXPECT_EQ(Vector3f(point.position[0], point.position[1], point.position[2]), place);
-}
-
-TEST(LineStream, PutsEachLineBetweenTwoMarks) {
-    LineSet lines = oneLine({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}});
-    addLine(lines, {{5, 1, 2}, {6, 1, 2}});
-    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(2));
-    ASSERT_EQ(stream.size(), 3u + 2 + 2 + 2);
-    for (std::size_t mark : {0, 4, 5, 8})
-        EXPECT_EQ(stream[mark].radius, nothing_here) << mark;
-    for (std::size_t point : {1, 2, 3, 6, 7})
-        EXPECT_EQ(stream[point].radius, 2) << point;
-    expectPlace(stream[2], {1, 0, 0});
-    expectPlace(stream[7], {6, 1, 2});
-}
-
-TEST(LineStream, JoinsTheEndsOfClosedLines) {
-    LineSet lines;
-    addLine(lines, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}, LineKind::Contour, true);
-    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(2));
-    ASSERT_EQ(stream.size(), 6u);
-    EXPECT_EQ(stream.front().radius, neighbour_only);
-    EXPECT_EQ(stream.back().radius, neighbour_only);
-    expectPlace(stream.front(), {1, 1, 0});
-    expectPlace(stream.back(), {1, 0, 0});
-}
-
-// Long sets are written in parts.
+/// Long sets are written in parts.
 TEST(LineStream, OfManyLinesIsThatOfEachLineAndOutlinesComeLast) {
     LineSet lines;
     std::vector<StreamPoint> parts[2];
@@ -90,42 +83,6 @@ TEST(LineStream, OfManyLinesIsThatOfEachLineAndOutlinesComeLast) {
     EXPECT_EQ(std::memcmp(stream.data(), parts[0].data(), stream.size() * sizeof stream[0]), 0);
 }
 
-TEST(LineStream, LeavesOutLinesWithoutASegment) {
-    LineSet lines = oneLine({{0, 0, 0}});
-    addLine(lines, {});
-    EXPECT_EQ(line_renderer::streamLength(lines), 0u);
-    addLine(lines, {{0, 0, 0}, {1, 0, 0}});
-    EXPECT_EQ(streamOf(lines, equalRadii(2)).size(), 4u);
-}
-
-TEST(LineStream, HasOutlinesLast) {
-    LineSet lines;
-    addLine(lines, {{0, 0, 0}, {1, 0, 0}}, LineKind::Contour);
-    addLine(lines, {{0, 1, 0}, {1, 1, 0}}, LineKind::SuggestiveHighlight);
-    addLine(lines, {{0, 2, 0}, {1, 2, 0}}, LineKind::Border);
-    addLine(lines, {{0, 3, 0}, {1, 3, 0}}, LineKind::Ridge);
-    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(2));
-    ASSERT_EQ(stream.size(), 4u * 4);
-    expectPlace(stream[1], {0, 1, 0});
-    expectPlace(stream[5], {0, 3, 0});
-    expectPlace(stream[9], {0, 0, 0});
-    expectPlace(stream[13], {0, 2, 0});
-}
-
-TEST(LineStream, HasTheNumberOfTheKindAsLook) {
-    for (std::size_t kind = 0; kind < laplacian_lines::line_kind_count; ++kind) {
-        LineSet lines;
-        addLine(lines, {{0, 0, 0}, {1, 0, 0}}, LineKind(kind));
-        LineRadii radii = equalRadii(1);
-        radii.full[kind] = 2;
-        const std::vector<StreamPoint> stream = streamOf(lines, radii);
-        ASSERT_EQ(stream.size(), 4u);
-        for (const StreamPoint& point : stream)
-            EXPECT_EQ(std::floor(point.look), float(kind));
-        EXPECT_EQ(stream[1].radius, 2) << kind;
-    }
-}
-
 TEST(LineStream, MarksBordersAndCreasesAndWhichFaceAway) {
     LineSet lines;
     for (const LineKind kind : {LineKind::Border, LineKind::Crease, LineKind::Crease})
@@ -136,28 +93,6 @@ TEST(LineStream, MarksBordersAndCreasesAndWhichFaceAway) {
     EXPECT_EQ(stream[1].look, float(LineKind::Crease) + line_renderer::edge_mark);
     EXPECT_EQ(stream[5].look, float(LineKind::Crease) + line_renderer::away_mark);
     EXPECT_EQ(stream[9].look, float(LineKind::Border) + line_renderer::edge_mark);
-}
-
-/// Where both ends are vertices; such a piece never replaces its neighbours.
-TEST(LineStream, MarksWhatFollowsEdges) {
-    LineSet lines;
-    for (const LineKind kind : {LineKind::Contour, LineKind::Laplacian}) {
-        addLine(lines, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}, kind);
-        putOnVertices(lines, lines.points.size() - 4, 3);
-    }
-    StreamSettings settings;
-    settings.radii = equalRadii(2);
-    settings.tolerance.depth.fill(1);
-    const std::vector<StreamPoint> stream = writtenStream(lines, settings);
-    ASSERT_EQ(stream.size(), 4u + 6) << "the Laplacian line first, of one piece";
-    for (const std::size_t point : {1, 2})
-        EXPECT_EQ(stream[point].look, float(LineKind::Laplacian));
-    const float contour = float(LineKind::Contour);
-    EXPECT_EQ(stream[5].look, contour);
-    EXPECT_EQ(stream[6].look, contour + line_renderer::edge_mark);
-    EXPECT_EQ(stream[7].look, contour);
-    expectPlace(stream[6], {1, 0, 0});
-    expectPlace(stream[7], {3, 0, 0});
 }
 
 TEST(LineStream, TapersWithTheWeight) {
@@ -175,40 +110,119 @@ TEST(LineStream, TapersWithTheWeight) {
     EXPECT_EQ(stream[3].opacity, 0.25f);
 }
 
-/// 200 pixels across and 100 up for two units of clip coordinates, halved.
-ScreenTransform screen() {
-    ScreenTransform result;
-    result.half_viewport = {100, 50};
+// Invisible points are dropped.
+
+constexpr float full_radius = 3, depth_tolerance = 0.02f;
+
+/// 1000 x 700 pixels; in perspective the eye is at z = 3, the near plane at z = 2.
+StreamSettings settings(bool is_perspective) {
+    StreamSettings result;
+    result.radii.full.fill(full_radius);
+    result.screen.half_viewport = {500, 350};
+    result.tolerance.depth.fill(depth_tolerance);
+    result.is_measured = true;
+    if (is_perspective)
+        result.screen.to_clip << 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, -1.25f, 1.5f, 0, 0, -1, 3;
     return result;
 }
 
-TEST(LineStream, MeasuresLinesOnTheScreen) {
-    LineSet lines = oneLine({{0, 0, 0}, {0.5f, 0, 0}, {0.5f, 0.5f, 0.9f}});
-    addLine(lines, {{0, 0, 0}, {0.03f, 0.08f, 0}});
-    const ScreenTransform transform = screen();
-    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(1), &transform);
-    EXPECT_FLOAT_EQ(stream[1].along, 0);
-    EXPECT_FLOAT_EQ(stream[2].along, 50);
-    EXPECT_FLOAT_EQ(stream[3].along, 75);
-    EXPECT_FLOAT_EQ(stream[6].along, 0) << "each line begins anew";
-    EXPECT_FLOAT_EQ(stream[7].along, 5);
+void append(LineSet& lines, const std::vector<LinePoint>& points, bool closed = false) {
+    Polyline line;
+    line.first = std::uint32_t(lines.points.size());
+    line.count = std::uint32_t(points.size());
+    line.closed = closed;
+    lines.lines.push_back(line);
+    lines.points.insert(lines.points.end(), points.begin(), points.end());
 }
 
-TEST(LineStream, MeasuresNothingUnlessAsked) {
-    for (const StreamPoint& point : streamOf(oneLine({{0, 0, 0}, {0.5f, 0, 0}}), equalRadii(1)))
-        EXPECT_EQ(point.along, 0);
+/// Of a single line, without marks.
+std::vector<StreamPoint> pointsOf(const std::vector<LinePoint>& points,
+                                  const StreamSettings& settings) {
+    LineSet lines;
+    append(lines, points);
+    const std::vector<StreamPoint> stream = writtenStream(lines, settings);
+    return {stream.begin() + 1, stream.end() - 1};
 }
 
-TEST(LineStream, HasNoLengthBehindTheEye) {
-    ScreenTransform transform = screen();
-    transform.to_clip.row(3) << 0, 0, 1, 0;  // w = z
-    const LineSet lines =
-        oneLine({{0, 0, 1}, {0.5f, 0, 1}, {0.5f, 0, -1}, {0, 0, 1}, {0.1f, 0, 1}});
-    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(1), &transform);
-    EXPECT_FLOAT_EQ(stream[2].along, 50);
-    EXPECT_FLOAT_EQ(stream[3].along, 50);
-    EXPECT_FLOAT_EQ(stream[4].along, 50);
-    EXPECT_FLOAT_EQ(stream[5].along, 60);
+TEST(LineSimplification, DrawsAStraightLineAsOneSegment) {
+    std::vector<LinePoint> points;
+    for (int i = 0; i <= 1000; ++i)
+        points.push_back({{0.001f * float(i), 0.0005f * float(i), 0}, 0.001f * float(i), 0, 1});
+    EXPECT_EQ(pointsOf(points, settings(false)).size(), 2u) << "tapered";
+    points[500].position.y() += 0.6f / 350;
+    EXPECT_EQ(pointsOf(points, settings(false)).size(), 5u) << "with a tooth of 0.6 pixels";
+    points[500].position.y() -= 0.6f / 350;
+    points[500].opacity = 0.5f;
+    EXPECT_EQ(pointsOf(points, settings(false)).size(), 5u) << "with a faint place";
+}
+
+TEST(LineSimplification, KeepsTheLengthAlongTheLine) {
+    std::vector<LinePoint> points;
+    for (int i = 0; i <= 400; ++i)  // teeth of a tenth of a pixel
+        points.push_back({{0.1f * float(i) / 500, 0.1f * float(i % 2) / 350, 0}, 1, 0, 1});
+    const std::vector<StreamPoint> drawn = pointsOf(points, settings(false));
+    EXPECT_EQ(drawn.size(), 2u);
+    EXPECT_NEAR(drawn.back().along, 400 * std::hypot(0.1f, 0.1f), 0.01);
+}
+
+/// Both ends are joined to drawn points.
+TEST(LineSimplification, JoinsTheEndsOfClosedLines) {
+    std::vector<LinePoint> circle;
+    for (int i = 0; i <= 2000; ++i) {
+        const float angle = float(i % 2000) * 2 * std::acos(-1.0f) / 2000;
+        circle.push_back({{0.1f * std::cos(angle), 0.1f * std::sin(angle), 0}, 1, 0, 1});
+    }
+    LineSet lines;
+    append(lines, circle, true);
+    append(lines, circle, true);
+    const std::vector<StreamPoint> stream = writtenStream(lines, settings(false));
+    const std::size_t length = stream.size() / 2;
+    EXPECT_LT(length, 60u);
+    for (std::size_t first : {std::size_t(0), length}) {
+        const StreamPoint *begin = &stream[first], *end = begin + length - 1;
+        EXPECT_EQ(begin->radius, line_renderer::neighbour_only);
+        EXPECT_EQ(end->radius, line_renderer::neighbour_only);
+        EXPECT_TRUE(std::equal(begin->position, begin->position + 3, (end - 2)->position));
+        EXPECT_TRUE(std::equal(end->position, end->position + 3, (begin + 2)->position));
+        EXPECT_TRUE(
+            std::equal((begin + 1)->position, (begin + 1)->position + 3, (end - 1)->position));
+    }
+}
+
+const Eigen::Vector2f half_viewport(500, 350);
+
+/// Focal length 2, near plane 1, far plane 9, the eye at z = 4.
+LinePlacement perspective() {
+    LinePlacement placement;
+    placement.to_eye.setIdentity();
+    placement.to_eye(2, 3) = -4;
+    placement.projection << 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, -10.0 / 8, -18.0 / 8, 0, 0, -1, 0;
+    return placement;
+}
+
+std::vector<StreamPoint> streamOf(const LineSet& lines, const LinePlacement& placement) {
+    return writtenStream(lines,
+                         streamSettings(line_renderer::LineAppearance(), placement, half_viewport));
+}
+
+TEST(LineSimplification, IsTheSameInAllTilesOfAPicture) {
+    std::vector<Eigen::Vector3f> wave;
+    for (int i = 0; i < 5000; ++i) {
+        const float x = 0.0002f * float(i);
+        wave.push_back({x, 0.1f * std::sin(40 * x), 0.3f * std::cos(9 * x)});
+    }
+    const LineSet lines = oneLine(wave);
+    LinePlacement tile = perspective();
+    tile.picture_to_clip = tile.projection * tile.to_eye;
+    const std::vector<StreamPoint> middle = streamOf(lines, tile);
+    EXPECT_LT(middle.size(), wave.size() / 10);
+    for (double offset : {-3.0, -1.0, 1.0, 3.0}) {
+        tile.projection(0, 2) = tile.projection(1, 2) = offset;
+        const std::vector<StreamPoint> stream = streamOf(lines, tile);
+        ASSERT_EQ(stream.size(), middle.size());
+        EXPECT_EQ(std::memcmp(stream.data(), middle.data(), stream.size() * sizeof(StreamPoint)),
+                  0);
+    }
 }
 
 }  // namespace

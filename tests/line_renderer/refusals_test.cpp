@@ -64,7 +64,7 @@ TEST_F(RefusalsTest, ProgramsThatFailAreCompiledOnce) {
     const auto paintSurface = [&] {
         surfaces.paint(layerOf(surface), {}, Eigen::Matrix4d::Identity(), depth_.copy(), buffers);
     };
-    const auto paintBackground = [&] { background.paint(Qt::red); };
+    const auto paintBackground = [&] { background.paint(); };
     std::string refusals[3];
     {
         const Replaced<PFNGLSHADERSOURCEPROC> spoilt(line_renderer::glShaderSource.pointer(),
@@ -91,23 +91,10 @@ TEST_F(RefusalsTest, ProgramsThatFailAreCompiledOnce) {
     EXPECT_EQ(inkOf(canvas_.picture()), 0);
 }
 
-TEST_F(RefusalsTest, ProgramsThatWorkAreCompiledOnce) {
-    drawLine();
-    EXPECT_EQ(compiled, 2);
-    drawLine();
-    EXPECT_EQ(compiled, 2);
-}
-
 TEST_F(RefusalsTest, LinesNeedInstancedDrawing) {
     const Without instancing(glFeatures().instancing), old(glFeatures().old_instancing);
     EXPECT_EQ(refusalOf([&] { drawLine(); }),
               "Lines cannot be drawn: instanced drawing (OpenGL 3.3) is not available.");
-}
-
-TEST_F(RefusalsTest, PaintNeedsShaders) {
-    const Without shaders(glFeatures().shaders);
-    EXPECT_EQ(refusalOf([] { line_renderer::BackgroundRenderer().paint(Qt::red); }),
-              "The background cannot be painted: shaders (OpenGL 2.0) are not available.");
 }
 
 TEST_F(RefusalsTest, DepthsOfSurfacesNeedFramebuffers) {
@@ -116,19 +103,6 @@ TEST_F(RefusalsTest, DepthsOfSurfacesNeedFramebuffers) {
     EXPECT_EQ(refusalOf([&] { depth_.update({}, buffers); }),
               "Lines over points and wires need framebuffer objects (OpenGL 3.0): show the layer "
               "filled.");
-}
-
-TEST_F(RefusalsTest, DepthsOfSurfacesNeedAFramebufferThatIsComplete) {
-    const Replaced<PFNGLCHECKFRAMEBUFFERSTATUSPROC> incomplete(
-        line_renderer::glCheckFramebufferStatus.pointer(),
-        [](GLenum) -> GLenum { return GL_FRAMEBUFFER_UNSUPPORTED; });
-    line_renderer::SurfaceBuffers buffers;
-    GLint before = 0, after = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
-    EXPECT_EQ(refusalOf([&] { depth_.update({}, buffers); }),
-              "The depth of the surface cannot be drawn into a texture.");
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &after);
-    EXPECT_EQ(after, before);
 }
 
 TEST_F(RefusalsTest, LinesWithoutMemoryAreNotDrawn) {

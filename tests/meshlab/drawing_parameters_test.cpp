@@ -89,7 +89,6 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     given.unit = 2;
     given.look.up = line_drawing::UpAxis::X;
     given.look.arrangement = line_drawing::Arrangement::ThirdAngle;
-    given.look.strokes = line_drawing::StrokeStyle::Plain;
     given.look.wall = line_drawing::WallStyle::None;
     given.has_furniture = false;
     given.settings = line_drawing::settings_of_decoration;
@@ -104,7 +103,6 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     EXPECT_EQ(read.unit, 2);
     EXPECT_EQ(read.look.up, given.look.up);
     EXPECT_EQ(read.look.arrangement, given.look.arrangement);
-    EXPECT_EQ(read.look.strokes, given.look.strokes);
     EXPECT_EQ(read.look.wall, given.look.wall);
     EXPECT_FALSE(read.has_furniture);
     EXPECT_EQ(read.settings, line_drawing::settings_of_decoration);
@@ -155,13 +153,13 @@ TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
     meshlab_host::DrawnStyle drawn;
     drawn.style.detail = 77;
-    drawn.light = meshlab_host::CameraLight{90, 0};  // from the right of the picture
+    drawn.light_azimuth = 90;  // from the right of the picture
     meshlab_host::noteDrawnStyle(drawn);
     const SheetOptions options = sheetOptions(chosen, std::nullopt);
     EXPECT_EQ(options.style.detail, 77);
     ASSERT_TRUE(options.light);
-    EXPECT_NEAR((*options.light - Eigen::Vector3d::UnitX()).norm(), 0, 1e-12);
-    drawn.light.reset();
+    EXPECT_TRUE(options.light->isApprox(Eigen::Vector3d(1, 0, 1).normalized(), 1e-12));
+    drawn.light_azimuth.reset();
     meshlab_host::noteDrawnStyle(drawn);
     EXPECT_FALSE(sheetOptions(chosen, std::nullopt).light);
 }
@@ -176,6 +174,16 @@ TEST(DrawingParameters, TakeTheKindsOfMixtures) {
                       laplacian_lines::line_mixtures[i].kinds[kind.kind])
                 << laplacian_lines::line_mixtures[i].key << ": " << kind.key;
     }
+}
+
+TEST(DrawingUnits, AreThoseThatScansUsuallyHave) {
+    const auto unit = [](double diagonal) {
+        return std::string(line_drawing::mesh_units[likelyUnit(diagonal)].name);
+    };
+    EXPECT_EQ(unit(0.05), "m");  // a coin of photogrammetry
+    EXPECT_EQ(unit(6), "m");     // a trench
+    EXPECT_EQ(unit(15), "mm");   // a bead of a scanner
+    EXPECT_EQ(unit(1800), "mm");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Filters as a host calls them: progress rises to the end, and the callback can cancel.
+// Filters as a host calls them: progress rises to the end, the callback can cancel, and other
+// versions' parameters are ignored.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -172,6 +173,21 @@ TEST_P(FilterProgress, KeepsEarlierResultsWhenCancelled) {
     ASSERT_TRUE(before.field);
     EXPECT_NE(run(30).toStdString(), "");
     expectSame(before, LayerState(mesh()));
+}
+
+/// But for MeshLab's own, which it adds.
+TEST_P(FilterProgress, ParametersOfOtherVersionsAreIgnoredAndNamed) {
+    GLLogStream log;
+    plugin.setLog(&log);
+    RichParameterList list = plugin.defaults(GetParam(), document);
+    if (GetParam() == Drawing) list.setValue("file", StringValue(drawing()));
+    for (const char* name : {"accuracy", "MeshLab::Appearance::x", "strokes"})
+        list.addParam(RichFloat(name, 1, "", ""));
+    ASSERT_EQ(plugin.apply(GetParam(), document, list, nullptr).toStdString(), "");
+    int found = 0;
+    for (const auto& line : log.logStringList())
+        found += line.second == "Parameters of another version are ignored: accuracy, strokes.";
+    EXPECT_EQ(found, 1);
 }
 
 class ExportedDrawing : public FilterProgress {};

@@ -2,7 +2,7 @@
 """./run --install and --uninstall: the MeshLab that the user starts has the plugins in between, and only then."""
 import harness
 from harness import *
-from product.extra_plugins import extra_plugins_folder, has_extra_plugins, install_plugins, record_file, uninstall_plugins
+from product.extra_plugins import extra_plugins_folder, has_extra_plugins, install_plugins, uninstall_plugins
 from product.stage import built_plugins
 
 if not has_extra_plugins():
@@ -42,9 +42,5 @@ install_plugins(plugins)  # in place of the first ones
 uninstall_plugins()
 drive_to_failure("no action 'Compute Laplacian Lines'", ACTIONS)
 expect(sorted(os.listdir(folder)) == before, "there are other files than before")
-expect(not record_file().exists(), "the record is left")
 expect(said_by(uninstall_plugins) == 1, "what was not installed was removed")
-expect_text("log", "--install has installed nothing here")
-(folder / plugins[0].name).touch()
-expect(said_by(install_plugins, plugins) == 1, "another's plugin was replaced")
-expect_text("log", "already exists, but ./run has not installed it")
+expect_text("log", "--install has installed nothing in")

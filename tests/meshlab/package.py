@@ -2,7 +2,6 @@
 """The packages: MeshLab shows filters and decoration after the .deb is installed, in a copy of the system, and with the
 files of the .zip; the command draws, an older .deb is upgraded, and purging it leaves nothing."""
 import gzip
-import resource
 import shutil
 import tempfile
 import zipfile
@@ -97,19 +96,6 @@ def make_older(deb):
     shutil.rmtree(older)
 
 
-def make_in_vain(kilobytes):
-    """Without room, the packages that are there stay as they are."""
-    before = {file: file.read_bytes() for file in folder.iterdir()}
-    most = resource.getrlimit(resource.RLIMIT_FSIZE)[1]
-    resource.setrlimit(resource.RLIMIT_FSIZE, (kilobytes << 10, most))
-    code = said_by(make_packages, BUILD, folder)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
-    expect(code == 1, f"{kilobytes} kB are enough for the packages")
-    expect_text("log", "the packages could not be made; the whole output is in .*log")
-    expect({file: file.read_bytes() for file in folder.iterdir()} == before and not (BUILD / "packages.new").exists(),
-           f"packages without room are {os.listdir(folder)}")
-
-
 def check_contents(deb, archive):
     version = re.match(r"\d+\.\d+", meshlab_version())[0]
     pathlib.Path("depends").write_text(output("dpkg-deb", "--field", deb, "Depends"))
@@ -137,8 +123,6 @@ def main():
     (folder / "of_another_version.deb").touch()
     make_packages(BUILD, folder)
     archive, deb = packages_in(folder)
-    for kilobytes in (50, 200, 400, 800):
-        make_in_vain(kilobytes)
     check_contents(deb, archive)
     make_older(deb)
     torus()

@@ -8,6 +8,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_table.h"
+#include "line_drawing/sheet_choices.h"
 #include "meshlab_host/drawn_style.h"
 #include "polyline_view.h"
 
@@ -77,11 +78,12 @@ TEST(PolylineView, ThatOfTheWindowHasItsUpwardDirection) {
 TEST(PolylineView, CameraLightTurnsWithThePicture) {
     PolylineParameters chosen;
     chosen.view = ViewChoice::Left;
-    chosen.camera_light = meshlab_host::CameraLight{90, 0};  // from the right of the picture
+    chosen.light_azimuth = 90;  // from the right of the picture
     const Eye eye = eyeOf(chosen, box.center(), std::nullopt);
     const auto view = viewOf(eye, chosen, Eigen::Matrix4d::Identity());
     ASSERT_TRUE(view.light);
-    EXPECT_NEAR((view.light->normalized() - Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
+    EXPECT_TRUE(view.light->normalized().isApprox(
+        Eigen::Vector3d(-1, 0, 1).normalized(), 1e-12)) << "the viewer is at -x";
     EXPECT_THROW(viewOf(eye, chosen, Eigen::Matrix4d::Zero()), laplacian_lines::Error);
 }
 
@@ -101,13 +103,13 @@ TEST(DrawnStyle, IsReadAsItWasNoted) {
     EXPECT_FALSE(meshlab_host::drawnStyle());
     RichParameterList list;
     PolylineParameters asked;
-    asked.settings = SettingsChoice::AsTheDecoration;
+    asked.settings = line_drawing::settings_of_decoration;
     listPolylineParameters(asked, list);
     EXPECT_THROW(readPolylineParameters(list), laplacian_lines::Error);
 
     meshlab_host::DrawnStyle drawn;
     drawn.style = otherStyle();
-    drawn.light = meshlab_host::CameraLight{12, 34};
+    drawn.light_azimuth = 12;
     drawn.shows_hidden = true;
     drawn.colors.fill(0xff123456);
     meshlab_host::noteDrawnStyle(drawn);
@@ -116,21 +118,18 @@ TEST(DrawnStyle, IsReadAsItWasNoted) {
         EXPECT_EQ(row.get(read.style), row.get(drawn.style)) << row.key;
     EXPECT_FALSE(read.visible_only);
     EXPECT_EQ(read.colors, drawn.colors);
-    ASSERT_TRUE(read.camera_light);
-    EXPECT_EQ(read.camera_light->azimuth, 12);
-    EXPECT_EQ(read.camera_light->elevation, 34);
+    EXPECT_EQ(read.light_azimuth, 12);
 
-    drawn.light.reset();
+    drawn.light_azimuth.reset();
     meshlab_host::noteDrawnStyle(drawn);
-    EXPECT_FALSE(readPolylineParameters(list).camera_light);
+    EXPECT_FALSE(readPolylineParameters(list).light_azimuth);
 }
 
-TEST(PolylineSettings, OfMixturesOverrideTheSwitchesOfKinds) {
+TEST(PolylineSettings, OfMixturesAreTheirKindsAndColors) {
     for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
         const laplacian_lines::LineMixture& mixture = laplacian_lines::line_mixtures[i];
         PolylineParameters asked;
-        asked.settings = SettingsChoice(int(SettingsChoice::FirstMixture) + int(i));
-        asked.style.shows[laplacian_lines::LineKind::Laplacian] = false;
+        asked.settings = line_drawing::settings_of_decoration + 1 + int(i);
         asked.style.detail = 70;
         RichParameterList list;
         listPolylineParameters(asked, list);

@@ -17,10 +17,10 @@ def expect_left_out(expected, more_vertices=(), more_faces=()):
     """Of the torus with these vertices, from number 1200 on, and faces."""
     ply("dirty.ply", [*vertices, *more_vertices], [*faces, *more_faces])
     expect(compute("dirty.ply") == 0, f"the mesh with {more_vertices} and {more_faces} was refused")
-    if not meshlab_version().startswith("2020."):
+    if "MESH_SERVER" in os.environ:
         expected = re.sub(r"\d+ (vertices with non-finite coordinates|triangles without area)(, )?", "", expected)
     if expected:
-        expect_text("log", f"^Left out: {expected}$")
+        expect_text("log", f"Left out: {expected}$")
     else:
         expect_no_text("log", "Left out")
 
@@ -36,7 +36,7 @@ expect_left_out("2 vertices with non-finite coordinates, 2 triangles without are
 ply("soup.ply", [vertices[int(i)] for face in faces for i in face.split()[1:]],
     [f"3 {i} {i + 1} {i + 2}" for i in range(0, 7200, 3)])
 expect(compute("soup.ply") == 0, "the soup was refused")
-expect_text("log", "^Cuts closed: 6000 duplicate vertices treated as one with others$")
+expect_text("log", "Cuts closed: 6000 duplicate vertices treated as one with others$")
 expect_text("out.ply", "^element vertex 7200$")
 
 
@@ -55,7 +55,7 @@ def cut_in_four(vertices, faces):
 # once to be fine enough, and once more
 ply("cut.ply", *cut_in_four(*cut_in_four(vertices, faces)))
 expect(compute("cut.ply") == 0, "the mesh that was cut was refused")
-expect_text("log", "^Subdivision undone: field and lines are those of the 9600 triangles before each was cut in 4$")
+expect_text("log", "Subdivision undone: field and lines are those of the 9600 triangles before each was cut in 4$")
 expect_no_text("log", "Left out")
 expect_text("out.ply", "^element vertex 19200$")
 
@@ -64,5 +64,5 @@ for vertices, faces in ((["0 0 0", "1 0 0", "2 0 0"], ["3 0 1 2"]), (["0 0 0", "
     ply("dirty.ply", vertices, faces)
     os.unlink("out.ply") if os.path.exists("out.ply") else None
     expect(compute("dirty.ply") != 0, f"the mesh of {vertices} and {faces} was accepted")
-    expect_text("log", "The mesh has no triangle with an area|The mesh lacks: Any Faces")
+    expect_text("log", "The mesh has no triangle with an area|(lacks:|does not have) Any Faces")
     expect(not os.path.exists("out.ply"), "a mesh was written")

@@ -4,7 +4,6 @@ from harness import *
 
 EXAMPLE = "laplacian_lines_polylines.mlx"
 WARNING = "Warning: the viewpoint"
-NO_LINES = {"laplacian_lines": "false", "ridges": "false", "borders": "false"}
 
 
 def lines_of(file, said="", **settings):
@@ -20,7 +19,8 @@ def segments_told():
 
 
 torus()
-visible = lines_of("lines.ply", "[1-9][0-9]* Laplacian lines, [1-9][0-9]* occluding contours, .*; orthographic, "
+OUTLINES = "[1-9][0-9]* (occluding contours|outlines)"
+visible = lines_of("lines.ply", f"[1-9][0-9]* Laplacian lines, {OUTLINES}, .*; orthographic, "
                    r"along the view direction 0 0 1 \(Front\)")
 expect_text("log", r"torus\.ply: computed with the default options")
 expect_no_text("log", WARNING)
@@ -28,18 +28,16 @@ expect_no_text("log", WARNING)
 expect_text("lines.ply", "^element vertex [1-9]")
 expect_no_text("lines.ply", "^element face [1-9]")
 for file, line in (("lines.obj", "^l "), ("lines.dxf", "^ *LINE")):
+    if file.endswith(".dxf") and "MESH_SERVER" in os.environ:
+        continue  # PyMeshLab writes no .dxf
     accept(file, EXAMPLE)
     expect(len(re.findall(line, text_of(file), re.M)) == visible, f"{file} does not hold {visible} segments")
 
 expect(lines_of("all.ply", visible_only="false") > visible, "hidden lines are left out unasked")
-lines_of("contours.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ segments", **NO_LINES)
-# kinds by mixtures, whichever are switched on
-lines_of("mixture.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ suggestive contours, [0-9]+ segments",
-         settings=3, contours="false")
-lines_of("mixture.ply", "Lines of torus.ply: [0-9]+ occluding contours, [0-9]+ apparent ridges, [0-9]+ segments",
-         settings=5)
+# kinds by mixtures
+lines_of("mixture.ply", f"Lines of torus.ply: {OUTLINES}, [0-9]+ suggestive contours, [0-9]+ segments", settings=3)
+lines_of("mixture.ply", f"Lines of torus.ply: {OUTLINES}, [0-9]+ apparent ridges, [0-9]+ segments", settings=5)
 expect(lines_of("detailed.ply", detail=90) > visible, "more detail gives no more lines")
-lines_of("lit.ply", light=1)
 # the kernel that was computed is what is drawn
 filter_script("laplacian_lines.mlx", {"kernel_size": 0.3}, "compute.mlx")
 filter_script(EXAMPLE, {})
@@ -65,9 +63,6 @@ for reason, settings in (
         ("The decoration Laplacian Lines has drawn nothing here", {"settings": 1}),
         (r'"Settings" is 10\. It has to be one of 0 ', {"settings": 10}),
         (r'"Detail" is 101\. It has to be between 0 and 100', {"detail": 101}),
-        ("No lines are seen from there, so no layer was created", {**NO_LINES, "contours": "false"}),
         ("The viewpoint is inside the surface", {"view": 1, "viewpoint": (1, 0, 0)}),
-        ('"Viewpoint" has to be three finite numbers', {"viewpoint": ("nan", 0, 0)}),
-        ('"Light Direction" is 0 0 0, which is not a direction',
-         {"light": 1, "view": 2, "light_direction": (0, 0, 0)})):
+        ('"View Direction" is 0 0 0, which is not a direction', {"view": 2, "view_direction": (0, 0, 0)})):
     refuse(reason, EXAMPLE, **settings)

@@ -5,18 +5,16 @@ import os
 import pathlib
 import re
 import resource
-import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
-SCRIPTS = CHECKOUT / "scripts"
-sys.path.insert(0, str(SCRIPTS))
-os.environ["PYTHONPATH"] = str(SCRIPTS)
+sys.path.insert(0, str(CHECKOUT / "scripts"))
+os.environ["PYTHONPATH"] = str(CHECKOUT / "scripts")
 
-from environment.messages import Failure, say
+from environment.messages import Failure
 
 
 class ScriptTest(unittest.TestCase):
@@ -57,8 +55,3 @@ class ScriptTest(unittest.TestCase):
             self.refused(regex, function, *words)
         finally:
             resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
-
-
-def python(program, *words, **options):
-    """A script of its own, which has begun."""
-    return subprocess.Popen([sys.executable, "-B", "-c", program, *map(str, words)], **options)

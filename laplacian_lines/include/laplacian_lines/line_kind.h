@@ -90,42 +90,40 @@ struct LineKindDescription {
 /// One row per kind, in the order of their numbers.
 inline constexpr std::array line_kinds = {
     LineKindDescription{LineKind::Laplacian, "laplacian_lines", "Laplacian Lines",
-                        "Draw the Laplacian lines.", "Laplacian line", "Laplacian lines",
-                        LineGradient::Illumination}
+                        "Folds and feet of forms: where the Laplacian of the shading is zero.",
+                        "Laplacian line", "Laplacian lines", LineGradient::Illumination}
         .of_view(),
-    LineKindDescription{LineKind::Contour, "contours", "Occluding Contours",
-                        "Draw the outlines: where the surface turns away from the eye.",
-                        "occluding contour", "occluding contours", LineGradient::Illumination}
+    LineKindDescription{LineKind::Contour, "contours", "Outlines",
+                        "Where the surface turns away from the eye.", "outline", "outlines",
+                        LineGradient::Illumination}
         .as_outline()
         .on_horizon(),
     LineKindDescription{LineKind::Ridge, "ridges", "Ridges",
-                        "Draw convex edges of the form, sharp or rounded.", "ridge", "ridges",
+                        "Convex edges of the form, sharp or rounded.", "ridge", "ridges",
                         LineGradient::Angle}
         .with_key_color(0x7a4b2a),
-    LineKindDescription{LineKind::Border, "borders", "Borders",
-                        "Draw the borders of holes and open surfaces.", "border", "borders",
-                        LineGradient::None}
+    LineKindDescription{LineKind::Border, "borders", "Borders", "Of holes and open surfaces.",
+                        "border", "borders", LineGradient::None}
         .as_outline()
         .with_key_color(0x6b6b6b),
-    LineKindDescription{
-        LineKind::Crease, "creases", "Creases",
-        "Draw sharp edges of the form, on meshes of few triangles, such as those of "
-        "CAD programs, and of many.",
-        "crease", "creases", LineGradient::Angle}
+    LineKindDescription{LineKind::Crease, "creases", "Creases",
+                        "Sharp edges of the form, on meshes of few triangles, such as those of "
+                        "CAD programs, and of many.",
+                        "crease", "creases", LineGradient::Angle}
         .with_key_color(0x4a5b6b),
     LineKindDescription{LineKind::Valley, "valleys", "Valleys",
-                        "Draw concave edges of the form, sharp or rounded: the bottoms of grooves.",
+                        "Concave edges of the form, sharp or rounded: the bottoms of grooves.",
                         "valley", "valleys", LineGradient::Angle}
         .on_request()
         .with_key_color(0x1b8a9c),
     LineKindDescription{LineKind::DemarcatingCurve, "demarcating_curves", "Demarcating Curves",
-                        "Draw the curves along which a relief turns most sharply from hollow to "
+                        "Along which a relief turns most sharply from hollow to "
                         "bulging: its middle height on every flank.",
                         "demarcating curve", "demarcating curves", LineGradient::Angle}
         .of_derivatives()
         .with_key_color(0x8a3c93),
     LineKindDescription{LineKind::SuggestiveContour, "suggestive_contours", "Suggestive Contours",
-                        "Draw where outlines would begin if the object turned a little (DeCarlo "
+                        "Where outlines would begin if the object turned a little (DeCarlo "
                         "and others 2003).",
                         "suggestive contour", "suggestive contours", LineGradient::Illumination}
         .of_view()
@@ -133,21 +131,21 @@ inline constexpr std::array line_kinds = {
         .in_color(0x1f4e99),
     LineKindDescription{LineKind::SuggestiveHighlight, "suggestive_highlights",
                         "Suggestive Highlights",
-                        "Draw the counterparts of suggestive contours where the surface turns "
+                        "Counterparts of suggestive contours where the surface turns "
                         "towards the eye (DeCarlo and Rusinkiewicz 2007).",
                         "suggestive highlight", "suggestive highlights", LineGradient::Illumination}
         .of_view()
         .of_derivatives()
         .in_color(0xd08a1d),
     LineKindDescription{LineKind::ApparentRidge, "apparent_ridges", "Apparent Ridges",
-                        "Draw ridges and valleys of the surface as it is seen from the eye (Judd "
+                        "Ridges and valleys of the surface as it is seen from the eye (Judd "
                         "and others 2007).",
                         "apparent ridge", "apparent ridges", LineGradient::Curvature}
         .of_view()
         .of_derivatives()
         .in_color(0xa3282f),
     LineKindDescription{LineKind::PhoticExtremum, "photic_extrema", "Photic Extremum Lines",
-                        "Draw where the shading changes most on its way from dark to bright (Xie "
+                        "Where the shading changes most on its way from dark to bright (Xie "
                         "and others 2007).",
                         "photic extremum line", "photic extremum lines", LineGradient::Illumination}
         .of_view()

@@ -41,7 +41,8 @@ constexpr LineKindSet all_kinds() {
 
 /// Scripts and settings hold the index: new rows come last.
 inline constexpr std::array line_mixtures = {
-    LineMixture{"laplacian_lines", "Only Laplacian Lines", outlines_and({LineKind::Laplacian}), {}},
+    LineMixture{
+        "laplacian_lines", "Outlines and Laplacian Lines", outlines_and({LineKind::Laplacian}), {}},
     LineMixture{"suggestive_contours",
                 "Suggestive Contours",
                 outlines_and({LineKind::SuggestiveContour}),

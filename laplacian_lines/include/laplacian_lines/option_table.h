@@ -11,14 +11,13 @@ namespace laplacian_lines {
 
 enum class OptionKind {
     Real,     ///< a dimensionless number, or in the unit that its help names
-    Integer,  ///< a whole number
     Length,   ///< a length in mesh units; user interfaces may offer percent of the diagonal
     Boolean,  ///< 0 or 1
     Choice,   ///< index into `choices`
 };
 
-/// A member of an options struct. Dialogs, scripts and range checks are made from these rows;
-/// defaults are those of a default-constructed struct.
+/// A member of an options struct. Scripts, range checks and those in dialogs are made from these
+/// rows; defaults are those of a default-constructed struct.
 template <class Options>
 struct OptionDescription {
     const char* key;    ///< identifier in scripts, stable between versions
@@ -30,9 +29,6 @@ struct OptionDescription {
     std::vector<const char*> choices;
     double (*get)(const Options&);
     void (*set)(Options&, double);
-    bool for_experts = false;  ///< dialogs may put it behind what everybody uses
-    /// Not null: only for programs and tests; tells users whose scripts name it what to do instead.
-    const char* instead = nullptr;
 };
 
 /// What is allowed, after "It has to be": "between 0 and 100", "one of 0 (Uniform), 1 (Adaptive)".

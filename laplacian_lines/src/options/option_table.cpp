@@ -33,20 +33,6 @@ void check_ranges(const std::vector<OptionDescription<Options>>& table, const Op
     }
 }
 
-template <class Options>
-OptionDescription<Options> for_experts(OptionDescription<Options> row) {
-    row.for_experts = true;
-    return row;
-}
-
-/// Constant for users; programs for comparison can set it.
-template <class Options>
-OptionDescription<Options> for_programs(const char* instead, OptionDescription<Options> row) {
-    row.for_experts = true;
-    row.instead = instead;
-    return row;
-}
-
 }  // namespace
 
 std::string allowed_values(OptionKind kind, double minimum, double maximum,
@@ -58,9 +44,8 @@ std::string allowed_values(OptionKind kind, double minimum, double maximum,
             items += (i > 0 ? ", " : "") + std::to_string(i) + " (" + choices[i] + ")";
         return "one of " + items;
     }
-    const std::string whole = kind == OptionKind::Integer ? "a whole number, " : "";
-    if (maximum == kUnlimited) return whole + "at least " + in_words(minimum);
-    return whole + "between " + in_words(minimum) + " and " + in_words(maximum);
+    if (maximum == kUnlimited) return "at least " + in_words(minimum);
+    return "between " + in_words(minimum) + " and " + in_words(maximum);
 }
 
 void refuse_value(const std::string& what, const std::string& value, const std::string& allowed) {
@@ -78,18 +63,17 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "kernel_mode", "Kernel", {"Uniform", "Adaptive"},
             "Uniform: one size everywhere. Adaptive: it and the smoothing of normals follow the "
             "local edge length, from a quarter to four times."),
-        for_experts(choice<&O::laplace_operator>(
+        choice<&O::laplace_operator>(
             "laplace_operator", "Laplace Operator", {"Heat Kernel (Belkin)", "Cotangent"},
             "Heat Kernel: robust on irregular and noisy meshes. Cotangent, for comparison: only "
-            "adjacent vertices; breaks down on irregular meshes.")),
-        for_experts(real<&O::accuracy>(
-            "accuracy", "Accuracy", 1e-6, 0.1,
-            "Relative error that summing the heat kernel may add, 0.000001 to 0.1. Smaller is "
-            "slower.")),
-        for_experts(choice<&O::normal_weighting>(
-            "normal_weighting", "Normal Weighting", {"Area", "Angle", "Max"},
-            "How triangle normals are averaged to vertex normals: by triangle area, by corner "
-            "angle, or by N. Max's weights.")),
+            "adjacent vertices; breaks down on irregular meshes."),
+        real<&O::accuracy>("accuracy", "Accuracy", 1e-6, 0.1,
+                           "Relative error that summing the heat kernel may add, 0.000001 to 0.1. "
+                           "Smaller is slower."),
+        choice<&O::normal_weighting>("normal_weighting", "Normal Weighting",
+                                     {"Area", "Angle", "Max"},
+                                     "How triangle normals are averaged to vertex normals: by "
+                                     "triangle area, by corner angle, or by N. Max's weights."),
         choice<&O::normal_smoothing>(
             "normal_smoothing", "Normal Smoothing", {"None", "Gaussian", "Bilateral"},
             "How the vertex normals that all else is computed from are smoothed; the mesh's own "
@@ -98,34 +82,31 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "normal_sigma", "Normal Smoothing Sigma", 0, 100,
             "In mean edge lengths. 0 means automatic: 0.8, and up to 2.5 on rough meshes, such as "
             "those from segmented volumes; the log says what was chosen."),
-        for_experts(real<&O::bilateral_angle>(
-            "bilateral_angle", "Bilateral Angle", 0.1, 180,
-            "For bilateral smoothing: angle in degrees between two normals at which they hardly "
-            "influence each other any more.")),
-        for_experts(choice<&O::gradient_estimator>(
+        real<&O::bilateral_angle>("bilateral_angle", "Bilateral Angle", 0.1, 180,
+                                  "For bilateral smoothing: angle in degrees between two normals "
+                                  "at which they hardly influence each other any more."),
+        choice<&O::gradient_estimator>(
             "gradient_estimator", "Gradient Estimator", {"Triangle Fit", "Least Squares"},
             "How the curvature, which gives the gradient of the illumination, is estimated: by a "
-            "fit to each triangle or to all vertices in a ball.")),
-        for_experts(real<&O::gradient_radius>(
-            "gradient_radius", "Gradient Radius", 1, 100,
-            "For Least Squares: radius of the ball, in mean edge lengths.")),
-        for_experts(boolean<&O::correct_borders>(
+            "fit to each triangle or to all vertices in a ball."),
+        real<&O::gradient_radius>("gradient_radius", "Gradient Radius", 1, 100,
+                                  "For Least Squares: radius of the ball, in mean edge lengths."),
+        boolean<&O::correct_borders>(
             "correct_borders", "Correct Borders",
             "Compensate for the missing half of the kernel at holes and borders, which would "
-            "otherwise have spurious lines along them.")),
-        for_experts(boolean<&O::skip_opposite_sheet>(
+            "otherwise have spurious lines along them."),
+        boolean<&O::skip_opposite_sheet>(
             "skip_opposite_sheet", "Skip Opposite Sheet",
             "Vertices count less the more they face another way, so that the two sides of a thin "
-            "wall do not affect each other.")),
-        boolean<&O::weld_duplicates>("weld_duplicates", "Weld Duplicated Vertices",
-                                     "Vertices at exactly the same place count as one where they "
-                                     "cut the surface open, as in "
-                                     "texture seams. The mesh is not changed; holes stay open."),
-        for_experts(boolean<&O::curvature_derivatives>(
+            "wall do not affect each other."),
+        boolean<&O::weld_duplicates>(
+            "weld_duplicates", "Weld Duplicated Vertices",
+            "Vertices at exactly the same place count as one where they cut the surface open, as "
+            "in texture seams. The mesh is not changed; holes stay open."),
+        boolean<&O::curvature_derivatives>(
             "curvature_derivatives", "Curvature Derivatives",
             "Compute smoothed curvatures and their derivatives as well, for programs that read "
-            "them. The "
-            "decoration computes them by itself when a kind of lines needs them.")),
+            "them. The decoration computes them by itself when a kind of lines needs them."),
     };
     return table;
 }
@@ -134,8 +115,6 @@ namespace {
 
 using StyleRow = OptionDescription<LineStyle>;
 using S = LineStyle;
-
-const char* const kAllKinds = "Detail shows more or fewer lines of all kinds.";
 
 template <LineKind Kind>
 StyleRow kind_row() {
@@ -151,119 +130,93 @@ StyleRow kind_row() {
             [](S& style, double value) { style.shows[Kind] = value != 0; }};
 }
 
-/// Outlines first, each kind with its own options.
-std::vector<StyleRow> kind_rows() {
-    return {
+}  // namespace
+
+const std::vector<OptionDescription<LineStyle>>& line_style_table() {
+    static const std::vector<StyleRow> table = {
+        real<&S::detail>("detail", "Detail", 0, 100,
+                         "More or fewer lines, 0 to 100: moves all thresholds together. 50 leaves "
+                         "them as they are."),
+
         kind_row<LineKind::Contour>(),
-        for_programs("Without it outlines lie beside the form on meshes of few triangles.",
-                     boolean<&S::exact_outlines>(
-                         "exact_outlines", "Exact Outlines",
-                         "Outlines follow the edges of triangles that are large or meet at steep "
-                         "angles, and are smooth curves elsewhere.")),
+        boolean<&S::exact_outlines>("exact_outlines", "Exact Outlines",
+                                    "Outlines follow the edges of triangles that are large or meet "
+                                    "at steep angles, and are smooth curves elsewhere."),
         kind_row<LineKind::Laplacian>(),
         boolean<&S::single_strokes>(
             "single_strokes", "Single Strokes",
             "One line along a groove and at the foot of a form, where the surface is concave. Off: "
             "also those on the convex forms beside them, as in the paper."),
         kind_row<LineKind::Ridge>(),
-        for_experts(real<&S::ridge_angle>(
+        real<&S::ridge_angle>(
             "ridge_angle", "Ridge Angle", 5, 180,
-            "Least angle in degrees by which the surface turns across a ridge or valley, within "
-            "2 % of the bounding-box diagonal to both sides. Larger leaves out softer ones.")),
+            "Least angle in degrees by which the surface turns across a ridge or valley, within 2 "
+            "% of the bounding-box diagonal to both sides. Larger leaves out softer ones."),
         kind_row<LineKind::Crease>(),
-        for_experts(real<&S::crease_angle>(
+        real<&S::crease_angle>(
             "crease_angle", "Crease Angle", 20, 180,
             "Edges of the mesh that turn by at least this angle, in degrees, are always creases. "
             "At 40 or less, softer edges are drawn too where they are no facets of curved faces. "
-            "Larger leaves out softer edges; smaller shows facets of coarse round forms.")),
+            "Larger leaves out softer edges; smaller shows facets of coarse round forms."),
         kind_row<LineKind::Border>(),
-        for_experts(kind_row<LineKind::Valley>()),
-        for_experts(kind_row<LineKind::DemarcatingCurve>()),
-        for_programs(
-            kAllKinds,
-            real<&S::demarcation>(
-                "demarcation", "Least Demarcation", 0, 180,
-                "How sharply the surface has to turn from hollow to bulging at a demarcating "
-                "curve, "
-                "in degrees within the scale at which it is looked at. Larger leaves out gentle "
-                "reliefs.")),
-        for_experts(kind_row<LineKind::SuggestiveContour>()),
-        for_experts(kind_row<LineKind::SuggestiveHighlight>()),
-        for_programs(kAllKinds,
-                     real<&S::suggestive_slope>(
-                         "suggestive_slope", "Least Slope of Suggestive Contours", 0, 1e6,
-                         "Least change of curvature across a suggestive contour (no unit). "
-                         "Larger leaves out lines on gentle forms.")),
-        for_experts(kind_row<LineKind::ApparentRidge>()),
-        for_programs(
-            kAllKinds,
-            real<&S::apparent_curvature>(
-                "apparent_curvature", "Least Apparent Curvature", 0, 1e6,
-                "Least curvature, as it is seen, of an apparent ridge (times the bounding-box "
-                "diagonal, no unit). Larger leaves out lines on gentle forms.")),
-        for_programs(kAllKinds,
-                     real<&S::apparent_slope>(
-                         "apparent_slope", "Least Slope of Apparent Ridges", 0, 1e6,
-                         "How sharp the maximum of the apparent curvature must be (no unit). "
-                         "Larger leaves out faint lines.")),
-        for_experts(kind_row<LineKind::PhoticExtremum>()),
-        for_programs(kAllKinds, real<&S::photic_slope>(
-                                    "photic_slope", "Least Slope of Photic Extremum Lines", 0, 1e6,
-                                    "How sharp the maximum of the change of shading must be (no "
-                                    "unit). Larger leaves out "
-                                    "faint lines.")),
-    };
-}
+        kind_row<LineKind::Valley>(),
+        kind_row<LineKind::DemarcatingCurve>(),
+        real<&S::demarcation>(
+            "demarcation", "Least Demarcation", 0, 180,
+            "How sharply the surface has to turn from hollow to bulging at a demarcating curve, in "
+            "degrees within the scale at which it is looked at. Larger leaves out gentle reliefs."),
+        kind_row<LineKind::SuggestiveContour>(),
+        kind_row<LineKind::SuggestiveHighlight>(),
+        real<&S::suggestive_slope>("suggestive_slope", "Least Slope of Suggestive Contours", 0, 1e6,
+                                   "Least change of curvature across a suggestive contour (no "
+                                   "unit). Larger leaves out lines on gentle forms."),
+        kind_row<LineKind::ApparentRidge>(),
+        real<&S::apparent_curvature>(
+            "apparent_curvature", "Least Apparent Curvature", 0, 1e6,
+            "Least curvature, as it is seen, of an apparent ridge (times the bounding-box "
+            "diagonal, no unit). Larger leaves out lines on gentle forms."),
+        real<&S::apparent_slope>("apparent_slope", "Least Slope of Apparent Ridges", 0, 1e6,
+                                 "How sharp the maximum of the apparent curvature must be (no "
+                                 "unit). Larger leaves out faint lines."),
+        kind_row<LineKind::PhoticExtremum>(),
+        real<&S::photic_slope>("photic_slope", "Least Slope of Photic Extremum Lines", 0, 1e6,
+                               "How sharp the maximum of the change of shading must be (no unit). "
+                               "Larger leaves out faint lines."),
 
-std::vector<StyleRow> threshold_rows() {
-    return {
         real<&S::gradient_threshold>(
             "gradient_threshold", "Gradient Threshold t", 0, 1e6,
             "Least change of the shading across a line (gradient times bounding-box diagonal, no "
             "unit). Larger leaves out lines on gentle forms."),
-        real<&S::strength_threshold>(
-            "strength_threshold", "Strength Threshold tau", 0, 1e6,
-            "Least strength of a line: its gradient summed along its length (no unit). Larger "
-            "leaves out short and weak lines."),
-        for_programs("Without it lines are drawn where the change of shading is smallest.",
-                     boolean<&S::reject_phantoms>(
-                         "reject_phantoms", "Reject Phantom Lines",
-                         "Leave out crossings where the change of shading is smallest instead of "
-                         "largest.")),
+        real<&S::strength_threshold>("strength_threshold", "Strength Threshold tau", 0, 1e6,
+                                     "Least strength of a line: its gradient summed along its "
+                                     "length (no unit). Larger leaves out short and weak lines."),
+        boolean<&S::reject_phantoms>(
+            "reject_phantoms", "Reject Phantom Lines",
+            "Leave out crossings where the change of shading is smallest instead of largest."),
         boolean<&S::whole_lines>(
             "whole_lines", "Whole Lines",
             "Test means along lines instead of each of their pieces, so that fine texture does not "
             "cut a line into dashes. Redraws take about a fifth longer."),
-        for_programs("Measured drawings let nothing convex cut a line.",
-                     real<&S::least_concavity>(
-                         "least_concavity", "Least Concavity", -1, 1,
-                         "Least cosine between light and falling shading at a crossing of a whole "
-                         "line. Less lets fine texture cut fewer lines, but takes longer.")),
-        for_programs(kAllKinds,
-                     real<&S::segment_slope>(
-                         "segment_slope", "Least Slope of a Segment", 0, 1e6,
-                         "How sharply the Laplacian must change sign at each piece of a line (no "
-                         "unit). Larger cuts faint pieces off.")),
-        for_programs(kAllKinds,
-                     real<&S::line_slope>(
-                         "line_slope", "Least Slope of a Line", 0, 1e6,
-                         "Least mean slope along a whole line (no unit). Larger leaves out faint "
-                         "lines.")),
-        real<&S::full_slope>(
-            "full_slope", "Slope for Full Width", 1e-6, 1e6,
-            "Slope above the least slope of a segment at which a line has its full width (no "
-            "unit). Smaller makes faint lines bolder."),
+        real<&S::least_concavity>(
+            "least_concavity", "Least Concavity", -1, 1,
+            "Least cosine between light and falling shading at a crossing of a whole line. Less "
+            "lets fine texture cut fewer lines, but takes longer."),
+        real<&S::segment_slope>("segment_slope", "Least Slope of a Segment", 0, 1e6,
+                                "How sharply the Laplacian must change sign at each piece of a "
+                                "line (no unit). Larger cuts faint pieces off."),
+        real<&S::line_slope>(
+            "line_slope", "Least Slope of a Line", 0, 1e6,
+            "Least mean slope along a whole line (no unit). Larger leaves out faint lines."),
+        real<&S::full_slope>("full_slope", "Slope for Full Width", 1e-6, 1e6,
+                             "Slope above the least slope of a segment at which a line has its "
+                             "full width (no unit). Smaller makes faint lines bolder."),
         real<&S::shortest_line>("shortest_line", "Shortest Line", 0, 10,
                                 "Least length of a line, in bounding-box diagonals."),
-        for_programs(
-            "Outlines are shown from a two-hundredth of the diagonal on.",
-            real<&S::shortest_contour>("shortest_contour", "Shortest Contour", 0, 10,
-                                       "Least length of a contour, in bounding-box diagonals.")),
-        for_programs("Hidden Lines shows what is behind the surface.",
-                     real<&S::least_facing>(
-                         "least_facing", "Least Facing", -1, 1,
-                         "Least cosine between normal and view direction: 1 faces the eye, 0 is a "
-                         "contour, -1 shows lines on the far side as well.")),
+        real<&S::shortest_contour>("shortest_contour", "Shortest Contour", 0, 10,
+                                   "Least length of a contour, in bounding-box diagonals."),
+        real<&S::least_facing>("least_facing", "Least Facing", -1, 1,
+                               "Least cosine between normal and view direction: 1 faces the eye, 0 "
+                               "is a contour, -1 shows lines on the far side as well."),
         real<&S::line_smoothing>(
             "line_smoothing", "Line Smoothing", 0, 10,
             "Smooths the course of lines, which follow the triangles' edges otherwise; standard "
@@ -271,32 +224,13 @@ std::vector<StyleRow> threshold_rows() {
         real<&S::fading>("fading", "Fading", 0, 1e6,
                          "How gently lines fade in above the thresholds: 0 is a hard cut, 1 means "
                          "full strength at twice the threshold."),
-        for_programs("Lines run out over a hundredth of the diagonal.",
-                     real<&S::end_length>(
-                         "end_length", "Fading Ends", 0, 10,
-                         "Length over which the ends of lines fade, in bounding-box diagonals.")),
-        for_programs("Lines that only double an outline fade out.",
-                     real<&S::contour_clearance>(
-                         "contour_clearance", "Contour Clearance", 0, 10,
-                         "Laplacian lines nearer to an outline than this fade out, since they only "
-                         "double it; in bounding-box diagonals.")),
+        real<&S::end_length>(
+            "end_length", "Fading Ends", 0, 10,
+            "Length over which the ends of lines fade, in bounding-box diagonals."),
+        real<&S::contour_clearance>("contour_clearance", "Contour Clearance", 0, 10,
+                                    "Laplacian lines nearer to an outline than this fade out, "
+                                    "since they only double it; in bounding-box diagonals."),
     };
-}
-
-}  // namespace
-
-const std::vector<OptionDescription<LineStyle>>& line_style_table() {
-    static const std::vector<StyleRow> table = [] {
-        std::vector<StyleRow> rows = {
-            real<&S::detail>("detail", "Detail", 0, 100,
-                             "More or fewer lines, 0 to 100: moves all thresholds together. 50 "
-                             "leaves them as they are.")};
-        for (StyleRow& row : kind_rows())
-            rows.push_back(std::move(row));
-        for (StyleRow& row : threshold_rows())
-            rows.push_back(for_experts(std::move(row)));
-        return rows;
-    }();
     return table;
 }
 

@@ -50,9 +50,4 @@ struct ContactEntry {
 /// One page with all views in equal squares, name and size below each.
 Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const std::string& title);
 
-/// Serializes the paths of a sheet.
-std::string packSheet(const Sheet& sheet);
-/// @throws laplacian_lines::Error(InvalidOption) if the bytes are no packed sheet
-Sheet unpackSheet(const std::string& bytes);
-
 }  // namespace line_drawing

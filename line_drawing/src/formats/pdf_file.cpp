@@ -120,7 +120,7 @@ public:
         object("<</Type /Page /Parent 2 0 R /MediaBox [0 0 " + inDigits(size.x(), 10) + ' ' +
                inDigits(size.y(), 10) +
                "] /Contents 4 0 R /Resources <</Font <</H 5 0 R /S 6 0 R>>>>>>");
-        stream("/Filter /LZWDecode", compressed(Content().of(sheet)));
+        stream("/Filter /FlateDecode", deflated(Content().of(sheet)));
         object("<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>");
         object("<</Type /Font /Subtype /Type1 /BaseFont /Symbol>>");
         object("<</Title " + textString(sheet.title) + " /Creator " +

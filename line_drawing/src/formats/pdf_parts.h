@@ -23,9 +23,4 @@ struct StandardText {
 
 StandardText inStandardFonts(const std::string& text);
 
-/// For PDF's filter LZWDecode: larger than zlib's output, but without a library and with the same
-/// bytes everywhere. T. A. Welch, "A Technique for High-Performance Data Compression", Computer
-/// (1984), with PDF's codes of 9 to 12 bits, each width one code early.
-std::string compressed(const std::string& bytes);
-
 }  // namespace line_drawing

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <zlib.h>
+
 #include <cmath>
 
 #include "formats/sheet_writers.h"
@@ -38,6 +40,28 @@ private:
     const double scale_;
     Canvas canvas_;
 };
+
+std::string number(std::uint32_t value) {
+    return {char(value >> 24), char(value >> 16 & 255), char(value >> 8 & 255), char(value & 255)};
+}
+
+std::string chunk(const std::string& type, const std::string& data) {
+    const std::string both = type + data;
+    const auto* bytes = reinterpret_cast<const Bytef*>(both.data());
+    return number(std::uint32_t(data.size())) + both +
+           number(std::uint32_t(crc32_z(0, bytes, both.size())));
+}
+
+/// Rows that are not filtered, which their first byte says.
+std::string inPng(const Canvas& canvas, int dots_per_metre) {
+    const std::string size =
+        number(std::uint32_t(canvas.width())) + number(std::uint32_t(canvas.height()));
+    const std::string density = number(std::uint32_t(dots_per_metre));
+    const auto* rows = reinterpret_cast<const char*>(canvas.bytes().data());
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + std::string{8, 0, 0, 0, 0}) +
+           chunk("pHYs", density + density + '\1') +
+           chunk("IDAT", deflated({rows, canvas.bytes().size()})) + chunk("IEND", {});
+}
 
 }  // namespace
 

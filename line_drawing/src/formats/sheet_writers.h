@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "line_drawing/sheet_file.h"
 
@@ -18,6 +19,9 @@ void forEachMark(const Sheet& sheet, const Mark& mark) {
                 mark(text, group, layer);
         }
 }
+
+/// By zlib (RFC 1950).
+std::string deflated(std::string_view bytes);
 
 /// SVG 1.1 with millimetres as user units; groups and layers are Inkscape's layers.
 std::string writeSvg(const Sheet& sheet);

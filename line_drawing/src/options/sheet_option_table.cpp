@@ -14,11 +14,6 @@ SheetOption::Row textRow(const char* key, const char* label, const char* help) {
     return {key, label, help, laplacian_lines::OptionKind::Choice, 0, 0, {}, nullptr, nullptr};
 }
 
-SheetOption folded(SheetOption option) {
-    option.row.for_experts = true;
-    return option;
-}
-
 std::vector<const char*> papers() {
     std::vector<const char*> names = paperNames();
     names.push_back("fit");
@@ -85,32 +80,33 @@ std::vector<SheetOption> makeTable() {
              "As the Decoration: lines and light as it has drawn them last in a window. The "
              "others: lines of these kinds, with the outlines."),
          Place::Filter},
-        folded({rows::choice<look, &SheetLook::arrangement>(
+        {rows::choice<look, &SheetLook::arrangement>(
             "arrangement", "Arrangement", {"First Angle", "Third Angle"},
             "How views lie around the front view. First angle (Europe): what is seen from the left "
-            "stands on the right; third angle (America): on the left.")}),
-        folded({rows::choice<look, &SheetLook::strokes>(
-            "strokes", "Strokes", {"Tapered", "Plain"},
-            "Lines that swell and taper as in MeshLab's view, or of even width, for plotters and "
-            "CAD; those of DXF are always plain.")}),
-        folded({rows::choice<look, &SheetLook::wall>(
+            "stands on the right; third angle (America): on the left.")},
+        {rows::choice<look, &SheetLook::strokes>(
+             "strokes", "Strokes", {"Tapered", "Plain"},
+             "Lines that swell and taper as in MeshLab's view, or of even width, for plotters and "
+             "CAD; those of DXF are always plain."),
+         Place::Command},
+        {rows::choice<look, &SheetLook::wall>(
             "wall", "Walls", {"Hatched", "Filled", "None"},
-            "What sections cut: hatched, black, or its outline alone.")}),
-        folded({rows::choice<look, &SheetLook::hidden>(
+            "What sections cut: hatched, black, or its outline alone.")},
+        {rows::choice<look, &SheetLook::hidden>(
             "hidden", "Hidden Lines", {"None", "Dashed"},
-            "Outlines, borders and creases behind the surface.")}),
-        folded({rows::choice<&S::weights>(
+            "Outlines, borders and creases behind the surface.")},
+        {rows::choice<&S::weights>(
             "weights", "Line Weights", {"Illustrator", "ISO 128"},
             "Illustrator: outlines are widest, edges within the form thin. ISO 128: edges that are "
-            "seen are as wide as outlines, other lines half as wide.")}),
-        folded({rows::boolean<&S::has_furniture>(
-                    "furniture", "Scale Bar and Notes",
-                    "Names of views, scale bar, symbol of the projection, notes of scale, size and "
-                    "file."),
-                Place::Both,
-                nullptr,
-                nullptr,
-                {"none", "all"}}),
+            "seen are as wide as outlines, other lines half as wide.")},
+        {rows::boolean<&S::has_furniture>(
+             "furniture", "Scale Bar and Notes",
+             "Names of views, scale bar, symbol of the projection, notes of scale, size and "
+             "file."),
+         Place::Both,
+         nullptr,
+         nullptr,
+         {"none", "all"}},
         {textRow("kinds", "Kinds of Lines",
                  "With the outlines: usual, laplacian_lines, ridges, apparent_ridges and so on, "
                  "with commas; a wrong one lists all."),

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "line_drawing/path.h"
@@ -21,13 +20,17 @@ public:
 
     int width() const { return width_; }
     int height() const { return height_; }
-    const std::uint8_t* row(int y) const { return grays_.data() + std::size_t(y) * width_; }
+    const std::uint8_t* row(int y) const { return grays_.data() + rowBegin(y); }
+    /// The rows, each after a byte that is 0.
+    const std::vector<std::uint8_t>& bytes() const { return grays_; }
 
     /// Fills the polygons together, clipped to the picture, without those whose coordinates are not
     /// finite. `tone`: 0 black, 1 white.
     void fill(const std::vector<Polygon>& polygons, FillRule rule, double tone = 0);
 
 private:
+    std::size_t rowBegin(int y) const { return std::size_t(y) * (std::size_t(width_) + 1) + 1; }
+
     const int width_, height_;
     std::vector<std::uint8_t> grays_;
 };
@@ -36,13 +39,5 @@ private:
 /// and gaps of half their length. A line of one point gives nothing; one without length a dot,
 /// dashed nothing.
 void appendStroke(const Polygon& line, double width, double dash, std::vector<Polygon>& polygons);
-
-/// The rows, each after a byte for "not filtered", as a zlib stream (RFC 1950, 1951) of runs of one
-/// gray in Huffman's code. For lines on white this is smaller than zlib's output, and no library's
-/// version decides the bytes.
-std::string deflatedRows(const Canvas& canvas);
-
-/// 256 grays.
-std::string inPng(const Canvas& canvas, int dots_per_metre);
 
 }  // namespace line_drawing

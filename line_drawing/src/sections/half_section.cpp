@@ -90,7 +90,8 @@ void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) co
         for (Cut& cut : cutMesh(object.mesh, across, axis_.point[across])) {
             const std::vector<Vector2d> line = flat(cut);
             points.insert(points.end(), line.begin(), line.end());
-            if (cut.front() == cut.back()) parts.wall.push_back(flat(clipLoop(cut, left())));
+            const Cut loop = cut.front() == cut.back() ? clipLoop(cut, left()) : Cut();
+            if (!loop.empty()) parts.wall.push_back(flat(loop));
             cut_lines.push_back(std::move(cut));
         }
         drawn.lines = withoutPartsIn(WallArea(parts.wall), drawn.lines);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QColor>
 #include <memory>
 
 namespace line_renderer {
@@ -9,7 +8,7 @@ namespace line_renderer {
 template <class Object>
 class PerShareGroup;
 
-/// Colors the part of the view that no surface covers. One program per share group. GUI thread
+/// Whitens the part of the view that no surface covers. One program per share group. GUI thread
 /// only.
 class BackgroundRenderer {
 public:
@@ -20,7 +19,7 @@ public:
     /// before any lines, which reach beyond outlines. Keeps depths and alpha, so that snapshots
     /// without background stay so, and OpenGL's state. @throws std::runtime_error if OpenGL cannot
     /// do it
-    void paint(const QColor& color);
+    void paint();
 
 private:
     struct Program;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <QColor>
 #include <memory>
 
 #include "line_renderer/depth_texture.h"
@@ -13,15 +12,8 @@ namespace line_renderer {
 template <class Object>
 class PerShareGroup;
 
-struct SurfaceAppearance {
-    enum Style { AsMeshLabDrawsIt, Paper, Toon };
-    static constexpr int most_tones = 8;
-
-    Style style = AsMeshLabDrawsIt;
-    QColor paper = Qt::white;
-    QColor shade = QColor(150, 150, 150);  ///< where the surface turns away most
-    int tones = 3;                         ///< from shade to paper, at least 2
-};
+/// White, or in three tones from white to gray where the surface turns away.
+enum class SurfaceStyle { Paper, Toon };
 
 /// Paints faces of meshes over what is seen of them already. One program per share group. GUI
 /// thread only.
@@ -33,8 +25,8 @@ public:
     /// Paints the nearest faces by the depth buffer and by `depth`, which adds nothing if the
     /// buffer is complete. Needs the camera's matrices current; `to_eye` is from the mesh. Keeps
     /// OpenGL's state. @throws std::runtime_error if OpenGL cannot do it
-    void paint(const SurfaceLayer& layer, const SurfaceAppearance& appearance,
-               const Eigen::Matrix4d& to_eye, const DepthTexture& depth, SurfaceBuffers& buffers);
+    void paint(const SurfaceLayer& layer, SurfaceStyle style, const Eigen::Matrix4d& to_eye,
+               const DepthTexture& depth, SurfaceBuffers& buffers);
 
 private:
     struct Program;

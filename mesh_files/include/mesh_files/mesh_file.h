@@ -30,7 +30,4 @@ struct MeshInFile {
 /// An OBJ file that was cut off between lines cannot be told from a whole one. Thread-safe.
 MeshInFile read_mesh(Format format, std::string_view bytes);
 
-/// About as many as a file of that many bytes has, which begins with some of them; seldom fewer.
-double expected_triangles(Format format, std::string_view begin, double size);
-
 }  // namespace mesh_files

@@ -35,14 +35,10 @@ std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& mod
 std::optional<laplacian_lines::View> viewFromWorld(const Eigen::Vector4d& eye,
                                                    const Eigen::Matrix4d& layer);
 
-/// A light that turns with the camera, degrees. By default it stands where archaeologists have it.
-struct CameraLight {
-    double azimuth = 315;   ///< in the picture, clockwise from the top: 90 right, 270 left
-    double elevation = 45;  ///< 90: right behind the viewer, 0: in the plane of the picture
-};
-
-/// Unit vector in eye coordinates: x right, y up, z to the viewer.
-Eigen::Vector3d towardsLight(const CameraLight& light);
+/// Towards a light that turns with the camera, 45 degrees above the plane of the picture, where
+/// `azimuth` is in degrees clockwise from the top. Unit vector in eye coordinates: x right, y up, z
+/// to the viewer.
+Eigen::Vector3d towardsLight(double azimuth);
 
 /// From eye to mesh coordinates, not normalized. Transforms like a point at infinity, such as an
 /// orthographic eye, not like a normal: so n·d = 0, n in mesh coordinates, is where the light

@@ -11,10 +11,6 @@ namespace meshlab_host {
 
 std::vector<const MeshModel*> layersOf(const MeshDocument& document);
 
-/// Whether a filter is working on the layers: nobody else may read them, although its progress bar
-/// lets events in.
-bool isBusy(const MeshDocument& document);
-
 /// All meshes in the document of `mesh`, ascending. Empty if there is no document, as without a
 /// GUI.
 std::vector<int> liveMeshIds(const MeshModel& mesh);
@@ -41,9 +37,9 @@ bool hasLine(const GLLogStream& log, const QString& line);
 /// have the same title. GUI thread only, while drawing.
 void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text);
 
-/// Puts these parameters into MeshLab's record of a filter that its dialog has run, once MeshLab has
-/// made it: scripts that are saved have them. The last thing that the filter does, since progress
-/// runs MeshLab's events.
+/// Puts these parameters into MeshLab's record of a filter that its dialog has run, once MeshLab
+/// has made it: scripts that are saved have them. The last thing that the filter does, since
+/// progress runs MeshLab's events.
 void recordAs(const QString& filter, const RichParameterList& parameters, MeshDocument& document);
 
 }  // namespace meshlab_host

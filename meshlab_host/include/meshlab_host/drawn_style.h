@@ -7,7 +7,6 @@
 
 #include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/line_style.h"
-#include "meshlab_host/camera.h"
 
 namespace meshlab_host {
 
@@ -19,8 +18,8 @@ KindColors usualKindColors();
 /// What the decoration draws, for filters that follow it.
 struct DrawnStyle {
     laplacian_lines::LineStyle style;
-    std::optional<CameraLight> light;  ///< turns with the camera; without one it is at the eye
-    bool shows_hidden = false;         ///< also lines that the surface hides
+    std::optional<double> light_azimuth;  ///< see towardsLight(); without one it is at the eye
+    bool shows_hidden = false;            ///< also lines that the surface hides
     KindColors colors = usualKindColors();
 };
 

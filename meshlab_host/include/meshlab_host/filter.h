@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "meshlab_host/meshlab_api.h"
-#include "meshlab_host/parameters.h"
 
 namespace meshlab_host {
 
@@ -48,12 +47,6 @@ public:
 
     /// Adds the parameters with defaults for this mesh, which may be null.
     virtual void listParameters(const MeshModel* mesh, RichParameterList& list) const = 0;
-
-    /// MeshLab has listed the parameters, perhaps to open a dialog.
-    virtual void prepareDialog(const MeshDocument& document) const { (void)document; }
-
-    /// Those that are numbers, switches or choices, for callers without a dialog.
-    virtual std::vector<ParameterDescription> describeParameters() const = 0;
 
     /// May throw anything: the user reads what(), the caller gets a failed filter.
     virtual void run(const FilterRun& run) const = 0;

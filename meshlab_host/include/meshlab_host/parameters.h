@@ -23,15 +23,8 @@ struct ParameterDescription {
     double minimum;
     double maximum;
     QStringList choices;
-    bool for_experts;  ///< dialogs fold it away, in MeshLab 2022.02 and later
-    QString allowed;   ///< values, after "It has to be"
-
-    bool hasMaximum() const { return maximum < 1e30; }
+    QString allowed;  ///< values, after "It has to be"
 };
-
-/// A label below the heading of its group: MeshLab shows parameters as one flat list, labels as
-/// rich text, but plain for switches.
-QString underHeading(const QString& heading, const QString& label);
 
 /// Help, HTML without paragraphs, so that MeshLab wraps it in a tool tip.
 QString toolTip(const QString& help);
@@ -45,9 +38,6 @@ void addParameter(const ParameterDescription& description, double value, double 
 double readParameter(const ParameterDescription& description, double fallback,
                      const RichParameterList& list);
 
-/// Of a number, switch or choice; empty for others.
-std::optional<double> defaultOf(const RichParameter& parameter);
-
 template <class Options>
 ParameterDescription describe(const laplacian_lines::OptionDescription<Options>& row,
                               const QString& key_prefix) {
@@ -58,7 +48,6 @@ ParameterDescription describe(const laplacian_lines::OptionDescription<Options>&
                                 row.minimum,
                                 row.maximum,
                                 {},
-                                row.for_experts,
                                 QString::fromStdString(laplacian_lines::allowed_values(row))};
     for (const char* choice : row.choices)
         result.choices << choice;
@@ -90,7 +79,6 @@ struct PlaceDescription {
     QString label;
     QString help;
     PlaceKind kind;
-    bool for_experts = false;
 };
 
 void addPlace(const PlaceDescription& description, const Eigen::Vector3d& value,
@@ -107,20 +95,13 @@ struct TextDescription {
     QString label;
     QString help;
     QString files = QString();  ///< "Drawings (*.svg *.pdf)"; empty: any text
-    bool for_experts = false;
 };
-
-/// Whether dialogs lack that button.
-bool needsBrowsing();
 
 void addText(const TextDescription& description, const QString& value, RichParameterList& list);
 
 /// `fallback` if the list lacks it. @throws laplacian_lines::Error(InvalidOption) for other types
 QString readText(const TextDescription& description, const QString& fallback,
                  const RichParameterList& list);
-
-/// Of a text or file; empty for others.
-std::optional<QString> defaultText(const RichParameter& parameter);
 
 /// `fallback` if the list lacks it. Never throws.
 QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list);

@@ -1,160 +1,193 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// drawing_truth [OPTIONS] FILE.part...
-// Compares measured drawings of CAD parts with their exact visible lines by make_parts.py: recall,
-// precision, position, doubled lines, loose ends and closed outlines, for each deflection and class
-// of directions, and the worst drawings.
+// drawing_truth [--check] [--pictures FOLDER] FILE.part...
+// Holds measured drawings of CAD parts against their exact visible lines and against what their
+// meshes cover; --check fails where they are less true than they have to be.
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
 #include <stdexcept>
 
-#include "plane_canvas.h"
-#include "program.h"
-#include "truth_table.h"
+#include "flat_drawing.h"
+#include "item_buffer.h"
+#include "part_file.h"
+#include "truth_scores.h"
 
 namespace {
 
 using namespace benchmarks;
 
-constexpr double tolerance = 0.25;       // mm
-constexpr double fine_deflection = 0.1;  // up to this one, a mesh has no tolerance of its own
-constexpr std::size_t worst_count = 10;
+constexpr double kTolerance = 0.25;       // mm
+constexpr double kFineDeflection = 0.1;   // up to this one, a mesh has no tolerance of its own
+constexpr double kCoverTolerance = 0.15;  // mm, from the border of what the mesh itself covers
+constexpr double kLeastJump = 0.5;        // mm of depth
+constexpr std::size_t kWorstCount = 10;
 
-struct Arguments {
-    LeftOut left_out;
-    std::vector<std::string> deflections, directions;
-    std::string pictures;
-    double picture_size = 2;
-    double least_recall = 0, least_precision = 0, most_loose = 100;
+// What --check demands of all drawings of meshes of one deflection.
+constexpr double kLeastRecall = 0.995, kLeastPrecision = 0.998;  // means of the drawings
+constexpr double kMostLoose = 0.025;
+constexpr double kMostBareBorder = 1e-4, kMostBareJumps = 0.015;
+
+struct Drawing {
+    std::string name, deflection;
+    PlaneLines lines;
+    TruthScores scores;
+    PlaneLine border, jumps;            ///< of what the mesh covers
+    PlaneLine bare_border, bare_jumps;  ///< of it, without a line
+
+    double worst() const { return std::min(scores.recall, scores.precision); }
 };
 
-std::vector<Option> options_of(Arguments& a) {
-    return {{"--left-out FILE", "parts and directions whose exact lines are wrong",
-             [&a](const std::string& file) { a.left_out = LeftOut(QString::fromStdString(file)); }},
-            {"--deflection L/A", "only meshes of this deflection, mm and rad; repeated for more",
-             [&a](const std::string& text) { a.deflections.push_back(text); }},
-            {"--from TEXT", "only directions with this in their names; repeated for more",
-             [&a](const std::string& text) { a.directions.push_back(text); }},
-            text("--pictures FOLDER", "of drawings that miss or add more than --size", a.pictures),
-            number("--size MM", "in one piece (2)", a.picture_size),
-            number("--least-recall X", "fails where the mean of all is less", a.least_recall),
-            number("--least-precision X", "likewise", a.least_precision),
-            number("--most-loose PERCENT", "fails where more ends are loose", a.most_loose)};
+std::string svg_path(const PlaneLines& lines, const char* stroke, double width) {
+    std::string path = "<path fill='none' stroke='" + std::string(stroke) + "' stroke-width='" +
+                       std::to_string(width) + "' d='";
+    for (const PlaneLine& line : lines)
+        for (const PlanePoint& p : line)
+            path += (&p == &line.front() ? "M" : "L") + std::to_string(p.x()) + " " +
+                    std::to_string(-p.y());
+    return path + "'/>\n";
 }
 
-QColor color_of(Mistake mistake) {
-    switch (mistake) {
-        case Mistake::Missed:
-            return Qt::red;
-        case Mistake::Wrong:
-            return Qt::blue;
-        default:
-            return QColor(0, 170, 0);
-    }
+/// Exact lines gray, tangent edges lighter, drawn ones thin and black; missed red, wrong blue,
+/// loose ends and places without a line orange.
+void write_picture(const std::string& folder, const Drawing& drawing, const ExactView& view) {
+    Eigen::AlignedBox2d box;
+    for (const PlaneLines& lines : {drawing.lines, view.demanded, view.allowed})
+        for (const PlaneLine& line : lines)
+            for (const PlanePoint& p : line)
+                box.extend(p);
+    PlaneLines spots;
+    for (const PlaneLine& places :
+         {drawing.scores.loose_ends, drawing.bare_border, drawing.bare_jumps})
+        for (const PlanePoint& p : places)
+            spots.push_back({p - PlanePoint(0.2, 0), p + PlanePoint(0.2, 0)});
+    std::filesystem::create_directories(folder);
+    const std::string file = folder + "/" + drawing.name + ".svg";
+    const Eigen::Vector2d size = box.sizes().array() + 6;
+    std::ofstream out(file);
+    out << "<svg xmlns='http://www.w3.org/2000/svg' width='" << size.x() << "mm' height='"
+        << size.y() << "mm' viewBox='" << box.min().x() - 3 << " " << -box.max().y() - 3 << " "
+        << size.x() << " " << size.y() << "'>\n"
+        << svg_path(view.allowed, "#e1e1f5", 0.5) << svg_path(view.demanded, "#cdcdcd", 0.5)
+        << svg_path(drawing.lines, "black", 0.1) << svg_path(drawing.scores.missed, "red", 0.3)
+        << svg_path(drawing.scores.wrong, "blue", 0.3) << svg_path(spots, "orange", 0.4)
+        << "</svg>\n";
+    if (!out.flush()) throw std::runtime_error("cannot write " + file);
 }
 
-/// A PNG at 10 pixels per mm: exact lines light gray (tangent edges lighter), drawn ones thin and
-/// black; missed red, wrong blue, doubled green, loose ends in orange rings.
-/// @throws std::runtime_error
-void write_truth_picture(const QString& file, const DrawnPaths& drawing, const ExactLines& exact,
-                         const TruthDetails& details) {
-    const PlaneLines lines = lines_of(drawing);
-    PlaneCanvas canvas(box_of(lines).merged(box_of(exact.demanded)).merged(box_of(exact.allowed)));
-    canvas.draw(exact.allowed, QColor(225, 225, 245), 5);
-    canvas.draw(exact.demanded, QColor(205, 205, 205), 5);
-    canvas.draw(lines, Qt::black, 1);
-    for (const MistakenPart& part : details.parts)
-        canvas.draw(part.points, color_of(part.mistake), 3);
-    for (const PlanePoint& p : details.loose_ends)
-        canvas.ring(p, QColor(255, 140, 0));
-    canvas.save(file);
+std::string text_of(const char* format, double a, double b) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, a, b);
+    return text;
 }
 
-class Measuring {
-public:
-    explicit Measuring(const Arguments& arguments) : arguments_(arguments) {}
+Drawing drawing_of(const CadPart& part, const PartMesh& mesh, const ExactView& view,
+                   const PlaneLines& lines) {
+    Drawing drawing;
+    drawing.name = part.name + text_of(" %g_%g ", mesh.linear, mesh.angular) + view.frame.name;
+    drawing.deflection = text_of("%g / %g", mesh.linear, mesh.angular);
+    drawing.lines = lines;
+    const double slack = mesh.linear > kFineDeflection ? mesh.linear : 0;
+    drawing.scores = score(lines, view.demanded, view.allowed, kTolerance + slack, slack);
+    const ItemBuffer items(mesh.mesh, view.frame);
+    drawing.border = items.border();
+    drawing.jumps = items.jumps(kLeastJump);
+    drawing.bare_border = bare_places(drawing.border, lines, kCoverTolerance);
+    drawing.bare_jumps = bare_places(drawing.jumps, lines, kCoverTolerance);
+    return drawing;
+}
 
-    void add(const CadPart& part) {
-        const std::vector<const ExactView*> views = wanted_views(part);
-        std::vector<PlaneFrame> frames;
-        for (const ExactView* view : views)
-            frames.push_back(view->frame);
-        if (frames.empty()) return;
-        for (const PartMesh& mesh : part.meshes) {
-            if (!is_wanted(mesh)) continue;
-            const std::vector<DrawnPaths> drawn = drawings_of(mesh.mesh, frames);
-            for (std::size_t i = 0; i < views.size(); ++i)
-                add(part, mesh, *views[i], drawn[i]);
+void add_drawings(const std::string& file, const std::string& pictures,
+                  std::vector<Drawing>& drawings) {
+    std::fprintf(stderr, "drawing %s\n", file.c_str());
+    const CadPart part = read_part(file);
+    std::vector<line_drawing::ViewFrame> frames;
+    for (const ExactView& view : part.views)
+        frames.push_back(view.frame);
+    for (const PartMesh& mesh : part.meshes) {
+        const std::vector<PlaneLines> drawn = drawings_of(mesh.mesh, frames);
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            drawings.push_back(drawing_of(part, mesh, part.views[i], drawn[i]));
+            if (!pictures.empty() && drawings.back().worst() < 1)
+                write_picture(pictures, drawings.back(), part.views[i]);
         }
     }
-
-    ScoredDrawings drawings;
-
-private:
-    bool is_wanted(const PartMesh& mesh) const {
-        char name[64];
-        std::snprintf(name, sizeof(name), "%g/%g", mesh.linear, mesh.angular);
-        const auto& wanted = arguments_.deflections;
-        return wanted.empty() || std::count(wanted.begin(), wanted.end(), name);
-    }
-    std::vector<const ExactView*> wanted_views(const CadPart& part) const {
-        std::vector<const ExactView*> views;
-        const auto& wanted = arguments_.directions;
-        for (const ExactView& view : part.views)
-            if (!arguments_.left_out.has(part.name, view.name) &&
-                (wanted.empty() || std::any_of(wanted.begin(), wanted.end(), [&](const auto& word) {
-                     return view.name.find(word) != std::string::npos;
-                 })))
-                views.push_back(&view);
-        return views;
-    }
-    void add(const CadPart& part, const PartMesh& mesh, const ExactView& view,
-             const DrawnPaths& drawing) {
-        const double slack = mesh.linear > fine_deflection ? mesh.linear : 0;
-        const ExactLines exact{view.demanded, view.allowed};
-        TruthDetails details;
-        const TruthScores scores = score(drawing, exact, tolerance + slack, slack, &details);
-        drawings.push_back({part.name, view.name, view.direction_class, mesh.linear, mesh.angular,
-                            scores, details.longest_missed, details.longest_wrong});
-        if (!arguments_.pictures.empty() &&
-            std::max(details.longest_missed, details.longest_wrong) > arguments_.picture_size)
-            write_truth_picture(picture_of(drawings.back()), drawing, exact, details);
-    }
-    QString picture_of(const ScoredDrawing& drawing) const {
-        return QString::fromStdString(arguments_.pictures + "/" + drawing.name() + ".png")
-            .replace(' ', '_');
-    }
-
-    const Arguments& arguments_;
-};
-
-/// Reports the bounds that are not kept.
-bool keeps_bounds(const TruthMeans& means, const Arguments& arguments) {
-    const double loose = means.sum.ends ? 100. * means.sum.loose_ends / means.sum.ends : 0;
-    const bool recalls = means.recall >= arguments.least_recall;
-    const bool is_precise = means.precision >= arguments.least_precision;
-    const bool is_joined = loose <= arguments.most_loose;
-    if (!recalls) std::fprintf(stderr, "drawing_truth: recall is %.4f\n", means.recall);
-    if (!is_precise) std::fprintf(stderr, "drawing_truth: precision is %.4f\n", means.precision);
-    if (!is_joined) std::fprintf(stderr, "drawing_truth: %.2f %% of ends are loose\n", loose);
-    return recalls && is_precise && is_joined;
 }
 
-bool run(const Arguments& arguments, const std::vector<std::string>& files) {
-    Measuring measuring(arguments);
-    for (const std::string& file : files) {
-        std::fprintf(stderr, "drawing %s\n", file.c_str());
-        measuring.add(read_part(QString::fromStdString(file)));
+/// Recall and precision are averaged by drawing, the rest by number.
+struct Row {
+    int drawings = 0;
+    double recall = 0, precision = 0, least_recall = 1, least_precision = 1;
+    double ends = 0, loose_ends = 0, border = 0, bare_border = 0, jumps = 0, bare_jumps = 0;
+
+    void add(const Drawing& drawing) {
+        const TruthScores& scores = drawing.scores;
+        ++drawings;
+        recall += (scores.recall - recall) / drawings;
+        precision += (scores.precision - precision) / drawings;
+        least_recall = std::min(least_recall, scores.recall);
+        least_precision = std::min(least_precision, scores.precision);
+        ends += scores.ends;
+        loose_ends += double(scores.loose_ends.size());
+        border += double(drawing.border.size());
+        bare_border += double(drawing.bare_border.size());
+        jumps += double(drawing.jumps.size());
+        bare_jumps += double(drawing.bare_jumps.size());
     }
-    if (measuring.drawings.empty())
-        throw std::runtime_error("no part has such a deflection and direction");
-    std::printf("%s\n%s", truth_table(measuring.drawings).c_str(),
-                worst_drawings(measuring.drawings, worst_count).c_str());
-    return keeps_bounds(TruthMeans(measuring.drawings), arguments);
+    bool is_true() const {
+        return recall >= kLeastRecall && precision >= kLeastPrecision &&
+               loose_ends <= kMostLoose * ends && bare_border <= kMostBareBorder * border &&
+               bare_jumps <= kMostBareJumps * jumps;
+    }
+};
+
+double percent(double part, double all) {
+    return all > 0 ? 100 * part / all : 0;
+}
+
+/// Prints a row per deflection and the worst drawings; whether all are true enough.
+bool print_tables(std::vector<Drawing>& drawings) {
+    std::map<std::string, Row> rows;
+    for (const Drawing& drawing : drawings)
+        rows[drawing.deflection].add(drawing);
+    std::printf(
+        "| deflection, mm / rad | drawings | recall | precision | least recall | least precision | "
+        "loose ends, %% | border without a line, %% | jumps of depth without a line, %% |\n"
+        "|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+    for (const auto& [deflection, row] : rows)
+        std::printf("| %s | %d | %.4f | %.4f | %.3f | %.3f | %.2f | %.3f | %.2f |\n",
+                    deflection.c_str(), row.drawings, row.recall, row.precision, row.least_recall,
+                    row.least_precision, percent(row.loose_ends, row.ends),
+                    percent(row.bare_border, row.border), percent(row.bare_jumps, row.jumps));
+    std::sort(drawings.begin(), drawings.end(),
+              [](const Drawing& a, const Drawing& b) { return a.worst() < b.worst(); });
+    std::printf("\n| worst drawings | recall | precision |\n|---|--:|--:|\n");
+    for (std::size_t i = 0; i < std::min(drawings.size(), kWorstCount); ++i)
+        std::printf("| %s | %.4f | %.4f |\n", drawings[i].name.c_str(), drawings[i].scores.recall,
+                    drawings[i].scores.precision);
+    return std::all_of(rows.begin(), rows.end(),
+                       [](const auto& row) { return row.second.is_true(); });
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    Arguments arguments;
-    return run_program(argc, argv, "FILE.part...", options_of(arguments),
-                       [&](const auto& files) { return run(arguments, files); });
+int main(int argc, char** argv) try {
+    std::string pictures;
+    bool checks = false;
+    std::vector<Drawing> drawings;
+    for (int i = 1; i < argc; ++i)
+        if (argv[i] == std::string("--check"))
+            checks = true;
+        else if (argv[i] == std::string("--pictures") && i + 1 < argc)
+            pictures = argv[++i];
+        else
+            add_drawings(argv[i], pictures, drawings);
+    const bool are_true = print_tables(drawings) && !drawings.empty();
+    if (checks && !are_true) std::fputs("drawing_truth: drawings are not true enough\n", stderr);
+    return checks && !are_true;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "drawing_truth: %s\n", error.what());
+    return 1;
 }

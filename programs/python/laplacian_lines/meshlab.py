@@ -1,35 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The filters in PyMeshLab, of the version that the plugin was built for."""
 
-import pymeshlab
+from __future__ import annotations
 
-from . import filters
-from .drawing import Lines, draw, lines, picture
-from .shared import stored_field
-from .tables import ATTRIBUTES, DRAWING_FILTER, FILTER, PLUGIN, POLYLINE_FILTER, Parameter, parameters
-
-_FILTERS = (FILTER, POLYLINE_FILTER, DRAWING_FILTER)
-SUMMARY = "\n\n".join(filters.summary(name) for name in _FILTERS)
+import os
+import pathlib
 
 
-def load(plugin=PLUGIN):
-    """Loads the plugin and makes its filters methods of MeshSet; loading twice does nothing.
+def load(plugin: str | os.PathLike[str] | None = None) -> None:
+    """Loads the filters into PyMeshLab, also as methods of MeshSet; loading twice does nothing.
 
-    Raises pymeshlab.PyMeshLabException if PyMeshLab refuses the file.
+    The plugin is beside this package, or where the environment variable LAPLACIAN_LINES_PLUGIN says. Parameters have the
+    names of filter scripts. Raises ImportError if there is no plugin, pymeshlab.PyMeshLabException if PyMeshLab refuses it.
     """
-    if FILTER not in pymeshlab.filter_list():
-        pymeshlab.load_plugin(str(plugin))
+    import pymeshlab
+
+    beside = pathlib.Path(__file__).resolve().parents[1] / "libfilter_laplacian_lines.so"
+    file = pathlib.Path(plugin or os.environ.get("LAPLACIAN_LINES_PLUGIN") or beside)
+    if not file.exists():
+        raise ImportError(f"There is no plugin {file}: ./run --python builds it for the PyMeshLab that it installs.")
+    before = set(pymeshlab.filter_list())
+    if "compute_laplacian_lines_per_vertex" not in before:
+        pymeshlab.load_plugin(str(file))
     # PyMeshLab itself does this only for the plugins that it has at its import.
-    for name in _FILTERS:
-        if not hasattr(pymeshlab.MeshSet, name):
-            setattr(pymeshlab.MeshSet, name, filters.method(name))
-
-
-def field(mesh):
-    """The filter's results on a pymeshlab.Mesh: a dictionary of NumPy arrays by attribute name.
-
-    Vectors have the shape (vertices, 3), numbers (vertices,). ATTRIBUTES tells what they are and their
-    units; optional ones are in the dictionary if they are on the mesh.
-    Raises pymeshlab.PyMeshLabException, which names the filter, if it has not run on the mesh.
-    """
-    return stored_field(mesh, ATTRIBUTES)
+    for name in set(pymeshlab.filter_list()) - before:
+        setattr(pymeshlab.MeshSet, name, pymeshlab.bind_function(name))

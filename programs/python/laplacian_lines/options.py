@@ -12,7 +12,7 @@ from typing import Any, Callable, Iterable, TypeVar
 
 from . import _core
 
-_TYPES = {"real": float, "integer": int, "length": float, "boolean": bool, "choice": str | int, "text": str | Iterable[str]}
+_TYPES = {"real": float, "length": float, "boolean": bool, "choice": str | int, "text": str | Iterable[str]}
 FIELD = {row["key"]: row for row in _core.field_options}
 LINES = {row["key"]: row for row in _core.line_options}
 SHEET = {row["key"]: row for row in _core.sheet_options}

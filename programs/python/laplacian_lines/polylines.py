@@ -10,7 +10,18 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _core
-from .shared import Kind
+
+
+class Kind(NamedTuple):
+    """A kind of lines; its place in KINDS is its number in arrays."""
+
+    key: str
+    one: str  # "ridge"
+    many: str  # "ridges"
+    outline: bool  # bounds the form; the others describe what is inside
+    color: int  # 0xRRGGBB
+    width: float  # in widths of a Laplacian line of full weight
+
 
 KINDS = tuple(Kind(**row) for row in _core.kinds)
 Vector = NDArray[numpy.float64]

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import typing
-from typing import Any, Iterable, Sequence
+from typing import Any, Iterable, NamedTuple, Sequence
 
 import numpy
 from numpy.typing import NDArray
@@ -12,12 +12,22 @@ from numpy.typing import NDArray
 from . import _core, options
 from .meshes import as_arrays
 from .polylines import Page, Polylines, Vector
-from .shared import Attribute, stored_field
 
 if typing.TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._option_types import FieldOptions, LineOptions, Options
+
+
+class Attribute(NamedTuple):
+    """What a field has under a name; some columns of the core's field are in two attributes."""
+
+    name: str
+    numbers: int  # a vertex: 3 or 1
+    help: str  # on the column
+    unit: str  # empty if it has none
+    optional: bool  # whether a field may be without it
+
 
 ATTRIBUTES = tuple(Attribute(**row) for row in _core.columns)
 Point = Sequence[float] | Vector
@@ -129,33 +139,16 @@ def field(mesh: Any, **field_options: Unpack[FieldOptions]) -> dict[str, NDArray
 
     Returns arrays by the names in ATTRIBUTES, which says what they are: (vertices, 3) or (vertices,), in powers of the
     mesh's unit. Vertices in no face hold zeros. A sphere of radius R with outward normals has S with the eigenvalues
-    1/R, 1/R, 0 and Δn = −2/R² n. Of a mesh of PyMeshLab on which the filter has run, without options here, what the filter
-    has stored. Raises Error if an option is out of its limits or the mesh has no surface.
+    1/R, 1/R, 0 and Δn = −2/R² n. Raises Error if an option is out of its limits or the mesh has no surface.
     """
-    stored = None if field_options else _stored_field(mesh)
-    if stored is not None:
-        return stored
     if isinstance(mesh, Surface):
         raise TypeError("A Surface has its field: surface.field().")
     return Surface(mesh, **field_options).field()
 
 
-def _stored_field(mesh):
-    """By name, what the filter has left on a mesh of PyMeshLab; None if it has not run since the mesh was changed."""
-    if not hasattr(mesh, "vertex_custom_scalar_attribute_array"):
-        return None
-    from pymeshlab import PyMeshLabException
-
-    try:
-        return stored_field(mesh, ATTRIBUTES)
-    except PyMeshLabException:
-        return None
-
-
 @options.takes(options.LINES, options.FIELD, told="Surface.lines(), and of Surface() for the field")
-def lines(mesh: Any, view: dict[str, Any] | None = None, *, direction: Point | None = None, eye: Point | None = None,
-          up: Point = (0, 1, 0), light: Point | None = None, kinds: Kinds = None,
-          **line_options: Unpack[Options]) -> Polylines:
+def lines(mesh: Any, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
+          light: Point | None = None, kinds: Kinds = None, **line_options: Unpack[Options]) -> Polylines:
     """All lines of a mesh as they are drawn in a view, also those that the surface hides.
 
     `mesh` is a Surface or what as_arrays() takes. The viewer is far away in a `direction`, or at the place `eye`, in the
@@ -163,13 +156,7 @@ def lines(mesh: Any, view: dict[str, Any] | None = None, *, direction: Point | N
     lines draw; without one it is at the eye. `kinds` are names of kinds or mixtures, "ridges, valleys" or a list; the usual
     ones if none are given; the outlines are always among them. Returns Polylines. Raises Error if an option is out of its
     limits, the mesh has no surface or a kind is not known.
-
-    With `view`, what PyMeshLab's polyline filter returned, `mesh` is the layer that it made: its Lines are returned.
     """
-    if view is not None:
-        from . import drawing
-
-        return typing.cast(Polylines, drawing.lines(mesh, view))
     surface, of_lines = _surface(mesh, line_options)
     return surface.lines(direction=direction, eye=eye, up=up, light=light, kinds=kinds, **of_lines)
 

@@ -62,7 +62,3 @@ class Drawings(unittest.TestCase):
             file.write_text("old")
             self.assertRaises(ll.Error, ll.write_drawing, file, torus(), scale="1:0")
             self.assertEqual(file.read_text(), "old")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -66,14 +66,13 @@ class Refusals(unittest.TestCase):
             self.expect(ll.Error, "is incomplete: ", ll.read_mesh, place / "mesh.off")
             self.expect(OSError, "", ll.write_drawing, place / "none" / "a.svg", (sphere(steps=2)))
 
-    def test_without_pymeshlab(self):
+    def test_without_the_plugin(self):
         try:
             import pymeshlab  # noqa: F401
         except ImportError:
-            self.expect(ImportError, "pymeshlab", getattr, ll, "load")
+            self.expect(ImportError, "pymeshlab", ll.load)
         else:
-            self.expect(ImportError, "./run --python builds it", getattr, ll, "load")
-        self.expect(AttributeError, "no attribute 'nothing'", getattr, ll, "nothing")
+            self.expect(ImportError, "./run --python builds it", ll.load)
 
     @unittest.skipIf(threading.current_thread() is not threading.main_thread(), "signals go to the main thread")
     def test_interrupts(self):
@@ -98,11 +97,6 @@ class Help(unittest.TestCase):
     def test_version(self):
         self.assertEqual(ll.__version__, importlib.metadata.version("laplacian_lines"))
 
-    def test_star_import(self):
-        names = {}
-        exec("from laplacian_lines import *", names)
-        self.assertLessEqual({"Surface", "write_drawing", "field"}, set(names))
-
 
 class Types(unittest.TestCase):
     def test_checkers_know_options(self):
@@ -117,7 +111,3 @@ class Types(unittest.TestCase):
         said, errors, _ = mypy.api.run(["--strict", "-c", good + bad])
         self.assertIn("kernelsize", said)
         self.assertIn("Found 2 errors", said)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -59,8 +59,8 @@ struct SimdFunctions {
 
 /// The fastest that this processor runs, or what use_instruction_set() asked for.
 const SimdFunctions& simd_functions();
-/// For tests and benchmarks; false if the processor or the build does not have it. Not to be
-/// called while lines are extracted.
+/// For tests; false if the processor or the build does not have it. Not to be called while lines
+/// are extracted.
 bool use_instruction_set(InstructionSet set);
 
 }  // namespace laplacian_lines

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// speed [--benchmark_...] FILE: how long fields, redraws and drawings of a mesh take, beside a
+// plain loop that draws less.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/line_mixture.h"
+#include "laplacian_lines/precompute.h"
+#include "laplacian_lines/threads.h"
+#include "line_drawing/make_sheet.h"
+#include "mesh_files/mesh_file.h"
+
+namespace {
+
+using namespace laplacian_lines;
+
+constexpr int kEyes = 24;
+constexpr double kOrbitRadius = 1.25;  // in diagonals
+
+TriangleMesh read_mesh(const std::string& name) {
+    const auto format = mesh_files::format_of(name.substr(name.rfind('.') + 1));
+    std::ifstream file(name, std::ios::binary);
+    if (!file || !format) throw std::runtime_error(name + " is no mesh that can be read");
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    mesh_files::MeshInFile read = mesh_files::read_mesh(*format, bytes);
+    if (!read.defect.empty()) throw std::runtime_error(name + ": " + read.defect);
+    return std::move(read.mesh);
+}
+
+/// Perspective views all around a mesh, a little from above.
+std::vector<View> orbit(const TriangleMesh& mesh) {
+    const Eigen::AlignedBox3d box = line_drawing::boundsOf(mesh);
+    std::vector<View> views;
+    for (int i = 0; i < kEyes; ++i) {
+        const double angle = 2 * M_PI * i / kEyes;
+        const Eigen::Vector3d direction(std::cos(angle), 0.4, std::sin(angle));
+        views.push_back(View::perspective(box.center() + kOrbitRadius * box.diagonal().norm() *
+                                                             direction.normalized()));
+    }
+    return views;
+}
+
+/// All zeros of n·l in one loop over the triangles, in floats and on one thread: nothing is
+/// filtered or traced.
+class PlainContours {
+public:
+    PlainContours(const TriangleMesh& mesh, const Field& field)
+        : triangles_(mesh.triangles), normals_(field.normals), values_(mesh.positions.size()) {
+        for (const Eigen::Vector3d& p : mesh.positions)
+            positions_.push_back(p.cast<float>());
+    }
+
+    /// Pairs of points.
+    const std::vector<Eigen::Vector3f>& extract(const View& view) {
+        const Eigen::Vector3f eye = view.eye.cast<float>();
+        for (std::size_t v = 0; v < values_.size(); ++v)
+            values_[v] = normals_[v].dot(eye - positions_[v]);
+        segments_.clear();
+        for (const Triangle& t : triangles_)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (const auto a = t[k], b = t[(k + 1) % 3]; (values_[a] < 0) != (values_[b] < 0)) {
+                    const float s = values_[a] / (values_[a] - values_[b]);
+                    segments_.push_back((1 - s) * positions_[a] + s * positions_[b]);
+                }
+        return segments_;
+    }
+
+private:
+    const std::vector<Triangle>& triangles_;
+    const std::vector<Eigen::Vector3f>& normals_;
+    std::vector<Eigen::Vector3f> positions_, segments_;
+    std::vector<float> values_;
+};
+
+/// What the benchmarks are of.
+struct Subject {
+    const TriangleMesh& mesh;
+    Field field = precompute(mesh);
+    std::vector<View> views = orbit(mesh);
+    LineExtractor extractor{mesh, field};
+};
+
+/// Each iteration calls work(i).
+template <class Work>
+benchmark::internal::Benchmark* add(const std::string& name, Work work) {
+    return benchmark::RegisterBenchmark(name.c_str(), [work](benchmark::State& state) mutable {
+        std::size_t i = 0;
+        work(i);  // allocates, and finds what is found once
+        for (auto _ : state)
+            work(i++);
+    });
+}
+
+void add_redraw(const std::string& name, const Subject& of, const LineKindSet& shown, int threads) {
+    LineStyle style;
+    style.shows = shown;
+    add("redraw/" + name, [&of, style, threads, lines = LineSet(),
+                           scratch = std::make_shared<ExtractionScratch>()](std::size_t i) mutable {
+        set_thread_limit(threads);
+        of.extractor.extract(of.views[i % of.views.size()], style, *scratch, lines);
+        set_thread_limit(0);
+    })->Unit(benchmark::kMicrosecond);
+}
+
+/// `full` has derivatives, which take memory even from kinds that do not need them.
+void add_redraws(const Subject& plain, const Subject& full) {
+    for (const LineKindDescription& kind : line_kinds)
+        add_redraw(kind.key, kind.needs_derivatives ? full : plain, only_kinds({kind.kind}), 1);
+    add_redraw("default", plain, LineStyle().shows, 1);
+    add_redraw("default_all_threads", plain, LineStyle().shows, 0);
+    add_redraw("all_kinds", full, all_kinds(), 1);
+    add("redraw/plain_contours", [&plain, contours = PlainContours(plain.mesh, plain.field)](
+                                     std::size_t i) mutable {
+        benchmark::DoNotOptimize(contours.extract(plain.views[i % plain.views.size()]).data());
+    })->Unit(benchmark::kMicrosecond);
+}
+
+void add_once_a_mesh(const Subject& of) {
+    const auto add_long = [](const char* name, auto work) {
+        add(name, [work](std::size_t) mutable { work(); })
+            ->Unit(benchmark::kMillisecond)
+            ->MeasureProcessCPUTime()
+            ->UseRealTime();
+    };
+    add_long("field", [&of] { precompute(of.mesh); });
+    add_long("derivatives",
+             [&of, field = of.field]() mutable { add_curvature_derivatives(of.mesh, field); });
+    add_long("extractor", [&of] { LineExtractor(of.mesh, of.field); });
+    line_drawing::SheetOptions options;
+    options.views = line_drawing::parseViews("30,20", options.up);
+    add_long("view_on_paper",
+             [&of, options] { line_drawing::makeSheet(of.mesh, of.field, options); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    benchmark::Initialize(&argc, argv);
+    if (argc != 2) throw std::runtime_error("a mesh has to be named: speed [--benchmark_...] FILE");
+    const TriangleMesh mesh = read_mesh(argv[1]);
+    const Subject plain{mesh};
+    Field field = plain.field;
+    add_curvature_derivatives(mesh, field);
+    const Subject full{mesh, std::move(field)};
+    const auto bytes = double(plain.extractor.memory());
+    benchmark::AddCustomContext("mesh", argv[1]);
+    benchmark::AddCustomContext("triangles", std::to_string(mesh.triangles.size()));
+    benchmark::AddCustomContext("extractor, bytes a vertex",
+                                std::to_string(int(bytes / double(mesh.positions.size()))));
+    add_once_a_mesh(plain);
+    add_redraws(plain, full);
+    benchmark::RunSpecifiedBenchmarks();
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "speed: %s\n", error.what());
+    return 1;
+}

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines are smoothed within a part of their pen; specks go; curves stay near lines.
+#include "strokes/line_easing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "strokes/curve_fitting.h"
+#include "strokes/strokes.h"
+
+using namespace line_drawing;
+using Eigen::Vector2d;
+using Points = std::vector<Vector2d>;
+
+namespace {
+
+constexpr double reach = 0.12;
+
+/// Across the x axis by `height`, every half millimetre or so.
+DrawnLine zigzag(double height, int points, bool is_exact = false, double spacing = 0.5) {
+    DrawnLine line{LineClass::Contour, false, {}};
+    for (int i = 0; i < points; ++i)
+        line.points.push_back({{spacing * i, i % 2 ? height : 0}, 1, std::uint32_t(i), is_exact});
+    line.points.front().is_exact = line.points.back().is_exact = true;
+    return line;
+}
+
+double turning(const DrawnLine& line) {
+    double sum = 0;
+    for (std::size_t i = 2; i < line.points.size(); ++i) {
+        const Vector2d a = line.points[i - 1].position - line.points[i - 2].position,
+                       b = line.points[i].position - line.points[i - 1].position;
+        sum += std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+    }
+    return sum;
+}
+
+double distanceTo(const Points& line, const Vector2d& p) {
+    double least = INFINITY;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Vector2d &a = line[i - 1], way = line[i] - a;
+        const double length = way.squaredNorm();
+        const double t = length > 0 ? std::clamp(way.dot(p - a) / length, 0., 1.) : 0;
+        least = std::min(least, (a + t * way - p).norm());
+    }
+    return least;
+}
+double distanceTo(const DrawnLine& line, const Vector2d& p) {
+    return distanceTo(positionsOf(line), p);
+}
+
+TEST(LineEasing, TakesTheTurnsOutAndStaysWithinReach) {
+    const DrawnLine before = zigzag(0.1, 41);
+    std::vector<DrawnLine> lines = {before};
+    easeLines(lines, reach);
+    EXPECT_LT(turning(lines[0]), 0.1 * turning(before));
+    for (const DrawnPoint& point : lines[0].points)
+        EXPECT_LE(distanceTo(before, point.position), reach + 1e-9);
+    EXPECT_EQ(lines[0].points.front().position, before.points.front().position);
+    EXPECT_EQ(lines[0].points.back().position, before.points.back().position);
+}
+
+TEST(LineEasing, KeepsEdgesOfTheForm) {
+    const DrawnLine before = zigzag(0.1, 41, true);
+    std::vector<DrawnLine> lines = {before};
+    easeLines(lines, reach);
+    ASSERT_EQ(lines[0].points.size(), before.points.size());
+    for (std::size_t i = 0; i < before.points.size(); ++i)
+        EXPECT_EQ(lines[0].points[i].position, before.points[i].position);
+}
+
+TEST(LineEasing, HasEndsFollow) {
+    const DrawnLine contour = zigzag(0.1, 41);
+    const DrawnLine edge{
+        LineClass::Edge, false, {{{10.5, 8}}, {contour.points[21].position, 1, 21, true}}};
+    std::vector<DrawnLine> lines = {edge, contour};
+    easeLines(lines, reach);
+    EXPECT_GT((lines[0].points.back().position - contour.points[21].position).norm(), 0.02);
+    EXPECT_LT(distanceTo(lines[1], lines[0].points.back().position), 0.01);
+    EXPECT_EQ(lines[0].points.front().position, edge.points.front().position);
+}
+
+/// Degrees.
+double sharpest(const DrawnLine& line) {
+    double largest = 0;
+    for (std::size_t i = 2; i < line.points.size(); ++i) {
+        const DrawnLine part{line.line_class,
+                             false,
+                             {line.points.begin() + std::ptrdiff_t(i) - 2,
+                              line.points.begin() + std::ptrdiff_t(i) + 1}};
+        largest = std::max(largest, turning(part));
+    }
+    return largest * 180 / 3.141592653589793;
+}
+
+/// Waves too high to smooth away, with a corner each: what bends least touches its tube smoothly,
+/// what is shortest would not.
+TEST(LineEasing, LeavesNoCorners) {
+    const DrawnLine before = zigzag(1.2, 41, false, 2);
+    ASSERT_GT(sharpest(before), 60);
+    std::vector<DrawnLine> lines = {before};
+    easeLines(lines, reach);
+    EXPECT_LT(sharpest(lines[0]), 25);
+    for (const DrawnPoint& point : lines[0].points)
+        EXPECT_LE(distanceTo(before, point.position), reach + 1e-9);
+}
+
+TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
+    DrawnLine loop{LineClass::Outline, true, {}};
+    for (int i = 0; i <= 40; ++i) {
+        const double angle = 3.141592653589793 * (i % 40) / 20, radius = i % 2 ? 3.1 : 3;
+        loop.points.push_back({radius * Vector2d(std::cos(angle), std::sin(angle))});
+        loop.points.back().is_exact = false;
+    }
+    std::vector<DrawnLine> lines = {loop};
+    easeLines(lines, reach);
+    DrawnLine twice = lines[0];
+    twice.points.insert(twice.points.end(), twice.points.begin() + 1, twice.points.end());
+    EXPECT_LT(sharpest(twice), 5);
+    EXPECT_EQ(lines[0].points.front().position, lines[0].points.back().position);
+}
+
+std::size_t kept(const std::vector<DrawnLine>& lines) {
+    return withoutSlightLines(lines, SheetOptions()).size();
+}
+
+TEST(SlightLines, AreContoursBeforeASmallJumpInDepth) {
+    DrawnLine line = zigzag(0.1, 41);
+    line.jump = 0.2;
+    EXPECT_EQ(kept({line}), 0u);
+    line.jump = 0.3;
+    EXPECT_EQ(kept({line}), 1u);
+    DrawnLine edge = zigzag(0.1, 41, true);
+    edge.jump = 0.01;
+    EXPECT_EQ(kept({edge}), 1u);
+    DrawnLine outline = zigzag(0.1, 41);
+    outline.line_class = LineClass::Outline;
+    EXPECT_EQ(kept({outline}), 1u);
+}
+
+/// Curved surfaces' may be three times as long: scans are rough.
+TEST(SlightLines, AreShortContoursThatEndInNothing) {
+    DrawnLine contour = zigzag(0, 4);  // 1.5 mm
+    contour.jump = 5;
+    EXPECT_EQ(kept({contour}), 0u);
+    DrawnLine longer = zigzag(0, 6);
+    longer.jump = 5;
+    EXPECT_EQ(kept({longer}), 1u);
+    DrawnLine exact = zigzag(0, 4, true);
+    exact.jump = 5;
+    EXPECT_EQ(kept({exact}), 1u);
+}
+
+constexpr double tolerance = 0.02;
+
+int curvesOf(const Path& path) {
+    return int(std::count_if(path.pieces.begin(), path.pieces.end(), [](const Path::Piece& piece) {
+        return piece.step == Path::Step::Curve;
+    }));
+}
+
+double largestDistance(const Points& points, const Path& path) {
+    const Points line = path.flattened(0.0005).at(0);
+    double largest = 0;
+    for (const Vector2d& p : points)
+        largest = std::max(largest, distanceTo(line, p));
+    return largest;
+}
+
+Points circle(int n, double radius) {
+    Points points;
+    for (int i = 0; i <= n; ++i) {
+        const double a = i % n * 2 * M_PI / n;
+        points.emplace_back(radius * std::cos(a), radius * std::sin(a));
+    }
+    return points;
+}
+
+/// There and back: something seen edge-on.
+TEST(CurveFitting, ReachesTheEndsOfFlatLoops) {
+    for (const double height : {0.0, 0.001, 0.05}) {
+        const Points points = {{0, 0}, {70, 0}, {70, height}, {0, height}, {0, 0}};
+        Path path;
+        fitCurve(points, true, tolerance, path);
+        EXPECT_LT(largestDistance(points, path), 1.1 * tolerance) << height;
+    }
+}
+
+TEST(CurveFitting, OfACircleTakesFewCurvesAndStaysWithinTheTolerance) {
+    const Points points = circle(500, 20);
+    Path path;
+    fitCurve(points, true, tolerance, path);
+    EXPECT_LE(largestDistance(points, path), 1.01 * tolerance);
+    EXPECT_LE(curvesOf(path), 12);
+    EXPECT_EQ(path.pieces.front().end, path.pieces.back().end);
+}
+
+/// Between points, too: long handles could leap there.
+TEST(CurveFitting, StaysNearLinesOfAnyShape) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (int line = 0; line < 2000; ++line) {
+        Points points = {{0, 0}};
+        double angle = 0;
+        const double turn = 3 * share(random), step = 0.01 + 0.5 * share(random);
+        for (int i = 0; i < 40; ++i) {
+            angle += turn * (share(random) - 0.5);
+            points.push_back(points.back() +
+                             step * share(random) * Vector2d(std::cos(angle), std::sin(angle)));
+        }
+        Path path;
+        fitCurve(points, false, tolerance, path);
+        const Points curve = path.flattened(0.0005).at(0);
+        double largest = 0;
+        for (const Vector2d& p : curve)
+            largest = std::max(largest, distanceTo(points, p));
+        ASSERT_LT(largest, 3 * tolerance) << line;
+    }
+}
+
+}  // namespace

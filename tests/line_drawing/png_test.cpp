@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is covered of pixels, by areas and by pens.
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <cmath>
+
+#include "laplacian_lines/error.h"
+#include "line_drawing/sheet_file.h"
+
+using namespace line_drawing;
+using Points = std::vector<Path::Point>;
+
+namespace {
+
+constexpr double pi = 3.14159265358979;
+
+Path pathOf(const Points& points, bool is_closed) {
+    Path path;
+    path.fill_rule = FillRule::NonZero;
+    for (const Path::Point& p : points)
+        &p == points.data() ? path.moveTo(p) : path.lineTo(p);
+    if (is_closed) path.close();
+    return path;
+}
+
+Points rectangle(double left, double top, double right, double bottom) {
+    return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+}
+
+/// 10 x 8 pixels of a millimetre.
+QImage pictureOf(const std::vector<SheetPath>& paths) {
+    const Sheet sheet{{10, 8}, "", {{"a", "A", {{"outline", "Outlines", paths, {}}}}}, 1};
+    return QImage::fromData(QByteArray::fromStdString(writeSheet(sheet, SheetFormat::Png, 25.4)));
+}
+
+QImage filled(const Points& points, double tone = 0) {
+    return pictureOf({{pathOf(points, true), 0, 0, tone}});
+}
+
+QImage stroked(const Points& line, double width, double dash = 0) {
+    return pictureOf({{pathOf(line, false), width, dash}});
+}
+
+int gray(const QImage& image, int x, int y) {
+    return qGray(image.pixel(x, y));
+}
+
+/// Covered pixels, counting parts.
+double ink(const QImage& image) {
+    double sum = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            sum += 255 - gray(image, x, y);
+    return sum / 255;
+}
+
+TEST(PngFiles, HavePixelsAsDarkAsTheyAreCovered) {
+    const QImage image = filled(rectangle(1.5, 2, 4, 2.5));
+    EXPECT_EQ(image.size(), QSize(10, 8));
+    EXPECT_EQ(gray(image, 0, 2), 255);
+    EXPECT_EQ(gray(image, 1, 2), 191);
+    EXPECT_EQ(gray(image, 2, 2), 128);
+    EXPECT_EQ(gray(image, 4, 2), 255);
+    EXPECT_NEAR(ink(filled({{1, 1}, {9, 2}, {5, 7}})), 22, 0.05);
+    EXPECT_EQ(gray(filled(rectangle(0, 0, 4, 4), 0.8), 1, 1), 204);
+}
+
+TEST(PngFiles, FollowTheRuleOfWhatIsInside) {
+    for (const FillRule rule : {FillRule::NonZero, FillRule::EvenOdd}) {
+        Path nested = pathOf(rectangle(1, 1, 7, 7), true);
+        nested.addRectangle({2, 2}, 3, 3);
+        nested.fill_rule = rule;
+        EXPECT_DOUBLE_EQ(ink(pictureOf({{nested}})), rule == FillRule::NonZero ? 36 : 27);
+    }
+}
+
+TEST(PngFiles, CutOffWhatIsOutside) {
+    EXPECT_DOUBLE_EQ(ink(filled(rectangle(-1e30, -1e30, 1e30, 1e30))), 80);
+    EXPECT_DOUBLE_EQ(ink(filled(rectangle(-5, -5, 2, 3))), 6);
+    EXPECT_EQ(ink(filled(rectangle(20, 20, 30, 30))), 0);
+    EXPECT_NEAR(ink(stroked({{-1e7, 4}, {1e7, 4}}, 2)), 20, 1e-9);
+    EXPECT_EQ(ink(filled({{1, 1}, {5, HUGE_VAL}, {5, 5}})), 0);
+}
+
+TEST(PngFiles, HavePensWithRoundEndsAndJoins) {
+    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}}, 4)), 16 + pi * 4, 0.15);
+    EXPECT_NEAR(ink(stroked({{3, 3}, {7, 3}, {7, 6}}, 2)), 14 - 1 + pi * 1.25, 0.15);
+    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}, {3, 4}}, 4)), 16 + pi * 4, 0.15);  // there and back
+    for (int degrees = 0; degrees < 360; degrees += 35) {
+        const Path::Point middle(5, 4),
+            way(2 * std::cos(degrees * pi / 180), 2 * std::sin(degrees * pi / 180));
+        EXPECT_NEAR(ink(stroked({middle - way, middle + way}, 0.5)), 4 * 0.5 + pi * 0.0625, 0.08);
+    }
+}
+
+TEST(PngFiles, CutOffDashes) {
+    EXPECT_NEAR(ink(stroked({{0, 4}, {10, 4}}, 2, 2)), 2 * (2 + 2 + 2 + 1), 1e-9);
+    EXPECT_NEAR(ink(stroked({{0, 2}, {3, 2}, {3, 7}}, 2, 2)), 2 * (2 + 2 + 2), 0.3);
+}
+
+TEST(PngFiles, HaveTheirDotsPerInch) {
+    Sheet sheet{{127, 50.8}, "", {}, 1};
+    SheetPath area;
+    area.path.addRectangle({25.4, 25.4}, 50.8, 12.7);
+    sheet.groups.push_back({"a", "A", {{"outline", "Outlines", {area}, {}}}});
+    const QImage image =
+        QImage::fromData(QByteArray::fromStdString(writeSheet(sheet, SheetFormat::Png, 100)));
+    EXPECT_EQ(image.size(), QSize(500, 200));
+    EXPECT_NEAR(image.dotsPerMeterX() * 0.0254, 100, 0.05);
+    EXPECT_EQ(ink(image), 200 * 50);
+    EXPECT_EQ(gray(image, 101, 101), 0);
+    EXPECT_THROW(writeSheet(sheet, SheetFormat::Png, 1e5), laplacian_lines::Error);
+}
+
+}  // namespace
