@@ -21,8 +21,8 @@ bool load_and_unload(const char* file) {
     const long before = thread_count();
     void* const library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
     if (!expect(library, "the library can be loaded")) return false;
-    const auto count = reinterpret_cast<std::size_t (*)()>(dlsym(library, "count_normals"));
-    return expect(count && count() == 80 * 40, "it computes") &&
+    const auto count = reinterpret_cast<int (*)(int)>(dlsym(library, "count_on_threads"));
+    return expect(count && count(1000) == 1000, "it counts") &&
            expect(thread_count() > before, "it has threads") &&
            expect(dlclose(library) == 0 && !dlopen(file, RTLD_NOLOAD | RTLD_LAZY), "it goes") &&
            expect(thread_count() == before, "its threads are gone");
