@@ -15,7 +15,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 /// Row by row.
 std::vector<Eigen::Vector2d> grid_parameters(const Grid& grid) {
-    std::mt19937 random(grid.seed);
+    std::mt19937 random(1);
     const int columns = grid.columns + !grid.wrap_u, rows = grid.rows + !grid.wrap_v;
     std::vector<Eigen::Vector2d> parameters;
     for (int j = 0; j < rows; ++j)
@@ -159,15 +159,14 @@ AnalyticMesh bumpy_sphere(int level, double jitter) {
     return mapped_icosphere(level, bumpy_map, jitter);
 }
 
-AnalyticMesh torus(int columns, int rows, double jitter, const Torus& shape) {
-    return grid_mesh({columns, rows, true, true, jitter}, [&](double u, double v) {
-        return torus_point(shape, 2 * kPi * u, 2 * kPi * v);
-    });
+AnalyticMesh torus(int columns, int rows, double jitter) {
+    return grid_mesh({columns, rows, true, true, jitter},
+                     [](double u, double v) { return torus_point({}, 2 * kPi * u, 2 * kPi * v); });
 }
 
-AnalyticMesh half_torus(int columns, int rows, double jitter, const Torus& shape) {
+AnalyticMesh half_torus(int columns, int rows, double jitter) {
     return grid_mesh({columns, rows, false, true, jitter},
-                     [&](double u, double v) { return torus_point(shape, kPi * u, 2 * kPi * v); });
+                     [](double u, double v) { return torus_point({}, kPi * u, 2 * kPi * v); });
 }
 
 AnalyticMesh hills(int cells, double jitter) {
@@ -175,15 +174,15 @@ AnalyticMesh hills(int cells, double jitter) {
                      [](double u, double v) { return hills_point(2 * u - 1, 2 * v - 1); });
 }
 
-AnalyticMesh cylinder(int columns, int rows, double radius, double length) {
-    return grid_mesh({columns, rows, true, false}, [=](double u, double v) {
+AnalyticMesh cylinder(int columns, int rows) {
+    return grid_mesh({columns, rows, true, false}, [](double u, double v) {
         const Eigen::Vector3d n(std::cos(2 * kPi * u), std::sin(2 * kPi * u), 0);
         const Eigen::Vector3d along(-n.y(), n.x(), 0);
         const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
-        return SurfacePoint{radius * n + length * (v - 0.5) * Eigen::Vector3d::UnitZ(),
+        return SurfacePoint{n + (2 * v - 1) * Eigen::Vector3d::UnitZ(),
                             n,
-                            -n / (radius * radius),
-                            along * along.transpose() / radius,
+                            -n,
+                            along * along.transpose(),
                             {zero, zero, zero}};
     });
 }

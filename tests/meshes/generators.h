@@ -21,7 +21,6 @@ struct Grid {
     /// Moves vertices by up to this part of a cell, by a fixed seed; those on borders along these
     /// only.
     double jitter = 0;
-    unsigned seed = 1;
 };
 
 TriangleMesh grid_mesh(const Grid& grid,
@@ -38,11 +37,11 @@ AnalyticMesh sphere(int level, double radius = 1, double jitter = 0);
 AnalyticMesh ellipsoid(int level, double jitter = 0);  ///< half axes 1, 0.8, 0.6
 AnalyticMesh bumpy_sphere(int level, double jitter = 0);
 /// 2 · columns · rows triangles.
-AnalyticMesh torus(int columns, int rows, double jitter = 0, const Torus& shape = {});
+AnalyticMesh torus(int columns, int rows, double jitter = 0);
 /// 0 <= u <= π: two borders.
-AnalyticMesh half_torus(int columns, int rows, double jitter = 0, const Torus& shape = {});
+AnalyticMesh half_torus(int columns, int rows, double jitter = 0);
 AnalyticMesh hills(int cells, double jitter = 0);  ///< over [−1, 1]²
-AnalyticMesh cylinder(int columns, int rows, double radius = 1, double length = 2);  ///< open, z
+AnalyticMesh cylinder(int columns, int rows);      ///< open, around z, from -1 to 1
 TriangleMesh plane(int cells, double jitter = 0);  ///< [−1, 1]², z = 0, facing +z
 TriangleMesh cube(int cells);                      ///< [−1, 1]³, welded edges
 /// Edges and corners of this radius are as finely divided as the faces.
