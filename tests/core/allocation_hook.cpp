@@ -10,13 +10,13 @@ namespace {
 constexpr long kNever = -1;
 std::atomic<std::size_t> calls{0};
 std::atomic<long> calls_left{kNever};  // until one fails
-std::atomic<bool> fails_for_good{false}, has_failed{false};
+std::atomic<bool> has_failed{false};
 
 void count_call() {
     ++calls;
     if (calls_left == kNever) return;
     if (calls_left.fetch_sub(1) != 0) return;
-    calls_left = fails_for_good ? 0 : kNever;
+    calls_left = kNever;
     has_failed = true;
     throw std::bad_alloc();
 }
@@ -38,8 +38,7 @@ std::size_t count() {
     return calls;
 }
 
-void fail_after(long left, bool for_good) {
-    fails_for_good = for_good;
+void fail_after(long left) {
     has_failed = false;
     calls_left = left;
 }

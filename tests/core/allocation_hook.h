@@ -9,9 +9,8 @@ namespace allocation_hook {
 /// Calls of operator new.
 std::size_t count();
 
-/// After `left` more calls throws std::bad_alloc, once or `for_good`, but never from operator
-/// new(std::nothrow).
-void fail_after(long left, bool for_good);
+/// After `left` more calls throws std::bad_alloc, once, but never from operator new(std::nothrow).
+void fail_after(long left);
 
 /// Whether one has failed since fail_after().
 bool stop_failing();

@@ -5,14 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "edges_of_lines.h"
-#include "generators.h"
 #include "helpers.h"
-#include "implicit_head.h"
 #include "laplacian_lines/precompute.h"
-#include "machined_part.h"
-#include "mesh_noise.h"
-#include "midpoint_subdivision.h"
+#include "segmented_head.h"
 
 namespace {
 
@@ -123,28 +118,6 @@ TriangleMesh plate_with_hole(std::uint32_t sides) {
     return mesh;
 }
 
-/// A box with a truncated pyramid on it: rectangles of these half sides and heights, one on the
-/// other, each face cut along the one diagonal or the other, by bits that repeat after 32 faces.
-TriangleMesh stepped_pyramid(const std::vector<Eigen::Vector3d>& rectangles, unsigned diagonals) {
-    TriangleMesh mesh;
-    for (const Eigen::Vector3d& r : rectangles)
-        for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
-            mesh.positions.push_back({x * r.x(), y * r.y(), r.z()});
-    unsigned face = 0;
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-        const bool other = diagonals >> (face++ % 32) & 1;
-        mesh.triangles.push_back({a, b, other ? d : c});
-        mesh.triangles.push_back({other ? b : a, c, d});
-    };
-    const std::uint32_t top = std::uint32_t(mesh.positions.size()) - 4;
-    add(3, 2, 1, 0);
-    add(top, top + 1, top + 2, top + 3);
-    for (std::uint32_t ring = 0; ring < top; ring += 4)
-        for (std::uint32_t i = 0; i < 4; ++i)
-            add(ring + i, ring + (i + 1) % 4, ring + 4 + (i + 1) % 4, ring + 4 + i);
-    return mesh;
-}
-
 /// Edges of a line set that go along the length of prism().
 std::size_t edges_along(const TriangleMesh& mesh, const LineSet& lines) {
     std::size_t count = 0;
@@ -182,14 +155,6 @@ TEST(Creases, AreNotOnRoundForms) {
     for (const int columns : {24, 32, 80})
         EXPECT_TRUE(creases_of(test_meshes::torus(columns, columns / 2).mesh).lines.empty())
             << columns;
-}
-
-TEST(Creases, AreTheSidesOfPrismsOfFewSides) {
-    for (const std::uint32_t sides : {3u, 6u, 8u})
-        EXPECT_EQ(edges_of(turned(sides, {{0.5, -1}, {0.5, 1}}),
-                           creases_of(turned(sides, {{0.5, -1}, {0.5, 1}})))
-                      .size(),
-                  3 * sides);
 }
 
 /// Below the angle of the style, if the surface beside them is flat: between a cylinder and a
@@ -273,7 +238,7 @@ TEST(Creases, AreTheLowEdgesOfPyramids) {
     for (const double top : {0.15, 0.25, 0.4, 0.5})
         for (const double height : {0.05, 0.1, 0.2})
             for (const unsigned diagonals : {0u, 0x3ffu, 0x155u, 0x2ccu}) {
-                const TriangleMesh mesh = stepped_pyramid(
+                const TriangleMesh mesh = test_meshes::stacked(
                     {{0.9, 0.6, 0}, {0.9, 0.6, 0.2}, {0.3 + top, top, 0.2 + height}}, diagonals);
                 EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 20u)
                     << top << ' ' << height << ' ' << diagonals;
@@ -309,7 +274,7 @@ TriangleMesh filleted_block(int facets, double top_radius, unsigned diagonals) {
         const double angle = kTurn / 4 * i / facets, in = top_radius * (1 - std::cos(angle));
         rings.push_back({2 - in, 1.2 - in, 3 + top_radius * std::sin(angle)});
     }
-    return stepped_pyramid(rings, diagonals);
+    return test_meshes::stacked(rings, diagonals);
 }
 
 /// Where fillets around a block meet, an edge runs from the block's corner out into the plate, ever
@@ -342,70 +307,31 @@ TEST(Creases, AreTheRimsOfHolesInPlates) {
     }
 }
 
-/// A saddle of few quads, each cut along a diagonal.
-TEST(Creases, AreNotDiagonalsOfTwistedFaces) {
-    TriangleMesh mesh;
-    const std::uint32_t rows = 7;
-    for (std::uint32_t i = 0; i < rows * rows; ++i) {
-        const double x = i % rows / 3. - 1, y = i / rows / 3. - 1;
-        mesh.positions.push_back({x, y, 0.5 * x * y});
-    }
-    for (std::uint32_t i = 0; i + rows < rows * rows; ++i) {
-        if (i % rows == rows - 1) continue;
-        mesh.triangles.push_back({i, i + 1, i + rows + 1});
-        mesh.triangles.push_back({i, i + rows + 1, i + rows});
-    }
-    EXPECT_TRUE(creases_of(mesh).lines.empty());
-}
-
 /// Steps as high as a voxel are flat and sharp as made parts are.
 TEST(Creases, AreNotTheStepsOfSegmentedVolumes) {
     EXPECT_TRUE(creases_of(test_meshes::terraced_head(60)).lines.empty());
-}
-
-TEST(Creases, OfASmallerAngleAreMore) {
-    const TriangleMesh mesh = turned(12, {{0.5, -1}, {0.5, 1}});
-    LineStyle style = creases_alone();
-    style.crease_angle = 20;
-    EXPECT_EQ(edges_of(mesh, creases_of(mesh, style)).size(), 3u * 12);
-    // The sides, at 30°, end lines at the rims: 24 of one edge each, beside 12 sides.
-    style.crease_angle = 31;
-    EXPECT_EQ(creases_of(mesh, style).lines.size(), 2u);
 }
 
 TEST(Creases, AreHardlyAnyOnNoisyScans) {
     const TriangleMesh mesh = test_meshes::bumpy_sphere(6).mesh;  // 81,920 triangles
     EXPECT_EQ(helpers::total_length(creases_of(mesh)), 0);
     for (const double noise : {0.2, 0.4}) {
-        const TriangleMesh noisy = mesh_noise::with_noise(mesh, noise);
+        const TriangleMesh noisy = test_meshes::with_noise(mesh, noise);
         EXPECT_LT(helpers::total_length(creases_of(noisy)), noise < 0.3 ? 0.05 : 2) << noise;
     }
-}
-
-TriangleMesh subdivided(TriangleMesh mesh, int times) {
-    test_meshes::subdivide(mesh, times);
-    return mesh;
 }
 
 /// Its faces are flat and of several triangles then, as those of what was made are.
 TEST(Creases, AreHardlyAnyOnScansThatWereSubdivided) {
     for (const double noise : {0.06, 0.1}) {
-        const TriangleMesh scan = mesh_noise::with_noise(test_meshes::bumpy_sphere(5).mesh, noise);
+        const TriangleMesh scan = test_meshes::with_noise(test_meshes::bumpy_sphere(5).mesh, noise);
         for (const int times : {1, 2}) {
-            TriangleMesh cut = subdivided(scan, times);
+            TriangleMesh cut = test_meshes::subdivided(scan, times);
             EXPECT_LT(helpers::total_length(creases_of(cut)), 0.05) << noise;
             cut.triangles.pop_back();  // so that it is not undone
             EXPECT_LT(helpers::total_length(creases_of(cut)), 0.05) << noise;
         }
     }
-}
-
-/// Their faces are not triangles, whatever they are cut into.
-TEST(Creases, AreThoseOfSubdividedPrisms) {
-    const TriangleMesh mesh = prism({{-1, 0}, {1, 0}, {1, 1}, {0, 1.05}, {-1, 1}}, 2);
-    for (const int times : {1, 2})
-        EXPECT_NEAR(helpers::total_length(creases_of(subdivided(mesh, times))),
-                    helpers::total_length(creases_of(mesh)), 1e-5);
 }
 
 /// Of a part whose fillets are as wide as its triangles, where edges sharper than the least angle
@@ -425,8 +351,9 @@ TEST(Creases, AreLeftToRidgesOnFilletsOfFewTriangles) {
                     double((lines.points[i].position - lines.points[i - 1].position).norm());
         return lengths;
     };
-    for (const auto& [radius, edge] : {std::pair(0.005, 0.006), {0.005, 0.012}, {0.0025, 0.012}}) {
-        const TriangleMesh mesh = test_meshes::MachinedPart(radius).mesh(edge);
+    for (const auto& [radius, cells] : {std::pair(0.04, 60), {0.05, 80}, {0.06, 40}}) {
+        const TriangleMesh mesh =
+            test_meshes::with_noise(test_meshes::rounded_cube(cells, radius), 0.02);
         auto alone = drawn(mesh, {LineKind::Ridge}),
              both = drawn(mesh, {LineKind::Ridge, LineKind::Crease});
         EXPECT_GT(alone[LineKind::Ridge], 10) << radius;
@@ -498,6 +425,24 @@ TEST(Creases, AreCutWhereTheHorizonBegins) {
     }
     EXPECT_EQ(arcs, 2u);
     EXPECT_EQ(edges, sides);  // each side of the wall is in one of the two
+}
+
+/// Flat faces have no form of their own, only errors.
+TEST(Creases, LeaveNoLaplacianLinesOnFacesBesideThem) {
+    const auto count = [](const TriangleMesh& mesh, bool has_creases) {
+        LineStyle style = helpers::all_laplacian_lines();
+        style.shows[LineKind::Crease] = has_creases;
+        const LineExtractor extractor(mesh, precompute(mesh));
+        std::size_t lines = 0;
+        for (const View& view : helpers::random_views(mesh, 6))
+            for (const Polyline& line : helpers::extract(extractor, view, style).lines)
+                lines += line.kind == LineKind::Laplacian;
+        return lines;
+    };
+    for (const TriangleMesh& mesh : {test_meshes::cube(1), test_meshes::cube(10)}) {
+        EXPECT_GT(count(mesh, false), 0u);
+        EXPECT_EQ(count(mesh, true), 0u);
+    }
 }
 
 }  // namespace

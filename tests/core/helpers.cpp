@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
+#include <map>
 #include <random>
+#include <stdexcept>
 
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_mixture.h"
@@ -17,38 +20,58 @@ namespace helpers {
 
 using namespace laplacian_lines;
 
-double relative_error(const std::vector<Eigen::Vector3f>& a, const std::vector<Eigen::Vector3d>& b,
-                      const std::vector<bool>& use) {
+namespace {
+
+using Numbers = std::function<Eigen::MatrixXd(std::size_t)>;
+
+/// Of any numbers by vertex.
+double error_of(std::size_t count, const Numbers& got, const Numbers& expected,
+                const std::vector<bool>& use = {}) {
     double error = 0, size = 0;
-    for (std::size_t i = 0; i < b.size(); ++i) {
-        if (!use.empty() && !use[i]) continue;
-        error += (a[i].cast<double>() - b[i]).squaredNorm();
-        size += b[i].squaredNorm();
+    for (std::size_t v = 0; v < count; ++v) {
+        if (!use.empty() && !use[v]) continue;
+        error += (got(v) - expected(v)).squaredNorm();
+        size += expected(v).squaredNorm();
     }
     return std::sqrt(error / size);
 }
 
-std::vector<Eigen::Vector3d> true_laplacians(const std::vector<test_meshes::SurfacePoint>& truth) {
-    std::vector<Eigen::Vector3d> laplacians;
-    for (const auto& point : truth)
-        laplacians.push_back(point.laplacian_normal);
-    return laplacians;
+}  // namespace
+
+double relative_error(const std::vector<Eigen::Vector3f>& a,
+                      const std::vector<Eigen::Vector3d>& b) {
+    return error_of(
+        b.size(), [&](std::size_t v) -> Eigen::MatrixXd { return a[v].cast<double>(); },
+        [&](std::size_t v) -> Eigen::MatrixXd { return b[v]; });
 }
 
 double laplacian_error(const Field& field, const std::vector<test_meshes::SurfacePoint>& truth,
                        const std::vector<bool>& use) {
-    return relative_error(field.laplacian_normals, true_laplacians(truth), use);
+    return error_of(
+        truth.size(),
+        [&](std::size_t v) -> Eigen::MatrixXd { return field.laplacian_normals[v].cast<double>(); },
+        [&](std::size_t v) -> Eigen::MatrixXd { return truth[v].laplacian_normal; }, use);
 }
 
-double shape_error(const Field& field, const std::vector<test_meshes::SurfacePoint>& truth,
-                   const std::vector<bool>& use) {
-    double error = 0, size = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        if (!use.empty() && !use[i]) continue;
-        error += (matrix(field.shape_operators[i]) - truth[i].shape_operator).squaredNorm();
-        size += truth[i].shape_operator.squaredNorm();
-    }
-    return std::sqrt(error / size);
+double shape_error(const Field& field, const std::vector<test_meshes::SurfacePoint>& truth) {
+    return error_of(
+        truth.size(),
+        [&](std::size_t v) -> Eigen::MatrixXd { return matrix(field.shape_operators[v]); },
+        [&](std::size_t v) -> Eigen::MatrixXd { return truth[v].shape_operator; });
+}
+
+double derivative_error(const Field& field, const std::vector<test_meshes::SurfacePoint>& truth) {
+    const Eigen::Array4d weights(1, std::sqrt(3), std::sqrt(3), 1);  // for all eight entries
+    return error_of(
+        truth.size(),
+        [&](std::size_t v) -> Eigen::MatrixXd {
+            return (field.curvature_derivatives.at(v).cast<double>().array() * weights).matrix();
+        },
+        [&](std::size_t v) -> Eigen::MatrixXd {
+            const Eigen::Vector4d entries =
+                derivative_entries(truth[v].shape_derivative, field.normals[v]);
+            return (entries.array() * weights).matrix();
+        });
 }
 
 Eigen::Vector3d curvature_entries(const Eigen::Matrix3d& s, const Eigen::Vector3f& normal) {
@@ -65,23 +88,6 @@ Eigen::Vector4d derivative_entries(const std::array<Eigen::Matrix3d, 3>& derivat
         return x.x() * derivative[0] + x.y() * derivative[1] + x.z() * derivative[2];
     };
     return {u.dot(along(u) * u), u.dot(along(u) * v), v.dot(along(u) * v), v.dot(along(v) * v)};
-}
-
-double squared_size(const Eigen::Vector4d& c) {
-    return c[0] * c[0] + 3 * c[1] * c[1] + 3 * c[2] * c[2] + c[3] * c[3];
-}
-
-double derivative_error(const Field& field, const std::vector<test_meshes::SurfacePoint>& truth,
-                        const std::vector<bool>& use) {
-    double error = 0, size = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        if (!use.empty() && !use[i]) continue;
-        const Eigen::Vector4d expected =
-            derivative_entries(truth[i].shape_derivative, field.normals[i]);
-        error += squared_size(field.curvature_derivatives.at(i).cast<double>() - expected);
-        size += squared_size(expected);
-    }
-    return std::sqrt(error / size);
 }
 
 Eigen::Matrix3d matrix(const ShapeOperator& s) {
@@ -199,6 +205,25 @@ double distance_to_lines(const Eigen::Vector3d& p, const LineSet& lines) {
             nearest = std::min(nearest, (p - a - t * d).squaredNorm());
         }
     return std::sqrt(nearest);
+}
+
+std::multiset<Edge> edges_of(const TriangleMesh& mesh, const LineSet& lines) {
+    std::map<std::array<float, 3>, std::uint32_t> vertex;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+        const Eigen::Vector3f p = mesh.positions[v].cast<float>();
+        vertex[{p.x(), p.y(), p.z()}] = v;
+    }
+    const auto find = [&](const Eigen::Vector3f& p) -> std::uint32_t {
+        for (const auto& [q, v] : vertex)
+            if ((p - Eigen::Vector3f(q[0], q[1], q[2])).norm() < 1e-5) return v;
+        throw std::logic_error("a point that is not a vertex");
+    };
+    std::multiset<Edge> edges;
+    for (const Polyline& line : lines.lines)
+        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
+            edges.insert(
+                std::minmax(find(lines.points[i - 1].position), find(lines.points[i].position)));
+    return edges;
 }
 
 bool same_lines(const LineSet& a, const LineSet& b) {

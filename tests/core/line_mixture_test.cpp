@@ -35,16 +35,6 @@ TEST(LineMixtures, HaveTheOutlinesAndNamesOfTheirOwn) {
     }
 }
 
-TEST(LineMixtures, OfOneKindAreThatKind) {
-    for (const LineKindDescription& kind : line_kinds) {
-        const LineMixture* mixture = mixture_named(kind.key);
-        if (!mixture) continue;
-        for (const LineKindDescription& other : line_kinds)
-            EXPECT_EQ(mixture->kinds[other.kind], outlines_and({kind.kind})[other.kind])
-                << kind.key << ", " << other.key;
-    }
-}
-
 TEST(LineMixtures, AreNamedByKeyOrLabel) {
     for (const LineMixture& mixture : line_mixtures) {
         EXPECT_EQ(mixture_named(mixture.key), &mixture);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each threshold keeps and drops, mostly on a plane with a made-up field, whose only line has
-// known gradient, slope, facing, length and strength.
+// known gradient, slope, facing, length and strength; single strokes; a light that is not at the
+// eye.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "helpers.h"
 #include "laplacian_lines/precompute.h"
 #include "made_up_line.h"
 
@@ -84,12 +86,6 @@ TEST(Thresholds, LeastFacing) {
     EXPECT_FALSE(back.is_drawn(style));
 }
 
-TEST(Thresholds, LeastFacingOfMinusOneShowsTheVeryBack) {
-    MadeUp back;
-    back.facing = -1;
-    EXPECT_TRUE(back.is_drawn(helpers::all_laplacian_lines()));
-}
-
 TEST(Thresholds, PhantomsAreCrossingsWhereTheGradientIsSmallest) {
     LineStyle style = helpers::all_laplacian_lines();
     style.reject_phantoms = true;
@@ -115,82 +111,6 @@ TEST(Weights, GrowFromZeroToOneOverTheFullSlope) {
     }
 }
 
-TEST(Weights, OfContoursAreFull) {
-    const auto& torus = test_meshes::mesh_named("torus_jittered").mesh;
-    const LineSet lines = extract(LineExtractor(torus, precompute(torus)),
-                                  View::perspective({3, 2, 4}), helpers::all_contours());
-    ASSERT_FALSE(lines.points.empty());
-    for (const LinePoint& p : lines.points)
-        EXPECT_EQ(p.weight, 1.f);
-    for (const Polyline& line : lines.lines)
-        EXPECT_EQ(line.slope, 0.f);
-}
-
-/// Around z, from the side: two straight lines with ‖∇I‖ = 1/R, across which ΔI has the slope 1/R³.
-TEST(Cylinder, StrengthAndSlopeAreAsComputedByHand) {
-    const test_meshes::TestMesh& cylinder = test_meshes::mesh_named("cylinder");
-    PrecomputeOptions options;
-    options.kernel_size = 0.2;
-    const Field field = precompute(cylinder.mesh, options);
-    const LineSet set = extract(LineExtractor(cylinder.mesh, field),
-                                View::orthographic({1, 0.07, 0}), helpers::all_laplacian_lines());
-    ASSERT_EQ(set.lines.size(), 2u);
-    const double effective_size =
-        std::sqrt(0.04 + field.scale.normal_sigma * field.scale.normal_sigma / 2);
-    for (const Polyline& line : set.lines) {
-        EXPECT_NEAR(line.length * field.scale.diagonal, 2, 0.03);
-        EXPECT_NEAR(line.strength, 2, 0.03);
-        EXPECT_NEAR(line.slope, std::pow(effective_size, 3), 0.05 * std::pow(effective_size, 3));
-    }
-}
-
-class Monotone : public testing::TestWithParam<double LineStyle::*> {};
-
-TEST_P(Monotone, HigherThresholdsNeverGiveMoreLines) {
-    const auto surface = test_meshes::bumpy_sphere(5, 0.15);
-    const LineExtractor extractor(surface.mesh, precompute(surface.mesh));
-    for (const View& view : helpers::random_views(surface.mesh, 6)) {
-        LineStyle style = helpers::all_crossings();
-        double first = helpers::total_length(extract(extractor, view, style)), previous = first;
-        for (double threshold = 0.005; threshold < 50; threshold *= 1.7) {
-            style.*GetParam() = GetParam() == &LineStyle::least_facing
-                                    ? std::clamp(std::log(threshold) / 4, -1.0, 1.0)
-                                    : std::min(threshold, 9.9);
-            const double length = helpers::total_length(extract(extractor, view, style));
-            EXPECT_LE(length, previous * (1 + 1e-5)) << threshold;
-            previous = length;
-        }
-        EXPECT_LT(previous, 0.9 * first);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Thresholds, Monotone,
-                         testing::Values(&LineStyle::gradient_threshold,
-                                         &LineStyle::strength_threshold, &LineStyle::segment_slope,
-                                         &LineStyle::line_slope, &LineStyle::shortest_line,
-                                         &LineStyle::shortest_contour, &LineStyle::least_facing));
-
-TEST(Kinds, AreDrawnAsAsked) {
-    const auto& bumpy = test_meshes::mesh_named("bumpy_sphere").mesh;
-    const LineExtractor extractor(bumpy, precompute(bumpy));
-    const View view = View::perspective({3, 2, 4});
-    const auto count = [&](bool laplacian, bool contours, LineKind kind) {
-        LineStyle style;
-        style.shows[LineKind::Laplacian] = laplacian;
-        style.shows[LineKind::Contour] = contours;
-        std::size_t n = 0;
-        for (const Polyline& line : extract(extractor, view, style).lines)
-            n += line.kind == kind;
-        return n;
-    };
-    EXPECT_GT(count(true, true, LineKind::Laplacian), 0u);
-    EXPECT_GT(count(true, true, LineKind::Contour), 0u);
-    EXPECT_EQ(count(true, false, LineKind::Contour), 0u);
-    EXPECT_EQ(count(false, true, LineKind::Laplacian), 0u);
-    EXPECT_EQ(count(false, false, LineKind::Laplacian) + count(false, false, LineKind::Contour),
-              0u);
-}
-
 TEST(Kinds, ContoursAskOnlyForTheirLength) {
     const auto& torus = test_meshes::mesh_named("torus").mesh;
     const LineExtractor extractor(torus, precompute(torus));
@@ -205,6 +125,98 @@ TEST(Kinds, ContoursAskOnlyForTheirLength) {
     EXPECT_TRUE(helpers::same_lines(expected, extract(extractor, view, style)));
     style.shortest_contour = 10;
     EXPECT_TRUE(extract(extractor, view, style).lines.empty());
+}
+
+LineStyle single_strokes() {
+    LineStyle style = helpers::all_laplacian_lines();
+    style.single_strokes = true;
+    style.fading = style.end_length = 0;
+    return style;
+}
+
+const Eigen::Vector3d kRight(0.3, 0, 1), kLeft(-0.3, 0, 1), kAbove(0, 0, 1);
+
+bool is_drawn(double gradient, const View& view) {
+    MadeUp made_up;
+    made_up.gradient = gradient;
+    return !helpers::extract(made_up.extractor(), view, single_strokes()).lines.empty();
+}
+
+/// l·S l = 2 gradient l_x l_z.
+TEST(SingleStrokes, AreWhereTheSurfaceIsConcaveTowardsTheEye) {
+    EXPECT_TRUE(is_drawn(-1, View::orthographic(kRight)));
+    EXPECT_FALSE(is_drawn(-1, View::orthographic(kLeft)));
+    EXPECT_FALSE(is_drawn(1, View::orthographic(kRight)));
+    EXPECT_TRUE(is_drawn(1, View::orthographic(kLeft)));
+}
+
+TEST(SingleStrokes, FollowALightElsewhere) {
+    View view = View::orthographic(kAbove);
+    view.light = kRight;
+    EXPECT_TRUE(is_drawn(-1, view));
+    view.light = kLeft;
+    EXPECT_FALSE(is_drawn(-1, view));
+}
+
+/// The measure −l·S l/(‖w‖‖S l‖) goes from nothing at −fading/4 to full at fading/2.
+TEST(SingleStrokes, FadeInFromConvexToConcave) {
+    const Eigen::Vector3d l = Eigen::Vector3d(0, 0.6, 0.8);
+    for (const double trace : {0.08, 0.03, -0.05, -0.2, -0.4}) {
+        MadeUp made_up;
+        made_up.trace = trace;
+        const double measure = -trace * l.y() / std::hypot(l.z(), trace * l.y());
+        const double expected = std::clamp((measure + 0.1) / 0.3, 0., 1.);
+        for (const bool at_eye : {true, false}) {
+            View view = View::orthographic(at_eye ? l : kAbove);
+            if (!at_eye) view.light = l;
+            LineStyle style = single_strokes();
+            style.fading = 0.4;
+            const LineSet set = helpers::extract(made_up.extractor(), view, style);
+            ASSERT_EQ(set.lines.size(), 1u);
+            EXPECT_NEAR(set.points[set.points.size() / 2].opacity, expected, 1e-3);
+        }
+    }
+}
+
+TEST(SingleStrokes, ArePartOfThePapersLines) {
+    const TriangleMesh& mesh = test_meshes::mesh_named("bumpy_sphere").mesh;
+    const LineExtractor extractor(mesh, precompute(mesh));
+    const View view = View::perspective({3, 2, 4});
+    LineStyle style = single_strokes();
+    const LineSet single = helpers::extract(extractor, view, style);
+    style.single_strokes = false;
+    const LineSet all = helpers::extract(extractor, view, style);
+    ASSERT_FALSE(single.lines.empty());
+    EXPECT_LT(single.points.size(), all.points.size());
+    for (const LinePoint& p : single.points)
+        EXPECT_TRUE(std::any_of(all.points.begin(), all.points.end(),
+                                [&](const LinePoint& q) { return p.position == q.position; }));
+}
+
+const Eigen::Vector3d kOblique = Eigen::Vector3d(1, 2, 3).normalized();
+using helpers::extract;
+using helpers::total_length;
+
+/// On a sphere ΔI = Δn·d vanishes where n·d does, whatever the eye; contours stay the eye's.
+TEST(Light, DirectionalLightDrawsItsOwnTerminator) {
+    const auto sphere = test_meshes::sphere(5);
+    PrecomputeOptions options;  // the sphere's normals exact, so that only the lines are looked at
+    options.normal_weighting = NormalWeighting::Max;
+    options.normal_smoothing = NormalSmoothing::None;
+    options.kernel_size = 0.15;
+    const LineExtractor extractor(sphere.mesh, precompute(sphere.mesh, options));
+    View view = View::perspective(4 * kOblique);
+    const LineSet contours = extract(extractor, view, helpers::all_contours());
+    view.light = Eigen::Vector3d(0.3, -5, 1);
+    const LineSet lines = extract(extractor, view, helpers::all_laplacian_lines());
+    ASSERT_EQ(lines.lines.size(), 1u);
+    EXPECT_TRUE(lines.lines[0].closed);
+    for (const LinePoint& p : lines.points)
+        EXPECT_NEAR(p.position.cast<double>().dot(view.light->normalized()), 0, 2e-3);
+    const LineSet lit_contours = extract(extractor, view, helpers::all_contours());
+    ASSERT_EQ(lit_contours.points.size(), contours.points.size());
+    for (std::size_t i = 0; i < contours.points.size(); ++i)
+        EXPECT_EQ(lit_contours.points[i].position, contours.points[i].position);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The core as in a plugin, for unload_core.
+// The core as in a plugin, for unload_core. By an internal header: with more of the core, the
+// compiler's unique symbols keep a library from being unloaded at all.
 #include <atomic>
 
 #include "system/parallel.h"

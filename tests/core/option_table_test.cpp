@@ -39,14 +39,6 @@ TYPED_TEST(OptionTable, KeysAreUniqueIdentifiers) {
     }
 }
 
-TYPED_TEST(OptionTable, HelpIsASentence) {
-    for (const auto& row : table<TypeParam>()) {
-        EXPECT_GT(std::strlen(row.label), 3u) << row.key;
-        ASSERT_GT(std::strlen(row.help), 20u) << row.key;
-        EXPECT_EQ(row.help[std::strlen(row.help) - 1], '.') << row.key;
-    }
-}
-
 TYPED_TEST(OptionTable, DefaultsAreInsideTheLimits) {
     EXPECT_NO_THROW(validate(TypeParam()));
     for (const auto& row : table<TypeParam>()) {
@@ -76,6 +68,7 @@ TYPED_TEST(OptionTable, ValuesMakeTheRoundTripAlone) {
             TypeParam options;
             row.set(options, value);
             EXPECT_EQ(row.get(options), value) << row.key;
+            EXPECT_NO_THROW(validate(options)) << row.key;
             for (const auto& other : table<TypeParam>())
                 if (&other != &row) {
                     EXPECT_EQ(other.get(options), other.get(TypeParam())) << row.key << other.key;

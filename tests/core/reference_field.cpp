@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference_field.h"
+#include "reference.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -58,6 +58,8 @@ double diagonal(const TriangleMesh& mesh) {
     return box.diagonal().norm();
 }
 
+namespace {
+
 std::vector<double> masses(const TriangleMesh& mesh) {
     std::vector<double> m(mesh.positions.size(), 0);
     for_each_corner(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -65,6 +67,8 @@ std::vector<double> masses(const TriangleMesh& mesh) {
     });
     return m;
 }
+
+}  // namespace
 
 Vectors normals(const TriangleMesh& mesh, NormalWeighting weighting) {
     Vectors n(mesh.positions.size(), Eigen::Vector3d::Zero());
@@ -101,23 +105,22 @@ std::vector<double> relative_sizes(const TriangleMesh& mesh) {
     return sizes;
 }
 
-Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, const Smoothing& smoothing) {
+Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, double sigma,
+                 double bilateral_angle) {
     const std::vector<double> m = masses(mesh);
-    const double chord = 2 * std::sin(smoothing.bilateral_angle * kPi / 360);
-    Vectors result(normals.size());
+    const double chord = 2 * std::sin(bilateral_angle * kPi / 360);
+    Vectors result(normals.size(), Eigen::Vector3d::Zero());
     for (std::size_t p = 0; p < normals.size(); ++p) {
-        const double sigma = smoothing.sigma[p];
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (std::size_t q = 0; q < normals.size(); ++q) {
             const double distance = (mesh.positions[q] - mesh.positions[p]).norm() / sigma;
-            if (distance > smoothing.cutoff) continue;
+            if (distance > 3) continue;
             double w =
                 m[q] * facing_weight(normals[q], normals[p]) * std::exp(-distance * distance / 2);
             if (chord > 0)
                 w *= std::exp(-(normals[q] - normals[p]).squaredNorm() / (2 * chord * chord));
-            sum += w * normals[q];
+            result[p] += w * normals[q];
         }
-        result[p] = sum.normalized();
+        result[p].normalize();
     }
     return result;
 }

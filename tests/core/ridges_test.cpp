@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ridges: the crest lines of convex edges.
+// Ridges and valleys: the crest lines of convex and concave edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,12 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "fixed/stretches.h"
-#include "flaked_stone.h"
-#include "generators.h"
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "mesh_noise.h"
 
 namespace {
 
@@ -33,6 +29,14 @@ LineStyle only_ridges() {
 LineSet ridges(const TriangleMesh& mesh, const LineStyle& style) {
     const LineExtractor extractor(mesh, precompute(mesh));
     return helpers::extract(extractor, kView, style);
+}
+
+LineSet crests_from_above(const TriangleMesh& mesh, LineKind kind) {
+    LineStyle style = helpers::only(kind);
+    style.fading = 0;
+    style.ridge_angle = 10;
+    return helpers::extract(LineExtractor(mesh, precompute(mesh)),
+                            View::orthographic(Eigen::Vector3d::UnitZ()), style);
 }
 
 constexpr double kRadius = 0.15;
@@ -79,15 +83,6 @@ double median_angle(const LineSet& lines) {
     if (angles.empty()) return 0;
     std::nth_element(angles.begin(), angles.begin() + angles.size() / 2, angles.end());
     return angles[angles.size() / 2];
-}
-
-/// A fillet of radius r turns by 2 · 0.02 D/r within 2 % of D to both sides, if it is that wide.
-TEST(Ridges, KnowTheirAngle) {
-    const double radius = 0.11;
-    const TriangleMesh mesh = test_meshes::rounded_cube(80, radius);
-    const double reach = 0.02 * precompute(mesh).scale.diagonal;
-    EXPECT_NEAR(median_angle(ridges(mesh, only_ridges())), 2 * reach / radius * 180 / 3.14159265,
-                6);
 }
 
 /// A narrower one turns by all of its angle, whatever triangles it is made of; less where normals
@@ -149,58 +144,15 @@ TEST(Ridges, GoOnWhereTheyAreWeaker) {
     EXPECT_EQ(reach(18), 0);
 }
 
-/// Of a line with so many pieces of 0.01 D at 40°, then so many at another angle.
-StretchLengths lengths_of(std::uint32_t plain, std::uint32_t others, float angle) {
-    std::vector<LinePoint> points(plain + others + 1);
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-        points[i] = {{0.02f * float(i), 0, 0}, 1, i < plain ? 40 : angle, 1};
-    const auto count = std::uint32_t(points.size());
-    return measure({0, count, count, false}, points.data(), 20, 2);
-}
-
-/// Short ones are noise if they are dull.
-TEST(Ridges, CountTheMoreTheSharperTheyAre) {
-    EXPECT_NEAR(lengths_of(3, 0, 40).strong, 0.03f, 1e-5f);
-    EXPECT_NEAR(lengths_of(0, 3, 45).strong, 0.03f, 1e-5f);
-    EXPECT_NEAR(lengths_of(0, 3, 63.64f).strong, 0.06f, 1e-4f) << "twice at √2 times 45°";
-    EXPECT_NEAR(lengths_of(0, 3, 170).strong, 0.09f, 1e-5f);
-    EXPECT_NEAR(lengths_of(2, 1, 170).strong, 0.05f, 1e-5f) << "pieces are as dull as their ends";
-    EXPECT_NEAR(lengths_of(3, 4, 10).strong, 0.02f, 1e-5f) << "what has not the angle ends it";
-    EXPECT_NEAR(lengths_of(3, 4, 10).all, 0.07f, 1e-5f);
-}
-
-/// Where Ridge Angle is small, too.
-TEST(Ridges, AreNotOnSmoothBumps) {
-    LineStyle style = only_ridges();
-    style.ridge_angle = 10;
-    for (const int level : {4, 5})
-        EXPECT_TRUE(ridges(test_meshes::bumpy_sphere(level, 0.15).mesh, style).lines.empty())
-            << level;
-}
-
-/// A larger kernel finds no softer ridges.
-TEST(Ridges, AreNoMoreWithALargerKernel) {
-    const test_meshes::FlakedStone stone({});
-    const TriangleMesh mesh = mesh_noise::with_noise(stone.mesh(5), 0.2);
-    float last = std::numeric_limits<float>::max();
-    for (const double kernel_size : {0., 0.03, 0.06}) {
-        PrecomputeOptions options;
-        options.kernel_size = kernel_size * stone.diagonal();
-        const LineExtractor extractor(mesh, precompute(mesh, options));
-        const float length =
-            helpers::total_length(helpers::extract(extractor, kView, only_ridges()));
-        EXPECT_LE(length, last) << kernel_size;
-        EXPECT_GT(length, 0) << kernel_size;
-        last = length;
-    }
-}
-
 /// Neither round forms nor grooves have any.
 TEST(Ridges, AreOnlyWhereOneConvexCurvatureRules) {
     LineStyle style = only_ridges();
     style.ridge_angle = 10;
-    EXPECT_TRUE(ridges(test_meshes::mesh_named("sphere").mesh, style).lines.empty());
-    EXPECT_TRUE(ridges(test_meshes::mesh_named("plane").mesh, style).lines.empty());
+    for (const TriangleMesh& mesh : {test_meshes::sphere(4).mesh, test_meshes::plane(24, 0.2),
+                                     test_meshes::bumpy_sphere(5, 0.15).mesh}) {
+        EXPECT_TRUE(ridges(mesh, style).lines.empty());
+        EXPECT_TRUE(crests_from_above(mesh, LineKind::Valley).lines.empty());
+    }
     for (const LinePoint& p : ridges(test_meshes::cavity(rounded_cube()), style).points)
         EXPECT_EQ(edge_of(p.position), -1);
 }
@@ -223,6 +175,37 @@ TEST(Ridges, FadeBesideContours) {
             }
         EXPECT_EQ(upright > 0, !contours);
         EXPECT_GT(others, 0u);
+    }
+}
+
+/// A plate with a wavy groove at y = 0.1 sin 3x.
+TriangleMesh groove() {
+    return test_meshes::grid_mesh({160, 160}, [](double u, double v) {
+        const double x = 2 * u - 1, y = 2 * v - 1, across = y - 0.1 * std::sin(3 * x);
+        return Eigen::Vector3d(x, y, 0.3 * std::sqrt(across * across + 0.03 * 0.03));
+    });
+}
+
+TEST(Valleys, FollowTheBottomsOfGrooves) {
+    const LineSet lines = crests_from_above(groove(), LineKind::Valley);
+    ASSERT_FALSE(lines.lines.empty());
+    for (const LinePoint& p : lines.points)
+        EXPECT_NEAR(p.position.y(), 0.1 * std::sin(3 * p.position.x()), 0.01);
+    EXPECT_GT(helpers::total_length(lines), 0.7);
+    for (const Polyline& line : lines.lines)
+        EXPECT_EQ(line.kind, LineKind::Valley);
+    EXPECT_TRUE(crests_from_above(groove(), LineKind::Ridge).lines.empty());
+}
+
+TEST(Valleys, AreTheRidgesOfTheOtherSide) {
+    for (const TriangleMesh& mesh : {groove(), test_meshes::hills(80).mesh}) {
+        const LineSet valleys = crests_from_above(test_meshes::inside_out(mesh), LineKind::Valley),
+                      ridges = crests_from_above(mesh, LineKind::Ridge);
+        EXPECT_EQ(valleys.lines.size(), ridges.lines.size());
+        EXPECT_NEAR(helpers::total_length(valleys), helpers::total_length(ridges),
+                    1e-3 * helpers::total_length(ridges));
+        for (const LinePoint& p : valleys.points)
+            EXPECT_LT(helpers::distance_to_lines(p.position.cast<double>(), ridges), 1e-3);
     }
 }
 

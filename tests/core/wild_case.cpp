@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wild_case.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "helpers.h"
@@ -9,109 +10,86 @@
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
-#include "wild_mesh.h"
 
 namespace wild {
 
 using namespace laplacian_lines;
-using test_meshes::Choices;
 
 namespace {
 
 // Rays meet most of a tangle's triangles: sanitizers take half a minute for 500.
 constexpr std::size_t kMostTrianglesForRays = 100;
+constexpr std::uint8_t kNoVertex = 255;
 
-/// Mostly in range, else the least, the largest or odd.
+/// Numbers by the bytes of a fuzzer or file; 0 after the last.
+class Bytes {
+public:
+    Bytes(const std::uint8_t* bytes, std::size_t size) : next_(bytes), end_(bytes + size) {}
+
+    std::uint8_t byte() { return next_ == end_ ? std::uint8_t(0) : *next_++; }
+    bool are_left() const { return next_ != end_; }
+    /// Any, not finite ones too.
+    template <class Number>
+    Number number() {
+        Number number;
+        auto* const to = reinterpret_cast<std::uint8_t*>(&number);
+        for (std::size_t i = 0; i < sizeof number; ++i)
+            to[i] = byte();
+        return number;
+    }
+    Eigen::Vector3d vector() {
+        const double x = number<double>(), y = number<double>();
+        return {x, y, number<double>()};
+    }
+
+private:
+    const std::uint8_t *next_, *end_;
+};
+
 template <class Options>
-Options wild_options(const std::vector<OptionDescription<Options>>& table, Choices& choices) {
+Options wild_options(const std::vector<OptionDescription<Options>>& table, Bytes& bytes) {
     Options options;
-    for (unsigned changes = choices.below(6); changes > 0; --changes) {
-        const auto& row = table[choices.byte() % table.size()];
+    for (unsigned changes = bytes.byte() % 6; changes > 0; --changes) {
+        const auto& row = table[bytes.byte() % table.size()];
         const bool is_real = row.kind == OptionKind::Real || row.kind == OptionKind::Length;
-        const double span = row.maximum < 1e300 ? row.maximum - row.minimum : 4;
-        switch (choices.below(5)) {
-            case 0:
-                row.set(options, row.minimum);
-                break;
-            case 1:
-                row.set(options, row.maximum);
-                break;
-            case 2:
-                if (is_real) row.set(options, test_meshes::odd_number(choices));
-                break;
-            default:
-                row.set(options, row.minimum + (is_real ? span * std::pow(choices.unit(), 4)
-                                                        : choices.below(unsigned(span) + 1)));
-        }
+        row.set(options, is_real ? bytes.number<double>()
+                                 : row.minimum + bytes.byte() % int(row.maximum - row.minimum + 1));
     }
     return options;
 }
 
-Eigen::Vector3d wild_vector(const TriangleMesh& mesh, Choices& choices) {
-    const auto odd = [&] { return test_meshes::odd_number(choices); };
-    const auto vertex = [&]() -> Eigen::Vector3d {
-        if (mesh.positions.empty()) return Eigen::Vector3d::Zero();
-        return mesh.positions[choices.word() % mesh.positions.size()];
-    };
-    Eigen::Vector3d v;
-    switch (choices.below(5)) {
-        case 0:
-            return vertex();
-        case 1:
-            v = vertex();
-            return v + 1e-3 * vertex();
-        case 2:
-            v = vertex();
-            v[choices.below(3)] = odd();
-            return v;
-        case 3:
-            for (double& x : v)
-                x = odd();
-            return v;
-        default:
-            for (double& x : v)
-                x = 20 * choices.unit() - 10;
-            return v;
-    }
+TriangleMesh wild_mesh(Bytes& bytes) {
+    TriangleMesh mesh;
+    mesh.positions.resize(bytes.byte());
+    for (Eigen::Vector3d& p : mesh.positions)
+        p = bytes.vector();
+    mesh.triangles.resize(bytes.number<std::uint16_t>() % 512);
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t) {
+            v = bytes.byte();
+            if (v != kNoVertex && !mesh.positions.empty()) v %= mesh.positions.size();
+        }
+    return mesh;
 }
 
-View wild_view(const TriangleMesh& mesh, Choices& choices) {
-    View view = View::perspective(wild_vector(mesh, choices));
-    if (choices.one_in(3)) view.w = 0;
-    if (choices.one_in(8)) view.w = test_meshes::odd_number(choices);
-    if (choices.one_in(4)) view.light = wild_vector(mesh, choices);
+View wild_view(const TriangleMesh& mesh, Bytes& bytes) {
+    View view;
+    view.w = bytes.byte() % 4 == 0 ? bytes.number<double>() : bytes.byte() % 2;
+    const unsigned at_vertex = bytes.byte();
+    view.eye = at_vertex < mesh.positions.size() ? mesh.positions[at_vertex] : bytes.vector();
+    if (bytes.byte() % 4 == 1) view.light = bytes.vector();
     return view;
 }
 
-float wild_float(Choices& choices) {
-    return choices.one_in(64) ? float(test_meshes::odd_number(choices))
-                              : choices.byte() / 128.f - 1;
-}
-
-/// Any numbers, few not finite.
-Field made_up_field(const TriangleMesh& mesh, Choices& choices) {
+/// Any numbers, as far as there are bytes.
+Field made_up_field(const TriangleMesh& mesh, Bytes& bytes) {
     Field field;
-    for (std::size_t v = 0; v < mesh.positions.size() && !choices.exhausted(); ++v) {
-        const auto vector = [&] {
-            const float x = wild_float(choices), y = wild_float(choices);
-            return Eigen::Vector3f(x, y, wild_float(choices));
-        };
-        field.normals.push_back(vector());
-        field.laplacian_normals.push_back(10 * vector());
-        const Eigen::Vector3f a = 10 * vector(), b = 10 * vector();
-        field.shape_operators.push_back({a.x(), a.y(), a.z(), b.x(), b.y(), b.z()});
-        field.kernel_sizes.push_back(wild_float(choices));
-        field.smooth_curvatures.push_back({b.y(), a.z(), b.x()});
-        field.curvature_derivatives.push_back({10 * a.y(), 10 * b.x(), 10 * a.x(), 10 * b.z()});
-    }
-    const std::size_t count = mesh.positions.size() + choices.one_in(32);
-    field.normals.resize(count, Eigen::Vector3f::UnitX());
-    field.laplacian_normals.resize(count, Eigen::Vector3f::UnitY());
-    field.shape_operators.resize(count);
-    field.kernel_sizes.resize(count, 0.1f);
-    field.smooth_curvatures.resize(count, Eigen::Vector3f(3, -2, 1));
-    field.curvature_derivatives.resize(count, Eigen::Vector4f(1, 2, 3, 4));
     field.scale = measure_scale(mesh);
+    for (const FieldColumn& column : field_columns) {
+        column.resize(field, mesh.positions.size());
+        for (std::size_t i = 0; i < mesh.positions.size() * std::size_t(column.floats); ++i)
+            column.write(field)[i] = bytes.are_left() ? bytes.number<float>() : float(i % 7) - 3;
+    }
     return field;
 }
 
@@ -140,27 +118,18 @@ std::string look_complaint(const TriangleMesh& mesh, const LineExtractor& extrac
     return found;
 }
 
-std::string extract_views(const TriangleMesh& mesh, const Field& field, Choices& choices) {
+std::string lines_complaint(const TriangleMesh& mesh, const Field& field, Bytes& bytes) {
     const LineExtractor extractor(mesh, field);
-    ExtractionScratch scratch;
-    LineSet lines;
-    for (unsigned views = 1 + choices.below(4); views > 0; --views) {
-        const View view = wild_view(mesh, choices);
-        const LineStyle style = choices.one_in(2) ? helpers::all_crossings_of_all_kinds()
-                                                  : wild_options(line_style_table(), choices);
-        try {
-            extractor.extract(view, style, scratch, lines);
-        } catch (const Error&) {  // of the view or the style; the next one is welcome
-            continue;
-        }
-        std::string found = complaint(lines);
-        if (found.empty() && !helpers::same_lines(lines, helpers::extract(extractor, view, style)))
-            found = "the same view gives other lines";
-        if (found.empty() && choices.one_in(4) && mesh.triangles.size() <= kMostTrianglesForRays)
-            found = look_complaint(mesh, extractor, view, style);
-        if (!found.empty()) return found;
-    }
-    return {};
+    const View view = wild_view(mesh, bytes);
+    const LineStyle style = bytes.byte() % 2 ? helpers::all_crossings_of_all_kinds()
+                                             : wild_options(line_style_table(), bytes);
+    const LineSet lines = helpers::extract(extractor, view, style);
+    std::string found = complaint(lines);
+    if (found.empty() && !helpers::same_lines(lines, helpers::extract(extractor, view, style)))
+        found = "the same view gives other lines";
+    if (found.empty() && mesh.triangles.size() <= kMostTrianglesForRays)
+        found = look_complaint(mesh, extractor, view, style);
+    return found;
 }
 
 }  // namespace
@@ -206,53 +175,42 @@ std::string complaint(const LineSet& lines) {
     return {};
 }
 
-std::string precompute_case(Choices& choices) {
-    const PrecomputeOptions options = wild_options(precompute_option_table(), choices);
-    const TriangleMesh mesh = test_meshes::wild_mesh(choices, true);
+std::string complaint_of_bytes(const std::uint8_t* first, std::size_t size) {
+    Bytes bytes(first, size);
+    PrecomputeOptions options = wild_options(precompute_option_table(), bytes);
+    options.curvature_derivatives = true;
+    const bool makes_up = bytes.byte() % 4 == 1;
+    const TriangleMesh mesh = wild_mesh(bytes);
     try {
-        const Field field = precompute(mesh, options);
-        return complaint(mesh, field);
+        const Field field = makes_up ? made_up_field(mesh, bytes) : precompute(mesh, options);
+        const std::string found = makes_up ? "" : complaint(mesh, field);
+        return found.empty() ? lines_complaint(mesh, field, bytes) : found;
     } catch (const Error& error) {
         const std::string sentence = error.what();
         return sentence.empty() || sentence.back() != '.' ? "no sentence: " + sentence : "";
     }
 }
 
-std::string extract_case(Choices& choices) {
-    const bool make_up = choices.one_in(3);
-    const TriangleMesh mesh = test_meshes::wild_mesh(choices, true);
-    try {
-        return extract_views(
-            mesh, make_up ? made_up_field(mesh, choices) : helpers::complete_field(mesh), choices);
-    } catch (const Error&) {
-        return {};
-    }
-}
-
-namespace {
-
-using Bytes = std::vector<std::uint8_t>;
-
-Bytes joined(Bytes first, const Bytes& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
-}  // namespace
-
-Bytes precompute_seed(const TriangleMesh& mesh) {
-    return joined({0}, test_meshes::wild_mesh_bytes(mesh));
-}
-
-Bytes precompute_seed(const TriangleMesh& mesh, unsigned changed_option) {
-    const std::uint8_t row = std::uint8_t(changed_option), end = changed_option % 2;
-    return joined({1, row, end}, test_meshes::wild_mesh_bytes(mesh));
-}
-
-Bytes extract_seed(const TriangleMesh& mesh, unsigned seed) {
-    const std::uint8_t field_of_mesh = 0;
-    return joined(joined({field_of_mesh}, test_meshes::wild_mesh_bytes(mesh)),
-                  test_meshes::random_bytes(seed, 100));
+std::vector<std::uint8_t> bytes_of(const TriangleMesh& mesh) {
+    std::vector<std::uint8_t> bytes = {0, 0};  // no option changed, the mesh's own field
+    const auto add = [&](auto number) {
+        const auto* first = reinterpret_cast<const std::uint8_t*>(&number);
+        bytes.insert(bytes.end(), first, first + sizeof number);
+    };
+    const auto vertices = std::min<std::size_t>(mesh.positions.size(), kNoVertex - 1);
+    add(std::uint8_t(vertices));
+    for (std::size_t v = 0; v < vertices; ++v)
+        for (const double x : mesh.positions[v])
+            add(x);
+    std::vector<Triangle> triangles;
+    for (const Triangle& t : mesh.triangles)
+        if (triangles.size() < 511 && *std::max_element(t.begin(), t.end()) < vertices)
+            triangles.push_back(t);
+    add(std::uint16_t(triangles.size()));
+    for (const Triangle& t : triangles)
+        for (const std::uint32_t v : t)
+            add(std::uint8_t(v));
+    return bytes;
 }
 
 }  // namespace wild

@@ -2,9 +2,13 @@
 // Whatever the mesh, options and eye: no crash, finite results, or an error that says what to do.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <random>
 
 #include "helpers.h"
 #include "laplacian_lines/error.h"
@@ -12,173 +16,258 @@
 #include "laplacian_lines/precompute.h"
 #include "places.h"
 #include "wild_case.h"
-#include "wild_mesh.h"
 
 namespace {
 
 using namespace laplacian_lines;
-using test_meshes::MeshEntry;
-using test_meshes::TestMesh;
+using namespace test_meshes;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::vector<const MeshEntry*> every_mesh() {
-    std::vector<const MeshEntry*> entries = test_meshes::meshes_with(0);
-    for (const MeshEntry& entry : test_meshes::wild_entries())
-        entries.push_back(&entry);
-    return entries;
+TriangleMesh small_torus() {
+    return torus(24, 12, 0.2).mesh;
 }
 
-class WildMesh : public testing::TestWithParam<const MeshEntry*> {
-protected:
-    const TriangleMesh& mesh() const { return GetParam()->get().mesh; }
-    bool unusable() const { return GetParam()->has(test_meshes::kUnusable); }
+TriangleMesh squeezed(double x, double y) {
+    TriangleMesh mesh = small_torus();
+    for (Eigen::Vector3d& p : mesh.positions)
+        p = {x * p.x(), y * p.y(), p.z()};
+    return mesh;
+}
+
+/// Beside another mesh.
+TriangleMesh with(TriangleMesh mesh, const TriangleMesh& other) {
+    append(mesh, other);
+    return mesh;
+}
+
+TriangleMesh with_coordinate(std::size_t vertex, int axis, double value) {
+    TriangleMesh mesh = small_torus();
+    mesh.positions[vertex][axis] = value;
+    return mesh;
+}
+
+/// Vertices on a line, at two points or at one.
+TriangleMesh without_area(int places) {
+    TriangleMesh mesh;
+    for (int i = 0; i < 300; ++i)
+        mesh.positions.push_back(Eigen::Vector3d(1, 2, 3) * (i % places) / 7);
+    for (std::uint32_t i = 0; i + 2 < 300; ++i)
+        mesh.triangles.push_back({i, i + 1, i + 2});
+    return mesh;
+}
+
+TriangleMesh one_face_often() {
+    TriangleMesh mesh = small_torus();
+    const Triangle t = mesh.triangles[100];
+    for (int i = 0; i < 100; ++i)
+        mesh.triangles.push_back(i % 2 ? t : Triangle{t[1], t[0], t[2]});
+    return mesh;
+}
+
+/// Sharing one vertex, with an unused one.
+TriangleMesh kissing_spheres() {
+    TriangleMesh mesh = icosphere(2), other = mesh;
+    for (Eigen::Vector3d& p : other.positions)
+        p = 2 * mesh.positions[0] - p;
+    const auto first = std::uint32_t(mesh.positions.size());
+    append(mesh, other);
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t)
+            if (v == first) v = 0;
+    return mesh;
+}
+
+TriangleMesh scattered_tetrahedra() {
+    TriangleMesh mesh;
+    std::mt19937 random(3);
+    for (int i = 0; i < 300; ++i) {
+        const double x = signed_unit(random), y = signed_unit(random);
+        const Eigen::Vector3d p = 25 * Eigen::Vector3d(x, y, signed_unit(random)), a(0.3, 0, 0),
+                              b(0, 0.3, 0), c(0, 0, 0.3);
+        append(mesh, {{p, p + a, p + b, p + c}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+    }
+    return mesh;
+}
+
+TriangleMesh soup() {
+    TriangleMesh mesh = mesh_named("triangle_soup").mesh;
+    mesh.triangles.resize(60);  // rays meet most of them
+    return mesh;
+}
+
+struct WildMesh {
+    const char* name;
+    std::function<TriangleMesh()> make;
+    bool is_refused = false;
 };
 
-TEST_P(WildMesh, IsRefusedWithAReasonOrHasAFiniteField) {
-    if (!unusable()) {
-        EXPECT_EQ(wild::complaint(mesh(), helpers::complete_field(mesh())), "");
-        return;
-    }
-    try {
-        precompute(mesh());
-        ADD_FAILURE() << "not refused";
-    } catch (const Error& error) {
-        EXPECT_TRUE(error.code() == ErrorCode::EmptyMesh || error.code() == ErrorCode::InvalidMesh);
-        EXPECT_GT(std::string(error.what()).size(), 30u);
-    }
+const std::vector<WildMesh>& wild_meshes() {
+    const Eigen::Vector3d here(0, 0, 0);
+    static const std::vector<WildMesh> all = {
+        {"needles", [] { return squeezed(1e-9, 1); }},
+        {"slivers", [] { return squeezed(1e-6, 1e-6); }},
+        {"flat", [] { return squeezed(0, 1); }},
+        {"collapsed component", [=] { return with(small_torus(), moved(small_torus(), here, 0)); }},
+        {"crossing tori",
+         [] {
+             return with(small_torus(), moved(small_torus(), {0.3, 0, 0}));
+         }},
+        {"nested spheres", [=] { return with(icosphere(3), moved(icosphere(3), here, 0.99)); }},
+        {"kissing spheres", kissing_spheres},
+        {"scattered tetrahedra", scattered_tetrahedra},
+        {"cut apart", [] { return cut_apart(small_torus()); }},
+        {"soup", soup},
+        {"star", [] { return star(300); }},
+        {"book", [] { return book(60); }},
+        {"one face often", one_face_often},
+        {"areas below floats",
+         [=] {
+             return with(moved(plane(4), here, 1e-24), moved(plane(4), {0, 0, 1}, 1e-24));
+         }},
+        {"far away",
+         [] {
+             return moved(small_torus(), {1e6, -1e6, 1e6});
+         }},
+        {"huge", [=] { return moved(small_torus(), here, 1e8); }},
+        {"tiny and far",
+         [] {
+             return moved(small_torus(), {1e6, 0, 0}, 1e-3);
+         }},
+        {"first coordinate no number", [] { return with_coordinate(0, 0, kNaN); }},
+        {"a coordinate infinite", [] { return with_coordinate(50, 1, kInfinity); }},
+        {"last coordinate infinite", [] { return with_coordinate(287, 2, -kInfinity); }},
+        {"empty", [] { return TriangleMesh(); }, true},
+        {"points",
+         [] {
+             return TriangleMesh{small_torus().positions, {}};
+         },
+         true},
+        {"on a line", [] { return without_area(300); }, true},
+        {"at two points", [] { return without_area(2); }, true},
+        {"at one point", [] { return without_area(1); }, true},
+        {"no such vertex",
+         [] {
+             return TriangleMesh{{{0, 0, 0}}, {{0, 0, 1u << 31}}};
+         },
+         true},
+        {"beyond all sizes", [=] { return moved(small_torus(), here, 1e200); }, true},
+        {"below all sizes", [=] { return moved(small_torus(), here, 1e-200); }, true},
+        {"nothing finite", [=] { return moved(small_torus(), here, kNaN); }, true},
+    };
+    return all;
 }
 
-TEST_P(WildMesh, WhatIsLeftOutIsCountedAndZero) {
-    if (unusable()) return;
-    const Field field = precompute(mesh());
-    std::size_t not_finite = 0, zeros = 0;
-    for (std::size_t v = 0; v < mesh().positions.size(); ++v) {
-        not_finite += !mesh().positions[v].allFinite();
-        const bool is_zero = field.kernel_sizes[v] == 0;
-        zeros += is_zero;
-        if (!is_zero) continue;
-        EXPECT_TRUE(field.normals[v].isZero() && field.laplacian_normals[v].isZero());
-        EXPECT_TRUE(helpers::matrix(field.shape_operators[v]).isZero());
-    }
-    EXPECT_EQ(field.report.non_finite_vertices, not_finite);
-    EXPECT_EQ(field.report.non_finite_vertices + field.report.unreferenced_vertices, zeros);
-    EXPECT_EQ(GetParam()->has(test_meshes::kDirty), zeros > 0);
-}
-
-std::vector<View> usual_and_odd_views(const TriangleMesh& mesh, const FieldScale& scale) {
-    std::vector<View> views;
+/// On a vertex, near and far, exactly along axes, and odd ones.
+std::vector<View> usual_and_odd_views(const TriangleMesh& mesh, double diagonal) {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& p : mesh.positions)
         if (p.allFinite()) centre = p;
-    views.push_back(View::perspective(centre));  // on a vertex
-    for (double distance : {1e-12, 1e-3, 0.1, 0.5, 3.0, 1e3, 1e12})
-        for (const Eigen::Vector3d& side :
-             {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0.3, -0.5, -0.2)})
-            views.push_back(View::perspective(centre + distance * scale.diagonal * side));
+    std::vector<View> views = {View::perspective(centre),
+                               {centre, -1},
+                               {centre, 1e-280},
+                               {{1, 2, 3}, 0, Eigen::Vector3d(0, 1, 1e-200)}};
+    for (double distance : {1e-12, 0.1, 3.0, 1e12})
+        views.push_back(
+            View::perspective(centre + distance * diagonal * Eigen::Vector3d(0.3, -0.5, -0.2)));
     for (int axis = 0; axis < 3; ++axis)
-        for (double side : {-1.0, 1.0, 1e-300, 1e300})
+        for (double side : {-1.0, 1e-300, 1e300})
             views.push_back(View::orthographic(side * Eigen::Vector3d::Unit(axis)));
-    views.push_back({centre, -1});
-    views.push_back({centre, 1e-280});
-    views.push_back({{1, 2, 3}, 0, Eigen::Vector3d(0, 1, 1e-200)});
     return views;
 }
 
-TEST_P(WildMesh, LinesAreFiniteFromAnyEye) {
-    if (unusable()) return;
-    const Field field = helpers::complete_field(mesh());
-    const LineExtractor extractor(mesh(), field);
+void expect_sound_field(const TriangleMesh& mesh) {
+    const Field field = helpers::complete_field(mesh);
+    ASSERT_EQ(wild::complaint(mesh, field), "");
+    std::size_t not_finite = 0, zeros = 0;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        not_finite += !mesh.positions[v].allFinite();
+        if (field.kernel_sizes[v] != 0) continue;
+        ++zeros;
+        EXPECT_TRUE(field.normals[v].isZero() && field.laplacian_normals[v].isZero());
+    }
+    EXPECT_EQ(field.report.non_finite_vertices, not_finite);
+    EXPECT_EQ(not_finite + field.report.unreferenced_vertices, zeros);
+}
+
+void expect_sound_lines(const TriangleMesh& mesh) {
+    const Field field = helpers::complete_field(mesh);
+    const LineExtractor extractor(mesh, field);
     LineStyle everything = helpers::all_kinds();
     everything.detail = 100;
-    for (const View& view : usual_and_odd_views(mesh(), field.scale))
+    for (const View& view : usual_and_odd_views(mesh, field.scale.diagonal))
         for (const LineStyle& style : {everything, helpers::all_crossings_of_all_kinds()})
             EXPECT_EQ(wild::complaint(helpers::extract(extractor, view, style)), "")
                 << view.eye.transpose() << ", " << view.w;
     const View view = View::perspective({3 * field.scale.diagonal, 0, 0});
-    const LineVisibility visibility(mesh());
+    const LineVisibility visibility(mesh);
     ExtractionScratch scratch;
     const LineSet on_surface = extract_on_surface(extractor, view, everything, scratch);
     for (const bool in_picture : {false, true}) {
         const LineParts parts =
             visibility.parts(view, {on_surface}, {everything.shows, 1.2, true, in_picture});
-        EXPECT_EQ(wild::complaint(parts.seen), "");
-        EXPECT_EQ(wild::complaint(parts.hidden), "");
+        EXPECT_EQ(wild::complaint(parts.seen) + wild::complaint(parts.hidden), "");
     }
 }
 
-TEST_P(WildMesh, EyesThatAreNotFiniteAreRefused) {
-    if (unusable()) return;
-    const LineExtractor extractor(mesh(), precompute(mesh()));
-    for (double bad : {kNaN, kInfinity, -kInfinity})
-        for (int axis = 0; axis < 3; ++axis)
-            for (double w : {0.0, 1.0}) {
-                View view{{1, 2, 3}, w};
-                view.eye[axis] = bad;
-                EXPECT_THROW(helpers::extract(extractor, view, {}), Error);
-            }
-}
-
-INSTANTIATE_TEST_SUITE_P(Registry, WildMesh, testing::ValuesIn(every_mesh()),
-                         [](const auto& info) { return info.param->name; });
-
-// ---- where the fuzzers start ----
-
-TEST(ByteMesh, IsReadAsWritten) {
-    const TriangleMesh mesh =
-        test_meshes::torus(15, 17, 0.2).mesh;  // as many vertices as there can be
-    const std::vector<std::uint8_t> bytes = test_meshes::wild_mesh_bytes(mesh);
-    test_meshes::Choices choices(bytes);
-    const TriangleMesh read = test_meshes::wild_mesh(choices);
-    EXPECT_TRUE(choices.exhausted());
-    ASSERT_EQ(read.positions.size(), mesh.positions.size());
-    EXPECT_EQ(read.triangles.size(), mesh.triangles.size());
-    EXPECT_EQ(read.triangles, mesh.triangles);
-    const double scale = measure_scale(read).diagonal / measure_scale(mesh).diagonal;
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        EXPECT_LT(((read.positions[v] - read.positions[0]) -
-                   scale * (mesh.positions[v] - mesh.positions[0]))
-                      .norm(),
-                  0.01);
-}
-
-TEST(ByteMesh, KeepsWhatFits) {
-    for (const MeshEntry* entry : every_mesh()) {
-        const TestMesh* mesh = &entry->get();
-        const std::vector<std::uint8_t> bytes = test_meshes::byte_mesh(mesh->mesh);
-        test_meshes::Choices choices(bytes);
-        const TriangleMesh read = test_meshes::read_byte_mesh(choices);
-        EXPECT_TRUE(choices.exhausted()) << *mesh;
-        const std::size_t in_range =
-            mesh->name == "index_out_of_range" ? 1 : mesh->mesh.triangles.size();
-        EXPECT_GE(read.triangles.size(), std::min<std::size_t>(in_range, 80)) << *mesh;
+TEST(WildMeshes, HaveFiniteFieldsAndLinesFromAnyEyeOrAreRefusedWithAReason) {
+    for (const WildMesh& wild : wild_meshes()) {
+        SCOPED_TRACE(wild.name);
+        if (!wild.is_refused) {
+            const TriangleMesh mesh = wild.make();
+            expect_sound_field(mesh);
+            expect_sound_lines(mesh);
+            continue;
+        }
+        try {
+            precompute(wild.make());
+            ADD_FAILURE() << "not refused";
+        } catch (const Error& error) {
+            EXPECT_TRUE(error.code() == ErrorCode::EmptyMesh ||
+                        error.code() == ErrorCode::InvalidMesh);
+            EXPECT_GT(std::string(error.what()).size(), 30u);
+        }
+    }
+    for (const char* name : {"three_sheets", "dirty_torus", "single_triangle"}) {
+        SCOPED_TRACE(name);
+        expect_sound_lines(mesh_named(name).mesh);
     }
 }
 
-TEST(WildInput, OfEveryMesh) {
-    unsigned number = 0;
-    for (const MeshEntry* entry : every_mesh()) {
-        const TestMesh* mesh = &entry->get();
-        const auto plain = wild::precompute_seed(mesh->mesh);
-        const auto other = wild::precompute_seed(mesh->mesh, number);
-        const auto views = wild::extract_seed(mesh->mesh, number++);
-        test_meshes::Choices first(plain), second(other), third(views);
-        EXPECT_EQ(wild::precompute_case(first) + wild::precompute_case(second), "") << *mesh;
-        EXPECT_EQ(wild::extract_case(third), "") << *mesh;
+TEST(WildMeshes, HaveFiniteFieldsWithAnyOptions) {
+    for (const std::string& name : mesh_names())
+        for (int i = 0; i < 12; ++i) {
+            PrecomputeOptions options;
+            options.laplace_operator = LaplaceOperator(i % 2);
+            options.normal_weighting = NormalWeighting(i / 2 % 3);
+            options.normal_smoothing = NormalSmoothing(i % 3);
+            options.gradient_estimator = GradientEstimator(i / 3 % 2);
+            options.kernel_mode = KernelMode(i / 4 % 2);
+            options.skip_opposite_sheet = options.correct_borders = i / 6 % 2;
+            options.accuracy = 0.01;
+            if (i > 6) options.kernel_size = std::pow(10, 90 * (i - 9));  // none reached, or all
+            const TriangleMesh& mesh = mesh_named(name).mesh;
+            EXPECT_EQ(wild::complaint(mesh, precompute(mesh, options)), "") << name << ' ' << i;
+        }
+}
+
+// ---- bytes, as the fuzzer of tests/fuzz makes them, and what it found
+
+TEST(WildInput, OfMeshesWithChangedBytes) {
+    std::mt19937 random(1);
+    std::vector<std::vector<std::uint8_t>> inputs;
+    for (const TriangleMesh& mesh : {torus(12, 7, 0.2).mesh, cube(2), fan_of_sheets(3, 3),
+                                     hills(6, 0.3).mesh, bumpy_sphere(1).mesh})
+        inputs.push_back(wild::bytes_of(mesh));
+    for (int round = 0; round < 300; ++round) {
+        std::vector<std::uint8_t> bytes = inputs[random() % inputs.size()];
+        for (unsigned changes = random() % 12; changes > 0; --changes)
+            bytes[random() % bytes.size()] = std::uint8_t(random());
+        for (int more = 0; more < 60; ++more)
+            bytes.push_back(std::uint8_t(random()));
+        ASSERT_EQ(wild::complaint_of_bytes(bytes.data(), bytes.size()), "") << "round " << round;
     }
-}
-
-// ---- random input; what the fuzzers of tests/fuzz found ----
-
-std::string run_both(const std::vector<std::uint8_t>& bytes) {
-    test_meshes::Choices first(bytes), second(bytes);
-    return wild::precompute_case(first) + wild::extract_case(second);
-}
-
-TEST(WildInput, OfRandomBytes) {
-    for (unsigned seed = 0; seed < 300; ++seed)
-        ASSERT_EQ(run_both(test_meshes::random_bytes(seed, 16 << seed % 6)), "") << "seed " << seed;
 }
 
 TEST(WildInput, ThatOnceDidHarm) {
@@ -187,7 +276,7 @@ TEST(WildInput, ThatOnceDidHarm) {
          std::filesystem::directory_iterator(places::repository() / "tests/fuzz/found")) {
         std::ifstream in(file.path(), std::ios::binary);
         const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
-        EXPECT_EQ(run_both(bytes), "") << file.path();
+        EXPECT_EQ(wild::complaint_of_bytes(bytes.data(), bytes.size()), "") << file.path();
         ++count;
     }
     EXPECT_GT(count, 0u);

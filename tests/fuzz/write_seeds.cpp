@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_seeds FOLDER: the fuzzers' first inputs. FOLDER/precompute/* and FOLDER/extract/*:
-// registered meshes and random bytes; FOLDER/ply/* and so on: small files.
+// write_seeds FOLDER: the fuzzers' first inputs. FOLDER/core/*: registered meshes; FOLDER/ply/* and
+// so on: small files.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -19,19 +19,8 @@ void write(const std::filesystem::path& file, const std::vector<std::uint8_t>& b
 }
 
 void write_seeds(const std::filesystem::path& folder) {
-    unsigned number = 0;
-    for (const auto* entries : {&test_meshes::all_entries(), &test_meshes::wild_entries()})
-        for (const test_meshes::MeshEntry& entry : *entries) {
-            const test_meshes::TestMesh& mesh = entry.get();
-            write(folder / "precompute" / mesh.name, wild::precompute_seed(mesh.mesh));
-            write(folder / "precompute" / (mesh.name + "_changed"),
-                  wild::precompute_seed(mesh.mesh, number));
-            write(folder / "extract" / mesh.name, wild::extract_seed(mesh.mesh, number++));
-        }
-    for (unsigned seed = 1; seed <= 24; ++seed)
-        for (const char* part : {"precompute", "extract"})
-            write(folder / part / ("random_" + std::to_string(seed)),
-                  test_meshes::random_bytes(seed, 20 * seed));
+    for (const std::string& name : test_meshes::mesh_names())
+        write(folder / "core" / name, wild::bytes_of(test_meshes::mesh_named(name).mesh));
     for (const sample_files::Sample& sample : sample_files::tetrahedra())
         write(folder / mesh_files::endings().at(std::size_t(sample.format)) / sample.name,
               {sample.bytes.begin(), sample.bytes.end()});

@@ -14,38 +14,21 @@ constexpr std::array<std::array<int, 3>, 4> kCorners = {
     {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}}};
 constexpr std::array<std::array<int, 3>, 4> kFaces = {{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 
-std::string words(const std::array<int, 3>& numbers, int plus = 0) {
-    std::string text;
-    for (const int number : numbers)
-        text += ' ' + std::to_string(number + plus);
-    return text;
-}
-
-std::string obj() {
-    std::string text = "# of a test\nmtllib none.mtl\n";
-    for (const auto& corner : kCorners)
-        text += "v" + words(corner) + "\n";
-    text += "vn 0 0 1\nusemtl a\n";
-    for (const auto& face : kFaces)
-        text += "f" + words(face, 1) + "\n";
-    return text;
-}
-
-std::string off(const std::string& head, const std::string& behind) {
-    std::string text = head;
-    for (const auto& corner : kCorners)
-        text += words(corner).substr(1) + behind + "\n";
-    for (const auto& face : kFaces)
-        text += "3 " + words(face) + "\n";
-    return text;
-}
+const std::string kObj =
+    "# of a test\nmtllib none.mtl\nv 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 4\nvn 0 0 1\nusemtl a\n"
+    "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+const std::string kOff =
+    "OFF\n# of a test\n4 4 6\n0 0 0\n2 0 0\n0 3 0\n0 0 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
 std::string stl_text() {
     std::string text = "solid of a test\n";
     for (const auto& face : kFaces) {
         text += " facet normal 0 0 nan\n  outer loop\n";
-        for (const int corner : face)
-            text += "   vertex" + words(kCorners[std::size_t(corner)]) + "\n";
+        for (const int corner : face) {
+            const auto& c = kCorners[std::size_t(corner)];
+            text += "   vertex " + std::to_string(c[0]) + ' ' + std::to_string(c[1]) + ' ' +
+                    std::to_string(c[2]) + '\n';
+        }
         text += "  endloop\n endfacet\n";
     }
     return text + "endsolid of a test\n";
@@ -73,15 +56,8 @@ const std::string kFaceLists =
     "element face 4\nproperty list char float texcoord\nproperty list uchar int vertex_indices\n"
     "property short flags\n";
 
-std::string ply_text() {
-    std::string text = ply_head("ascii", kFaceLists);
-    for (const auto& c : kCorners)
-        text += std::to_string(c[0]) + ' ' + std::to_string(c[1]) + " 255 " + std::to_string(c[2]) +
-                '\n';
-    for (const auto& face : kFaces)
-        text += "2 0.5 1 3" + words(face) + " -7\n";
-    return text;
-}
+const std::string kPlyVertices = "0 0 255 0\n2 0 255 0\n0 3 255 0\n0 0 255 4\n";
+const std::string kPlyFaces = "2 .5 1 3 0 2 1 -7\n0 3 0 1 3 0\n1 0 3 0 3 2 0\n0 3 1 2 3 0\n";
 
 std::string ply_binary(bool big) {
     std::string bytes = ply_head(big ? "binary_big_endian" : "binary_little_endian", kFaceLists);
@@ -97,20 +73,12 @@ std::string ply_binary(bool big) {
     return bytes;
 }
 
-/// Two strips: 0 2 1 3 is 0 2 1 and 1 2 3.
-std::string ply_strips() {
-    return ply_head("ascii", "element tristrips 1\nproperty list int int vertex_indices\n") +
-           "0 0 255 0\n2 0 255 0\n0 3 255 0\n0 0 255 4\n12 0 2 1 3 -1 0 1 3 -1 0 3 2\n";
-}
-
 }  // namespace
 
 const std::vector<Sample>& tetrahedra() {
     static const std::vector<Sample> all = {
-        {"obj", Format::Obj, obj()},
-        {"off", Format::Off, off("OFF\n# of a test\n4 4 6\n", "")},
-        {"off without a word", Format::Off, off("4 4\n\n", "")},
-        {"off with colours", Format::Off, off("COFF 4 4 0\n", " 255 128 0 255")},
+        {"obj", Format::Obj, kObj},
+        {"off", Format::Off, kOff},
         {"off on a line", Format::Off,
          "OFF4 4 6 0 0 0 2 0 0 0 3 0 0 0 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3"},
         {"off over lines", Format::Off,
@@ -119,10 +87,12 @@ const std::vector<Sample>& tetrahedra() {
         {"stl", Format::Stl, stl_text()},
         {"binary stl", Format::Stl, stl_binary("of a test")},
         {"binary stl of a solid", Format::Stl, stl_binary("solid of a test")},
-        {"ply", Format::Ply, ply_text()},
+        {"ply", Format::Ply, ply_head("ascii", kFaceLists) + kPlyVertices + kPlyFaces},
         {"little ply", Format::Ply, ply_binary(false)},
         {"big ply", Format::Ply, ply_binary(true)},
-        {"ply of strips", Format::Ply, ply_strips()}};
+        {"ply of strips", Format::Ply,  // 0 2 1 3 is 0 2 1 and 1 2 3
+         ply_head("ascii", "element tristrips 1\nproperty list int int vertex_indices\n") +
+             kPlyVertices + "12 0 2 1 3 -1 0 1 3 -1 0 3 2\n"}};
     return all;
 }
 

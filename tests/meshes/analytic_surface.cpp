@@ -132,13 +132,6 @@ SurfacePoint torus_point(const Torus& torus, double u, double v) {
     return surface_point(torus_chart(torus, u, v));
 }
 
-double torus_illumination_laplacian(const Torus& torus, double u, double v,
-                                    const Eigen::Vector3d& eye) {
-    const Derivatives d(torus_chart(torus, u, v));
-    const JetVector l = each([&](int k) { return eye[k] - d.r[k]; });
-    return laplace_beltrami(d.metric, dot(d.n, l));
-}
-
 SurfacePoint closed_form_torus_point(const Torus& torus, double u, double v) {
     const double ring = torus.large + torus.small * std::cos(v);
     const double k1 = std::cos(v) / ring, k2 = 1 / torus.small;

@@ -41,9 +41,6 @@ struct Torus {
     double large = 1, small = 0.4;  ///< radii; the axis is z
 };
 SurfacePoint torus_point(const Torus& torus, double u, double v);
-/// Δ(n·(e − p)), derived as a whole.
-double torus_illumination_laplacian(const Torus& torus, double u, double v,
-                                    const Eigen::Vector3d& eye);
 /// torus_point() by closed formulas.
 SurfacePoint closed_form_torus_point(const Torus& torus, double u, double v);
 

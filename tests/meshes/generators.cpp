@@ -2,11 +2,11 @@
 #include "generators.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 
-#include "random_unit.h"
+#include "laplacian_lines/precompute.h"
 
 namespace test_meshes {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 /// Row by row.
 std::vector<Eigen::Vector2d> grid_parameters(const Grid& grid) {
-    std::mt19937 random(grid.seed);
+    std::mt19937 random(1);
     const int columns = grid.columns + !grid.wrap_u, rows = grid.rows + !grid.wrap_v;
     std::vector<Eigen::Vector2d> parameters;
     for (int j = 0; j < rows; ++j)
@@ -43,27 +43,6 @@ std::vector<Triangle> grid_triangles(const Grid& grid) {
             triangles.push_back({a, c, d});
         }
     return triangles;
-}
-
-void split_triangles(TriangleMesh& mesh) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-        const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), 0);
-        if (is_new) {
-            found->second = std::uint32_t(mesh.positions.size());
-            mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]).normalized());
-        }
-        return found->second;
-    };
-    std::vector<Triangle> split;
-    for (const Triangle& t : mesh.triangles) {
-        const std::uint32_t ab = middle(t[0], t[1]), bc = middle(t[1], t[2]),
-                            ca = middle(t[2], t[0]);
-        for (const Triangle& part : {Triangle{t[0], ab, ca}, Triangle{ab, t[1], bc},
-                                     Triangle{ca, bc, t[2]}, Triangle{ab, bc, ca}})
-            split.push_back(part);
-    }
-    mesh.triangles.swap(split);
 }
 
 TriangleMesh icosahedron() {
@@ -101,10 +80,50 @@ AnalyticMesh grid_mesh(const Grid& grid,
     return result;
 }
 
+TriangleMesh subdivided(TriangleMesh mesh, int times) {
+    for (int i = 0; i < times; ++i) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+        const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+            const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), 0);
+            if (is_new) {
+                found->second = std::uint32_t(mesh.positions.size());
+                mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]) / 2);
+            }
+            return found->second;
+        };
+        std::vector<Triangle> split;
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            for (const Triangle& t : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+                split.push_back(t);
+        }
+        mesh.triangles.swap(split);
+    }
+    return mesh;
+}
+
 TriangleMesh icosphere(int level) {
     TriangleMesh mesh = icosahedron();
-    for (int i = 0; i < level; ++i)
-        split_triangles(mesh);
+    for (int i = 0; i < level; ++i) {
+        const std::size_t before = mesh.positions.size();
+        mesh = subdivided(std::move(mesh));
+        for (std::size_t v = before; v < mesh.positions.size(); ++v)
+            mesh.positions[v].normalize();
+    }
+    return mesh;
+}
+
+TriangleMesh with_noise(TriangleMesh mesh, double share, unsigned seed) {
+    const double length = share * laplacian_lines::measure_scale(mesh).mean_edge;
+    std::mt19937 random(seed);
+    for (Eigen::Vector3d& p : mesh.positions) {
+        Eigen::Vector3d move;
+        do {  // uniform: points of the cube outside the ball are drawn again
+            for (double& x : move)
+                x = signed_unit(random);
+        } while (move.norm() > 1 || move.norm() <= 0.01);
+        p += length * move.normalized();
+    }
     return mesh;
 }
 
@@ -140,15 +159,14 @@ AnalyticMesh bumpy_sphere(int level, double jitter) {
     return mapped_icosphere(level, bumpy_map, jitter);
 }
 
-AnalyticMesh torus(int columns, int rows, double jitter, const Torus& shape) {
-    return grid_mesh({columns, rows, true, true, jitter}, [&](double u, double v) {
-        return torus_point(shape, 2 * kPi * u, 2 * kPi * v);
-    });
+AnalyticMesh torus(int columns, int rows, double jitter) {
+    return grid_mesh({columns, rows, true, true, jitter},
+                     [](double u, double v) { return torus_point({}, 2 * kPi * u, 2 * kPi * v); });
 }
 
-AnalyticMesh half_torus(int columns, int rows, double jitter, const Torus& shape) {
+AnalyticMesh half_torus(int columns, int rows, double jitter) {
     return grid_mesh({columns, rows, false, true, jitter},
-                     [&](double u, double v) { return torus_point(shape, kPi * u, 2 * kPi * v); });
+                     [](double u, double v) { return torus_point({}, kPi * u, 2 * kPi * v); });
 }
 
 AnalyticMesh hills(int cells, double jitter) {
@@ -156,15 +174,15 @@ AnalyticMesh hills(int cells, double jitter) {
                      [](double u, double v) { return hills_point(2 * u - 1, 2 * v - 1); });
 }
 
-AnalyticMesh cylinder(int columns, int rows, double radius, double length) {
-    return grid_mesh({columns, rows, true, false}, [=](double u, double v) {
+AnalyticMesh cylinder(int columns, int rows) {
+    return grid_mesh({columns, rows, true, false}, [](double u, double v) {
         const Eigen::Vector3d n(std::cos(2 * kPi * u), std::sin(2 * kPi * u), 0);
         const Eigen::Vector3d along(-n.y(), n.x(), 0);
         const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
-        return SurfacePoint{radius * n + length * (v - 0.5) * Eigen::Vector3d::UnitZ(),
+        return SurfacePoint{n + (2 * v - 1) * Eigen::Vector3d::UnitZ(),
                             n,
-                            -n / (radius * radius),
-                            along * along.transpose() / radius,
+                            -n,
+                            along * along.transpose(),
                             {zero, zero, zero}};
     });
 }

@@ -57,6 +57,26 @@ TriangleMesh rounded_cube(int cells, double radius) {
     return mesh;
 }
 
+TriangleMesh stacked(const std::vector<Eigen::Vector3d>& rectangles, unsigned diagonals) {
+    TriangleMesh mesh;
+    for (const Eigen::Vector3d& r : rectangles)
+        for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
+            mesh.positions.push_back({x * r.x(), y * r.y(), r.z()});
+    unsigned face = 0;
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        const bool other = diagonals >> (face++ % 32) & 1;
+        mesh.triangles.push_back({a, b, other ? d : c});
+        mesh.triangles.push_back({other ? b : a, c, d});
+    };
+    const std::uint32_t top = std::uint32_t(mesh.positions.size()) - 4;
+    add(3, 2, 1, 0);
+    add(top, top + 1, top + 2, top + 3);
+    for (std::uint32_t ring = 0; ring < top; ring += 4)
+        for (std::uint32_t i = 0; i < 4; ++i)
+            add(ring + i, ring + (i + 1) % 4, ring + 4 + (i + 1) % 4, ring + 4 + i);
+    return mesh;
+}
+
 TriangleMesh moebius_strip(int columns, int rows) {
     TriangleMesh mesh = grid_mesh({columns, rows}, [](double u, double v) {
         const double turn = kPi * u, across = 0.6 * (v - 0.5);
@@ -93,6 +113,28 @@ TriangleMesh parallel_sheets(int cells, double distance) {
     for (Eigen::Vector3d& p : top.positions)
         p.z() = distance;
     append(mesh, top);
+    return mesh;
+}
+
+TriangleMesh star(int triangles) {
+    TriangleMesh mesh;
+    const auto count = std::uint32_t(triangles);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double angle = 2 * kPi * i / count;
+        mesh.positions.push_back({std::cos(angle), std::sin(angle), 0.1 * std::sin(5 * angle)});
+        mesh.triangles.push_back({count, i, (i + 1) % count});
+    }
+    mesh.positions.push_back({0, 0, 0.5});
+    return mesh;
+}
+
+TriangleMesh book(int pages) {
+    TriangleMesh mesh{{{0, 0, -1}, {0, 0, 1}}, {}};
+    for (int i = 0; i < pages; ++i) {
+        const double angle = 3.0 * i / pages;
+        mesh.positions.push_back({std::cos(angle), std::sin(angle), 0});
+        mesh.triangles.push_back({0, 1, std::uint32_t(i + 2)});
+    }
     return mesh;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registry.h"
 
+#include <functional>
+#include <map>
 #include <mutex>
 #include <random>
 #include <stdexcept>
@@ -8,20 +10,14 @@
 namespace test_meshes {
 namespace {
 
+struct Entry {
+    const char* name;
+    bool is_closed;
+    std::function<AnalyticMesh()> make;
+};
+
 std::function<AnalyticMesh()> plain(std::function<TriangleMesh()> make) {
     return [make = std::move(make)] { return AnalyticMesh{make(), {}}; };
-}
-
-TriangleMesh scattered_spheres() {
-    TriangleMesh mesh;
-    for (int i = 0; i < 27; ++i) {
-        TriangleMesh ball = icosphere(1);
-        const Eigen::Vector3d centre(i % 3, i / 3 % 3, i / 9);
-        for (Eigen::Vector3d& p : ball.positions)
-            p = 0.1 * (1 + i % 5) * p + 1.1 * centre;
-        append(mesh, ball);
-    }
-    return mesh;
 }
 
 TriangleMesh flipped_torus() {
@@ -59,67 +55,50 @@ TriangleMesh triangle_soup() {
     return mesh;
 }
 
-/// Closed, without a volume.
-TriangleMesh pillow() {
-    return {{{0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0.1}}, {{0, 1, 2}, {0, 2, 1}}};
-}
-
-TriangleMesh single_triangle() {
-    return {{{0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0.1}}, {{0, 1, 2}}};
+const std::vector<Entry>& entries() {
+    const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0.1}}, {{0, 1, 2}}};
+    static const std::vector<Entry> all = {
+        {"sphere", true, [] { return sphere(4); }},
+        {"torus", true, [] { return torus(80, 40); }},
+        {"torus_jittered", true, [] { return torus(80, 40, 0.25); }},
+        {"ellipsoid", true, [] { return ellipsoid(4); }},
+        {"bumpy_sphere", true, [] { return bumpy_sphere(4, 0.15); }},
+        {"hills", false, [] { return hills(48, 0.2); }},
+        {"half_torus", false, [] { return half_torus(40, 40); }},
+        {"cylinder", false, [] { return cylinder(48, 24); }},
+        {"plane", false, plain([] { return plane(24, 0.2); })},
+        {"cube", true, plain([] { return cube(10); })},
+        {"rounded_cube", true, plain([] { return rounded_cube(40, 0.1); })},
+        {"three_sheets", false, plain([] { return fan_of_sheets(3, 16); })},
+        {"doubled_triangles", false, plain(doubled_sphere)},
+        {"moebius_strip", false, plain([] { return moebius_strip(72, 12); })},
+        {"flipped_torus", false, plain(flipped_torus)},
+        {"dirty_torus", false, plain(dirty_torus)},
+        {"triangle_soup", false, plain(triangle_soup)},
+        {"single_triangle", false, plain([triangle] { return triangle; })},
+    };
+    return all;
 }
 
 }  // namespace
 
-const TestMesh& MeshEntry::get() const {
-    static std::mutex one_at_a_time;
-    const std::lock_guard<std::mutex> lock(one_at_a_time);
-    if (!mesh_) {
-        AnalyticMesh made = make_();
-        mesh_ = std::make_shared<const TestMesh>(
-            TestMesh{name, tags, std::move(made.mesh), std::move(made.truth)});
-    }
-    return *mesh_;
-}
-
-const std::vector<MeshEntry>& all_entries() {
-    static const std::vector<MeshEntry> entries = {
-        {"sphere", kClosed | kAnalytic, [] { return sphere(4); }},
-        {"sphere_jittered", kClosed | kJittered | kAnalytic, [] { return sphere(4, 1, 0.2); }},
-        {"torus", kClosed | kSymmetric | kAnalytic, [] { return torus(80, 40); }},
-        {"torus_jittered", kClosed | kJittered | kAnalytic, [] { return torus(80, 40, 0.25); }},
-        {"ellipsoid", kClosed | kAnalytic, [] { return ellipsoid(4); }},
-        {"bumpy_sphere", kClosed | kJittered | kAnalytic, [] { return bumpy_sphere(4, 0.15); }},
-        {"hills", kBorder | kJittered | kAnalytic, [] { return hills(48, 0.2); }},
-        {"half_torus", kBorder | kAnalytic, [] { return half_torus(40, 40); }},
-        {"cylinder", kBorder | kAnalytic, [] { return cylinder(48, 24); }},
-        {"plane", kBorder | kJittered, plain([] { return plane(24, 0.2); })},
-        {"cube", kClosed | kSymmetric | kSharp, plain([] { return cube(10); })},
-        {"rounded_cube", kClosed | kSymmetric, plain([] { return rounded_cube(40, 0.1); })},
-        {"parallel_sheets", kBorder | kComponents, plain([] { return parallel_sheets(24, 0.1); })},
-        {"three_sheets", kNonManifold | kSharp, plain([] { return fan_of_sheets(3, 16); })},
-        {"five_sheets", kNonManifold | kSharp, plain([] { return fan_of_sheets(5, 12); })},
-        {"doubled_triangles", kNonManifold, plain(doubled_sphere)},
-        {"moebius_strip", kInconsistent, plain([] { return moebius_strip(72, 12); })},
-        {"flipped_torus", kInconsistent, plain(flipped_torus)},
-        {"dirty_torus", kDirty, plain(dirty_torus)},
-        {"triangle_soup", kNonManifold | kSharp, plain(triangle_soup)},
-        {"pillow", kClosed | kSharp, plain(pillow)},
-        {"single_triangle", kBorder, plain(single_triangle)},
-        {"scattered_spheres", kClosed | kComponents, plain(scattered_spheres)},
-    };
-    return entries;
-}
-
-std::vector<const MeshEntry*> meshes_with(unsigned wanted, unsigned unwanted) {
-    std::vector<const MeshEntry*> found;
-    for (const MeshEntry& entry : all_entries())
-        if (entry.has(wanted) && !(entry.tags & unwanted)) found.push_back(&entry);
-    return found;
+std::vector<std::string> mesh_names() {
+    std::vector<std::string> names;
+    for (const Entry& entry : entries())
+        names.push_back(entry.name);
+    return names;
 }
 
 const TestMesh& mesh_named(const std::string& name) {
-    for (const MeshEntry& entry : all_entries())
-        if (entry.name == name) return entry.get();
+    static std::mutex one_at_a_time;
+    static std::map<std::string, TestMesh> made;
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    if (const auto found = made.find(name); found != made.end()) return found->second;
+    for (const Entry& entry : entries()) {
+        if (entry.name != name) continue;
+        AnalyticMesh mesh = entry.make();
+        return made[name] = {name, std::move(mesh.mesh), entry.is_closed, std::move(mesh.truth)};
+    }
     throw std::out_of_range("no test mesh " + name);
 }
 

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes as files hold them: with dirt, with surfaces cut open by duplicated vertices, with
+// triangles that were all cut in four at the middles of their sides. Field and lines are those of
+// the mesh meant.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <random>
+
+#include "helpers.h"
+#include "laplacian_lines/precompute.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using test_meshes::append;
+using test_meshes::cut_apart;
+using test_meshes::inside_out;
+using test_meshes::mesh_named;
+using test_meshes::subdivided;
+
+struct DirtyTorus {
+    TriangleMesh clean = test_meshes::torus(40, 20, 0.2).mesh;
+    std::vector<std::uint32_t> clean_vertex;
+    TriangleMesh dirty = test_meshes::with_dirt(clean, clean_vertex);
+};
+
+TEST(DirtyMesh, PartsLeftOutAreCounted) {
+    const DirtyTorus torus;
+    const MeshReport report = precompute(torus.dirty).report;
+    EXPECT_EQ(report.vertices, torus.clean.positions.size() + 5);
+    EXPECT_EQ(report.triangles, torus.clean.triangles.size() + 5);
+    EXPECT_EQ(report.non_finite_vertices, 3u);
+    EXPECT_EQ(report.unreferenced_vertices, 2u);
+    EXPECT_EQ(report.degenerate_triangles, 5u);
+}
+
+TEST(DirtyMesh, TheRestIsAsWithoutTheDirt) {
+    const DirtyTorus torus;
+    const Field clean = precompute(torus.clean), dirty = precompute(torus.dirty);
+    EXPECT_DOUBLE_EQ(clean.scale.diagonal, dirty.scale.diagonal);
+    EXPECT_DOUBLE_EQ(clean.scale.mean_edge, dirty.scale.mean_edge);
+    for (std::size_t v = 0; v < torus.clean.positions.size(); ++v) {
+        const std::uint32_t d = torus.clean_vertex[v];
+        const float size = clean.laplacian_normals[v].norm();
+        EXPECT_LT((clean.laplacian_normals[v] - dirty.laplacian_normals[d]).norm(), 1e-5 * size);
+        EXPECT_LT((clean.normals[v] - dirty.normals[d]).norm(), 1e-6);
+        EXPECT_LT(
+            (helpers::matrix(clean.shape_operators[v]) - helpers::matrix(dirty.shape_operators[d]))
+                .norm(),
+            1e-5);
+    }
+}
+
+TEST(DirtyMesh, LinesAreAsWithoutTheDirt) {
+    const DirtyTorus torus;
+    const LineExtractor clean(torus.clean, precompute(torus.clean));
+    const LineExtractor dirty(torus.dirty, precompute(torus.dirty));
+    const View view = View::perspective({2, -3, 2});
+    const LineSet a = helpers::extract(clean, view, helpers::all_crossings());
+    const LineSet b = helpers::extract(dirty, view, helpers::all_crossings());
+    EXPECT_EQ(a.lines.size(), b.lines.size());
+    EXPECT_EQ(a.points.size(), b.points.size());
+    for (const LinePoint& p : a.points)
+        EXPECT_LT(helpers::distance_to_lines(p.position.cast<double>(), b), 1e-4);
+}
+
+/// Along the plane x = `at`, with separate vertices on each side.
+TriangleMesh with_seam(const TriangleMesh& mesh, double at) {
+    TriangleMesh cut;
+    std::map<std::pair<bool, std::uint32_t>, std::uint32_t> vertices;
+    for (Triangle t : mesh.triangles) {
+        const bool side =
+            (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]).x() / 3 < at;
+        for (std::uint32_t& v : t) {
+            const auto [place, is_new] =
+                vertices.try_emplace({side, v}, std::uint32_t(cut.positions.size()));
+            if (is_new) cut.positions.push_back(mesh.positions[v]);
+            v = place->second;
+        }
+        cut.triangles.push_back(t);
+    }
+    return cut;
+}
+
+TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
+    append(a, b);
+    return a;
+}
+
+LineStyle borders_only() {
+    LineStyle style;
+    style.shows = LineKindSet();
+    style.shows[LineKind::Border] = true;
+    return style;
+}
+
+/// But for rounding in sums of another order.
+void expect_same_field(const TriangleMesh& whole, const TriangleMesh& cut) {
+    const Field expected = precompute(whole), field = precompute(cut);
+    EXPECT_EQ(field.report.welded_vertices, cut.positions.size() - whole.positions.size());
+    EXPECT_EQ(field.report.unreferenced_vertices, 0u);
+    EXPECT_NEAR(field.scale.mean_edge / expected.scale.mean_edge, 1, 1e-12);
+    std::map<std::array<double, 3>, std::size_t> vertex;
+    for (std::size_t v = 0; v < whole.positions.size(); ++v)
+        vertex[{whole.positions[v].x(), whole.positions[v].y(), whole.positions[v].z()}] = v;
+    double error = 0, size = 0;
+    for (std::size_t v = 0; v < cut.positions.size(); ++v) {
+        const Eigen::Vector3d& p = cut.positions[v];
+        const std::size_t w = vertex.at({p.x(), p.y(), p.z()});
+        EXPECT_LT((field.normals[v] - expected.normals[w]).norm(), 1e-4f);
+        error += (field.laplacian_normals[v] - expected.laplacian_normals[w]).squaredNorm();
+        size += expected.laplacian_normals[w].squaredNorm();
+    }
+    EXPECT_LT(error, 1e-6 * size);
+}
+
+void expect_same_lines(const TriangleMesh& whole, const TriangleMesh& cut) {
+    const LineExtractor expected(whole, precompute(whole)), extractor(cut, precompute(cut));
+    for (const View& view : helpers::random_views(whole, 5)) {
+        const LineSet a = helpers::extract(expected, view, LineStyle()),
+                      b = helpers::extract(extractor, view, LineStyle());
+        EXPECT_NEAR(double(a.lines.size()), double(b.lines.size()), 0.05 * double(a.lines.size()));
+        EXPECT_NEAR(helpers::total_length(a) / helpers::total_length(b), 1, 0.02);
+        const LineSet borders = helpers::extract(expected, view, borders_only());
+        EXPECT_EQ(helpers::extract(extractor, view, borders_only()).lines.size(),
+                  borders.lines.size());
+    }
+}
+
+class CutMesh : public testing::TestWithParam<const char*> {
+protected:
+    const TriangleMesh& whole() const { return mesh_named(GetParam()).mesh; }
+};
+INSTANTIATE_TEST_SUITE_P(Meshes, CutMesh,
+                         testing::Values("bumpy_sphere", "half_torus", "rounded_cube"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST_P(CutMesh, HasTheFieldOfTheWhole) {
+    expect_same_field(whole(), cut_apart(whole()));
+    expect_same_field(whole(), with_seam(whole(), 0.1));
+}
+
+TEST_P(CutMesh, HasTheLinesOfTheWhole) {
+    expect_same_lines(whole(), cut_apart(whole()));
+    expect_same_lines(whole(), with_seam(whole(), 0.1));
+}
+
+TEST_P(CutMesh, StaysCutIfAskedTo) {
+    const TriangleMesh cut = with_seam(whole(), 0.1);
+    PrecomputeOptions options;
+    options.weld_duplicates = false;
+    const Field field = precompute(cut, options);
+    EXPECT_EQ(field.report.welded_vertices, 0u);
+    const LineExtractor extractor(cut, field), of_whole(whole(), precompute(whole()));
+    const View view = View::orthographic({1, 2, 3});
+    EXPECT_GT(helpers::total_length(helpers::extract(extractor, view, borders_only())),
+              helpers::total_length(helpers::extract(of_whole, view, borders_only())) + 0.5);
+}
+
+std::size_t welded(const TriangleMesh& mesh) {
+    return precompute(mesh).report.welded_vertices;
+}
+
+TEST(Stitching, LeavesWhatMerelyTouches) {
+    const TriangleMesh sphere = mesh_named("bumpy_sphere").mesh,
+                       open = mesh_named("half_torus").mesh, cube = test_meshes::cube(4);
+    EXPECT_EQ(welded(together(sphere, inside_out(sphere))), 0u);
+    EXPECT_EQ(welded(together(open, open)), 0u);
+    EXPECT_EQ(welded(together(cube, test_meshes::moved(cube, {2, 0, 0}))), 0u);
+    TriangleMesh book;  // three pages, each with vertices of its own at the spine
+    for (double angle : {0., 2., 4.}) {
+        const auto n = std::uint32_t(book.positions.size());
+        book.positions.insert(book.positions.end(),
+                              {{0, 0, 0}, {0, 0, 1}, {std::cos(angle), std::sin(angle), 0}});
+        book.triangles.push_back({n, n + 1, n + 2});
+    }
+    EXPECT_EQ(welded(book), 0u);
+}
+
+/// They share a hash without being equal: a plain look-up would take hours.
+TEST(Stitching, PassesOverVerticesThatAreNotNumbers) {
+    TriangleMesh mesh = mesh_named("half_torus").mesh;
+    mesh.positions.resize(mesh.positions.size() + 1000000, Eigen::Vector3d::Constant(std::nan("")));
+    EXPECT_EQ(welded(mesh), 0u);
+}
+
+/// CAD faces meet where coordinates are 0 but for rounding.
+TEST(Stitching, TakesZeroAsItIsRounded) {
+    for (const double zero : {-0., -8.9e-16, 8.9e-16}) {
+        TriangleMesh two;
+        two.positions = {{15, 0, 0},    {15, 8, 0},    {30, 0, 0},
+                         {15, zero, 0}, {15, 8, zero}, {0, 0, 0}};
+        two.triangles = {{0, 2, 1}, {3, 4, 5}};
+        EXPECT_EQ(welded(two), 2u) << zero;
+    }
+}
+
+TriangleMesh scan() {
+    return test_meshes::with_noise(test_meshes::bumpy_sphere(4).mesh, 0.1);
+}
+
+TriangleMesh rounded_to_floats(TriangleMesh mesh) {
+    std::vector<Eigen::Vector3f> floats;  // in memory: GCC 12 does not round two at once to and fro
+    for (const Eigen::Vector3d& p : mesh.positions)
+        floats.push_back(p.cast<float>());
+    for (std::size_t v = 0; v < floats.size(); ++v)
+        mesh.positions[v] = floats[v].cast<double>();
+    return mesh;
+}
+
+/// Vertices, triangles and their corners in another order.
+TriangleMesh shuffled(const TriangleMesh& mesh) {
+    std::mt19937 random(7);
+    std::vector<std::uint32_t> place(mesh.positions.size());
+    std::iota(place.begin(), place.end(), 0);
+    std::shuffle(place.begin(), place.end(), random);
+    TriangleMesh result = mesh;
+    for (std::size_t v = 0; v < place.size(); ++v)
+        result.positions[place[v]] = mesh.positions[v];
+    for (Triangle& t : result.triangles) {
+        for (std::uint32_t& v : t)
+            v = place[v];
+        std::rotate(t.begin(), t.begin() + random() % 3, t.end());
+    }
+    std::shuffle(result.triangles.begin(), result.triangles.end(), random);
+    return result;
+}
+
+int undone(const TriangleMesh& mesh) {
+    return precompute(mesh).report.undone_subdivisions;
+}
+
+TEST(Midpoints, AreTakenOutOfMeshesOfAllKinds) {
+    TriangleMesh two = scan(), flipped = scan();
+    test_meshes::append(two, test_meshes::moved(scan(), {3, 0, 0}));
+    test_meshes::flip_triangles(flipped, 5);
+    for (const TriangleMesh& mesh : {two, flipped, test_meshes::moved(scan(), {20, -30, 0}),
+                                     test_meshes::half_torus(60, 40).mesh})
+        for (const int times : {1, 2})
+            EXPECT_EQ(
+                undone(shuffled(rounded_to_floats(subdivided(rounded_to_floats(mesh), times)))),
+                times);
+}
+
+TEST(Midpoints, StayWhereNotAllTrianglesAreQuarters) {
+    const TriangleMesh cut = subdivided(scan());
+    ASSERT_EQ(undone(cut), 1);
+    TriangleMesh moved = cut, open = cut, doubled = cut, other = cut;
+    moved.positions.back() += 1e-3 * Eigen::Vector3d::Ones();
+    open.triangles.resize(open.triangles.size() - 5);
+    doubled.triangles.insert(doubled.triangles.end(), cut.triangles.end() - 4, cut.triangles.end());
+    test_meshes::append(other, test_meshes::icosphere(2));
+    for (const TriangleMesh& mesh : {test_meshes::icosphere(5), moved, open, doubled, other})
+        EXPECT_EQ(undone(mesh), 0);
+}
+
+TEST(Midpoints, HaveTheMeansOfTheEndsOfTheirEdges) {
+    const TriangleMesh mesh = scan(), cut = subdivided(mesh);
+    const Field before = precompute(mesh), field = precompute(cut);
+    EXPECT_EQ(field.scale.kernel_size, before.scale.kernel_size);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        EXPECT_TRUE(before.normals[v] == field.normals[v] &&
+                    before.laplacian_normals[v] == field.laplacian_normals[v]);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3],
+                                v = cut.triangles[4 * t + 3][k];  // see subdivided()
+            EXPECT_LT(
+                (field.normals[v] - (field.normals[a] + field.normals[b]).normalized()).norm(),
+                1e-6f);
+            const Eigen::Vector3f mean =
+                (field.laplacian_normals[a] + field.laplacian_normals[b]) / 2;
+            EXPECT_LT((field.laplacian_normals[v] - mean).norm(), 1e-5f * mean.norm());
+        }
+}
+
+TEST(Midpoints, ChangeNoLines) {
+    const TriangleMesh mesh = rounded_to_floats(scan());
+    const LineExtractor before(mesh, helpers::complete_field(mesh));
+    for (const int times : {1, 2}) {
+        const TriangleMesh cut = subdivided(mesh, times);
+        const LineExtractor extractor(cut, helpers::complete_field(cut));
+        for (const View& view : helpers::random_views(mesh, 4))
+            EXPECT_TRUE(helpers::same_lines(helpers::extract(extractor, view, helpers::all_kinds()),
+                                            helpers::extract(before, view, helpers::all_kinds())))
+                << times;
+    }
+}
+
+TEST(Midpoints, StayIfTheKernelIsSmallerThanThatOfTheMeshBefore) {
+    const TriangleMesh mesh = scan(), cut = subdivided(mesh, 2);
+    const double kernel = precompute(mesh).scale.kernel_size;
+    PrecomputeOptions options;
+    const int undone[] = {2, 1, 0};
+    for (int i = 0; i < 3; ++i) {
+        options.kernel_size = kernel * (1.01 / double(1 << i));
+        EXPECT_EQ(precompute(cut, options).report.undone_subdivisions, undone[i]);
+    }
+}
+
+/// As far as they make them smaller than 2.5 % of D.
+TEST(Midpoints, StayOnFormsOfFewLargeTriangles) {
+    const TriangleMesh form = test_meshes::icosphere(0);
+    for (const int times : {3, 4, 5, 6}) {
+        const Field field = precompute(subdivided(form, times));
+        EXPECT_EQ(field.report.undone_subdivisions, std::max(0, times - 4));
+        EXPECT_GT(field.scale.mean_edge, (times < 4 ? 0.025 : 0.0125) * field.scale.diagonal);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What LineVisibility makes of the mesh's own edges: smooth contours in space, and lines where
+// surfaces run through each other, not where they touch.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "generators.h"
+#include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/precompute.h"
+#include "sight_views.h"
+
+namespace {
+
+using namespace laplacian_lines;
+using namespace sight_views;
+using Eigen::Vector3d;
+
+double largest_turn(const SightLine& line) {
+    double turn = 0;
+    for (std::size_t i = 2; i < line.points.size(); ++i) {
+        const Eigen::Vector3d a = line.points[i - 1].position - line.points[i - 2].position,
+                              b = line.points[i].position - line.points[i - 1].position;
+        turn = std::max(turn, std::acos(a.normalized().dot(b.normalized())));
+    }
+    return turn;
+}
+
+TEST(SightSmoothing, MakesContoursInSpaceSmoothAndNotThoseInThePicture) {
+    const LineVisibility visibility(test_meshes::sphere(4, 1, 0.2).mesh);
+    const View view = View::orthographic({0.3, 0.2, 1});
+    const auto turn_of = [&](double smoothing, bool in_picture) {
+        const auto lines = visibility.look(view, {}, {edge_kinds(), smoothing, true, in_picture});
+        EXPECT_EQ(lines.size(), 1u);
+        return largest_turn(lines.at(0));
+    };
+    const double unsmoothed = turn_of(0, false);
+    EXPECT_GT(unsmoothed, 0.8);
+    EXPECT_LT(turn_of(1.2, false), 0.6 * unsmoothed);
+    EXPECT_EQ(turn_of(1.2, true), turn_of(0, true));
+}
+
+/// Even where contours run along them.
+TEST(SightSmoothing, LeavesEdgesOfTheForm) {
+    const TriangleMesh mesh = test_meshes::cube(6);
+    const Field field = precompute(mesh);
+    const LineExtractor extractor(mesh, field);
+    LineStyle style;
+    style.shows = edge_kinds();
+    const View view = View::perspective({5, 4, 3});
+    ExtractionScratch scratch;
+    const LineSet lines = extract_on_surface(extractor, view, style, scratch);
+    const auto seen = LineVisibility(mesh).look(view, {lines}, {style.shows, 3});
+    double length = 0;
+    for (const SightLine& line : seen)
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            const Eigen::Vector3d& p = line.points[i].position;
+            int on_faces = 0;
+            for (const double x : p)
+                on_faces += std::abs(std::abs(x) - 1) < 1e-9;
+            EXPECT_GE(on_faces, 2) << p.transpose();
+            if (i > 0) length += (p - line.points[i - 1].position).norm();
+        }
+    EXPECT_NEAR(length, 9 * 2, 1e-9);  // all edges but three
+}
+
+/// A smooth contour has no point where it merely passes behind another.
+TEST(SightSmoothing, DoesNotDependOnWhatPassesInThePicture) {
+    TriangleMesh mesh = test_meshes::sphere(3).mesh, small = test_meshes::sphere(2, 0.4).mesh;
+    const View view = View::orthographic(Eigen::Vector3d::UnitZ());
+    const SightOptions options{edge_kinds(), 1.2, false};
+    const auto alone = LineVisibility(mesh).look(view, {}, options);
+    for (Eigen::Vector3d& p : small.positions)
+        p += Eigen::Vector3d(1, 0, -3);  // behind the outline
+    test_meshes::append(mesh, small);
+    const auto both = LineVisibility(mesh).look(view, {}, options);
+    ASSERT_EQ(alone.size(), 1u);
+    const auto same =
+        std::find_if(both.begin(), both.end(), [](const SightLine& line) { return line.closed; });
+    ASSERT_NE(same, both.end());
+    ASSERT_EQ(same->points.size(), alone[0].points.size());
+    for (const SightPoint& p : same->points)
+        EXPECT_TRUE(std::any_of(
+            alone[0].points.begin(), alone[0].points.end(),
+            [&](const SightPoint& q) { return (p.position - q.position).norm() < 1e-9; }));
+}
+
+const Vector3d kAside = {0.7, 0.6, 0.45};
+
+TriangleMesh two_boxes(int cells, int other_cells, const Vector3d& offset,
+                       const Eigen::AngleAxisd& turn = Eigen::AngleAxisd(0, Vector3d::UnitX())) {
+    TriangleMesh mesh = test_meshes::cube(cells), other = test_meshes::cube(other_cells);
+    for (Vector3d& p : other.positions)
+        p += offset;
+    test_meshes::append(mesh, other);
+    for (Vector3d& p : mesh.positions)
+        p = turn * p;
+    return mesh;
+}
+
+double length_of(const SightLine& line) {
+    double length = 0;
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+        length += (line.points[i].position - line.points[i - 1].position).norm();
+    return length;
+}
+
+/// Without extracted lines, creases are the cuts.
+std::vector<SightLine> cuts_of(const TriangleMesh& mesh, const View& view, bool has_hidden = true) {
+    LineKindSet creases;
+    creases[LineKind::Crease] = true;
+    return LineVisibility(mesh).look(view, {}, {creases, 1.2, has_hidden, false});
+}
+
+double total_length(const std::vector<SightLine>& lines) {
+    double length = 0;
+    for (const SightLine& line : lines)
+        length += length_of(line);
+    return length;
+}
+
+/// Of [-1, 1]³ and a copy moved by kAside: a hexagon of sides along the axes.
+constexpr double kHexagon = 2 * (1.3 + 1.4 + 1.55);
+
+TEST(SurfaceCuts, OfTwoBoxesAreAHexagon) {
+    for (const View& view : views_from(special_directions(), kAside / 2, 4.5)) {
+        SCOPED_TRACE(words(view));
+        const auto cuts = cuts_of(two_boxes(1, 1, kAside), view);
+        EXPECT_NEAR(total_length(cuts), kHexagon, 1e-6);
+        for (const SightLine& cut : cuts)
+            for (const SightPoint& p : cut.points) {
+                EXPECT_NEAR(p.position.maxCoeff(), 1, 1e-6);
+                EXPECT_NEAR((p.position - kAside).minCoeff(), -1, 1e-6);
+            }
+    }
+}
+
+TEST(SurfaceCuts, DoNotDependOnTheTriangles) {
+    const View view = View::orthographic({0.31, -0.74, 0.59});
+    const Eigen::AngleAxisd turn(0.8, Vector3d(1, 2, 3).normalized());
+    for (int cells = 1; cells <= 7; ++cells)
+        for (int other = 1; other <= 7; other += 2) {
+            SCOPED_TRACE(testing::Message() << cells << ", " << other);
+            EXPECT_NEAR(total_length(cuts_of(two_boxes(cells, other, kAside), view)), kHexagon,
+                        1e-5);
+            EXPECT_NEAR(total_length(cuts_of(two_boxes(cells, other, kAside, turn), view)),
+                        kHexagon, 1e-5);
+        }
+}
+
+TEST(SurfaceCuts, AreHiddenAsOtherEdgesAre) {
+    const TriangleMesh mesh = two_boxes(2, 3, kAside);
+    EXPECT_NEAR(total_length(cuts_of(mesh, View::orthographic({1, 1.1, 1.2}), false)), 0, 1e-6);
+    // Two sides of the second box emerge beside the first.
+    EXPECT_NEAR(total_length(cuts_of(mesh, View::orthographic({-1, 0.2, 0.1}), false)), 1.4 + 1.55,
+                1e-6);
+    const auto seen = cuts_of(mesh, View::orthographic({1, -1.1, 1.2}), false);
+    ASSERT_FALSE(seen.empty());
+    for (const SightLine& line : seen)
+        for (const SightPoint& p : line.points)
+            EXPECT_NEAR(p.position.y(), -0.4, 1e-6);  // that side of the second box is in sight
+}
+
+TEST(SurfaceCuts, AreNoneWhereSurfacesTouch) {
+    const Vector3d touching[] = {{2, 0, 0}, {2, 0.5, 0.25}, {2, 2, 2}, {0.3, 0.7, -2}};
+    for (const Vector3d& offset : touching)
+        for (const int cells : {1, 3})
+            for (const double angle : {0., 0.7}) {
+                const Eigen::AngleAxisd turn(angle, Vector3d(3, 1, 2).normalized());
+                const auto cuts = cuts_of(two_boxes(cells, 2, offset, turn),
+                                          View::orthographic({0.31, -0.74, 0.59}), false);
+                EXPECT_EQ(total_length(cuts), 0)
+                    << offset.transpose() << ", " << cells << ", " << angle;
+            }
+}
+
+}  // namespace

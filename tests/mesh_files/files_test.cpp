@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+
+#include "sample_files.h"
+
+using mesh_files::Format;
+using mesh_files::MeshInFile;
+using mesh_files::read_mesh;
+using sample_files::packed;
+using sample_files::Sample;
+using sample_files::tetrahedra;
+
+namespace {
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+TEST(WholeFiles, HoldATetrahedron) {
+    for (const Sample& sample : tetrahedra()) {
+        const MeshInFile file = read_mesh(sample.format, sample.bytes);
+        EXPECT_EQ(file.defect + file.remark, "") << sample.name;
+        ASSERT_TRUE(sample_files::is_sound(file.mesh)) << sample.name;
+        EXPECT_EQ(file.mesh.triangles.size(), 4u) << sample.name;
+        EXPECT_NEAR(sample_files::volume(file.mesh), 4, 1e-12) << sample.name;
+    }
+}
+
+TEST(WholeFiles, HaveAnyEndsOfLines) {
+    for (const Sample& sample : tetrahedra()) {
+        if (sample.bytes.find('\0') != std::string::npos) continue;
+        for (const char* end : {"\r\n", "\r", " \n", "\n\n"}) {
+            const MeshInFile file = read_mesh(sample.format, replaced(sample.bytes, "\n", end));
+            if (sample.format == Format::Ply && std::string(end) == "\n\n") continue;
+            EXPECT_EQ(file.defect, "") << sample.name;
+            EXPECT_NEAR(sample_files::volume(file.mesh), 4, 1e-12) << sample.name;
+        }
+    }
+}
+
+/// Some locales write 0,5.
+TEST(WholeFiles, DoNotDependOnTheLocale) {
+    const char* const before = std::setlocale(LC_ALL, nullptr);
+    const std::string name = before ? before : "C";
+    std::setlocale(LC_ALL, "de_DE.UTF-8");  // if it is there
+    const MeshInFile file =
+        read_mesh(Format::Obj, "v 0.5 +1.5e0 -.25\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    std::setlocale(LC_ALL, name.c_str());
+    EXPECT_EQ(file.defect, "");
+    EXPECT_EQ(file.mesh.positions.at(0), Eigen::Vector3d(0.5, 1.5, -0.25));
+}
+
+TEST(WholeFiles, OfObjMayCountVerticesBackAndJoinLines) {
+    const MeshInFile file = read_mesh(
+        Format::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3/1/1 -2//2 \\\n -1\nf 2 1 4\nv 5 5 5");
+    EXPECT_EQ(file.defect, "");
+    ASSERT_EQ(file.mesh.triangles.size(), 2u);
+    EXPECT_EQ(file.mesh.triangles[0], (laplacian_lines::Triangle{0, 1, 2}));
+    EXPECT_EQ(file.mesh.triangles[1], (laplacian_lines::Triangle{1, 0, 3}));
+}
+
+/// As other programs write and read them.
+TEST(WholeFiles, MayHaveMoreThanTheirFormatThenItIsSaid) {
+    const auto expect = [](const char* name, const std::string& before, const std::string& behind,
+                           const char* remark) {
+        for (const Sample& sample : tetrahedra()) {
+            if (sample.name != name) continue;
+            const MeshInFile file = read_mesh(sample.format, before + sample.bytes + behind);
+            EXPECT_EQ(file.defect, "") << name;
+            EXPECT_EQ(file.remark, remark);
+            EXPECT_NEAR(sample_files::volume(file.mesh), 4, 1e-12) << name;
+        }
+    };
+    expect("obj", "\xef\xbb\xbf", "", "");
+    expect(
+        "obj", "\n$\nc 1 0 0\n", "f 1\nf\n",
+        "lines skipped that are no statements of OBJ files: 2, the first is line 2, \"$\"; faces "
+        "skipped that have fewer than three corners: 2");
+    expect("stl", "", "of others\nsolid\nendsolid\n", "lines skipped after \"endsolid\": 1");
+    for (const char* name : {"binary stl", "ply", "big ply", "off"})
+        expect(name, "", "3 0 1\n",
+               "its last 6 bytes, after what its header promises, are not read");
+}
+
+// ---- damage is reported, or nothing is lost
+
+bool is_whole(const MeshInFile& file) {
+    return file.mesh.triangles.size() == 4 && std::abs(sample_files::volume(file.mesh) - 4) < 1e-6;
+}
+bool is_told(const MeshInFile& file) {
+    return !file.defect.empty() || !file.remark.empty() || is_whole(file);
+}
+
+/// OBJ has no counts.
+TEST(DamagedFiles, ThatAreCutAnywhereSaySo) {
+    for (const Sample& sample : tetrahedra()) {
+        if (sample.format == Format::Obj) continue;
+        for (std::size_t size = 0; size < sample.bytes.size(); ++size) {
+            const MeshInFile file = read_mesh(sample.format, sample.bytes.substr(0, size));
+            ASSERT_TRUE(sample_files::is_sound(file.mesh));
+            EXPECT_TRUE(is_told(file)) << sample.name << " of " << size << " bytes";
+        }
+    }
+}
+
+TEST(DamagedFiles, WithoutAWordSaySo) {
+    for (const Sample& sample : tetrahedra()) {
+        if (sample.bytes.find('\0') != std::string::npos) continue;
+        const char* const blanks = " \n";
+        for (std::size_t at = 0, end = 0; end != std::string::npos && at != std::string::npos;
+             at = sample.bytes.find_first_not_of(blanks, end)) {
+            end = sample.bytes.find_first_of(blanks, at);
+            std::string bytes = sample.bytes;
+            bytes.erase(at, end - at);
+            const MeshInFile file = read_mesh(sample.format, bytes);
+            ASSERT_TRUE(sample_files::is_sound(file.mesh));
+            EXPECT_TRUE(is_told(file)) << sample.name << " without the word at " << at;
+        }
+    }
+}
+
+TEST(DamagedFiles, SayWhatAndWhere) {
+    const auto defect = [](Format format, const std::string& bytes) {
+        return read_mesh(format, bytes).defect;
+    };
+    EXPECT_EQ(defect(Format::Obj, "v 0 0 0\n\nv 1 x 0\n"), "line 3: \"x\" is not a number");
+    EXPECT_EQ(defect(Format::Obj, "v 0 0\n"), "line 1: a vertex has 2 of three coordinates");
+    EXPECT_EQ(defect(Format::Obj, "v 0 0 0\nf 1 1 2\n\n"), "line 2: a face names vertex 2 of 1");
+    EXPECT_EQ(defect(Format::Off, "OFF\n1 1 0\n0 0 0\n3 0 0 1\n"),
+              "line 4: a face names vertex 1, counted from 0, of 1");
+    EXPECT_EQ(defect(Format::Obj, std::string("v\0 \0", 4)),
+              "it is text in UTF-16; save it as UTF-8 or ASCII");
+    EXPECT_EQ(defect(Format::Stl, "solid a\nfacet normal 0 0\n"),
+              "line 2: it ends without \"endsolid\"");
+    EXPECT_EQ(defect(Format::Stl, std::string(80, '\0') + packed(std::uint32_t(2))),
+              "it has 84 bytes, but 2 triangles take 184");
+    EXPECT_EQ(defect(Format::Ply,
+                     "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty "
+                     "float y\nproperty float z\nend_header\n0 0 0\n0 y 0\n"),
+              "line 9: \"y\" is not a number, in vertex 2 of 2");
+}
+
+/// Promises of a header are not trusted.
+TEST(DamagedFiles, TakeNoMoreMemoryThanTheyHaveBytes) {
+    const std::string many = std::to_string(4000000000000000000ll);
+    for (const char* format : {"ascii", "binary_little_endian"}) {
+        const MeshInFile file = read_mesh(
+            Format::Ply,
+            std::string("ply\nformat ") + format + " 1.0\nelement nothing " + many +
+                "\nelement vertex " + many +
+                "\nproperty float x\nproperty float y\nproperty float z\nelement face " + many +
+                "\nproperty list uint int vertex_indices\nend_header\n" + "0 0 0 1 1 1 2 2");
+        EXPECT_NE(file.defect, "");
+        EXPECT_LT(file.mesh.positions.capacity(), 100u);
+        EXPECT_LT(file.mesh.triangles.capacity(), 100u);
+    }
+    EXPECT_NE(read_mesh(Format::Off, "OFF\n" + many + ' ' + many + " 0\n").defect, "");
+    EXPECT_NE(read_mesh(Format::Stl, std::string(80, ' ') + packed(~std::uint32_t(0))).defect, "");
+}
+
+}  // namespace
