@@ -12,12 +12,10 @@
 namespace {
 
 using Eigen::Vector3f;
-using laplacian_lines::LineKind;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 using laplacian_lines::Polyline;
 using line_renderer::LinePlacement;
-using line_renderer::LineRadii;
 using line_renderer::neighbour_only;
 using line_renderer::StreamPoint;
 using line_renderer::StreamSettings;
@@ -43,71 +41,6 @@ std::vector<StreamPoint> writtenStream(const laplacian_lines::LineSet& lines,
     }
     skipTo(stream.size());
     return result;
-}
-
-LineRadii equalRadii(float radius) {
-    LineRadii radii;
-    radii.full.fill(radius);
-    return radii;
-}
-
-/// With all points.
-std::vector<StreamPoint> streamOf(const LineSet& lines, const LineRadii& radii) {
-    StreamSettings settings;
-    settings.radii = radii;
-    settings.tolerance.distance = 0;
-    std::vector<StreamPoint> stream = writtenStream(lines, settings);
-    EXPECT_EQ(stream.size(), line_renderer::streamLength(lines));
-    return stream;
-}
-
-/// Long sets are written in parts.
-TEST(LineStream, OfManyLinesIsThatOfEachLineAndOutlinesComeLast) {
-    LineSet lines;
-    std::vector<StreamPoint> parts[2];
-    for (int number = 0; number < 3000; ++number) {
-        std::vector<Vector3f> points;
-        for (int i = 0; i < number % 23; ++i)
-            points.push_back({float(number), float(i), 0});
-        const bool is_outline = number % 3 == 0;
-        const LineKind kind = is_outline ? LineKind::Contour : LineKind::Laplacian;
-        addLine(lines, points, kind);
-        LineSet alone;
-        addLine(alone, points, kind);
-        const std::vector<StreamPoint> stream = streamOf(alone, equalRadii(2));
-        parts[is_outline].insert(parts[is_outline].end(), stream.begin(), stream.end());
-    }
-    parts[0].insert(parts[0].end(), parts[1].begin(), parts[1].end());
-    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(2));
-    ASSERT_EQ(stream.size(), parts[0].size());
-    EXPECT_EQ(std::memcmp(stream.data(), parts[0].data(), stream.size() * sizeof stream[0]), 0);
-}
-
-TEST(LineStream, MarksBordersAndCreasesAndWhichFaceAway) {
-    LineSet lines;
-    for (const LineKind kind : {LineKind::Border, LineKind::Crease, LineKind::Crease})
-        addLine(lines, {{0, 0, 0}, {1, 0, 0}}, kind);
-    lines.lines.back().slope = -1;
-    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(1));
-    ASSERT_EQ(stream.size(), 12u) << "the border last";
-    EXPECT_EQ(stream[1].look, float(LineKind::Crease) + line_renderer::edge_mark);
-    EXPECT_EQ(stream[5].look, float(LineKind::Crease) + line_renderer::away_mark);
-    EXPECT_EQ(stream[9].look, float(LineKind::Border) + line_renderer::edge_mark);
-}
-
-TEST(LineStream, TapersWithTheWeight) {
-    LineSet lines = oneLine({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
-    lines.points[0].weight = 0;
-    lines.points[1].weight = 0.5f;
-    lines.points[3].weight = 7;  // counts as 1
-    lines.points[2].opacity = 0.25f;
-    LineRadii radii = equalRadii(4);
-    radii.least_share = 0.5f;
-    const std::vector<StreamPoint> stream = streamOf(lines, radii);
-    EXPECT_FLOAT_EQ(stream[1].radius, 2);
-    EXPECT_FLOAT_EQ(stream[2].radius, 3);
-    EXPECT_FLOAT_EQ(stream[4].radius, 4);
-    EXPECT_EQ(stream[3].opacity, 0.25f);
 }
 
 // Invisible points are dropped.
