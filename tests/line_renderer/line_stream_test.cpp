@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The array that lines are handed over to OpenGL in.
+// The array that lines are handed over to OpenGL in, without the points that are not seen.
 #include "line_stream.h"
 
 #include <gtest/gtest.h>
@@ -43,19 +43,13 @@ std::vector<StreamPoint> writtenStream(const laplacian_lines::LineSet& lines,
     return result;
 }
 
-// Invisible points are dropped.
-
-constexpr float full_radius = 3, depth_tolerance = 0.02f;
-
-/// 1000 x 700 pixels; in perspective the eye is at z = 3, the near plane at z = 2.
-StreamSettings settings(bool is_perspective) {
+/// 1000 x 700 pixels.
+StreamSettings settings() {
     StreamSettings result;
-    result.radii.full.fill(full_radius);
+    result.radii.full.fill(3);
     result.screen.half_viewport = {500, 350};
-    result.tolerance.depth.fill(depth_tolerance);
+    result.tolerance.depth.fill(0.02f);
     result.is_measured = true;
-    if (is_perspective)
-        result.screen.to_clip << 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, -1.25f, 1.5f, 0, 0, -1, 3;
     return result;
 }
 
@@ -81,19 +75,19 @@ TEST(LineSimplification, DrawsAStraightLineAsOneSegment) {
     std::vector<LinePoint> points;
     for (int i = 0; i <= 1000; ++i)
         points.push_back({{0.001f * float(i), 0.0005f * float(i), 0}, 0.001f * float(i), 0, 1});
-    EXPECT_EQ(pointsOf(points, settings(false)).size(), 2u) << "tapered";
+    EXPECT_EQ(pointsOf(points, settings()).size(), 2u) << "tapered";
     points[500].position.y() += 0.6f / 350;
-    EXPECT_EQ(pointsOf(points, settings(false)).size(), 5u) << "with a tooth of 0.6 pixels";
+    EXPECT_EQ(pointsOf(points, settings()).size(), 5u) << "with a tooth of 0.6 pixels";
     points[500].position.y() -= 0.6f / 350;
     points[500].opacity = 0.5f;
-    EXPECT_EQ(pointsOf(points, settings(false)).size(), 5u) << "with a faint place";
+    EXPECT_EQ(pointsOf(points, settings()).size(), 5u) << "with a faint place";
 }
 
 TEST(LineSimplification, KeepsTheLengthAlongTheLine) {
     std::vector<LinePoint> points;
     for (int i = 0; i <= 400; ++i)  // teeth of a tenth of a pixel
         points.push_back({{0.1f * float(i) / 500, 0.1f * float(i % 2) / 350, 0}, 1, 0, 1});
-    const std::vector<StreamPoint> drawn = pointsOf(points, settings(false));
+    const std::vector<StreamPoint> drawn = pointsOf(points, settings());
     EXPECT_EQ(drawn.size(), 2u);
     EXPECT_NEAR(drawn.back().along, 400 * std::hypot(0.1f, 0.1f), 0.01);
 }
@@ -108,7 +102,7 @@ TEST(LineSimplification, JoinsTheEndsOfClosedLines) {
     LineSet lines;
     append(lines, circle, true);
     append(lines, circle, true);
-    const std::vector<StreamPoint> stream = writtenStream(lines, settings(false));
+    const std::vector<StreamPoint> stream = writtenStream(lines, settings());
     const std::size_t length = stream.size() / 2;
     EXPECT_LT(length, 60u);
     for (std::size_t first : {std::size_t(0), length}) {
