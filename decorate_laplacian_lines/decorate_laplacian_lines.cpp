@@ -110,10 +110,6 @@ bool isWithoutDerivatives(const PreparedLines& lines) {
     return lines.extractor && !lines.has_derivatives && lines.lack.isEmpty();
 }
 
-QString refusalLine(const MeshModel& mesh, const QString& refusal) {
-    return QString("%1: %2: %3").arg(title, mesh.label(), refusal);
-}
-
 }  // namespace
 
 DecorateLaplacianLines::DecorateLaplacianLines() : DecoratePluginBase(description()) {}
@@ -143,7 +139,9 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
         refusal = QString::fromUtf8(error.what());
     }
     if (refusal.isEmpty()) return true;
-    complain(mesh, meshlab_host::documentLog(mesh), refusal);
+    const GLLogStream* log = meshlab_host::documentLog(mesh);
+    complaints_.erase({log, int(mesh.id())});  // each time that it is switched on
+    complain(mesh, log, refusal);
     return false;
 }
 
@@ -170,10 +168,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     }
     complaints.removeAll({});
     const QString refusal = complaints.join(" ");
-    if (refusal.isEmpty())
-        complaints_.forget(log, mesh.id());
-    else if (!complaints_.isSaid(log, mesh.id(), refusalLine(mesh, refusal)))
-        complain(mesh, &log, refusal);
+    complain(mesh, &log, refusal);
     tellOfNewLayers(mesh, view);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
@@ -186,7 +181,7 @@ void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
 void DecorateLaplacianLines::endAll(GLArea* view) {
     cache_.releaseView(view);
     drawing_.forget(view);
-    complaints_.forgetAll();
+    complaints_.clear();  // a new document may get the address of the old
 }
 
 void DecorateLaplacianLines::meshGone(GLArea* view) {
@@ -299,9 +294,10 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
 
 void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream* log,
                                       const QString& refusal) {
-    const QString line = refusalLine(mesh, refusal);
-    say(line);
-    complaints_.note(log, mesh.id(), line);
+    QString& last = complaints_[{log, int(mesh.id())}];
+    if (!refusal.isEmpty() && refusal != last)
+        say(QString("%1: %2: %3").arg(title, mesh.label(), refusal));
+    last = refusal;
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DecorateLaplacianLines)

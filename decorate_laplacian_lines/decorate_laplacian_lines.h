@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <set>
 
-#include "complaints.h"
 #include "decoration_parameters.h"
 #include "kept_lines.h"
 #include "laplacian_lines/line_extractor.h"
@@ -51,7 +51,7 @@ private:
                                                          const DecorationParameters& chosen,
                                                          const laplacian_lines::View& eye,
                                                          const LayerInView& layer, double tiles);
-    /// Logs why a mesh has no lines; `log` is its document's.
+    /// Logs why a mesh has no lines, once, or remembers that it has; `log` is its document's.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
     /// Says once of each layer that came after the lines of others why it has none.
@@ -65,7 +65,8 @@ private:
     ViewLevels levels_{[this] { kept_.fit(); }};
     std::map<const MeshDocument*, std::set<int>>
         known_layers_;  ///< of the documents that are watched
-    Complaints complaints_;
+    /// What was said last of meshes without lines, by log, which is never followed, and mesh.
+    std::map<std::pair<const GLLogStream*, int>, QString> complaints_;
     meshlab_host::SnapshotTiles tiles_;
     ViewDrawing drawing_;
     laplacian_lines::ExtractionScratch scratch_;

@@ -58,12 +58,9 @@ meshlab_host::FilterDescription ComputeFilter::description() const {
     result.python_name = "compute_laplacian_lines_per_vertex";
     result.help =
         QStringLiteral(
-            "Chooses how the surface is analysed for Laplacian lines, once for all views. To see "
-            "them, switch on <b>Laplacian Lines</b> in the Render menu; without this filter, that "
-            "does the same with the default parameters.<br>"
-            "The mesh is not changed: the result is in per-vertex attributes <b>ll_...</b>, until "
-            "the mesh changes. Cuts whose sides only nearly meet leave lines along them: run "
-            "<i>Merge Close Vertices</i> first.<br>"
+            "Chooses how the surface is analysed; without this filter, Render &gt; <b>Laplacian "
+            "Lines</b> takes the defaults. The result is in per-vertex attributes <b>ll_...</b>, "
+            "until the mesh changes.<br>"
             "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, "
             "2009. Version ") +
         laplacian_lines::version() + '.';

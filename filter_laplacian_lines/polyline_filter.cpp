@@ -46,21 +46,6 @@ struct Source {
     Eigen::Matrix4d layer;
 };
 
-QString help() {
-    QStringList kinds;
-    for (const laplacian_lines::LineKindDescription& kind : laplacian_lines::line_kinds)
-        if (kind.shown) kinds << kind.many;
-    return QStringLiteral(
-               "Creates a layer with the lines of the current layer as seen from one view: %1. "
-               "They "
-               "are vertices and edges, for other filters and programs (OBJ, DXF), with attributes "
-               "<b>ll_...</b> that tell more about them.<br>"
-               "The view is that of the window: just apply, or choose another one.<br>"
-               "The results of <i>Compute Laplacian Lines</i> are used while they belong to the "
-               "mesh, otherwise those of its defaults.")
-        .arg(kinds.join(", "));
-}
-
 using Visibility = std::optional<laplacian_lines::LineVisibility>;
 
 /// None unless wanted.
@@ -155,7 +140,10 @@ meshlab_host::FilterDescription PolylineFilter::description() const {
     meshlab_host::FilterDescription result;
     result.name = filter_name;
     result.python_name = "generate_polyline_from_laplacian_lines";
-    result.help = help();
+    result.help = QStringLiteral(
+        "Creates a layer with the lines of the current layer as seen from one view, that of the "
+        "window or another: vertices and edges, for other filters and programs (OBJ, DXF), with "
+        "attributes <b>ll_...</b> that tell more about them.");
     result.filter_class =
         meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer;
     result.preconditions = MeshModel::MM_FACENUMBER;

@@ -67,12 +67,6 @@ GLLogStream* documentLog(const MeshModel& mesh) {
     return scene ? &scene->meshDoc().Log : nullptr;
 }
 
-bool hasLine(const GLLogStream& log, const QString& line) {
-    const auto& lines = log.logStringList();
-    return std::any_of(lines.begin(), lines.end(),
-                       [&](const auto& entry) { return entry.second == line; });
-}
-
 void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text) {
 #if MESHLAB_API < 2022
     log.RealTimeLog(title, mesh, text);

@@ -24,9 +24,4 @@ TEST(RedrawMark, IsTheFirstCallWithAPainter) {
     }
 }
 
-TEST(RedrawMark, IsEachCallWithoutAPainter) {
-    EXPECT_TRUE(beginsRedraw(nullptr));
-    EXPECT_TRUE(beginsRedraw(nullptr));
-}
-
 }  // namespace

@@ -116,14 +116,6 @@ TEST_F(ViewLevelsTest, ThatFailAreTriedOnce) {
     EXPECT_EQ(demand(size(2), true)[0].laplacian, nullptr);
 }
 
-TEST_F(ViewLevelsTest, TakeNoMoreMemoryThanTheyMay) {
-    for (int level = 0; level < lines_->levels.count(); ++level)
-        demand(size(level), true);
-    const double one = double(lines_->extractor->memory());
-    EXPECT_LT(double(lines_->kept_levels.bytes()), 0.7 * one);
-    EXPECT_TRUE(lines_->kept_levels.has(lines_->levels.count() - 1)) << "the last ones stay";
-}
-
 TEST_F(ViewLevelsTest, TheSecondIsAppendedAndFaded) {
     const double middle = std::sqrt(size(1) * size(2)) * 1.02;
     const auto kernels = demand(middle, true);

@@ -37,6 +37,15 @@ TEST_F(LineTest, GrowWithThePixelsOfTheViewport) {
     EXPECT_NEAR(widthIn(drawn(horizontal, blackLines(2), placement), 0), 5, 0.03);
 }
 
+/// From about a third.
+TEST_F(LineTest, TaperWithTheirWeight) {
+    LineSet line = oneLine({{20, 60.3f, 0}, {140, 60.3f, 0}});
+    line.points[0].weight = 0;
+    const QImage picture = drawn(line, blackLines(8));
+    for (int x : {30, 80, 130})
+        EXPECT_NEAR(inkOfColumn(picture, x), 8 * (0.35 + 0.65 * (x + 0.5 - 20) / 120), 0.1) << x;
+}
+
 TEST_F(LineTest, HaveTheLookOfTheirKind) {
     LineSet lines;
     LineAppearance appearance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The array that lines are handed over to OpenGL in.
+// The array that lines are handed over to OpenGL in, without the points that are not seen.
 #include "line_stream.h"
 
 #include <gtest/gtest.h>
@@ -12,12 +12,10 @@
 namespace {
 
 using Eigen::Vector3f;
-using laplacian_lines::LineKind;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 using laplacian_lines::Polyline;
 using line_renderer::LinePlacement;
-using line_renderer::LineRadii;
 using line_renderer::neighbour_only;
 using line_renderer::StreamPoint;
 using line_renderer::StreamSettings;
@@ -45,84 +43,13 @@ std::vector<StreamPoint> writtenStream(const laplacian_lines::LineSet& lines,
     return result;
 }
 
-LineRadii equalRadii(float radius) {
-    LineRadii radii;
-    radii.full.fill(radius);
-    return radii;
-}
-
-/// With all points.
-std::vector<StreamPoint> streamOf(const LineSet& lines, const LineRadii& radii) {
-    StreamSettings settings;
-    settings.radii = radii;
-    settings.tolerance.distance = 0;
-    std::vector<StreamPoint> stream = writtenStream(lines, settings);
-    EXPECT_EQ(stream.size(), line_renderer::streamLength(lines));
-    return stream;
-}
-
-/// Long sets are written in parts.
-TEST(LineStream, OfManyLinesIsThatOfEachLineAndOutlinesComeLast) {
-    LineSet lines;
-    std::vector<StreamPoint> parts[2];
-    for (int number = 0; number < 3000; ++number) {
-        std::vector<Vector3f> points;
-        for (int i = 0; i < number % 23; ++i)
-            points.push_back({float(number), float(i), 0});
-        const bool is_outline = number % 3 == 0;
-        const LineKind kind = is_outline ? LineKind::Contour : LineKind::Laplacian;
-        addLine(lines, points, kind);
-        LineSet alone;
-        addLine(alone, points, kind);
-        const std::vector<StreamPoint> stream = streamOf(alone, equalRadii(2));
-        parts[is_outline].insert(parts[is_outline].end(), stream.begin(), stream.end());
-    }
-    parts[0].insert(parts[0].end(), parts[1].begin(), parts[1].end());
-    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(2));
-    ASSERT_EQ(stream.size(), parts[0].size());
-    EXPECT_EQ(std::memcmp(stream.data(), parts[0].data(), stream.size() * sizeof stream[0]), 0);
-}
-
-TEST(LineStream, MarksBordersAndCreasesAndWhichFaceAway) {
-    LineSet lines;
-    for (const LineKind kind : {LineKind::Border, LineKind::Crease, LineKind::Crease})
-        addLine(lines, {{0, 0, 0}, {1, 0, 0}}, kind);
-    lines.lines.back().slope = -1;
-    const std::vector<StreamPoint> stream = streamOf(lines, equalRadii(1));
-    ASSERT_EQ(stream.size(), 12u) << "the border last";
-    EXPECT_EQ(stream[1].look, float(LineKind::Crease) + line_renderer::edge_mark);
-    EXPECT_EQ(stream[5].look, float(LineKind::Crease) + line_renderer::away_mark);
-    EXPECT_EQ(stream[9].look, float(LineKind::Border) + line_renderer::edge_mark);
-}
-
-TEST(LineStream, TapersWithTheWeight) {
-    LineSet lines = oneLine({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
-    lines.points[0].weight = 0;
-    lines.points[1].weight = 0.5f;
-    lines.points[3].weight = 7;  // counts as 1
-    lines.points[2].opacity = 0.25f;
-    LineRadii radii = equalRadii(4);
-    radii.least_share = 0.5f;
-    const std::vector<StreamPoint> stream = streamOf(lines, radii);
-    EXPECT_FLOAT_EQ(stream[1].radius, 2);
-    EXPECT_FLOAT_EQ(stream[2].radius, 3);
-    EXPECT_FLOAT_EQ(stream[4].radius, 4);
-    EXPECT_EQ(stream[3].opacity, 0.25f);
-}
-
-// Invisible points are dropped.
-
-constexpr float full_radius = 3, depth_tolerance = 0.02f;
-
-/// 1000 x 700 pixels; in perspective the eye is at z = 3, the near plane at z = 2.
-StreamSettings settings(bool is_perspective) {
+/// 1000 x 700 pixels.
+StreamSettings settings() {
     StreamSettings result;
-    result.radii.full.fill(full_radius);
+    result.radii.full.fill(3);
     result.screen.half_viewport = {500, 350};
-    result.tolerance.depth.fill(depth_tolerance);
+    result.tolerance.depth.fill(0.02f);
     result.is_measured = true;
-    if (is_perspective)
-        result.screen.to_clip << 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, -1.25f, 1.5f, 0, 0, -1, 3;
     return result;
 }
 
@@ -148,19 +75,19 @@ TEST(LineSimplification, DrawsAStraightLineAsOneSegment) {
     std::vector<LinePoint> points;
     for (int i = 0; i <= 1000; ++i)
         points.push_back({{0.001f * float(i), 0.0005f * float(i), 0}, 0.001f * float(i), 0, 1});
-    EXPECT_EQ(pointsOf(points, settings(false)).size(), 2u) << "tapered";
+    EXPECT_EQ(pointsOf(points, settings()).size(), 2u) << "tapered";
     points[500].position.y() += 0.6f / 350;
-    EXPECT_EQ(pointsOf(points, settings(false)).size(), 5u) << "with a tooth of 0.6 pixels";
+    EXPECT_EQ(pointsOf(points, settings()).size(), 5u) << "with a tooth of 0.6 pixels";
     points[500].position.y() -= 0.6f / 350;
     points[500].opacity = 0.5f;
-    EXPECT_EQ(pointsOf(points, settings(false)).size(), 5u) << "with a faint place";
+    EXPECT_EQ(pointsOf(points, settings()).size(), 5u) << "with a faint place";
 }
 
 TEST(LineSimplification, KeepsTheLengthAlongTheLine) {
     std::vector<LinePoint> points;
     for (int i = 0; i <= 400; ++i)  // teeth of a tenth of a pixel
         points.push_back({{0.1f * float(i) / 500, 0.1f * float(i % 2) / 350, 0}, 1, 0, 1});
-    const std::vector<StreamPoint> drawn = pointsOf(points, settings(false));
+    const std::vector<StreamPoint> drawn = pointsOf(points, settings());
     EXPECT_EQ(drawn.size(), 2u);
     EXPECT_NEAR(drawn.back().along, 400 * std::hypot(0.1f, 0.1f), 0.01);
 }
@@ -175,7 +102,7 @@ TEST(LineSimplification, JoinsTheEndsOfClosedLines) {
     LineSet lines;
     append(lines, circle, true);
     append(lines, circle, true);
-    const std::vector<StreamPoint> stream = writtenStream(lines, settings(false));
+    const std::vector<StreamPoint> stream = writtenStream(lines, settings());
     const std::size_t length = stream.size() / 2;
     EXPECT_LT(length, 60u);
     for (std::size_t first : {std::size_t(0), length}) {

@@ -30,9 +30,6 @@ void whenMeshesChange(const MeshDocument* document, QObject* receiver,
 /// only.
 GLLogStream* documentLog(const MeshModel& mesh);
 
-/// Previews of filters remove lines from the log.
-bool hasLine(const GLLogStream& log, const QString& line);
-
 /// Shows text in the corner of the view until the next redraw. `mesh` is shown only if two boxes
 /// have the same title. GUI thread only, while drawing.
 void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text);
