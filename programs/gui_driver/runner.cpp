@@ -67,7 +67,7 @@ void Runner::step() {
             connect(bar, &QProgressBar::valueChanged, this, [] { watchOn(); });
     QWidget* modal = QApplication::activeModalWidget();
     // Without a box, it is a filter's progress that runs the event loop.
-    const bool has_to_wait = modal ? false : !in_progress_.isEmpty();
+    const bool has_to_wait = !modal && !in_progress_.isEmpty();
     if (next_ >= script_.size() && in_progress_.isEmpty())
         return watchNothing();  // no "quit" at the end: the user goes on by hand
     try {
