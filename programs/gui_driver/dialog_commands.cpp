@@ -51,10 +51,10 @@ Widgets findEditors(QWidget* container, const QString& name) {
     QStringList others;
     for (QLabel* label : container->findChildren<QLabel*>()) {
         const QString text = withoutMnemonic(label->text()).trimmed();
+        const Widgets editors = editorsBeside(container, label);
+        if (editors.isEmpty()) continue;  // a help text
+        if (text == name) return editors;
         others << "'" + text + "'";
-        if (text != name) continue;
-        if (const Widgets editors = editorsBeside(container, label); !editors.isEmpty())
-            return editors;
     }
     throw CommandError(QString("no field '%1' among %2").arg(name, others.join(", ")));
 }
