@@ -34,17 +34,6 @@ void CommandTable::add(const QString& name, Handler handler, Boxes boxes) {
     entries_[name] = Entry{std::move(handler), boxes};
 }
 
-void CommandTable::addSimple(const QString& name, std::function<void(const Command&)> handler,
-                             Boxes boxes) {
-    add(
-        name,
-        [handler = std::move(handler)](const Command& command) {
-            handler(command);
-            return Outcome::Done;
-        },
-        boxes);
-}
-
 const CommandTable::Entry& CommandTable::find(const QString& name) const {
     const auto found = entries_.find(name);
     if (found == entries_.end()) throw CommandError(QString("unknown command '%1'").arg(name));

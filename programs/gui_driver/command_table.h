@@ -34,10 +34,8 @@ struct CommandError : std::runtime_error {
     explicit CommandError(const QString& why) : std::runtime_error(why.toStdString()) {}
 };
 
-enum class Outcome {
-    Done,
-    Retry  // not yet: run the command again soon, until the time limit of a line is over
-};
+// Has the command run again soon, until the time limit of a line is over.
+struct NotYet {};
 
 // What modal boxes are to a command.
 enum class Boxes {
@@ -48,17 +46,13 @@ enum class Boxes {
 
 class CommandTable {
 public:
-    using Handler = std::function<Outcome(const Command&)>;
+    using Handler = std::function<void(const Command&)>;
     struct Entry {
         Handler handler;
         Boxes boxes;
     };
 
     void add(const QString& name, Handler handler, Boxes boxes = Boxes::Errors);
-    // For commands that are done when they return.
-    void addSimple(const QString& name, std::function<void(const Command&)> handler,
-                   Boxes boxes = Boxes::Errors);
-
     const Entry& find(const QString& name) const;  // CommandError when there is none
 
 private:

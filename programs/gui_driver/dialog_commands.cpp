@@ -51,10 +51,10 @@ Widgets findEditors(QWidget* container, const QString& name) {
     QStringList others;
     for (QLabel* label : container->findChildren<QLabel*>()) {
         const QString text = withoutMnemonic(label->text()).trimmed();
+        const Widgets editors = editorsBeside(container, label);
+        if (editors.isEmpty()) continue;  // a help text
+        if (text == name) return editors;
         others << "'" + text + "'";
-        if (text != name) continue;
-        if (const Widgets editors = editorsBeside(container, label); !editors.isEmpty())
-            return editors;
     }
     throw CommandError(QString("no field '%1' among %2").arg(name, others.join(", ")));
 }
@@ -159,9 +159,8 @@ void setDecorationParameter(const Command& command) {
 CommandTable::Handler inModal(void (*act)(QWidget*, const Command&)) {
     return [act](const Command& command) {
         QWidget* modal = QApplication::activeModalWidget();
-        if (!modal) return Outcome::Retry;
+        if (!modal) throw NotYet();
         act(modal, command);
-        return Outcome::Done;
     };
 }
 
@@ -218,19 +217,19 @@ void takeSnapshot(const Command& command) {
 }  // namespace
 
 void addDialogCommands(CommandTable& table) {
-    table.addSimple("trigger", trigger);
-    table.addSimple("check", check);
-    table.addSimple("expect-action", expectAction);
-    table.addSimple("set", [](const Command& c) { setField(filterDialog(), c); });
-    table.addSimple("apply", [](const Command&) { clickButton(filterDialog(), "Apply"); });
-    table.addSimple("close", [](const Command&) { clickButton(filterDialog(), "Close"); });
-    table.addSimple("setdeco", setDecorationParameter);
+    table.add("trigger", trigger);
+    table.add("check", check);
+    table.add("expect-action", expectAction);
+    table.add("set", [](const Command& c) { setField(filterDialog(), c); });
+    table.add("apply", [](const Command&) { clickButton(filterDialog(), "Apply"); });
+    table.add("close", [](const Command&) { clickButton(filterDialog(), "Close"); });
+    table.add("setdeco", setDecorationParameter);
     table.add("expect-modal", inModal(expectModal), Boxes::Subject);
     table.add("set-modal", inModal(setField), Boxes::Subject);
     table.add("button",
               inModal([](QWidget* modal, const Command& c) { clickButton(modal, c.rest); }),
               Boxes::Subject);
-    table.addSimple("snapshot", takeSnapshot);
+    table.add("snapshot", takeSnapshot);
 }
 
 }  // namespace driver

@@ -106,12 +106,12 @@ void waitForLevels(const Command&) {
 }  // namespace
 
 void addDrawingCommands(CommandTable& table) {
-    table.addSimple("load", load, Boxes::Answered);
-    table.addSimple("open-project", openProject, Boxes::Answered);
-    table.addSimple("draw-lines", drawLines);
-    table.addSimple("draw-all-lines", drawAllLines);
-    table.addSimple("scale-lines", scaleLines);
-    table.addSimple("wait-for-levels", waitForLevels);
+    table.add("load", load, Boxes::Answered);
+    table.add("open-project", openProject, Boxes::Answered);
+    table.add("draw-lines", drawLines);
+    table.add("draw-all-lines", drawAllLines);
+    table.add("scale-lines", scaleLines);
+    table.add("wait-for-levels", waitForLevels);
 }
 
 }  // namespace driver

@@ -282,7 +282,7 @@ void frame(const Command& command) {
 }  // namespace
 
 void addFrameCommands(CommandTable& table) {
-    table.addSimple("frame", frame);
+    table.add("frame", frame);
 }
 
 }  // namespace driver

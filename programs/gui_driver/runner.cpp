@@ -36,11 +36,10 @@ Runner::Runner(QVector<Command> script, CommandTable table, QObject* parent)
 
 void Runner::addOwnCommands() {
     table_.add(
-        "sleep", [this](const Command& c) { return sleep(c); }, Boxes::Subject);
-    table_.addSimple("time-limit",
-                     [this](const Command& c) { time_limit_ = unsigned(c.number(0)); });
-    table_.addSimple("together", [this](const Command& c) { together(c); });
-    table_.addSimple("quit", [](const Command&) { endProcess(0); });
+        "sleep", [this](const Command& c) { sleep(c); }, Boxes::Subject);
+    table_.add("time-limit", [this](const Command& c) { time_limit_ = unsigned(c.number(0)); });
+    table_.add("together", [this](const Command& c) { together(c); });
+    table_.add("quit", [](const Command&) { endProcess(0); });
 }
 
 // Misspelt commands fail at once, not after minutes.
@@ -68,7 +67,7 @@ void Runner::step() {
             connect(bar, &QProgressBar::valueChanged, this, [] { watchOn(); });
     QWidget* modal = QApplication::activeModalWidget();
     // Without a box, it is a filter's progress that runs the event loop.
-    const bool has_to_wait = modal ? false : !in_progress_.isEmpty();
+    const bool has_to_wait = !modal && !in_progress_.isEmpty();
     if (next_ >= script_.size() && in_progress_.isEmpty())
         return watchNothing();  // no "quit" at the end: the user goes on by hand
     try {
@@ -100,24 +99,29 @@ void Runner::start(const Command& command) {
     const int position = next_++;
     scheduleStep(between_commands);  // before the command, which may block in a modal box
     in_progress_ << command;
-    const Outcome outcome = table_.find(command.name).handler(command);
+    try {
+        table_.find(command.name).handler(command);
+    } catch (const NotYet&) {
+        next_ = position;
+    }
     in_progress_.removeLast();
-    if (outcome == Outcome::Retry) next_ = position;
 }
 
-Outcome Runner::sleep(const Command& command) {
+void Runner::sleep(const Command& command) {
     if (!sleeping_.isValid()) sleeping_.start();
-    if (sleeping_.elapsed() < command.number(0)) return Outcome::Retry;
+    if (sleeping_.elapsed() < command.number(0)) throw NotYet();
     sleeping_.invalidate();
-    return Outcome::Done;
 }
 
 // COMMAND ; COMMAND...
 void Runner::together(const Command& command) {
     for (const QString& text : command.rest.split(" ; ")) {
         const Command part = parseLine(text.trimmed());
-        if (table_.find(part.name).handler(part) == Outcome::Retry)
+        try {
+            table_.find(part.name).handler(part);
+        } catch (const NotYet&) {
             throw CommandError(part.name + " takes longer");
+        }
     }
 }
 

@@ -21,7 +21,7 @@ private:
     void step();
     bool answers(QWidget* modal);
     void start(const Command& command);
-    Outcome sleep(const Command& command);
+    void sleep(const Command& command);
     void together(const Command& command);
 
     QVector<Command> script_;

@@ -27,7 +27,7 @@ void undockDialogs(const QSize& window_size) {
 
 // The main window follows the view: the bars around it have sizes of their own, which settle after
 // some events. Before, a window may seem to be too small.
-Outcome setViewSize(const Command& command) {
+void setViewSize(const Command& command) {
     constexpr qint64 settled = 2000;  // ms
     static QElapsedTimer waiting;
     static int line = 0;
@@ -39,7 +39,7 @@ Outcome setViewSize(const Command& command) {
     QGLWidget* area = requireView();
     const QSize needed = window->size() + wanted - area->size();
     undockDialogs(needed);
-    if (area->size() == wanted) return Outcome::Done;
+    if (area->size() == wanted) return;
     const QSize least = window->minimumSizeHint(), around = window->size() - area->size();
     if (needed.expandedTo(least) == needed)
         window->setGeometry(QRect(QPoint(0, 0), needed));
@@ -47,7 +47,7 @@ Outcome setViewSize(const Command& command) {
         throw CommandError(QString("MeshLab's window does not get so small; at least %1x%2")
                                .arg(least.width() - around.width())
                                .arg(least.height() - around.height()));
-    return Outcome::Retry;
+    throw NotYet();
 }
 
 void openMesh(const Command& command) {
@@ -87,13 +87,14 @@ void deleteLayer(const Command& command) {
 }
 
 /// As users do, while the view has yet to be redrawn: the exit code is MeshLab's own.
-Outcome leave(const Command&) {
+void leave(const Command&) {
     static bool is_closed = false;
-    if (is_closed) return Outcome::Retry;
-    requireView()->update();
-    is_closed = requireMainWindow()->close();
-    if (!is_closed) throw CommandError("MeshLab's window does not close");
-    return Outcome::Retry;
+    if (!is_closed) {
+        requireView()->update();
+        is_closed = requireMainWindow()->close();
+        if (!is_closed) throw CommandError("MeshLab's window does not close");
+    }
+    throw NotYet();
 }
 
 // repaint, not updateGL: MeshLab draws in paintEvent, and updateGL only clears
@@ -106,6 +107,11 @@ void grab(const Command& command) {
 
 bool logHas(const Command& command) {
     return logText().contains(QRegularExpression(command.rest));
+}
+
+/// Some lines come with a redraw, late on a busy machine.
+void expectLog(const Command& command) {
+    if (!logHas(command)) throw NotYet();
 }
 
 void expectNoLog(const Command& command) {
@@ -152,20 +158,20 @@ void turnWheel(const Command& command) {
 }  // namespace
 
 void addWindowCommands(CommandTable& table) {
-    table.add("wait", [](const Command&) { return view() ? Outcome::Done : Outcome::Retry; });
+    table.add("wait", [](const Command&) {
+        if (!view()) throw NotYet();
+    });
     table.add("size", setViewSize);
-    table.addSimple("open", openMesh);
-    table.addSimple("view", makeViewCurrent);
-    table.addSimple("select-layer", [](const Command& c) { clickLayer(c, Name); });
-    table.addSimple("show-layer", [](const Command& c) { clickLayer(c, Eye); });
-    table.addSimple("delete-layer", deleteLayer);
-    table.addSimple("drag", drag);
-    table.addSimple("wheel", turnWheel);
-    table.addSimple("grab", grab);
-    // Some lines come with a redraw, late on a busy machine.
-    table.add("expect-log",
-              [](const Command& c) { return logHas(c) ? Outcome::Done : Outcome::Retry; });
-    table.addSimple("expect-no-log", expectNoLog);
+    table.add("open", openMesh);
+    table.add("view", makeViewCurrent);
+    table.add("select-layer", [](const Command& c) { clickLayer(c, Name); });
+    table.add("show-layer", [](const Command& c) { clickLayer(c, Eye); });
+    table.add("delete-layer", deleteLayer);
+    table.add("drag", drag);
+    table.add("wheel", turnWheel);
+    table.add("grab", grab);
+    table.add("expect-log", expectLog);
+    table.add("expect-no-log", expectNoLog);
     table.add("leave", leave, Boxes::Answered);
 }
 

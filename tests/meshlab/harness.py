@@ -32,17 +32,9 @@ SECONDS = float(os.environ.get("DRIVE_SECONDS",
                                200))  # a hung MeshLab, before ctest's own limit, so that its log is shown
 
 
-class Unexpected(Exception):
-    pass
-
-
-def fail(message):
-    raise Unexpected(message)
-
-
 def expect(condition, message):
     if not condition:
-        fail(message)
+        raise AssertionError(message)
 
 
 def skip(reason):
@@ -51,16 +43,10 @@ def skip(reason):
     sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") == "true" else 77)
 
 
-def show_failure(kind, error, trace):
-    import traceback
-
-    log = WORK / "log"
-    if log.is_file():
-        lines = log.read_text(errors="replace").splitlines()[-60:]
-        print(f"--- the end of {log}", *lines, sep="\n")
-    place = next((f"{pathlib.Path(f.filename).name}:{f.lineno}: " for f in reversed(traceback.extract_tb(trace))
-                  if f.filename == TEST), "")
-    print(f"{place}{error}" if kind is Unexpected else "".join(traceback.format_exception(kind, error, trace)))
+def show_failure(*error):
+    if (WORK / "log").is_file():
+        print(f"--- the end of {WORK}/log", *text_of(WORK / "log").splitlines()[-60:], sep="\n")
+    sys.__excepthook__(*error)
 
 
 def begin_test():
@@ -94,13 +80,8 @@ def begin_test():
 def run_in_work(command, **environment):
     with open("log", "wb") as log:
         try:
-            with subprocess.Popen(command, cwd=WORK, env={**os.environ, **environment}, stdout=log,
-                                  stderr=log) as process:
-                try:
-                    return exit_code(process.wait(SECONDS))
-                finally:
-                    if process.poll() is None:
-                        process.kill()
+            return exit_code(subprocess.run(command, cwd=WORK, env={**os.environ, **environment}, stdout=log, stderr=log,
+                                            timeout=SECONDS).returncode)
         except subprocess.TimeoutExpired:
             return 124
 
@@ -113,9 +94,7 @@ def run_driver(script, stage=None):
 
 def drive(script, stage=None):
     code = run_driver(script, stage)
-    if code:
-        errors = re.findall("meshlab_driver: error.*", text_of("log"))
-        fail(f"MeshLab ended with {code}: {' '.join(errors) or 'no word from the driver'}")
+    expect(code == 0, f"MeshLab ended with {code}")
 
 
 def drive_to_failure(regex, script, stage=None):

@@ -19,7 +19,6 @@ expect-action Generate Laplacian Lines Polylines
 expect-action Laplacian Lines unchecked
 check Laplacian Lines on
 setdeco Line Color = #ff0000
-setdeco Contour Color = #ff0000
 grab lines.png
 """
 PLUGINS, DRIVER = built_plugins(BUILD, "plugins"), built_plugins(BUILD, "driver")
