@@ -51,8 +51,8 @@ SETTINGS_FILE = f"mkdir -p ~/.config/VCG; printf '%s' '{SETTINGS}' >~/.config/VC
 def install(root, kept):
     """Python of two processors is not installed side by side: the program alone of the other is unpacked elsewhere."""
     native = "g++-aarch64-linux-gnu g++-11 qemu-user make cmake ccache xz-utils libeigen3-dev"
-    foreign = ("libgtest-dev qtbase5-dev libqt5opengl5-dev libglew-dev zlib1g-dev libstb-dev libgl-dev libglu1-mesa-dev meshlab"
-               f" lib{aarch64_wheel.PYTHON.name}-dev").split()
+    foreign = ("libgtest-dev qtbase5-dev libqt5opengl5-dev libglew-dev zlib1g-dev libstb-dev libgl-dev"
+               f" libglu1-mesa-dev meshlab lib{aarch64_wheel.PYTHON.name}-dev").split()
     python = aarch64_wheel.PYTHON.parents[2]
     script = f"""dpkg --add-architecture arm64
 apt-get -qq update
