@@ -28,7 +28,7 @@ Words meshesIn(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error))
-        if (formatOf(entry->path()) && entry->is_regular_file(error))
+        if (std::error_code none; formatOf(entry->path()) && entry->is_regular_file(none))
             meshes.push_back(entry->path().string());
     std::sort(meshes.begin(), meshes.end());
     return meshes;

@@ -31,10 +31,6 @@ inline QPainterPath painterPath(const line_drawing::Path& path) {
     return result;
 }
 
-inline QRectF inQt(const Eigen::AlignedBox2d& box) {
-    return {box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y()};
-}
-
 inline QRectF paperOf(const Eigen::Vector2d& size) {
     return {0, 0, size.x(), size.y()};
 }

@@ -156,9 +156,7 @@ TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {
     refused([](SheetOptions& o) { o.views.clear(); });
     refused([](SheetOptions& o) { o.mm_per_unit = 0; });
     refused([](SheetOptions& o) { o.mm_per_unit = std::nan(""); });
-    refused([](SheetOptions& o) { o.tolerance = 0; });
     refused([](SheetOptions& o) { o.pens[1] = -1; });
-    refused([](SheetOptions& o) { o.shortest_line = -1; });
     refused([](SheetOptions& o) { o.scale = 100; });
     refused([](SheetOptions& o) { o.style.detail = 1000; });
 }

@@ -148,8 +148,8 @@ for sentence, words in (
 odd = os.fsdecode(b"caf\xe9 \xff\xc3 \xc3\xbc")
 os.mkdir(odd)
 shutil.copy("cube.off", f"{odd}/{odd}.off")
-for file in f"{odd}/{odd}.svg", f"{odd}/":
-    draw(file, *(() if file.endswith("svg") else ("--format", "svg")), "--title", "{name}", f"{odd}/{odd}.off", LC_ALL="C")
+for file, *words in (f"{odd}/{odd}.svg",), (f"{odd}/", "--format", "svg"):
+    draw(file, *words, "--title", "{name}", f"{odd}/{odd}.off", LC_ALL="C")
     expect_said(text_of(f"{odd}/{odd}.svg"), "caf\ufffd \ufffd\ufffd ü.off", ">caf\ufffd \ufffd\ufffd ü<")
 expect_said(text_of(f"{odd}/contact_sheet.svg"), ">caf\ufffd \ufffd\ufffd ü<")
 

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "laplacian_lines/error.h"
 #include "line_drawing/words.h"
 
 using namespace line_drawing;
@@ -62,11 +61,6 @@ TEST(SheetFiles, OfDxfHaveTextsAsData) {
 TEST(SheetFiles, OfDxfHavePlainStrokes) {
     EXPECT_EQ(strokesIn("plate.DXF", StrokeStyle::Tapered), StrokeStyle::Plain);
     EXPECT_EQ(strokesIn("dxf.svg", StrokeStyle::Tapered), StrokeStyle::Tapered);
-}
-
-TEST(SheetFiles, OfOtherKindsAreRefused) {
-    for (const char* file : {"plate", "plate.jpg", "svg"})
-        EXPECT_THROW(formatOf(file), laplacian_lines::Error) << file;
 }
 
 }  // namespace

@@ -93,8 +93,6 @@ struct SheetOptions : SheetLook {
     DetailSize kernel;
     /// Standard deviation of the smoothing of normals. 0: by the mesh's roughness, at least √h / 4.
     DetailSize smoothing;
-    double shortest_line = 0.8;  ///< shorter lines are left out, mm on paper
-    double tolerance = 0.02;     ///< of curves against the lines, mm on paper
     std::string title;           ///< empty: none
     std::string source;          ///< name of the file of the object; empty: none
     bool has_view_names = true;  ///< below the views, if there are several

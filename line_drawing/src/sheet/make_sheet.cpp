@@ -30,9 +30,6 @@ void check(const SheetOptions& options) {
     if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
     if (!(options.mm_per_unit > 0) || !std::isfinite(options.mm_per_unit))
         refuse("The unit of the mesh has to be a positive length.");
-    if (!(options.tolerance >= 0.001 && options.tolerance <= 10))
-        refuse("The tolerance of curves has to be between 0.001 and 10 mm.");
-    if (!(options.shortest_line >= 0)) refuse("The shortest line has to be 0 mm or more.");
     for (const double pen : options.pens)
         if (!(pen > 0 && pen <= 10))
             refuse("The width of a pen has to be more than 0, up to 10 mm.");

@@ -7,8 +7,8 @@
 namespace line_drawing {
 namespace {
 
-// Of the shortest line: ends of contours of curved surfaces, which the roughness of a scan makes.
-constexpr double shortest_contour_end = 3;
+// mm; the second one of contours of curved surfaces, which the roughness of a scan makes
+constexpr double shortest_line = 0.8, shortest_contour_end = 3 * shortest_line;
 
 bool isCurvedContour(const DrawnLine& line) {
     return line.line_class == LineClass::Contour && isSmooth(line);
@@ -39,11 +39,10 @@ private:
 /// Of what ends in nothing. A contour that meets nothing at all and is shorter than √h goes round a
 /// triangle or two which face away by chance.
 double shortestEnd(const Nodes& nodes, const DrawnLine& line, const SheetOptions& options) {
-    if (!isCurvedContour(line)) return options.shortest_line;
-    const double shortest = shortest_contour_end * options.shortest_line;
+    if (!isCurvedContour(line)) return shortest_line;
     const bool is_alone = std::none_of(line.points.begin(), line.points.end(),
                                        [&](const DrawnPoint& p) { return nodes.isJunction(p); });
-    return is_alone ? std::max(shortest, options.kernel.size) : shortest;
+    return is_alone ? std::max(shortest_contour_end, options.kernel.size) : shortest_contour_end;
 }
 
 /// Cuts off ends shorter than `shortest` between nothing and the next junction.

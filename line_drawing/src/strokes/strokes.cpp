@@ -13,6 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 
+constexpr double tolerance = 0.02;        // mm; of curves against the lines
 constexpr double thinnest_stroke = 0.06;  // mm; where it is less a line is drawn so thin
 constexpr double thinnest_middle = 0.04;  // mm; lines that are nowhere wider are left out
 
@@ -134,7 +135,7 @@ void addCap(const Vector2d& end, const Vector2d& way, double width, Points& outl
                           Eigen::Rotation2Dd(-half_turn * i / points) * (width / 2 * rightOf(way)));
 }
 
-Path taperedStroke(const Spine& spine, bool closed, double tolerance) {
+Path taperedStroke(const Spine& spine, bool closed) {
     const StrokeEdges edges(spine, closed);
     Points right = edges.edge(1), left = edges.edge(-1);
     std::reverse(left.begin(), left.end());
@@ -176,11 +177,11 @@ std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& o
     const bool closed = line.closed && spine.points.size() > 3;
     SheetPath result;
     if (is_tapered && !isEven(spine)) {
-        result.path = taperedStroke(spine, closed, options.tolerance);
+        result.path = taperedStroke(spine, closed);
     } else {
         result.pen_width = is_tapered ? std::max(spine.widths[0], thinnest_stroke) : pen;
         if (is_hidden) result.dash = dash;
-        fitCurve(spine.points, closed, options.tolerance, result.path);
+        fitCurve(spine.points, closed, tolerance, result.path);
     }
     return result;
 }
