@@ -18,6 +18,12 @@ struct TriangleMesh {
     std::vector<Triangle> triangles;         ///< [T], indices into positions
 };
 
+/// The triangles that are used, those on borders cut where vertices of other borders lie on their
+/// sides, as precompute() and LineExtractor cut them: then surfaces that close up but for such
+/// T-junctions share all edges. Vertices are as they were.
+/// @throws Error(InvalidMesh)
+std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh);
+
 /// What the input held and what was left out of the computation.
 struct MeshReport {
     std::size_t vertices = 0;               ///< all vertices of the input

@@ -84,11 +84,14 @@ std::vector<Triangle> usable_triangles(const Positions& positions,
         for (std::size_t t = begin; t < end; ++t)
             if (is_usable[t]) usable[place++] = triangles[t];
     });
+    return usable;
+}
+
+void expect_surface(const std::vector<Triangle>& usable) {
     if (usable.empty())
         throw Error(ErrorCode::EmptyMesh,
                     "The mesh has no triangle with an area. Laplacian lines need a surface: for a "
                     "point cloud, reconstruct one first.");
-    return usable;
 }
 
 /// Has triangles use the vertices that count, whose triangles now are neighbours.
@@ -129,6 +132,7 @@ void undo_subdivisions(const Positions& positions, const Undoing& undoing, Prepa
 /// that lose their area by it and restores the vertices of the others; false if none does.
 bool drop_lost_triangles(PreparedMesh& prepared) {
     std::vector<Triangle> usable = usable_triangles(prepared.positions, prepared.triangles);
+    expect_surface(usable);
     const std::size_t lost = prepared.triangles.size() - usable.size();
     if (lost == 0) return false;
     prepared.report.degenerate_triangles += lost << 2 * prepared.report.undone_subdivisions;
@@ -219,6 +223,13 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
     return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
 }
 
+std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
+    check_indices(mesh);
+    std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);
+    if (!triangles.empty()) make_conforming(mesh.positions, triangles);
+    return triangles;
+}
+
 PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing,
                               Facing facing) {
     check_indices(mesh);
@@ -226,6 +237,7 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
     prepared.report.vertices = mesh.positions.size();
     prepared.report.triangles = mesh.triangles.size();
     prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
+    expect_surface(prepared.triangles);
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
     make_conforming(mesh.positions, prepared.triangles);
     if (cuts == Cuts::Stitched) stitch(mesh, prepared);

@@ -37,7 +37,7 @@ struct Piece {
 
 std::vector<Piece> piecesOf(const TriangleMesh& mesh, int axis, double height) {
     std::vector<Piece> pieces;
-    for (const Triangle& t : mesh.triangles) {
+    for (const Triangle& t : laplacian_lines::conforming_triangles(mesh)) {
         std::array<Vector3d, 3> p;
         std::array<bool, 3> above{};
         for (std::size_t k = 0; k < 3; ++k) {
