@@ -20,7 +20,9 @@ _laplacian_lines() {{
 {values}
     *) [[ $word != -* ]] || words="{options}" ;;
     esac
-    mapfile -t COMPREPLY < <(compgen ${{words:+-W "$words"}} ${{words:--f}} -- "$word")
+    local among=(-f)
+    [[ ! $words ]] || among=(-W "$words")
+    mapfile -t COMPREPLY < <(compgen "${{among[@]}}" -- "$word")
 }}
 complete -o filenames -F _laplacian_lines laplacian-lines
 """

@@ -111,7 +111,8 @@ double share_near(const LineSet& lines, const LineSet& others, double distance) 
 
 LineSet brought_back(LineSet lines, const Eigen::Affine3d& transform) {
     for (LinePoint& p : lines.points)
-        p.position = (transform.inverse() * p.position.cast<double>()).cast<float>();
+        p.position = (transform.inverse() * lines.place(p)).cast<float>();
+    lines.origin.setZero();
     return lines;
 }
 
@@ -121,7 +122,7 @@ void expect_moved_lines(const Eigen::Matrix3d& turn, double scale, const Eigen::
     const TriangleMesh mesh = transformed(transform);
     const LineExtractor here(base(), helpers::complete_field(base())),
         there(mesh, helpers::complete_field(mesh));
-    const double near = 1e-3 + 2e-7 * offset.norm() / scale;  // points are floats
+    const double near = 1e-3;
     const Eigen::Vector3d eye(3, 1, 2);
     int with_lines = 0;
     for (const LineKindDescription& row : line_kinds)
