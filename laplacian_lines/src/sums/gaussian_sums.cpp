@@ -11,7 +11,6 @@ namespace laplacian_lines {
 namespace {
 
 constexpr double kLog2E = 1.4426950408889634;
-constexpr float kLeastLog2Mass = -100;  // nothing beside the others
 
 static_assert(SourceLeaf::kSize == SpatialTree::kLeafSize);
 
@@ -37,8 +36,7 @@ std::vector<SourceLeaf> pack_sources(const PreparedMesh& mesh, const SpatialTree
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
             const std::size_t k = v - leaf.begin;
             to.sources[k] = source(mesh.positions[v] - leaf.box.center(), normals[v]);
-            to.sources[k].log2_mass =
-                std::max(std::log2(float(mesh.masses[v]) / unit_mass), kLeastLog2Mass);
+            to.sources[k].mass = float(mesh.masses[v]) / unit_mass;
             to.x[k] = to.sources[k].x, to.y[k] = to.sources[k].y, to.z[k] = to.sources[k].z;
         }
     });

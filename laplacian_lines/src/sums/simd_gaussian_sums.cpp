@@ -12,6 +12,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr float kRound = 12582912.f;  // 1.5·2^23: adding it rounds to an integer
+constexpr float kQuickFactor = 0.0780245226f, kQuickUnit = 8388608;  // 2^23
 
 template <std::size_t Bytes>
 struct Loops {
@@ -35,8 +36,7 @@ struct Loops {
 
     /// 2^x for x < 127, relative error 2e-7; tiny results become about 1e-37 instead of 0.
     static LAPLACIAN_LINES_INLINE Floats exp2_exactly(Floats x) {
-        const Ints too_small = is_negative(x + 124.f);
-        x = (Floats)(((Ints)x & ~too_small) | ((Ints)(Floats{} - 124.f) & too_small));
+        x = x > -124.f ? x : Floats{} - 124.f;
         const Floats shifted = x + kRound;
         const Floats f = x - (shifted - kRound);  // [-0.5, 0.5]
         // Taylor series of 2^f; coefficients ln(2)^k / k!.
@@ -49,15 +49,15 @@ struct Loops {
         return scaled(y, shifted);
     }
 
-    /// 2^x for |x| < 126, relative error 8e-5 of changing sign; anything for other x.
+    /// 2^x / kQuickFactor of x · 2^23, |x| < 120; relative error 8e-5 of changing sign; anything
+    /// for other x. Adders bound the sums, so x is split by a conversion.
     static LAPLACIAN_LINES_INLINE Floats quick_exp2(Floats x) {
-        const Floats shifted = x + kRound;
-        const Floats f = x - (shifted - kRound);
-        // The polynomial of degree 3 of the smallest largest error.
-        Floats y = 5.5171669e-2f * f + 2.4261112e-1f;
-        y = y * f + 6.9326099e-1f;
-        y = y * f + 9.9992807e-1f;
-        return scaled(y, shifted);
+        const Ints fixed = __builtin_convertvector(x, Ints);
+        const Floats m = (Floats)((fixed & 0x7fffff) | 0x3f800000);  // 1 + the fraction
+        // 2^(m − 1): the polynomial of degree 3 of the smallest largest error, over its first
+        // coefficient.
+        const Floats y = ((m - 0.102614088f) * m + 6.12336733f) * m + 5.79477163f;
+        return (Floats)((Ints)y + (fixed & ~0x7fffff));
     }
 
     /// max(|v| − half, 0)
@@ -105,6 +105,7 @@ struct Loops {
         const Floats nx = load(t.nx + lane), ny = load(t.ny + lane), nz = load(t.nz + lane);
         const Floats squared_cutoff = load(t.squared_cutoff + lane),
                      exponent = load(t.exponent + lane);
+        const float facing_factor = t.facing / 32;
         Floats mass{}, mx{}, my{}, mz{}, snx{}, sny{}, snz{};
         for (std::size_t i = 0; i < source_count; ++i) {
             const GaussianSource& s = sources[i];
@@ -112,12 +113,12 @@ struct Loops {
             const Floats squared = dx * dx + dy * dy + dz * dz;
             const Floats dnx = s.nx - nx, dny = s.ny - ny, dnz = s.nz - nz;
             const Floats squared_chord = dnx * dnx + dny * dny + dnz * dnz;
+            // facing_weight() of the cosine 1 − chord²/2
             const Floats facing =
-                1.f + t.facing * (facing_weight(1.f - 0.5f * squared_chord) - 1.f);
-            const Floats g =
-                exp2_exactly(squared * exponent + t.normal_exponent * squared_chord + s.log2_mass) *
-                facing;
-            const Floats w = (Floats)((Ints)g & ~is_negative(squared_cutoff - squared));
+                1.f + (facing_factor * (squared_chord * squared_chord)) * (squared_chord - 6.f);
+            const Floats g = exp2_exactly(squared * exponent + t.normal_exponent * squared_chord) *
+                             (s.mass * facing);
+            const Floats w = (Floats)((Ints)g & ~(squared > squared_cutoff));
             mass += w;
             mx += w * dx;
             my += w * dy;
@@ -135,17 +136,18 @@ struct Loops {
         store(sums.nz + lane, t.unit_mass * snz);
     }
 
-    // Multiplications bound this loop, so most are folded. It sums q and n_q, from which the sums
-    // of q − p and n_q − n_p follow; the exponent −(|q − p|² − c²)/4h is multiplied out, and its
-    // sign says whether q is within the cutoff c.
+    // Most is folded. It sums q and n_q, from which the sums of q − p and n_q − n_p follow; of the
+    // exponent −|q − p|²/4h, what is not −|p|²/4h is multiplied out, and tells whether q is within
+    // the cutoff.
     static LAPLACIAN_LINES_INLINE void sum_quickly(const GaussianTargets& t,
                                                    const GaussianSource* sources,
                                                    std::size_t source_count, std::size_t lane,
                                                    GaussianLaneSums& sums) {
         const Floats px = load(t.x + lane), py = load(t.y + lane), pz = load(t.z + lane),
-                     exponent = load(t.exponent + lane);
+                     exponent = kQuickUnit * load(t.exponent + lane);
         const Floats x = -2.f * px * exponent, y = -2.f * py * exponent, z = -2.f * pz * exponent;
-        const Floats constant_exponent = (px * px + py * py + pz * pz) * exponent - t.log2_cutoff;
+        const Floats own_exponent = (px * px + py * py + pz * pz) * load(t.exponent + lane);
+        const Floats least = kQuickUnit * (t.log2_cutoff - own_exponent);
         const float* mean = t.mean_normal;
         const Floats tx = load(t.nx + lane), ty = load(t.ny + lane), tz = load(t.nz + lane);
         // n_p, or 0 to have 1 + cosine be 2 at all sources.
@@ -155,13 +157,12 @@ struct Loops {
         Floats mass{}, mx{}, my{}, mz{}, snx{}, sny{}, snz{};
         for (std::size_t i = 0; i < source_count; ++i) {
             const GaussianSource& s = sources[i];
-            const Floats e =
-                (s.squared * exponent + (s.x * x + constant_exponent)) + (s.z * z + s.y * y);
+            const Floats e = (s.squared * exponent + s.x * x) + (s.z * z + s.y * y);
             const Floats cosine =
                 s.nz * nz + (s.ny * ny + (s.nx * nx + mean_cosine));   // 1 + cosine
             const Floats facing = (cosine * cosine) * (cosine - 3.f);  // −4 facing_weight()
-            const Floats g = facing * quick_exp2(e + s.log2_mass);
-            const Floats w = (Floats)((Ints)g & ~is_negative(e));
+            const Floats g = facing * (s.mass * quick_exp2(e));
+            const Floats w = (Floats)((Ints)g & ~(e < least));
             mass += w;
             mx += w * s.x;
             my += w * s.y;
@@ -170,7 +171,7 @@ struct Loops {
             sny += w * s.ny;
             snz += w * s.nz;
         }
-        const float scale = -0.25f * std::exp2(t.log2_cutoff) * t.unit_mass;
+        const Floats scale = -0.25f * kQuickFactor * t.unit_mass * exp2_exactly(own_exponent);
         store(sums.mass + lane, scale * mass);
         store(sums.mx + lane, scale * (mx - mass * px));
         store(sums.my + lane, scale * (my - mass * py));

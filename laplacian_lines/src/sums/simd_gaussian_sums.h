@@ -10,7 +10,7 @@ constexpr std::size_t kLanes = 16;  ///< targets that are summed at once
 /// Positions are relative to the group's centre, normals to its mean: small numbers round less.
 struct alignas(32) GaussianSource {
     float x, y, z;
-    float log2_mass;  ///< of the mass in GaussianTargets::unit_mass
+    float mass;  ///< in GaussianTargets::unit_mass
     float nx, ny, nz;
     float squared;  ///< x² + y² + z², of collected sources only
 };
