@@ -65,7 +65,7 @@ std::vector<View> orbit(const TriangleMesh& mesh) {
 Redraws::Redraws(const TriangleMesh& mesh, const Field& field)
     : mesh_(mesh),
       views_(orbit(mesh)),
-      best_(simd_functions().instruction_set),
+      best_(instruction_set()),
       plain_(mesh),
       contours_(plain_, field.normals),
       laplacian_(plain_, field.laplacian_normals),

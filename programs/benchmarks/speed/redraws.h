@@ -8,7 +8,7 @@
 
 #include "laplacian_lines/line_extractor.h"
 #include "plain_methods.h"
-#include "redraw/simd/simd_functions.h"
+#include "system/simd_sets.h"
 #include "turns.h"
 
 namespace benchmarks {

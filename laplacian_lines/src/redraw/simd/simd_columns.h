@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices as columns, for functions of the vertices that are no linear forms.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/simd/simd_memory.h"
-#include "redraw/simd/simd_vectors.h"
+#include "system/simd_vectors.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// A vector of space in each lane.
 struct Vectors {
@@ -104,5 +103,5 @@ private:
     Floats suu_, suv_, svv_, c_[4];
 };
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines
