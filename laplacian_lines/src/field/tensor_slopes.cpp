@@ -7,30 +7,21 @@
 namespace laplacian_lines {
 namespace SIMD_SET {
 
-struct Vector {
-    Floats x, y, z;
-};
+using Vector = SpaceVectors<Floats>;
 struct Tensors {
     Floats xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
 };
 
-static inline Vector load(const float p[3][kSlopeLanes], std::size_t lane) {
-    return {load(p[0] + lane), load(p[1] + lane), load(p[2] + lane)};
-}
-static inline Floats dot(const Vector& a, const Vector& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-static inline Floats positive(Floats v) {
-    return (Floats)((Ints)v & ~((Ints)v >> 31));
-}
-/// max(|v| − half, 0)
-static inline Floats beyond(Floats v, float half) {
-    return positive((Floats)((Ints)v & 0x7fffffff) - half);
-}
-
-static inline void add(const TensorSource& s, const Floats& weight, Tensors& sums) {
-    sums.xx += s.xx * weight, sums.yy += s.yy * weight, sums.zz += s.zz * weight;
-    sums.yz += s.yz * weight, sums.xz += s.xz * weight, sums.xy += s.xy * weight;
+static inline void add(const TensorSource* sources, const Floats* weights, std::size_t count,
+                       Tensors& result) {
+    Tensors sums = result;  // in registers
+    for (std::size_t i = 0; i < count; ++i) {
+        const TensorSource& s = sources[i];
+        const Floats weight = weights[i];
+        sums.xx += s.xx * weight, sums.yy += s.yy * weight, sums.zz += s.zz * weight;
+        sums.yz += s.yz * weight, sums.xz += s.xz * weight, sums.xy += s.xy * weight;
+    }
+    result = sums;
 }
 static inline Vector times(const Tensors& s, const Vector& a) {
     return {s.xx * a.x + s.xy * a.y + s.xz * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,
@@ -48,35 +39,45 @@ static inline void store_quarter(float (*p)[kSlopeLanes], std::size_t lane, cons
     store_quarter(p[2] + lane, dot(sv, v));
 }
 
+/// Sources whose weights are kept, so that registers hold either what these need or some sums.
+constexpr std::size_t kTogether = 32;
+
 // Multiplications bound this loop: tensors are summed in space and projected at the end;
 // weights are 4 facing_weight(), undone on storing.
 static inline void sum(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                        std::size_t lane, TensorSums& sums) {
     using Sums = TensorSums;
-    const Vector m = load(targets.normal, lane), u = load(targets.u, lane),
-                 v = load(targets.v, lane);
+    const Vector m = load_vectors(targets.normal, lane), u = load_vectors(targets.u, lane),
+                 v = load_vectors(targets.v, lane);
     const Floats r = load(targets.per_radius + lane);
-    const Vector at = load(targets.position, lane), p = {r * at.x, r * at.y, r * at.z};
+    const Vector at = load_vectors(targets.position, lane), p = {r * at.x, r * at.y, r * at.z};
     Floats weight{}, x_sum{}, y_sum{}, xx{}, xy{}, yy{};
     Tensors s_sum, xs_sum, ys_sum;
-    for (const TensorSource* s = sources; s < sources + count; ++s) {
-        const Vector d = {s->x * r - p.x, s->y * r - p.y, s->z * r - p.z};
-        const Floats inside = positive(1 - d.x * d.x - d.y * d.y - d.z * d.z);
-        // 1 + cosine
-        const Floats facing =
-            s->normal[2] * m.z + (s->normal[1] * m.y + (s->normal[0] * m.x + 1.f));
-        const Floats root = inside * facing;
-        const Floats w = (s->mass * (3 - facing)) * (root * root);
-        const Floats x = dot(d, u), y = dot(d, v), wx = w * x, wy = w * y;
-        weight += w;
-        x_sum += wx;
-        y_sum += wy;
-        xx += wx * x;
-        xy += wx * y;
-        yy += wy * y;
-        add(*s, w, s_sum);
-        add(*s, wx, xs_sum);
-        add(*s, wy, ys_sum);
+    for (; count > 0; sources += kTogether) {
+        const std::size_t some = count < kTogether ? count : kTogether;
+        Floats w[kTogether], wx[kTogether], wy[kTogether];
+        for (std::size_t i = 0; i < some; ++i) {
+            const TensorSource& s = sources[i];
+            const Vector d = {s.x * r - p.x, s.y * r - p.y, s.z * r - p.z};
+            const Floats inside = at_least(1 - d.x * d.x - d.y * d.y - d.z * d.z, 0);
+            // 1 + cosine
+            const Floats facing =
+                s.normal[2] * m.z + (s.normal[1] * m.y + (s.normal[0] * m.x + 1.f));
+            const Floats root = inside * facing;
+            const Floats x = dot(d, u), y = dot(d, v);
+            w[i] = (s.mass * (3 - facing)) * (root * root);
+            wx[i] = w[i] * x, wy[i] = w[i] * y;
+            weight += w[i];
+            x_sum += wx[i];
+            y_sum += wy[i];
+            xx += wx[i] * x;
+            xy += wx[i] * y;
+            yy += wy[i] * y;
+        }
+        add(sources, w, some, s_sum);
+        add(sources, wx, some, xs_sum);
+        add(sources, wy, some, ys_sum);
+        count -= some;
     }
     store_quarter(sums.numbers[Sums::kWeight] + lane, weight);
     store_quarter(sums.numbers[Sums::kX] + lane, x_sum);
@@ -103,7 +104,7 @@ static inline std::size_t collect(const TensorLeaf& leaf, const float shift[3],
         const Floats x = beyond(load(leaf.x + i) + shift[0], half_size[0]),
                      y = beyond(load(leaf.y + i) + shift[1], half_size[1]),
                      z = beyond(load(leaf.z + i) + shift[2], half_size[2]);
-        *reinterpret_cast<Ints*>(keep + i) = (Ints)(x * x + y * y + z * z - squared_reach) >> 31;
+        *reinterpret_cast<Ints*>(keep + i) = (Ints)(x * x + y * y + z * z < squared_reach);
     }
     const Float4 by = {shift[0], shift[1], shift[2]};
     std::size_t count = 0;

@@ -7,16 +7,8 @@
 namespace laplacian_lines {
 namespace SIMD_SET {
 
-struct Vector {
-    Doubles x, y, z;
-    Vector operator+(const Vector& b) const { return {x + b.x, y + b.y, z + b.z}; }
-    Vector operator-(const Vector& b) const { return {x - b.x, y - b.y, z - b.z}; }
-    Vector operator*(const Doubles& s) const { return {s * x, s * y, s * z}; }
-};
+using Vector = SpaceVectors<Doubles>;
 
-static inline Doubles dot(const Vector& a, const Vector& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 static inline Vector cross(const Vector& a, const Vector& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -24,9 +16,6 @@ static inline Doubles length(const Vector& a) {
     return square_root(dot(a, a));
 }
 
-static inline Vector load(const double values[3][TriangleBatch::kSize], int lane) {
-    return {load(values[0] + lane), load(values[1] + lane), load(values[2] + lane)};
-}
 /// In the plane of a triangle with unit normal n: tt t tᵀ + tb (t bᵀ + b tᵀ) + bb b bᵀ.
 struct PlaneTensor {
     Vector n, t, b;  // orthonormal
@@ -77,7 +66,8 @@ static inline void turn(const PlaneTensor& tensor, const Vector& m, const Double
 static inline void fit_some(const TriangleBatch& triangles, int lane, TensorBatch& result) {
     Vector p[3], n[3];
     for (int k = 0; k < 3; ++k)
-        p[k] = load(triangles.positions[k], lane), n[k] = load(triangles.normals[k], lane);
+        p[k] = load_vectors(triangles.positions[k], lane),
+        n[k] = load_vectors(triangles.normals[k], lane);
     const Vector edges[3] = {p[2] - p[1], p[0] - p[2], p[1] - p[0]};
     const Vector changes[3] = {n[2] - n[1], n[0] - n[2], n[1] - n[0]};
     const Vector area = cross(edges[2], p[2] - p[0]);

@@ -10,10 +10,6 @@ namespace SIMD_SET {
 constexpr float kRound = 12582912.f;  // 1.5·2^23: adding it rounds to an integer
 constexpr float kQuickFactor = 0.0780245226f, kQuickUnit = 8388608;  // 2^23
 
-static inline Ints is_negative(Floats v) {
-    return (Ints)v >> 31;
-}
-
 /// Times 2^n, `shifted` = n + kRound: its low bits hold n, to be added to the exponent field.
 static inline Floats scaled(Floats y, Floats shifted) {
     return (Floats)((Ints)y + ((Ints)shifted << 23));
@@ -21,7 +17,7 @@ static inline Floats scaled(Floats y, Floats shifted) {
 
 /// 2^x for x < 127, relative error 2e-7; tiny results become about 1e-37 instead of 0.
 static inline Floats exp2_exactly(Floats x) {
-    x = x > -124.f ? x : Floats{} - 124.f;
+    x = at_least(x, -124);
     const Floats shifted = x + kRound;
     const Floats f = x - (shifted - kRound);  // [-0.5, 0.5]
     // Taylor series of 2^f; coefficients ln(2)^k / k!.
@@ -45,12 +41,6 @@ static inline Floats quick_exp2(Floats x) {
     return (Floats)((Ints)y + (fixed & ~0x7fffff));
 }
 
-/// max(|v| − half, 0)
-static inline Floats beyond(Floats v, float half) {
-    const Floats size = (Floats)((Ints)v & 0x7fffffff) - half;
-    return (Floats)((Ints)size & ~is_negative(size));
-}
-
 static inline std::size_t collect(const SourceLeaf& leaf, std::size_t count,
                                   const GaussianSource& shift, const float half_size[3],
                                   float squared_distance, GaussianSource* kept) {
@@ -63,7 +53,7 @@ static inline std::size_t collect(const SourceLeaf& leaf, std::size_t count,
         const Floats dx = beyond(x, half_size[0]), dy = beyond(y, half_size[1]),
                      dz = beyond(z, half_size[2]);
         *reinterpret_cast<Ints*>(keep + i) =
-            ~is_negative(squared_distance - (dx * dx + dy * dy + dz * dz));
+            (Ints)(dx * dx + dy * dy + dz * dz <= squared_distance);
         store(squared + i, x * x + y * y + z * z);
     }
     typedef float Source __attribute__((vector_size(sizeof(GaussianSource))));
@@ -114,6 +104,9 @@ static inline void sum(const GaussianTargets& t, const GaussianSource* sources,
     store(sums.nz + lane, t.unit_mass * snz);
 }
 
+/// Sources whose weights are kept, so that registers hold either what these need or the sums.
+constexpr std::size_t kTogether = 32;
+
 // Most is folded. It sums q and n_q, from which the sums of q − p and n_q − n_p follow; of the
 // exponent −|q − p|²/4h, what is not −|p|²/4h is multiplied out, and tells whether q is within
 // the cutoff.
@@ -131,20 +124,29 @@ static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* s
                  nz = t.facing * (tz + mean[2]);
     const Floats mean_cosine = mean[0] * nx + mean[1] * ny + mean[2] * nz + (2 - t.facing);
     Floats mass{}, mx{}, my{}, mz{}, snx{}, sny{}, snz{};
-    for (std::size_t i = 0; i < source_count; ++i) {
-        const GaussianSource& s = sources[i];
-        const Floats e = (s.squared * exponent + s.x * x) + (s.z * z + s.y * y);
-        const Floats cosine = s.nz * nz + (s.ny * ny + (s.nx * nx + mean_cosine));  // 1 + cosine
-        const Floats facing = (cosine * cosine) * (cosine - 3.f);  // −4 facing_weight()
-        const Floats g = facing * (s.mass * quick_exp2(e));
-        const Floats w = (Floats)((Ints)g & ~(e < least));
-        mass += w;
-        mx += w * s.x;
-        my += w * s.y;
-        mz += w * s.z;
-        snx += w * s.nx;
-        sny += w * s.ny;
-        snz += w * s.nz;
+    for (; source_count > 0; sources += kTogether) {
+        const std::size_t some = source_count < kTogether ? source_count : kTogether;
+        Floats w[kTogether];
+        for (std::size_t i = 0; i < some; ++i) {
+            const GaussianSource& s = sources[i];
+            const Floats e = (s.squared * exponent + s.x * x) + (s.z * z + s.y * y);
+            const Floats cosine =
+                s.nz * nz + (s.ny * ny + (s.nx * nx + mean_cosine));   // 1 + cosine
+            const Floats facing = (cosine * cosine) * (cosine - 3.f);  // −4 facing_weight()
+            const Floats g = facing * (s.mass * quick_exp2(e));
+            w[i] = (Floats)((Ints)g & ~(e < least));
+        }
+        for (std::size_t i = 0; i < some; ++i) {
+            const GaussianSource& s = sources[i];
+            mass += w[i];
+            mx += w[i] * s.x;
+            my += w[i] * s.y;
+            mz += w[i] * s.z;
+            snx += w[i] * s.nx;
+            sny += w[i] * s.ny;
+            snz += w[i] * s.nz;
+        }
+        source_count -= some;
     }
     const Floats scale = -0.25f * kQuickFactor * t.unit_mass * exp2_exactly(own_exponent);
     store(sums.mass + lane, scale * mass);

@@ -9,7 +9,7 @@ namespace laplacian_lines {
 namespace SIMD_SET {
 
 template <class Real, int Groups>
-struct Vectors {
+struct Moments {
     using Lane = decltype(load(static_cast<const Real*>(nullptr)));
     static constexpr int kLane = int(sizeof(Lane) / sizeof(Real));
     static constexpr int kFirst = kMoments / kLane;  // vectors in the first group
@@ -37,7 +37,7 @@ struct Splines {
 template <class Real, int Groups>
 static void spread(const GridNode<Real, Groups>& value, const CellPlace& place,
                    GridNode<Real, Groups>* corner) {
-    using V = Vectors<Real, Groups>;
+    using V = Moments<Real, Groups>;
     Places cubic[4];
     cubic_spline(*reinterpret_cast<const Places*>(place.t), cubic);
     Splines<Real, 4> w;
@@ -60,7 +60,7 @@ static void spread(const GridNode<Real, Groups>& value, const CellPlace& place,
 template <class Real, int Groups>
 static void interpolate(const GridNode<Real, Groups>* corner, const CellPlace& place,
                         PointSums<Real, Groups>& sums) {
-    using V = Vectors<Real, Groups>;
+    using V = Moments<Real, Groups>;
     using Lane = typename V::Lane;
     const Places t = *reinterpret_cast<const Places*>(place.t);
     Places cubic[4], quartic[5], derivatives[5];
@@ -113,7 +113,7 @@ static inline void for_each_row(int part, unsigned rows, Visit visit) {
 
 template <class Real, int Groups>
 static void clear_rows(int part, RowMask rows, GridNode<Real, Groups>* box) {
-    using V = Vectors<Real, Groups>;
+    using V = Moments<Real, Groups>;
     for_each_row(part, rows, [&](int in_box, int) {
         for (int i = 0; i < kBlock * V::kCount; ++i)
             V::get(box[in_box].moments, i) = typename V::Lane{};
@@ -123,7 +123,7 @@ static void clear_rows(int part, RowMask rows, GridNode<Real, Groups>* box) {
 template <class Real, int Groups>
 static void copy_rows(int part, RowMask rows, const GridNode<Real, Groups>* block,
                       GridNode<Real, Groups>* box) {
-    using V = Vectors<Real, Groups>;
+    using V = Moments<Real, Groups>;
     for_each_row(part, rows, [&](int in_box, int in_block) {
         for (int i = 0; i < kBlock * V::kCount; ++i)
             V::get(box[in_box].moments, i) = V::get(block[in_block].moments, i);
@@ -133,7 +133,7 @@ static void copy_rows(int part, RowMask rows, const GridNode<Real, Groups>* bloc
 template <class Real, int Groups>
 static void add_rows(int part, RowMask rows, const GridNode<Real, Groups>* box,
                      GridNode<Real, Groups>* block) {
-    using V = Vectors<Real, Groups>;
+    using V = Moments<Real, Groups>;
     for_each_row(part, rows, [&](int in_box, int in_block) {
         for (int i = 0; i < kBlock * V::kCount; ++i)
             V::get(block[in_block].moments, i) += V::get(box[in_box].moments, i);
@@ -147,7 +147,7 @@ static inline int row_begin(int axis, int row) {
 template <class Real, int Groups>
 static void convolve(const ConvolutionInput<Real, Groups>& input, RowMask rows,
                      GridNode<Real, Groups>* output) {
-    using V = Vectors<Real, Groups>;
+    using V = Moments<Real, Groups>;
     using Lane = typename V::Lane;
     const int stride = input.axis == 0 ? 1 : input.axis == 1 ? 4 : 16;
     constexpr int together = V::kCount < 2 ? V::kCount : 2;  // that registers have room for

@@ -76,6 +76,10 @@ static inline Floats at_most(Floats v, float bound) {
 static inline Floats clamp01(Floats v) {
     return at_most(at_least(v, 0), 1);
 }
+/// max(|v| − half, 0)
+static inline Floats beyond(Floats v, float half) {
+    return at_least(absolute(v) - half, 0);
+}
 /// Bit i: mask of lane i.
 static inline unsigned bits_of(Ints mask) {
 #if defined(__AVX512DQ__)
@@ -90,6 +94,25 @@ static inline unsigned bits_of(Ints mask) {
         bits |= unsigned(mask[i] != 0) << i;
     return bits;
 #endif
+}
+
+/// A vector of space in each lane.
+template <class Lanes>
+struct SpaceVectors {
+    Lanes x, y, z;
+
+    SpaceVectors operator+(const SpaceVectors& b) const { return {x + b.x, y + b.y, z + b.z}; }
+    SpaceVectors operator-(const SpaceVectors& b) const { return {x - b.x, y - b.y, z - b.z}; }
+    SpaceVectors operator*(const Lanes& s) const { return {x * s, y * s, z * s}; }
+};
+template <class Lanes>
+static inline Lanes dot(const SpaceVectors<Lanes>& a, const SpaceVectors<Lanes>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Number, std::size_t Count>
+static inline auto load_vectors(const Number (&p)[3][Count], std::size_t lane) {
+    return SpaceVectors<decltype(load(p[0]))>{load(p[0] + lane), load(p[1] + lane),
+                                              load(p[2] + lane)};
 }
 
 // ---- rows of four numbers ----

@@ -8,17 +8,7 @@
 namespace laplacian_lines {
 namespace SIMD_SET {
 
-/// A vector of space in each lane.
-struct Vectors {
-    Floats x, y, z;
-
-    Vectors operator+(const Vectors& b) const { return {x + b.x, y + b.y, z + b.z}; }
-    Vectors operator-(const Vectors& b) const { return {x - b.x, y - b.y, z - b.z}; }
-    Vectors operator*(Floats s) const { return {x * s, y * s, z * s}; }
-};
-static inline Floats dot(const Vectors& a, const Vectors& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+using Vectors = SpaceVectors<Floats>;
 
 /// Rows of four numbers, one for each lane, as four columns. `row(lane)`: where it is.
 template <class Row>

@@ -47,10 +47,7 @@ public:
     std::uint64_t operator()(unsigned which) const;
 
 private:
-#if defined(__AVX512BW__)
-    const VertexSigns& signs_;
-    __m512i byte_, bit_;
-#elif defined(__AVX2__)
+#if defined(__AVX2__)
     const VertexSigns& signs_;
     __m256i byte_[2], bit_[2];
 #else
@@ -80,19 +77,7 @@ inline void VertexSigns::set(unsigned which, const VertexBits& bits) {
     }
 }
 #endif
-#if defined(__AVX512BW__)
-inline CornerLookup::CornerLookup(const unsigned char* corners, const VertexSigns& signs)
-    : signs_(signs) {
-    const __m512i v = _mm512_load_si512(corners);
-    byte_ = _mm512_and_si512(_mm512_srli_epi16(v, 3), _mm512_set1_epi8(15));
-    bit_ = _mm512_shuffle_epi8(_mm512_set1_epi64(std::int64_t(0x8040201008040201)), v);
-}
-inline std::uint64_t CornerLookup::operator()(unsigned which) const {
-    const __m512i table = _mm512_broadcast_i32x4(
-        _mm_load_si128(reinterpret_cast<const __m128i*>(&signs_.sets_[which])));
-    return _mm512_test_epi8_mask(_mm512_shuffle_epi8(table, byte_), bit_);
-}
-#elif defined(__AVX2__)
+#if defined(__AVX2__)
 inline CornerLookup::CornerLookup(const unsigned char* corners, const VertexSigns& signs)
     : signs_(signs) {
     for (int half = 0; half < 2; ++half) {
