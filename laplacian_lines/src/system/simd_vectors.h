@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -125,30 +126,33 @@ static inline Float4 load4(const float* p) {
 static inline void store4(float* p, Float4 v) {
     *reinterpret_cast<Float4*>(p) = v;
 }
-static inline Float4 splat(float v) {
-    return Float4{v, v, v, v};
-}
-/// Places A, B, C and D of eight: those of a, then those of b.
-template <int A, int B, int C, int D>
-static inline Float4 shuffle(Float4 a, Float4 b) {
+template <int A, int B, int C, int D, class Vector, std::size_t... Lanes>
+static inline Vector shuffle(Vector a, Vector b, std::index_sequence<Lanes...>) {
+    constexpr auto place = [](std::size_t lane) {
+        constexpr int places[4] = {A, B, C, D};
+        const int among_four = places[lane % 4], first = int(lane / 4 * 4);
+        return first + among_four + (among_four < 4 ? 0 : int(sizeof...(Lanes)) - 4);
+    };
 #if defined(__clang__)
-    return __builtin_shufflevector(a, b, A, B, C, D);
+    return __builtin_shufflevector(a, b, place(Lanes)...);
 #else
-    typedef std::int32_t Int4 __attribute__((vector_size(16)));
-    return __builtin_shuffle(a, b, Int4{A, B, C, D});
+    typedef std::int32_t Places __attribute__((vector_size(sizeof(Vector))));
+    return __builtin_shuffle(a, b, Places{place(Lanes)...});
 #endif
 }
-template <int K>
-static inline Float4 splat(Float4 v) {
-    return shuffle<K, K, K, K>(v, v);
+/// Of each four places, A, B, C and D of eight: those of a, then those of b.
+template <int A, int B, int C, int D, class Vector>
+static inline Vector shuffle(Vector a, Vector b) {
+    return shuffle<A, B, C, D>(a, b, std::make_index_sequence<sizeof a / sizeof a[0]>());
 }
 
-/// Four rows to columns.
-static inline void transpose(Float4 rows[4]) {
-    const Float4 a = shuffle<0, 4, 1, 5>(rows[0], rows[1]);
-    const Float4 b = shuffle<0, 4, 1, 5>(rows[2], rows[3]);
-    const Float4 c = shuffle<2, 6, 3, 7>(rows[0], rows[1]);
-    const Float4 d = shuffle<2, 6, 3, 7>(rows[2], rows[3]);
+/// Four rows to columns, of each four places.
+template <class Vector>
+static inline void transpose(Vector rows[4]) {
+    const Vector a = shuffle<0, 4, 1, 5>(rows[0], rows[1]);
+    const Vector b = shuffle<0, 4, 1, 5>(rows[2], rows[3]);
+    const Vector c = shuffle<2, 6, 3, 7>(rows[0], rows[1]);
+    const Vector d = shuffle<2, 6, 3, 7>(rows[2], rows[3]);
     rows[0] = shuffle<0, 1, 4, 5>(a, b);
     rows[1] = shuffle<2, 3, 6, 7>(a, b);
     rows[2] = shuffle<0, 1, 4, 5>(c, d);
@@ -167,42 +171,8 @@ static inline Floats join(const Float4 parts[kParts]) {
     return parts[0];
 #endif
 }
-static inline void split(Floats v, Float4 parts[kParts]) {
-#if defined(__AVX512F__)
-    parts[0] = _mm512_castps512_ps128(v);
-    parts[1] = _mm512_extractf32x4_ps(v, 1);
-    parts[2] = _mm512_extractf32x4_ps(v, 2);
-    parts[3] = _mm512_extractf32x4_ps(v, 3);
-#elif defined(__AVX__)
-    parts[0] = _mm256_castps256_ps128(v);
-    parts[1] = _mm256_extractf128_ps(v, 1);
-#else
-    parts[0] = v;
-#endif
-}
-
-/// Four rows to columns, each part for itself.
-static inline void transpose_parts(Floats rows[4]) {
-#if defined(__AVX512F__)
-    constexpr __mmask16 all = 0xffff;  // without a mask, GCC 12 warns of its own header
-    const __m512 a = _mm512_maskz_unpacklo_ps(all, rows[0], rows[1]);
-    const __m512 b = _mm512_maskz_unpacklo_ps(all, rows[2], rows[3]);
-    const __m512 c = _mm512_maskz_unpackhi_ps(all, rows[0], rows[1]);
-    const __m512 d = _mm512_maskz_unpackhi_ps(all, rows[2], rows[3]);
-    rows[0] = _mm512_shuffle_ps(a, b, 0x44);
-    rows[1] = _mm512_shuffle_ps(a, b, 0xee);
-    rows[2] = _mm512_shuffle_ps(c, d, 0x44);
-    rows[3] = _mm512_shuffle_ps(c, d, 0xee);
-#elif defined(__AVX__)
-    const __m256 a = _mm256_unpacklo_ps(rows[0], rows[1]), b = _mm256_unpacklo_ps(rows[2], rows[3]);
-    const __m256 c = _mm256_unpackhi_ps(rows[0], rows[1]), d = _mm256_unpackhi_ps(rows[2], rows[3]);
-    rows[0] = _mm256_shuffle_ps(a, b, 0x44);
-    rows[1] = _mm256_shuffle_ps(a, b, 0xee);
-    rows[2] = _mm256_shuffle_ps(c, d, 0x44);
-    rows[3] = _mm256_shuffle_ps(c, d, 0xee);
-#else
-    transpose(rows);
-#endif
+static inline void split(const Floats& v, Float4 parts[kParts]) {
+    __builtin_memcpy(parts, &v, sizeof v);
 }
 
 static inline void store_row(Float4 row, float* p) {

@@ -19,12 +19,12 @@ static inline void load_columns(const Row& row, Floats columns[4]) {
             parts[i] = load4(row(4 * i + k));
         columns[k] = join(parts);
     }
-    transpose_parts(columns);
+    transpose(columns);
 }
 /// The other way round.
 template <class Row>
 static inline void store_as_rows(Floats columns[4], const Row& row) {
-    transpose_parts(columns);
+    transpose(columns);
     for (unsigned k = 0; k < 4; ++k) {
         Float4 parts[kParts];
         split(columns[k], parts);

@@ -102,17 +102,13 @@ inline CornerLookup::CornerLookup(const unsigned char* corners, const VertexSign
         found_[i] = signs.bits_[corners[i]];
 }
 inline std::uint64_t CornerLookup::operator()(unsigned which) const {
+    constexpr std::uint64_t ones = 0x0101010101010101;
     std::uint64_t mask = 0;
-#if defined(__SSE2__)
-    for (unsigned i = 0; i < kMaskGroup; i += 16) {
-        const __m128i found = _mm_load_si128(reinterpret_cast<const __m128i*>(found_ + i));
-        const __m128i highest = _mm_sll_epi16(found, _mm_cvtsi32_si128(7 - int(which)));
-        mask |= std::uint64_t(std::uint32_t(_mm_movemask_epi8(highest))) << i;
+    for (unsigned i = 0; i < kMaskGroup; i += 8) {
+        std::uint64_t eight;
+        __builtin_memcpy(&eight, found_ + i, 8);
+        mask |= ((eight >> which & ones) * 0x0102040810204080 >> 56) << i;  // byte k's bit to bit k
     }
-#else
-    for (unsigned i = 0; i < kMaskGroup; ++i)
-        mask |= std::uint64_t(found_[i] >> which & 1) << i;
-#endif
     return mask;
 }
 #endif
