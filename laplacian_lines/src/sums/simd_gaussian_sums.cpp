@@ -107,16 +107,16 @@ static inline void sum(const GaussianTargets& t, const GaussianSource* sources,
 /// Sources whose weights are kept, so that registers hold either what these need or the sums.
 constexpr std::size_t kTogether = 32;
 
-// Most is folded. It sums q and n_q, from which the sums of q − p and n_q − n_p follow; of the
-// exponent −|q − p|²/4h, what is not −|p|²/4h is multiplied out, and tells whether q is within
-// the cutoff.
+// Most is folded. It sums q and n_q, from which the sums of q − p and n_q − n_p follow; the
+// exponent −(|q − p|² − c²)/4h is multiplied out, and its sign says whether q is within the cutoff
+// c. As long as it depends on the distance alone, errors of quick_exp2() are the same all around p.
 static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* sources,
                                std::size_t source_count, std::size_t lane, GaussianLaneSums& sums) {
     const Floats px = load(t.x + lane), py = load(t.y + lane), pz = load(t.z + lane),
                  exponent = kQuickUnit * load(t.exponent + lane);
     const Floats x = -2.f * px * exponent, y = -2.f * py * exponent, z = -2.f * pz * exponent;
-    const Floats own_exponent = (px * px + py * py + pz * pz) * load(t.exponent + lane);
-    const Floats least = kQuickUnit * (t.log2_cutoff - own_exponent);
+    const Floats constant_exponent =
+        (px * px + py * py + pz * pz) * exponent - kQuickUnit * t.log2_cutoff;
     const float* mean = t.mean_normal;
     const Floats tx = load(t.nx + lane), ty = load(t.ny + lane), tz = load(t.nz + lane);
     // n_p, or 0 to have 1 + cosine be 2 at all sources.
@@ -129,12 +129,13 @@ static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* s
         Floats w[kTogether];
         for (std::size_t i = 0; i < some; ++i) {
             const GaussianSource& s = sources[i];
-            const Floats e = (s.squared * exponent + s.x * x) + (s.z * z + s.y * y);
+            const Floats e =
+                (s.squared * exponent + (s.x * x + constant_exponent)) + (s.z * z + s.y * y);
             const Floats cosine =
                 s.nz * nz + (s.ny * ny + (s.nx * nx + mean_cosine));   // 1 + cosine
             const Floats facing = (cosine * cosine) * (cosine - 3.f);  // −4 facing_weight()
             const Floats g = facing * (s.mass * quick_exp2(e));
-            w[i] = (Floats)((Ints)g & ~(e < least));
+            w[i] = (Floats)((Ints)g & (e >= 0));
         }
         for (std::size_t i = 0; i < some; ++i) {
             const GaussianSource& s = sources[i];
@@ -148,7 +149,8 @@ static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* s
         }
         source_count -= some;
     }
-    const Floats scale = -0.25f * kQuickFactor * t.unit_mass * exp2_exactly(own_exponent);
+    const Floats scale =
+        -0.25f * kQuickFactor * t.unit_mass * exp2_exactly(Floats{} + t.log2_cutoff);
     store(sums.mass + lane, scale * mass);
     store(sums.mx + lane, scale * (mx - mass * px));
     store(sums.my + lane, scale * (my - mass * py));
