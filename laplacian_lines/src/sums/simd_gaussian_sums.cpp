@@ -132,7 +132,7 @@ static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* s
             const Floats e =
                 (s.squared * exponent + (s.x * x + constant_exponent)) + (s.z * z + s.y * y);
             const Floats cosine =
-                s.nz * nz + (s.ny * ny + (s.nx * nx + mean_cosine));   // 1 + cosine
+                (s.nx * nx + mean_cosine) + (s.nz * nz + s.ny * ny);   // 1 + cosine
             const Floats facing = (cosine * cosine) * (cosine - 3.f);  // −4 facing_weight()
             const Floats g = facing * (s.mass * quick_exp2(e));
             w[i] = (Floats)((Ints)g & (e >= 0));
