@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same input gives the same bits, with any number of threads; redraws allocate nothing.
+// The same input gives the same bits, with any number of threads and all instruction sets; redraws
+// allocate nothing.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -10,6 +11,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
+#include "with_instruction_set.h"
 #include "with_threads.h"
 
 namespace {
@@ -22,7 +24,9 @@ Field with_threads(int threads, const TriangleMesh& mesh, const PrecomputeOption
     return precompute(mesh, options);
 }
 
-TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
+/// Calls visit(mesh, options) where fields are summed in all ways.
+template <class Visit>
+void for_each_way(const Visit& visit) {
     PrecomputeOptions other, adaptive, by_grid;
     other.kernel_mode = adaptive.kernel_mode = KernelMode::Adaptive;
     other.gradient_estimator = GradientEstimator::LeastSquares;
@@ -30,18 +34,36 @@ TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
     other.curvature_derivatives = adaptive.curvature_derivatives = true;
     adaptive.normal_weighting = NormalWeighting::Max;
     by_grid.kernel_size = 0.2;
-    const auto expect_same = [](const TriangleMesh& mesh, const PrecomputeOptions& options) {
+    for (const char* name : {"hills", "three_sheets", "dirty_torus"})
+        visit(test_meshes::mesh_named(name).mesh, other);
+    // Several ranges of vertices, and parts of the tree built in parallel.
+    const TriangleMesh large = test_meshes::torus(200, 100, 0.2).mesh;
+    for (const PrecomputeOptions& options : {PrecomputeOptions(), adaptive, by_grid})
+        visit(large, options);
+}
+
+TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
+    for_each_way([](const TriangleMesh& mesh, const PrecomputeOptions& options) {
         const Field one = with_threads(1, mesh, options);
         for (int threads : {2, 5})
             EXPECT_TRUE(helpers::same_fields(one, with_threads(threads, mesh, options)))
                 << threads << " threads";
-    };
-    for (const char* name : {"hills", "three_sheets", "dirty_torus"})
-        expect_same(test_meshes::mesh_named(name).mesh, other);
-    // Several ranges of vertices, and parts of the tree built in parallel.
-    const TriangleMesh large = test_meshes::torus(200, 100, 0.2).mesh;
-    for (const PrecomputeOptions& options : {PrecomputeOptions(), adaptive, by_grid})
-        expect_same(large, options);
+    });
+}
+
+TEST(Determinism, FieldsDoNotDependOnTheInstructionSet) {
+    if (narrower_sets().empty()) GTEST_SKIP() << "there is one";
+    for_each_way([](const TriangleMesh& mesh, PrecomputeOptions options) {
+        for (const double accuracy : {options.accuracy, 1e-6}) {  // summed quickly, in doubles
+            options.accuracy = accuracy;
+            const Field widest = precompute(mesh, options);
+            for (InstructionSet set : narrower_sets()) {
+                const WithInstructionSet scope(set);
+                EXPECT_TRUE(helpers::same_fields(widest, precompute(mesh, options)))
+                    << "instruction set " << int(set) << ", accuracy " << accuracy;
+            }
+        }
+    });
 }
 
 std::vector<LineStyle> styles() {

@@ -139,8 +139,7 @@ def main(program, update=""):
     for mesh, triangles in MESHES.items():
         write_mesh(pathlib.Path(mesh), triangles)
         for name in (f"{mesh.partition('.')[0]}.{ending}" for ending in ("svg", "pdf", "dxf", "png")):
-            subprocess.run([program, name, mesh], check=True, stdout=subprocess.DEVNULL,
-                           env={**os.environ, "LAPLACIAN_LINES_VECTOR_BYTES": "16"})
+            subprocess.run([program, name, mesh], check=True, stdout=subprocess.DEVNULL)
             differing += not is_as_kept(name, pathlib.Path(name).read_bytes(), update == "--update")
     if differing:
         sys.exit(f"{differing} drawings differ from those kept: see both in {WORK}; to keep the new ones:\n"

@@ -6,6 +6,7 @@ import filecmp
 import re
 
 from harness import *
+from product.models import bumpy_torus
 
 BARE = ("--views", "front", "--strokes", "plain", "--furniture", "none")
 
@@ -20,6 +21,13 @@ def paths(file):
 
 
 write_cube()
+
+# the same bytes by all instruction sets that the processor has
+pathlib.Path("torus.ply").write_text(bumpy_torus(160, 80))
+for size in "64", "32", "16":
+    draw(f"{size}.svg", "--kinds", "all_kinds", "--views", "six", "torus.ply", LAPLACIAN_LINES_VECTOR_BYTES=size)
+    expect(filecmp.cmp("64.svg", f"{size}.svg", shallow=False), f"vectors of {size} bytes draw other lines")
+
 for mesh in ("cube.off", "cube.obj", "cube.ply"):
     expect_said(draw(f"{mesh}.svg", *BARE, "--scale", "1:1", mesh), "100.0 x 100.0 x 100.0 mm")
     expect(paths(f"{mesh}.svg") == 1, f"the outline of {mesh} is not one line")

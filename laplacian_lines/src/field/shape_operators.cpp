@@ -5,6 +5,7 @@
 
 #include "field/triangle_tensors.h"
 #include "system/large_array.h"
+#include "system/simd_sets.h"
 
 namespace laplacian_lines {
 namespace {
@@ -27,7 +28,7 @@ public:
     }
 
     void flush() {
-        fit_tensors(batch_, fitted_);
+        fastest<TensorLoops>().fit(batch_, fitted_);
         for (int lane = 0; lane < count_; ++lane)
             for (int k = 0; k < 3; ++k) {
                 const std::uint32_t v = (*triangles_[lane])[k];

@@ -7,6 +7,7 @@
 #include "laplacian_lines/tangent_frame.h"
 #include "sums/summation_cost.h"
 #include "system/large_array.h"
+#include "system/simd_sets.h"
 
 namespace laplacian_lines {
 namespace {
@@ -72,7 +73,7 @@ void TensorFits::fit_leaf(const SpatialTree::Leaf& leaf, const std::vector<float
     const std::size_t count = sources_.collect(leaf, reach, scratch.sources);
     for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kSlopeLanes) {
         TensorSums sums;
-        sum_tensors(targets(leaf, radii, begin), scratch.sources.data(), count, sums);
+        fastest<SlopeLoops>().sum(targets(leaf, radii, begin), scratch.sources.data(), count, sums);
         for (std::uint32_t lane = 0; lane < kSlopeLanes && begin + lane < leaf.end; ++lane) {
             const double radius = radii[begin + lane];
             TensorFit& fit = scratch.fits[begin + lane - leaf.begin];

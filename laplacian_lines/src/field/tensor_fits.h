@@ -14,7 +14,7 @@
 
 namespace laplacian_lines {
 
-/// Vertices with their S as sources for sum_tensors(), by leaf.
+/// Vertices with their S as sources for SlopeLoops, by leaf.
 class TensorSources {
 public:
     TensorSources(const PreparedMesh& mesh, const SpatialTree& tree, const Field& field);

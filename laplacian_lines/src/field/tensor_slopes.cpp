@@ -1,157 +1,129 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/tensor_slopes.h"
 
-#include <cstdint>
-
-#include "system/simd_versions.h"
+#include "system/simd_sets.h"
+#include "system/simd_vectors.h"
 
 namespace laplacian_lines {
-namespace {
+namespace SIMD_SET {
 
-template <std::size_t Bytes>
-struct Loops {
-    static constexpr std::size_t kWidth = Bytes / sizeof(float);
-    using Floats = typename SimdVector<float, Bytes>::Type;
-    using Ints = typename SimdVector<std::int32_t, Bytes>::Type;
+using Vector = SpaceVectors<Floats>;
+struct Tensors {
+    Floats xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
+};
 
-    struct Vector {
-        Floats x, y, z;
-    };
-    struct Tensors {
-        Floats xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
-    };
-
-    static LAPLACIAN_LINES_INLINE Floats load(const float* p) {
-        return *reinterpret_cast<const Floats*>(p);
-    }
-    static LAPLACIAN_LINES_INLINE Vector load(const float p[3][kSlopeLanes], std::size_t lane) {
-        return {load(p[0] + lane), load(p[1] + lane), load(p[2] + lane)};
-    }
-    static LAPLACIAN_LINES_INLINE Floats dot(const Vector& a, const Vector& b) {
-        return a.x * b.x + a.y * b.y + a.z * b.z;
-    }
-    static LAPLACIAN_LINES_INLINE Floats positive(Floats v) {
-        return (Floats)((Ints)v & ~((Ints)v >> 31));
-    }
-    /// max(|v| − half, 0)
-    static LAPLACIAN_LINES_INLINE Floats beyond(Floats v, float half) {
-        return positive((Floats)((Ints)v & 0x7fffffff) - half);
-    }
-
-    static LAPLACIAN_LINES_INLINE void add(const TensorSource& s, const Floats& weight,
-                                           Tensors& sums) {
+static inline void add(const TensorSource* sources, const Floats* weights, std::size_t count,
+                       Tensors& result) {
+    Tensors sums = result;  // in registers
+    for (std::size_t i = 0; i < count; ++i) {
+        const TensorSource& s = sources[i];
+        const Floats weight = weights[i];
         sums.xx += s.xx * weight, sums.yy += s.yy * weight, sums.zz += s.zz * weight;
         sums.yz += s.yz * weight, sums.xz += s.xz * weight, sums.xy += s.xy * weight;
     }
-    static LAPLACIAN_LINES_INLINE Vector times(const Tensors& s, const Vector& a) {
-        return {s.xx * a.x + s.xy * a.y + s.xz * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,
-                s.xz * a.x + s.yz * a.y + s.zz * a.z};
-    }
-
-    static LAPLACIAN_LINES_INLINE void store(float* p, const Floats& v) {
-        *reinterpret_cast<Floats*>(p) = 0.25f * v;
-    }
-    static LAPLACIAN_LINES_INLINE void store(float (*p)[kSlopeLanes], std::size_t lane,
-                                             const Tensors& s, const Vector& u, const Vector& v) {
-        const Vector su = times(s, u), sv = times(s, v);
-        store(p[0] + lane, dot(su, u));
-        store(p[1] + lane, dot(su, v));
-        store(p[2] + lane, dot(sv, v));
-    }
-
-    // Multiplications bound this loop: tensors are summed in space and projected at the end;
-    // weights are 4 facing_weight(), undone on storing.
-    static LAPLACIAN_LINES_INLINE void sum(const TensorTargets& targets,
-                                           const TensorSource* sources, std::size_t count,
-                                           std::size_t lane, TensorSums& sums) {
-        using Sums = TensorSums;
-        const Vector m = load(targets.normal, lane), u = load(targets.u, lane),
-                     v = load(targets.v, lane);
-        const Floats r = load(targets.per_radius + lane);
-        const Vector at = load(targets.position, lane), p = {r * at.x, r * at.y, r * at.z};
-        Floats weight{}, x_sum{}, y_sum{}, xx{}, xy{}, yy{};
-        Tensors s_sum, xs_sum, ys_sum;
-        for (const TensorSource* s = sources; s < sources + count; ++s) {
-            const Vector d = {s->x * r - p.x, s->y * r - p.y, s->z * r - p.z};
-            const Floats inside = positive(1 - d.x * d.x - d.y * d.y - d.z * d.z);
-            // 1 + cosine
-            const Floats facing =
-                s->normal[2] * m.z + (s->normal[1] * m.y + (s->normal[0] * m.x + 1.f));
-            const Floats root = inside * facing;
-            const Floats w = (s->mass * (3 - facing)) * (root * root);
-            const Floats x = dot(d, u), y = dot(d, v), wx = w * x, wy = w * y;
-            weight += w;
-            x_sum += wx;
-            y_sum += wy;
-            xx += wx * x;
-            xy += wx * y;
-            yy += wy * y;
-            add(*s, w, s_sum);
-            add(*s, wx, xs_sum);
-            add(*s, wy, ys_sum);
-        }
-        store(sums.numbers[Sums::kWeight] + lane, weight);
-        store(sums.numbers[Sums::kX] + lane, x_sum);
-        store(sums.numbers[Sums::kY] + lane, y_sum);
-        store(sums.numbers[Sums::kXX] + lane, xx);
-        store(sums.numbers[Sums::kXY] + lane, xy);
-        store(sums.numbers[Sums::kYY] + lane, yy);
-        store(&sums.numbers[Sums::kEntries], lane, s_sum, u, v);
-        store(&sums.numbers[Sums::kXEntries], lane, xs_sum, u, v);
-        store(&sums.numbers[Sums::kYEntries], lane, ys_sum, u, v);
-    }
-
-    static LAPLACIAN_LINES_INLINE void sum_all(const TensorTargets& targets,
-                                               const TensorSource* sources, std::size_t count,
-                                               TensorSums& sums) {
-        for (std::size_t lane = 0; lane < kSlopeLanes; lane += kWidth)
-            sum(targets, sources, count, lane, sums);
-    }
-
-    static LAPLACIAN_LINES_INLINE std::size_t collect(const TensorLeaf& leaf, const float shift[3],
-                                                      const float half_size[3], float squared_reach,
-                                                      TensorSource* kept) {
-        alignas(64) std::int32_t keep[TensorLeaf::kSize];  // −1 for a source that is kept, else 0
-        for (std::size_t i = 0; i < leaf.count; i += kWidth) {
-            const Floats x = beyond(load(leaf.x + i) + shift[0], half_size[0]),
-                         y = beyond(load(leaf.y + i) + shift[1], half_size[1]),
-                         z = beyond(load(leaf.z + i) + shift[2], half_size[2]);
-            *reinterpret_cast<Ints*>(keep + i) =
-                (Ints)(x * x + y * y + z * z - squared_reach) >> 31;
-        }
-        const Floats by = {shift[0], shift[1], shift[2]};
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < leaf.count; ++i) {
-            const Floats* from = reinterpret_cast<const Floats*>(&leaf.sources[i]);
-            Floats* to = reinterpret_cast<Floats*>(&kept[count]);
-            to[0] = from[0] + by;
-            for (std::size_t k = 1; k < sizeof(TensorSource) / sizeof(Floats); ++k)
-                to[k] = from[k];
-            count -= std::size_t(std::ptrdiff_t(keep[i]));  // else the next overwrites it
-        }
-        return count;
-    }
-};
-
-LAPLACIAN_LINES_VERSIONS(collect,
-                         (const TensorLeaf& leaf, const float shift[3], const float half_size[3],
-                          float squared_reach, TensorSource* kept),
-                         Loops<kBytes>::collect(leaf, shift, half_size, squared_reach, kept))
-LAPLACIAN_LINES_VERSIONS(sum,
-                         (const TensorTargets& targets, const TensorSource* sources,
-                          std::size_t count, TensorSums& sums),
-                         Loops<kBytes>::sum_all(targets, sources, count, sums))
-
-}  // namespace
-
-std::size_t collect_tensors(const TensorLeaf& leaf, const float shift[3], const float half_size[3],
-                            float squared_reach, TensorSource* kept) {
-    return fastest_collect(leaf, shift, half_size, squared_reach, kept);
+    result = sums;
+}
+static inline Vector times(const Tensors& s, const Vector& a) {
+    return {s.xx * a.x + s.xy * a.y + s.xz * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,
+            s.xz * a.x + s.yz * a.y + s.zz * a.z};
 }
 
-void sum_tensors(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
-                 TensorSums& sums) {
-    fastest_sum(targets, sources, count, sums);
+static inline void store_quarter(float* p, const Floats& v) {
+    store(p, 0.25f * v);
+}
+static inline void store_quarter(float (*p)[kSlopeLanes], std::size_t lane, const Tensors& s,
+                                 const Vector& u, const Vector& v) {
+    const Vector su = times(s, u), sv = times(s, v);
+    store_quarter(p[0] + lane, dot(su, u));
+    store_quarter(p[1] + lane, dot(su, v));
+    store_quarter(p[2] + lane, dot(sv, v));
+}
+
+/// Sources whose weights are kept, so that registers hold either what these need or some sums.
+constexpr std::size_t kTogether = 32;
+
+// Multiplications bound this loop: tensors are summed in space and projected at the end;
+// weights are 4 facing_weight(), undone on storing.
+static inline void sum(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
+                       std::size_t lane, TensorSums& sums) {
+    using Sums = TensorSums;
+    const Vector m = load_vectors(targets.normal, lane), u = load_vectors(targets.u, lane),
+                 v = load_vectors(targets.v, lane);
+    const Floats r = load(targets.per_radius + lane);
+    const Vector at = load_vectors(targets.position, lane), p = {r * at.x, r * at.y, r * at.z};
+    Floats weight{}, x_sum{}, y_sum{}, xx{}, xy{}, yy{};
+    Tensors s_sum, xs_sum, ys_sum;
+    for (; count > 0; sources += kTogether) {
+        const std::size_t some = count < kTogether ? count : kTogether;
+        Floats w[kTogether], wx[kTogether], wy[kTogether];
+        for (std::size_t i = 0; i < some; ++i) {
+            const TensorSource& s = sources[i];
+            const Vector d = {s.x * r - p.x, s.y * r - p.y, s.z * r - p.z};
+            const Floats inside = at_least(1 - d.x * d.x - d.y * d.y - d.z * d.z, 0);
+            // 1 + cosine
+            const Floats facing =
+                s.normal[2] * m.z + (s.normal[1] * m.y + (s.normal[0] * m.x + 1.f));
+            const Floats root = inside * facing;
+            const Floats x = dot(d, u), y = dot(d, v);
+            w[i] = (s.mass * (3 - facing)) * (root * root);
+            wx[i] = w[i] * x, wy[i] = w[i] * y;
+            weight += w[i];
+            x_sum += wx[i];
+            y_sum += wy[i];
+            xx += wx[i] * x;
+            xy += wx[i] * y;
+            yy += wy[i] * y;
+        }
+        add(sources, w, some, s_sum);
+        add(sources, wx, some, xs_sum);
+        add(sources, wy, some, ys_sum);
+        count -= some;
+    }
+    store_quarter(sums.numbers[Sums::kWeight] + lane, weight);
+    store_quarter(sums.numbers[Sums::kX] + lane, x_sum);
+    store_quarter(sums.numbers[Sums::kY] + lane, y_sum);
+    store_quarter(sums.numbers[Sums::kXX] + lane, xx);
+    store_quarter(sums.numbers[Sums::kXY] + lane, xy);
+    store_quarter(sums.numbers[Sums::kYY] + lane, yy);
+    store_quarter(&sums.numbers[Sums::kEntries], lane, s_sum, u, v);
+    store_quarter(&sums.numbers[Sums::kXEntries], lane, xs_sum, u, v);
+    store_quarter(&sums.numbers[Sums::kYEntries], lane, ys_sum, u, v);
+}
+
+static inline void sum_all(const TensorTargets& targets, const TensorSource* sources,
+                           std::size_t count, TensorSums& sums) {
+    for (std::size_t lane = 0; lane < kSlopeLanes; lane += kLanes)
+        sum(targets, sources, count, lane, sums);
+}
+
+static inline std::size_t collect(const TensorLeaf& leaf, const float shift[3],
+                                  const float half_size[3], float squared_reach,
+                                  TensorSource* kept) {
+    alignas(64) std::int32_t keep[TensorLeaf::kSize];  // −1 for a source that is kept, else 0
+    for (std::size_t i = 0; i < leaf.count; i += kLanes) {
+        const Floats x = beyond(load(leaf.x + i) + shift[0], half_size[0]),
+                     y = beyond(load(leaf.y + i) + shift[1], half_size[1]),
+                     z = beyond(load(leaf.z + i) + shift[2], half_size[2]);
+        *reinterpret_cast<Ints*>(keep + i) = (Ints)(x * x + y * y + z * z < squared_reach);
+    }
+    const Float4 by = {shift[0], shift[1], shift[2]};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < leaf.count; ++i) {
+        TensorSource& to = kept[count];
+        to = leaf.sources[i];
+        store4(&to.x, load4(&to.x) + by);
+        count -= std::size_t(std::ptrdiff_t(keep[i]));  // else the next overwrites it
+    }
+    return count;
+}
+
+}  // namespace SIMD_SET
+
+template <>
+const SlopeLoops& functions_of<SlopeLoops, InstructionSet::SIMD_SET>() {
+    using namespace SIMD_SET;
+    static constexpr SlopeLoops functions = {collect, sum_all};
+    return functions;
 }
 
 }  // namespace laplacian_lines

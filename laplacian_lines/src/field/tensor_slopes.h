@@ -26,11 +26,6 @@ struct TensorLeaf {
     std::size_t count = 0;
 };
 
-/// Copies the leaf's sources, moved by `shift`, that are nearer than √squared_reach to a box around
-/// the origin; returns their number. `kept` has room for one more than all.
-std::size_t collect_tensors(const TensorLeaf& leaf, const float shift[3], const float half_size[3],
-                            float squared_reach, TensorSource* kept);
-
 /// Vertices to sum at, each with its plane of u and v, by component and lane. Unused lanes may
 /// repeat others.
 struct TensorTargets {
@@ -46,9 +41,15 @@ struct TensorSums {
     alignas(64) float numbers[kNumbers][kSlopeLanes];
 };
 
-/// Weights are mass · (1 − d²/R²)² · facing_weight(n_q·n_p), d the distance, R the radius. Uses the
-/// widest vectors.
-void sum_tensors(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
-                 TensorSums& sums);
+/// See simd_sets.h.
+struct SlopeLoops {
+    /// Copies the leaf's sources, moved by `shift`, that are nearer than √squared_reach to a box
+    /// around the origin; returns their number. `kept` has room for one more than all.
+    std::size_t (*collect)(const TensorLeaf& leaf, const float shift[3], const float half_size[3],
+                           float squared_reach, TensorSource* kept);
+    /// Weights are mass · (1 − d²/R²)² · facing_weight(n_q·n_p), d the distance, R the radius.
+    void (*sum)(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
+                TensorSums& sums);
+};
 
 }  // namespace laplacian_lines

@@ -6,6 +6,7 @@
 
 #include "system/large_array.h"
 #include "system/parallel.h"
+#include "system/simd_sets.h"
 
 namespace laplacian_lines {
 namespace {
@@ -67,8 +68,8 @@ std::size_t TensorSources::collect(const SpatialTree::Leaf& leaf, double reach,
         if (sources.size() < count + packed.count + 1)
             sources.resize(2 * (count + TensorLeaf::kSize));
         const Eigen::Vector3f shift = (other.box.center() - centre).cast<float>();
-        count += collect_tensors(packed, shift.data(), half_size.data(), float(reach * reach),
-                                 &sources[count]);
+        count += fastest<SlopeLoops>().collect(packed, shift.data(), half_size.data(),
+                                               float(reach * reach), &sources[count]);
     });
     return count;
 }

@@ -29,9 +29,12 @@ struct TensorBatch {
     static constexpr double kLeastCosine = -0.999;
 };
 
-/// The symmetric tensor in each triangle's plane that best maps its edges to the changes of the
-/// normals along them: S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle
-/// Meshes", 3DPVT 2004, section 3. Uses the widest vectors.
-void fit_tensors(const TriangleBatch& triangles, TensorBatch& tensors);
+/// See simd_sets.h.
+struct TensorLoops {
+    /// The symmetric tensor in each triangle's plane that best maps its edges to the changes of the
+    /// normals along them: S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on
+    /// Triangle Meshes", 3DPVT 2004, section 3.
+    void (*fit)(const TriangleBatch& triangles, TensorBatch& tensors);
+};
 
 }  // namespace laplacian_lines

@@ -11,7 +11,6 @@
 #include "system/buckets.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
-#include "system/simd_versions.h"
 
 namespace laplacian_lines {
 
@@ -68,7 +67,7 @@ inline Eigen::AlignedBox3f local_box() {
 /// Four boxes, tested together. At first empty.
 template <int Dim>
 class FourBoxes {
-    using Lanes = typename SimdVector<float, 16>::Type;
+    typedef float Lanes __attribute__((vector_size(16)));
 
 public:
     using Box = Eigen::AlignedBox<float, Dim>;
@@ -100,7 +99,8 @@ public:
     }
     /// Bit k: that one meets `other`.
     unsigned meeting(const Box& other) const {
-        typename SimdVector<std::int32_t, 16>::Type bits = {1, 2, 4, 8};
+        typedef std::int32_t Bits __attribute__((vector_size(16)));
+        Bits bits = {1, 2, 4, 8};
         for (int axis = 0; axis < Dim; ++axis)
             bits &= (low_[axis] <= Lanes{} + other.max()[axis]) &
                     (high_[axis] >= Lanes{} + other.min()[axis]);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "redraw/simd/simd_functions.h"
+#include "redraw/simd/redraw_loops.h"
 
 namespace laplacian_lines {
 

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "redraw/simd/simd_functions.h"
+#include "redraw/simd/redraw_loops.h"
 #include "rules/line_acceptance.h"
+#include "system/simd_sets.h"
 #include "system/thread_pool.h"
 #include "system/three_floats.h"
 
@@ -58,7 +59,7 @@ void set_point(const LineColumns& c, std::size_t i, const StripPoint& p, float s
 /// Copies all strips of a line one behind the other; neighbours share a point.
 void collect_points(const TracedLines& traced, const TracedLines::Line& line,
                     const LineColumns& columns) {
-    const auto append = simd_functions().append_points;
+    const auto append = fastest<RedrawLoops>().append_points;
     std::size_t place = 0;
     const std::uint32_t* ends = traced.ends.data() + line.first_end;
     for (std::uint32_t i = 0; i < line.end_count; ++i) {
@@ -87,7 +88,7 @@ void close_line(std::uint32_t count, const LineColumns& c) {
 void finish(const ExtractorData& data, const LineRules& rules, const Polyline& p, bool has_exact,
             LineColumns& columns, LinePoint* points) {
     const Eigen::Vector3d centre = data.centre - data.origin;
-    simd_functions().finish_line(
+    fastest<RedrawLoops>().finish_line(
         rules, {p.count, p.closed, has_exact, p.length, p.strength, p.slope}, columns,
         centre.data(), data.diagonal, reinterpret_cast<float*>(points));
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "system/simd_sets.h"
 #include "system/thread_pool.h"
 
 namespace laplacian_lines {
@@ -27,8 +28,8 @@ void find_batch(const ClusterStore& store, const ExtractionTask& task, unsigned 
         reserve(s, s.strip_count, s.point_count);
         outputs[kind] = {s.strips.data(), s.points.data(), s.strip_count, s.point_count};
     }
-    simd_functions().passes[pass].extract_strips(store, task, clusters, count, *thread.memory,
-                                                 outputs);
+    fastest<RedrawLoops>().passes[pass].extract_strips(store, task, clusters, count, *thread.memory,
+                                                       outputs);
     for (unsigned kind = 0; kind < kinds.count; ++kind) {
         thread.strips[kinds.first + kind].strip_count = outputs[kind].strip_count;
         thread.strips[kinds.first + kind].point_count = outputs[kind].point_count;
@@ -48,7 +49,7 @@ void find_chunk(const ClusterStore& store, std::size_t cluster_count, const Extr
     for (unsigned pass = 0; pass < kStripPassCount; ++pass) {
         if (!is_wanted(task, kStripPasses[pass])) continue;
         const std::size_t kept =
-            simd_functions().passes[pass].cull(store, task, begin, end, thread.kept.data());
+            fastest<RedrawLoops>().passes[pass].cull(store, task, begin, end, thread.kept.data());
         for (std::size_t i = 0; i < kept; i += kBatch)
             find_batch(store, task, pass, &thread.kept[i], std::min<std::size_t>(kBatch, kept - i),
                        thread);

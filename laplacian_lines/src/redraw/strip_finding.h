@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clusters/extractor_data.h"
-#include "redraw/simd/simd_functions.h"
+#include "redraw/simd/redraw_loops.h"
 
 namespace laplacian_lines {
 

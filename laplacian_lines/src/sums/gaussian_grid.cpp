@@ -10,6 +10,7 @@
 #include "sums/grid_slabs.h"
 #include "sums/normal_moments.h"
 #include "sums/size_band.h"
+#include "system/simd_sets.h"
 
 namespace laplacian_lines {
 namespace {
@@ -122,7 +123,7 @@ private:
         kSpreadNodes.visit_all(first_nodes, [&](int part, BlockMask mask) { nodes[part] |= mask; });
         for (int part = 0; part < 8; ++part) {
             chunk.rows[part] = rows_of(nodes[part], 0);
-            clear_rows(part, chunk.rows[part], box);
+            loops_.clear_rows(part, chunk.rows[part], box);
         }
         // The cubic splines' first node is the second one.
         Node* const second = box + (kBox + 1) * kBox + 1;
@@ -131,7 +132,7 @@ private:
             Node value;
             set_moments(mesh_.masses[*p], normals_[*p], value);
             const std::size_t corner = locate(*p, place);
-            spread(value, place, second + corner);
+            loops_.spread(value, place, second + corner);
         }
     }
 
@@ -152,7 +153,8 @@ private:
                 const SpreadSlab& s = spread_[(slab - (part >> 2)) % 2];
                 for (std::uint32_t c = s.first_chunk[site - step];
                      c < s.first_chunk[site - step + 1]; ++c)
-                    add_rows(part, s.chunks[c].rows[part], s.boxes.get() + c * kBoxNodes, nodes);
+                    loops_.add_rows(part, s.chunks[c].rows[part], s.boxes.get() + c * kBoxNodes,
+                                    nodes);
             }
         });
     }
@@ -164,7 +166,7 @@ private:
                                       std::size_t(grid_.blocks[0]) * std::size_t(part >> 1 & 1);
             if (other >= grid_.sites()) continue;
             const Slab& z = level.result(slab + (part >> 2));
-            copy_rows(part, rows_of(z.mask(other), 0), z.block(other), box);
+            loops_.copy_rows(part, rows_of(z.mask(other), 0), z.block(other), box);
         }
     }
 
@@ -188,7 +190,7 @@ private:
         band_.weights(kernel_.kernel_sizes[p], weights);
         for (std::size_t j = 0; j < levels_.size(); ++j) {
             PointSums<Real, Groups> sums;
-            interpolate(boxes + j * kBoxNodes + corner, place, sums);
+            loops_.interpolate(boxes + j * kBoxNodes + corner, place, sums);
             const ContractedMoments at = contract(sums, normals_[p]);
             // The Gaussian's derivative is (q − p)/(2h) times it.
             const double size = band_.nodes()[j], to_moment = 2 * size * size / grid_.cell;
@@ -207,6 +209,7 @@ private:
     const GridGeometry& grid_;
     const GridPoints& points_;
     const SizeBand& band_;
+    const GridLoops<Real, Groups>& loops_ = fastest<GridLoops<Real, Groups>>();
     const GaussianKernel& kernel_;
     GaussianSums& sums_;
     const int reach_;

@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "sums/simd_gaussian_sums.h"
+#include "system/simd_sets.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr double kLog2E = 1.4426950408889634;
-constexpr float kLeastLog2Mass = -100;  // nothing beside the others
 
 static_assert(SourceLeaf::kSize == SpatialTree::kLeafSize);
 
@@ -37,8 +37,7 @@ std::vector<SourceLeaf> pack_sources(const PreparedMesh& mesh, const SpatialTree
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
             const std::size_t k = v - leaf.begin;
             to.sources[k] = source(mesh.positions[v] - leaf.box.center(), normals[v]);
-            to.sources[k].log2_mass =
-                std::max(std::log2(float(mesh.masses[v]) / unit_mass), kLeastLog2Mass);
+            to.sources[k].mass = float(mesh.masses[v]) / unit_mass;
             to.x[k] = to.sources[k].x, to.y[k] = to.sources[k].y, to.z[k] = to.sources[k].z;
         }
     });
@@ -73,7 +72,7 @@ public:
     void sum(std::uint32_t begin, const std::vector<GaussianSource>& sources, std::size_t count,
              GaussianSums& sums) const {
         GaussianLaneSums lanes = {};
-        (quick_ ? sum_quickly : sum_gaussians)(targets(begin), sources.data(), count, lanes);
+        (quick_ ? loops_.sum_quickly : loops_.sum)(targets(begin), sources.data(), count, lanes);
         write(lanes, begin, sums);
     }
 
@@ -84,10 +83,9 @@ public:
         tree_.visit_leaves(leaf_.box, radius_, [&](const SpatialTree::Leaf& other) {
             const std::size_t others = other.end - other.begin;
             if (sources.size() < count + others) sources.resize(2 * (count + others));
-            count += laplacian_lines::collect_sources(
-                packed[std::size_t(&other - tree_.leaves().data())], others,
-                source(other.box.center() - centre_, -mean_normal_), half_size.data(),
-                float(radius_ * radius_), &sources[count]);
+            count += loops_.collect(packed[std::size_t(&other - tree_.leaves().data())], others,
+                                    source(other.box.center() - centre_, -mean_normal_),
+                                    half_size.data(), float(radius_ * radius_), &sources[count]);
         });
         return count;
     }
@@ -95,7 +93,7 @@ public:
 private:
     GaussianTargets targets(std::uint32_t begin) const {
         GaussianTargets t;
-        for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+        for (std::uint32_t lane = 0; lane < kTargets; ++lane) {
             const std::uint32_t v = std::min(begin + lane, leaf_.end - 1);
             const Eigen::Vector3f p = (mesh_.positions[v] - centre_).cast<float>();
             const Eigen::Vector3f n = (normals_[v] - mean_normal_).cast<float>();
@@ -114,7 +112,7 @@ private:
     }
 
     void write(const GaussianLaneSums& s, std::uint32_t begin, GaussianSums& sums) const {
-        for (std::uint32_t lane = 0; lane < std::min<std::uint32_t>(kLanes, leaf_.end - begin);
+        for (std::uint32_t lane = 0; lane < std::min<std::uint32_t>(kTargets, leaf_.end - begin);
              ++lane) {
             const std::uint32_t v = begin + lane;
             sums.mass[v] = s.mass[lane];
@@ -129,6 +127,7 @@ private:
     const GaussianKernel& kernel_;
     const float unit_mass_;
     const SpatialTree::Leaf& leaf_;
+    const GaussianLoops& loops_ = fastest<GaussianLoops>();
     Eigen::Vector3d centre_, mean_normal_;
     double radius_;
     bool quick_;
@@ -147,7 +146,7 @@ GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
         const SpatialTree::Leaf& leaf = tree.leaves()[i];
         const LeafSum leaf_sum(mesh, tree, normals, kernel, unit_mass, leaf);
         const std::size_t count = leaf_sum.collect_sources(packed, sources);
-        for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kLanes)
+        for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kTargets)
             leaf_sum.sum(begin, sources, count, sums);
     });
     return sums;

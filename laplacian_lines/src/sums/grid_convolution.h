@@ -9,6 +9,7 @@
 #include "sums/grid_slabs.h"
 #include "sums/spline_kernel.h"
 #include "system/parallel.h"
+#include "system/simd_sets.h"
 
 namespace laplacian_lines {
 
@@ -152,7 +153,8 @@ private:
             }
             const ConvolutionInput<Real, Groups> input = {blocks, rows, 2 * reach_ + 1,
                                                           taps_.data() + taps_.size() / 2, axis};
-            convolve(input, rows_of(to.mask(site), axis), to.block(site));
+            fastest<GridLoops<Real, Groups>>().convolve(input, rows_of(to.mask(site), axis),
+                                                        to.block(site));
         });
     }
 

@@ -1,229 +1,183 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sums/simd_gaussian_sums.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
-#include "sums/facing_weight.h"
-#include "system/simd_versions.h"
+#include "system/simd_sets.h"
+#include "system/simd_vectors.h"
 
 namespace laplacian_lines {
-namespace {
+namespace SIMD_SET {
 
 constexpr float kRound = 12582912.f;  // 1.5·2^23: adding it rounds to an integer
+constexpr float kQuickFactor = 0.0780245226f, kQuickUnit = 8388608;  // 2^23
 
-template <std::size_t Bytes>
-struct Loops {
-    static constexpr std::size_t kWidth = Bytes / sizeof(float);
-    using Floats = typename SimdVector<float, Bytes>::Type;
-    using Ints = typename SimdVector<std::int32_t, Bytes>::Type;
+/// Times 2^n, `shifted` = n + kRound: its low bits hold n, to be added to the exponent field.
+static inline Floats scaled(Floats y, Floats shifted) {
+    return (Floats)((Ints)y + ((Ints)shifted << 23));
+}
 
-    static LAPLACIAN_LINES_INLINE Floats load(const float* p) {
-        return *reinterpret_cast<const Floats*>(p);
+/// 2^x for x < 127, relative error 2e-7; tiny results become about 1e-37 instead of 0.
+static inline Floats exp2_exactly(Floats x) {
+    x = at_least(x, -124);
+    const Floats shifted = x + kRound;
+    const Floats f = x - (shifted - kRound);  // [-0.5, 0.5]
+    // Taylor series of 2^f; coefficients ln(2)^k / k!.
+    Floats y = 1.5403530e-4f * f + 1.3333558e-3f;
+    y = y * f + 9.6181291e-3f;
+    y = y * f + 5.5504109e-2f;
+    y = y * f + 2.4022651e-1f;
+    y = y * f + 6.9314718e-1f;
+    y = y * f + 1.f;
+    return scaled(y, shifted);
+}
+
+/// 2^x / kQuickFactor of x · 2^23, |x| < 120; relative error 8e-5 of changing sign; anything
+/// for other x. Adders bound the sums, so x is split by a conversion.
+static inline Floats quick_exp2(Floats x) {
+    const Ints fixed = __builtin_convertvector(x, Ints);
+    const Floats m = (Floats)((fixed & 0x7fffff) | 0x3f800000);  // 1 + the fraction
+    // 2^(m − 1): the polynomial of degree 3 of the smallest largest error, over its first
+    // coefficient.
+    const Floats y = ((m - 0.102614088f) * m + 6.12336733f) * m + 5.79477163f;
+    return (Floats)((Ints)y + (fixed & ~0x7fffff));
+}
+
+static inline std::size_t collect(const SourceLeaf& leaf, std::size_t count,
+                                  const GaussianSource& shift, const float half_size[3],
+                                  float squared_distance, GaussianSource* kept) {
+    // −1 for a source that is kept, else 0.
+    alignas(64) std::int32_t keep[SourceLeaf::kSize];
+    alignas(64) float squared[SourceLeaf::kSize];
+    for (std::size_t i = 0; i < SourceLeaf::kSize; i += kLanes) {
+        const Floats x = load(leaf.x + i) + shift.x, y = load(leaf.y + i) + shift.y,
+                     z = load(leaf.z + i) + shift.z;
+        const Floats dx = beyond(x, half_size[0]), dy = beyond(y, half_size[1]),
+                     dz = beyond(z, half_size[2]);
+        *reinterpret_cast<Ints*>(keep + i) =
+            (Ints)(dx * dx + dy * dy + dz * dz <= squared_distance);
+        store(squared + i, x * x + y * y + z * z);
     }
-    static LAPLACIAN_LINES_INLINE void store(float* p, Floats v) {
-        *reinterpret_cast<Floats*>(p) = v;
+    typedef float Source __attribute__((vector_size(sizeof(GaussianSource))));
+    const Source by = *reinterpret_cast<const Source*>(&shift);
+    std::size_t kept_count = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        *reinterpret_cast<Source*>(&kept[kept_count]) =
+            *reinterpret_cast<const Source*>(&leaf.sources[i]) + by;
+        kept[kept_count].squared = squared[i];
+        kept_count -= std::size_t(std::ptrdiff_t(keep[i]));  // else the next overwrites it
     }
+    return kept_count;
+}
 
-    static LAPLACIAN_LINES_INLINE Ints is_negative(Floats v) { return (Ints)v >> 31; }
-
-    /// Times 2^n, `shifted` = n + kRound: its low bits hold n, to be added to the exponent field.
-    static LAPLACIAN_LINES_INLINE Floats scaled(Floats y, Floats shifted) {
-        return (Floats)((Ints)y + ((Ints)shifted << 23));
+static inline void sum(const GaussianTargets& t, const GaussianSource* sources,
+                       std::size_t source_count, std::size_t lane, GaussianLaneSums& sums) {
+    const Floats x = load(t.x + lane), y = load(t.y + lane), z = load(t.z + lane);
+    const Floats nx = load(t.nx + lane), ny = load(t.ny + lane), nz = load(t.nz + lane);
+    const Floats squared_cutoff = load(t.squared_cutoff + lane), exponent = load(t.exponent + lane);
+    const float facing_factor = t.facing / 32;
+    Floats mass{}, mx{}, my{}, mz{}, snx{}, sny{}, snz{};
+    for (std::size_t i = 0; i < source_count; ++i) {
+        const GaussianSource& s = sources[i];
+        const Floats dx = s.x - x, dy = s.y - y, dz = s.z - z;
+        const Floats squared = dx * dx + dy * dy + dz * dz;
+        const Floats dnx = s.nx - nx, dny = s.ny - ny, dnz = s.nz - nz;
+        const Floats squared_chord = dnx * dnx + dny * dny + dnz * dnz;
+        // facing_weight() of the cosine 1 − chord²/2
+        const Floats facing =
+            1.f + (facing_factor * (squared_chord * squared_chord)) * (squared_chord - 6.f);
+        const Floats g = exp2_exactly(squared * exponent + t.normal_exponent * squared_chord) *
+                         (s.mass * facing);
+        const Floats w = (Floats)((Ints)g & ~(squared > squared_cutoff));
+        mass += w;
+        mx += w * dx;
+        my += w * dy;
+        mz += w * dz;
+        snx += w * dnx;
+        sny += w * dny;
+        snz += w * dnz;
     }
+    store(sums.mass + lane, t.unit_mass * mass);
+    store(sums.mx + lane, t.unit_mass * mx);
+    store(sums.my + lane, t.unit_mass * my);
+    store(sums.mz + lane, t.unit_mass * mz);
+    store(sums.nx + lane, t.unit_mass * snx);
+    store(sums.ny + lane, t.unit_mass * sny);
+    store(sums.nz + lane, t.unit_mass * snz);
+}
 
-    /// 2^x for x < 127, relative error 2e-7; tiny results become about 1e-37 instead of 0.
-    static LAPLACIAN_LINES_INLINE Floats exp2_exactly(Floats x) {
-        const Ints too_small = is_negative(x + 124.f);
-        x = (Floats)(((Ints)x & ~too_small) | ((Ints)(Floats{} - 124.f) & too_small));
-        const Floats shifted = x + kRound;
-        const Floats f = x - (shifted - kRound);  // [-0.5, 0.5]
-        // Taylor series of 2^f; coefficients ln(2)^k / k!.
-        Floats y = 1.5403530e-4f * f + 1.3333558e-3f;
-        y = y * f + 9.6181291e-3f;
-        y = y * f + 5.5504109e-2f;
-        y = y * f + 2.4022651e-1f;
-        y = y * f + 6.9314718e-1f;
-        y = y * f + 1.f;
-        return scaled(y, shifted);
-    }
+/// Sources whose weights are kept, so that registers hold either what these need or the sums.
+constexpr std::size_t kTogether = 32;
 
-    /// 2^x for |x| < 126, relative error 8e-5 of changing sign; anything for other x.
-    static LAPLACIAN_LINES_INLINE Floats quick_exp2(Floats x) {
-        const Floats shifted = x + kRound;
-        const Floats f = x - (shifted - kRound);
-        // The polynomial of degree 3 of the smallest largest error.
-        Floats y = 5.5171669e-2f * f + 2.4261112e-1f;
-        y = y * f + 6.9326099e-1f;
-        y = y * f + 9.9992807e-1f;
-        return scaled(y, shifted);
-    }
-
-    /// max(|v| − half, 0)
-    static LAPLACIAN_LINES_INLINE Floats beyond(Floats v, float half) {
-        const Floats size = (Floats)((Ints)v & 0x7fffffff) - half;
-        return (Floats)((Ints)size & ~is_negative(size));
-    }
-
-    static LAPLACIAN_LINES_INLINE std::size_t collect(const SourceLeaf& leaf, std::size_t count,
-                                                      const GaussianSource& shift,
-                                                      const float half_size[3],
-                                                      float squared_distance,
-                                                      GaussianSource* kept) {
-        // −1 for a source that is kept, else 0.
-        alignas(64) std::int32_t keep[SourceLeaf::kSize];
-        alignas(64) float squared[SourceLeaf::kSize];
-        for (std::size_t i = 0; i < SourceLeaf::kSize; i += kWidth) {
-            const Floats x = load(leaf.x + i) + shift.x, y = load(leaf.y + i) + shift.y,
-                         z = load(leaf.z + i) + shift.z;
-            const Floats dx = beyond(x, half_size[0]), dy = beyond(y, half_size[1]),
-                         dz = beyond(z, half_size[2]);
-            *reinterpret_cast<Ints*>(keep + i) =
-                ~is_negative(squared_distance - (dx * dx + dy * dy + dz * dz));
-            store(squared + i, x * x + y * y + z * z);
-        }
-        constexpr std::size_t part = std::min(Bytes, sizeof(GaussianSource));
-        using Part = typename SimdVector<float, part>::Type;
-        const auto* const by = reinterpret_cast<const Part*>(&shift);
-        std::size_t kept_count = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto* const from = reinterpret_cast<const Part*>(&leaf.sources[i]);
-            auto* const to = reinterpret_cast<Part*>(&kept[kept_count]);
-            for (std::size_t k = 0; k < sizeof(GaussianSource) / part; ++k)
-                to[k] = from[k] + by[k];
-            kept[kept_count].squared = squared[i];
-            kept_count -= std::size_t(std::ptrdiff_t(keep[i]));  // else the next overwrites it
-        }
-        return kept_count;
-    }
-
-    static LAPLACIAN_LINES_INLINE void sum(const GaussianTargets& t, const GaussianSource* sources,
-                                           std::size_t source_count, std::size_t lane,
-                                           GaussianLaneSums& sums) {
-        const Floats x = load(t.x + lane), y = load(t.y + lane), z = load(t.z + lane);
-        const Floats nx = load(t.nx + lane), ny = load(t.ny + lane), nz = load(t.nz + lane);
-        const Floats squared_cutoff = load(t.squared_cutoff + lane),
-                     exponent = load(t.exponent + lane);
-        Floats mass{}, mx{}, my{}, mz{}, snx{}, sny{}, snz{};
-        for (std::size_t i = 0; i < source_count; ++i) {
-            const GaussianSource& s = sources[i];
-            const Floats dx = s.x - x, dy = s.y - y, dz = s.z - z;
-            const Floats squared = dx * dx + dy * dy + dz * dz;
-            const Floats dnx = s.nx - nx, dny = s.ny - ny, dnz = s.nz - nz;
-            const Floats squared_chord = dnx * dnx + dny * dny + dnz * dnz;
-            const Floats facing =
-                1.f + t.facing * (facing_weight(1.f - 0.5f * squared_chord) - 1.f);
-            const Floats g =
-                exp2_exactly(squared * exponent + t.normal_exponent * squared_chord + s.log2_mass) *
-                facing;
-            const Floats w = (Floats)((Ints)g & ~is_negative(squared_cutoff - squared));
-            mass += w;
-            mx += w * dx;
-            my += w * dy;
-            mz += w * dz;
-            snx += w * dnx;
-            sny += w * dny;
-            snz += w * dnz;
-        }
-        store(sums.mass + lane, t.unit_mass * mass);
-        store(sums.mx + lane, t.unit_mass * mx);
-        store(sums.my + lane, t.unit_mass * my);
-        store(sums.mz + lane, t.unit_mass * mz);
-        store(sums.nx + lane, t.unit_mass * snx);
-        store(sums.ny + lane, t.unit_mass * sny);
-        store(sums.nz + lane, t.unit_mass * snz);
-    }
-
-    // Multiplications bound this loop, so most are folded. It sums q and n_q, from which the sums
-    // of q − p and n_q − n_p follow; the exponent −(|q − p|² − c²)/4h is multiplied out, and its
-    // sign says whether q is within the cutoff c.
-    static LAPLACIAN_LINES_INLINE void sum_quickly(const GaussianTargets& t,
-                                                   const GaussianSource* sources,
-                                                   std::size_t source_count, std::size_t lane,
-                                                   GaussianLaneSums& sums) {
-        const Floats px = load(t.x + lane), py = load(t.y + lane), pz = load(t.z + lane),
-                     exponent = load(t.exponent + lane);
-        const Floats x = -2.f * px * exponent, y = -2.f * py * exponent, z = -2.f * pz * exponent;
-        const Floats constant_exponent = (px * px + py * py + pz * pz) * exponent - t.log2_cutoff;
-        const float* mean = t.mean_normal;
-        const Floats tx = load(t.nx + lane), ty = load(t.ny + lane), tz = load(t.nz + lane);
-        // n_p, or 0 to have 1 + cosine be 2 at all sources.
-        const Floats nx = t.facing * (tx + mean[0]), ny = t.facing * (ty + mean[1]),
-                     nz = t.facing * (tz + mean[2]);
-        const Floats mean_cosine = mean[0] * nx + mean[1] * ny + mean[2] * nz + (2 - t.facing);
-        Floats mass{}, mx{}, my{}, mz{}, snx{}, sny{}, snz{};
-        for (std::size_t i = 0; i < source_count; ++i) {
+// Most is folded. It sums q and n_q, from which the sums of q − p and n_q − n_p follow; the
+// exponent −(|q − p|² − c²)/4h is multiplied out, and its sign says whether q is within the cutoff
+// c. As long as it depends on the distance alone, errors of quick_exp2() are the same all around p.
+static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* sources,
+                               std::size_t source_count, std::size_t lane, GaussianLaneSums& sums) {
+    const Floats px = load(t.x + lane), py = load(t.y + lane), pz = load(t.z + lane),
+                 exponent = kQuickUnit * load(t.exponent + lane);
+    const Floats x = -2.f * px * exponent, y = -2.f * py * exponent, z = -2.f * pz * exponent;
+    const Floats constant_exponent =
+        (px * px + py * py + pz * pz) * exponent - kQuickUnit * t.log2_cutoff;
+    const float* mean = t.mean_normal;
+    const Floats tx = load(t.nx + lane), ty = load(t.ny + lane), tz = load(t.nz + lane);
+    // n_p, or 0 to have 1 + cosine be 2 at all sources.
+    const Floats nx = t.facing * (tx + mean[0]), ny = t.facing * (ty + mean[1]),
+                 nz = t.facing * (tz + mean[2]);
+    const Floats mean_cosine = mean[0] * nx + mean[1] * ny + mean[2] * nz + (2 - t.facing);
+    Floats mass{}, mx{}, my{}, mz{}, snx{}, sny{}, snz{};
+    for (; source_count > 0; sources += kTogether) {
+        const std::size_t some = source_count < kTogether ? source_count : kTogether;
+        Floats w[kTogether];
+        for (std::size_t i = 0; i < some; ++i) {
             const GaussianSource& s = sources[i];
             const Floats e =
                 (s.squared * exponent + (s.x * x + constant_exponent)) + (s.z * z + s.y * y);
             const Floats cosine =
-                s.nz * nz + (s.ny * ny + (s.nx * nx + mean_cosine));   // 1 + cosine
+                (s.nx * nx + mean_cosine) + (s.nz * nz + s.ny * ny);   // 1 + cosine
             const Floats facing = (cosine * cosine) * (cosine - 3.f);  // −4 facing_weight()
-            const Floats g = facing * quick_exp2(e + s.log2_mass);
-            const Floats w = (Floats)((Ints)g & ~is_negative(e));
-            mass += w;
-            mx += w * s.x;
-            my += w * s.y;
-            mz += w * s.z;
-            snx += w * s.nx;
-            sny += w * s.ny;
-            snz += w * s.nz;
+            const Floats g = facing * (s.mass * quick_exp2(e));
+            w[i] = (Floats)((Ints)g & (e >= 0));
         }
-        const float scale = -0.25f * std::exp2(t.log2_cutoff) * t.unit_mass;
-        store(sums.mass + lane, scale * mass);
-        store(sums.mx + lane, scale * (mx - mass * px));
-        store(sums.my + lane, scale * (my - mass * py));
-        store(sums.mz + lane, scale * (mz - mass * pz));
-        store(sums.nx + lane, scale * (snx - mass * tx));
-        store(sums.ny + lane, scale * (sny - mass * ty));
-        store(sums.nz + lane, scale * (snz - mass * tz));
+        for (std::size_t i = 0; i < some; ++i) {
+            const GaussianSource& s = sources[i];
+            mass += w[i];
+            mx += w[i] * s.x;
+            my += w[i] * s.y;
+            mz += w[i] * s.z;
+            snx += w[i] * s.nx;
+            sny += w[i] * s.ny;
+            snz += w[i] * s.nz;
+        }
+        source_count -= some;
     }
-
-    static LAPLACIAN_LINES_INLINE void sum_all(const GaussianTargets& t,
-                                               const GaussianSource* sources, std::size_t count,
-                                               GaussianLaneSums& sums) {
-        for (std::size_t lane = 0; lane < kLanes; lane += kWidth)
-            sum(t, sources, count, lane, sums);
-    }
-    static LAPLACIAN_LINES_INLINE void sum_all_quickly(const GaussianTargets& t,
-                                                       const GaussianSource* sources,
-                                                       std::size_t count, GaussianLaneSums& sums) {
-        for (std::size_t lane = 0; lane < kLanes; lane += kWidth)
-            sum_quickly(t, sources, count, lane, sums);
-    }
-};
-
-LAPLACIAN_LINES_VERSIONS(collect,
-                         (const SourceLeaf& leaf, std::size_t count, const GaussianSource& shift,
-                          const float half_size[3], float squared_distance, GaussianSource* kept),
-                         Loops<kBytes>::collect(leaf, count, shift, half_size, squared_distance,
-                                                kept))
-LAPLACIAN_LINES_VERSIONS(sum,
-                         (const GaussianTargets& t, const GaussianSource* sources,
-                          std::size_t count, GaussianLaneSums& sums),
-                         Loops<kBytes>::sum_all(t, sources, count, sums))
-LAPLACIAN_LINES_VERSIONS(sum_quickly,
-                         (const GaussianTargets& t, const GaussianSource* sources,
-                          std::size_t count, GaussianLaneSums& sums),
-                         Loops<kBytes>::sum_all_quickly(t, sources, count, sums))
-
-}  // namespace
-
-std::size_t collect_sources(const SourceLeaf& leaf, std::size_t count, const GaussianSource& shift,
-                            const float half_size[3], float squared_distance,
-                            GaussianSource* kept) {
-    return fastest_collect(leaf, count, shift, half_size, squared_distance, kept);
+    const Floats scale =
+        -0.25f * kQuickFactor * t.unit_mass * exp2_exactly(Floats{} + t.log2_cutoff);
+    store(sums.mass + lane, scale * mass);
+    store(sums.mx + lane, scale * (mx - mass * px));
+    store(sums.my + lane, scale * (my - mass * py));
+    store(sums.mz + lane, scale * (mz - mass * pz));
+    store(sums.nx + lane, scale * (snx - mass * tx));
+    store(sums.ny + lane, scale * (sny - mass * ty));
+    store(sums.nz + lane, scale * (snz - mass * tz));
 }
 
-void sum_gaussians(const GaussianTargets& targets, const GaussianSource* sources,
-                   std::size_t source_count, GaussianLaneSums& sums) {
-    fastest_sum(targets, sources, source_count, sums);
+static void sum_all(const GaussianTargets& t, const GaussianSource* sources, std::size_t count,
+                    GaussianLaneSums& sums) {
+    for (std::size_t lane = 0; lane < kTargets; lane += kLanes)
+        sum(t, sources, count, lane, sums);
+}
+static void sum_all_quickly(const GaussianTargets& t, const GaussianSource* sources,
+                            std::size_t count, GaussianLaneSums& sums) {
+    for (std::size_t lane = 0; lane < kTargets; lane += kLanes)
+        sum_quickly(t, sources, count, lane, sums);
 }
 
-void sum_quickly(const GaussianTargets& targets, const GaussianSource* sources,
-                 std::size_t source_count, GaussianLaneSums& sums) {
-    fastest_sum_quickly(targets, sources, source_count, sums);
+}  // namespace SIMD_SET
+
+template <>
+const GaussianLoops& functions_of<GaussianLoops, InstructionSet::SIMD_SET>() {
+    using namespace SIMD_SET;
+    static constexpr GaussianLoops functions = {collect, sum_all, sum_all_quickly};
+    return functions;
 }
 
 }  // namespace laplacian_lines

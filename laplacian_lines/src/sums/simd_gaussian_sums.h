@@ -5,12 +5,12 @@
 
 namespace laplacian_lines {
 
-constexpr std::size_t kLanes = 16;  ///< targets that are summed at once
+constexpr std::size_t kTargets = 16;  ///< targets that are summed at once
 
 /// Positions are relative to the group's centre, normals to its mean: small numbers round less.
 struct alignas(32) GaussianSource {
     float x, y, z;
-    float log2_mass;  ///< of the mass in GaussianTargets::unit_mass
+    float mass;  ///< in GaussianTargets::unit_mass
     float nx, ny, nz;
     float squared;  ///< x² + y² + z², of collected sources only
 };
@@ -22,17 +22,12 @@ struct SourceLeaf {
     GaussianSource sources[kSize];
 };
 
-/// Copies those of the leaf's first `count` sources that, with `shift` added, lie within the given
-/// distance of a box around the origin; returns how many. `kept` has room for all.
-std::size_t collect_sources(const SourceLeaf& leaf, std::size_t count, const GaussianSource& shift,
-                            const float half_size[3], float squared_distance, GaussianSource* kept);
-
 /// Unused lanes may repeat others.
 struct GaussianTargets {
-    alignas(64) float x[kLanes], y[kLanes], z[kLanes];
-    alignas(64) float nx[kLanes], ny[kLanes], nz[kLanes];
-    alignas(64) float squared_cutoff[kLanes];
-    alignas(64) float exponent[kLanes];  ///< −log2(e)/(4h): exp2(exponent·|q−p|²)
+    alignas(64) float x[kTargets], y[kTargets], z[kTargets];
+    alignas(64) float nx[kTargets], ny[kTargets], nz[kTargets];
+    alignas(64) float squared_cutoff[kTargets];
+    alignas(64) float exponent[kTargets];  ///< −log2(e)/(4h): exp2(exponent·|q−p|²)
     float normal_exponent;  ///< −log2(e) falloff: exp2(normal_exponent·|n_q−n_p|²)
     float log2_cutoff;      ///< exponent·squared_cutoff, the same for all
     float unit_mass;
@@ -42,18 +37,24 @@ struct GaussianTargets {
 
 /// Moments are those of q − p, normals of n_q − n_p.
 struct GaussianLaneSums {
-    alignas(64) float mass[kLanes], mx[kLanes], my[kLanes], mz[kLanes];
-    alignas(64) float nx[kLanes], ny[kLanes], nz[kLanes];
+    alignas(64) float mass[kTargets], mx[kTargets], my[kTargets], mz[kTargets];
+    alignas(64) float nx[kTargets], ny[kTargets], nz[kTargets];
 };
 
-/// Sums all sources for each target. Uses the widest vectors.
-void sum_gaussians(const GaussianTargets& targets, const GaussianSource* sources,
-                   std::size_t source_count, GaussianLaneSums& sums);
-
-/// With errors of kQuickError and without normal_exponent, for targets within kQuickRadius √h of
-/// the group's centre.
-void sum_quickly(const GaussianTargets& targets, const GaussianSource* sources,
-                 std::size_t source_count, GaussianLaneSums& sums);
+/// See simd_sets.h.
+struct GaussianLoops {
+    /// Copies those of the leaf's first `count` sources that, with `shift` added, lie within the
+    /// given distance of a box around the origin; returns how many. `kept` has room for all.
+    std::size_t (*collect)(const SourceLeaf& leaf, std::size_t count, const GaussianSource& shift,
+                           const float half_size[3], float squared_distance, GaussianSource* kept);
+    /// Sums all sources for each target.
+    void (*sum)(const GaussianTargets& targets, const GaussianSource* sources,
+                std::size_t source_count, GaussianLaneSums& sums);
+    /// With errors of kQuickError and without normal_exponent, for targets within kQuickRadius √h
+    /// of the group's centre.
+    void (*sum_quickly)(const GaussianTargets& targets, const GaussianSource* sources,
+                        std::size_t source_count, GaussianLaneSums& sums);
+};
 constexpr double kQuickRadius = 8;
 
 }  // namespace laplacian_lines

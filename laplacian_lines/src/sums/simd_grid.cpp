@@ -2,24 +2,23 @@
 #include "sums/simd_grid.h"
 
 #include "sums/spline_kernel.h"
-#include "system/simd_versions.h"
+#include "system/simd_sets.h"
+#include "system/simd_vectors.h"
 
 namespace laplacian_lines {
-namespace {
+namespace SIMD_SET {
 
-template <class Real, int Groups, std::size_t Bytes>
-struct Vectors {
-    using Lane = typename SimdVector<Real, Bytes>::Type;
-    static constexpr int kLane = int(Bytes / sizeof(Real));
+template <class Real, int Groups>
+struct Moments {
+    using Lane = decltype(load(static_cast<const Real*>(nullptr)));
+    static constexpr int kLane = int(sizeof(Lane) / sizeof(Real));
     static constexpr int kFirst = kMoments / kLane;  // vectors in the first group
     static constexpr int kCount = Groups * kFirst;
 
-    static LAPLACIAN_LINES_INLINE const Lane& get(const Real* moments, int i) {
+    static inline const Lane& get(const Real* moments, int i) {
         return reinterpret_cast<const Lane*>(moments)[i];
     }
-    static LAPLACIAN_LINES_INLINE Lane& get(Real* moments, int i) {
-        return reinterpret_cast<Lane*>(moments)[i];
-    }
+    static inline Lane& get(Real* moments, int i) { return reinterpret_cast<Lane*>(moments)[i]; }
 };
 
 typedef double Places __attribute__((vector_size(32)));  // along x, y, z
@@ -29,16 +28,16 @@ struct Splines {
     typedef Real Axes __attribute__((vector_size(4 * sizeof(Real))));
     Axes at[Count];
 
-    LAPLACIAN_LINES_INLINE void set(const Places* values) {
+    void set(const Places* values) {
         for (int k = 0; k < Count; ++k)
             at[k] = __builtin_convertvector(values[k], Axes);
     }
 };
 
-template <std::size_t Bytes, class Real, int Groups>
-LAPLACIAN_LINES_INLINE void spread_any(const GridNode<Real, Groups>& value, const CellPlace& place,
-                                       GridNode<Real, Groups>* corner) {
-    using V = Vectors<Real, Groups, Bytes>;
+template <class Real, int Groups>
+static void spread(const GridNode<Real, Groups>& value, const CellPlace& place,
+                   GridNode<Real, Groups>* corner) {
+    using V = Moments<Real, Groups>;
     Places cubic[4];
     cubic_spline(*reinterpret_cast<const Places*>(place.t), cubic);
     Splines<Real, 4> w;
@@ -58,10 +57,10 @@ LAPLACIAN_LINES_INLINE void spread_any(const GridNode<Real, Groups>& value, cons
         }
 }
 
-template <std::size_t Bytes, class Real, int Groups>
-LAPLACIAN_LINES_INLINE void interpolate_any(const GridNode<Real, Groups>* corner,
-                                            const CellPlace& place, PointSums<Real, Groups>& sums) {
-    using V = Vectors<Real, Groups, Bytes>;
+template <class Real, int Groups>
+static void interpolate(const GridNode<Real, Groups>* corner, const CellPlace& place,
+                        PointSums<Real, Groups>& sums) {
+    using V = Moments<Real, Groups>;
     using Lane = typename V::Lane;
     const Places t = *reinterpret_cast<const Places*>(place.t);
     Places cubic[4], quartic[5], derivatives[5];
@@ -104,7 +103,7 @@ LAPLACIAN_LINES_INLINE void interpolate_any(const GridNode<Real, Groups>* corner
 
 /// Calls visit(node of the box, node of the block) for the first of the four of each row.
 template <class Visit>
-LAPLACIAN_LINES_INLINE void for_each_row(int part, unsigned rows, Visit visit) {
+static inline void for_each_row(int part, unsigned rows, Visit visit) {
     const int first = (((part >> 2) * kBox + (part >> 1 & 1)) * kBox + (part & 1)) * kBlock;
     for (; rows; rows &= rows - 1) {
         const int row = __builtin_ctz(rows);
@@ -112,47 +111,43 @@ LAPLACIAN_LINES_INLINE void for_each_row(int part, unsigned rows, Visit visit) {
     }
 }
 
-template <std::size_t Bytes, class Real, int Groups>
-LAPLACIAN_LINES_INLINE void clear_rows_any(int part, RowMask rows, GridNode<Real, Groups>* box) {
-    using V = Vectors<Real, Groups, Bytes>;
-    for_each_row(
-        part, rows, [&](int in_box, int) __attribute__((always_inline)) {
-            for (int i = 0; i < kBlock * V::kCount; ++i)
-                V::get(box[in_box].moments, i) = typename V::Lane{};
-        });
+template <class Real, int Groups>
+static void clear_rows(int part, RowMask rows, GridNode<Real, Groups>* box) {
+    using V = Moments<Real, Groups>;
+    for_each_row(part, rows, [&](int in_box, int) {
+        for (int i = 0; i < kBlock * V::kCount; ++i)
+            V::get(box[in_box].moments, i) = typename V::Lane{};
+    });
 }
 
-template <std::size_t Bytes, class Real, int Groups>
-LAPLACIAN_LINES_INLINE void copy_rows_any(int part, RowMask rows,
-                                          const GridNode<Real, Groups>* block,
-                                          GridNode<Real, Groups>* box) {
-    using V = Vectors<Real, Groups, Bytes>;
-    for_each_row(
-        part, rows, [&](int in_box, int in_block) __attribute__((always_inline)) {
-            for (int i = 0; i < kBlock * V::kCount; ++i)
-                V::get(box[in_box].moments, i) = V::get(block[in_block].moments, i);
-        });
+template <class Real, int Groups>
+static void copy_rows(int part, RowMask rows, const GridNode<Real, Groups>* block,
+                      GridNode<Real, Groups>* box) {
+    using V = Moments<Real, Groups>;
+    for_each_row(part, rows, [&](int in_box, int in_block) {
+        for (int i = 0; i < kBlock * V::kCount; ++i)
+            V::get(box[in_box].moments, i) = V::get(block[in_block].moments, i);
+    });
 }
 
-template <std::size_t Bytes, class Real, int Groups>
-LAPLACIAN_LINES_INLINE void add_rows_any(int part, RowMask rows, const GridNode<Real, Groups>* box,
-                                         GridNode<Real, Groups>* block) {
-    using V = Vectors<Real, Groups, Bytes>;
-    for_each_row(
-        part, rows, [&](int in_box, int in_block) __attribute__((always_inline)) {
-            for (int i = 0; i < kBlock * V::kCount; ++i)
-                V::get(block[in_block].moments, i) += V::get(box[in_box].moments, i);
-        });
+template <class Real, int Groups>
+static void add_rows(int part, RowMask rows, const GridNode<Real, Groups>* box,
+                     GridNode<Real, Groups>* block) {
+    using V = Moments<Real, Groups>;
+    for_each_row(part, rows, [&](int in_box, int in_block) {
+        for (int i = 0; i < kBlock * V::kCount; ++i)
+            V::get(block[in_block].moments, i) += V::get(box[in_box].moments, i);
+    });
 }
 
-LAPLACIAN_LINES_INLINE int row_begin(int axis, int row) {
+static inline int row_begin(int axis, int row) {
     return axis == 0 ? 4 * row : axis == 1 ? 16 * (row / 4) + row % 4 : row;
 }
 
-template <std::size_t Bytes, class Real, int Groups>
-LAPLACIAN_LINES_INLINE void convolve_any(const ConvolutionInput<Real, Groups>& input, RowMask rows,
-                                         GridNode<Real, Groups>* output) {
-    using V = Vectors<Real, Groups, Bytes>;
+template <class Real, int Groups>
+static void convolve(const ConvolutionInput<Real, Groups>& input, RowMask rows,
+                     GridNode<Real, Groups>* output) {
+    using V = Moments<Real, Groups>;
     using Lane = typename V::Lane;
     const int stride = input.axis == 0 ? 1 : input.axis == 1 ? 4 : 16;
     constexpr int together = V::kCount < 2 ? V::kCount : 2;  // that registers have room for
@@ -179,38 +174,22 @@ LAPLACIAN_LINES_INLINE void convolve_any(const ConvolutionInput<Real, Groups>& i
     }
 }
 
-}  // namespace
+template <class Real, int Groups>
+static constexpr GridLoops<Real, Groups> kGridLoops = {
+    spread<Real, Groups>,    interpolate<Real, Groups>, clear_rows<Real, Groups>,
+    copy_rows<Real, Groups>, add_rows<Real, Groups>,    convolve<Real, Groups>};
 
-// Versions cannot be templates. The parameters come last: they hold commas.
-#define LAPLACIAN_LINES_GRID_KERNEL(name, Real, Groups, arguments, ...)                          \
-    LAPLACIAN_LINES_VERSIONS(name##_##Real##Groups, (__VA_ARGS__), name##_any<kBytes> arguments) \
-    template <>                                                                                  \
-    void name(__VA_ARGS__) {                                                                     \
-        fastest_##name##_##Real##Groups arguments;                                               \
+}  // namespace SIMD_SET
+
+#define LAPLACIAN_LINES_GRID_LOOPS(Real, Groups)                        \
+    template <>                                                         \
+    const GridLoops<Real, Groups>&                                      \
+    functions_of<GridLoops<Real, Groups>, InstructionSet::SIMD_SET>() { \
+        return SIMD_SET::kGridLoops<Real, Groups>;                      \
     }
-
-#define LAPLACIAN_LINES_GRID_KERNELS(Real, Groups)                                            \
-    LAPLACIAN_LINES_GRID_KERNEL(spread, Real, Groups, (value, place, corner),                 \
-                                const GridNode<Real, Groups>& value, const CellPlace& place,  \
-                                GridNode<Real, Groups>* corner)                               \
-    LAPLACIAN_LINES_GRID_KERNEL(interpolate, Real, Groups, (corner, place, sums),             \
-                                const GridNode<Real, Groups>* corner, const CellPlace& place, \
-                                PointSums<Real, Groups>& sums)                                \
-    LAPLACIAN_LINES_GRID_KERNEL(clear_rows, Real, Groups, (part, rows, box), int part,        \
-                                RowMask rows, GridNode<Real, Groups>* box)                    \
-    LAPLACIAN_LINES_GRID_KERNEL(copy_rows, Real, Groups, (part, rows, block, box), int part,  \
-                                RowMask rows, const GridNode<Real, Groups>* block,            \
-                                GridNode<Real, Groups>* box)                                  \
-    LAPLACIAN_LINES_GRID_KERNEL(add_rows, Real, Groups, (part, rows, box, block), int part,   \
-                                RowMask rows, const GridNode<Real, Groups>* box,              \
-                                GridNode<Real, Groups>* block)                                \
-    LAPLACIAN_LINES_GRID_KERNEL(convolve, Real, Groups, (input, rows, output),                \
-                                const ConvolutionInput<Real, Groups>& input, RowMask rows,    \
-                                GridNode<Real, Groups>* output)
-
-LAPLACIAN_LINES_GRID_KERNELS(float, 1)
-LAPLACIAN_LINES_GRID_KERNELS(float, 2)
-LAPLACIAN_LINES_GRID_KERNELS(double, 1)
-LAPLACIAN_LINES_GRID_KERNELS(double, 2)
+LAPLACIAN_LINES_GRID_LOOPS(float, 1)
+LAPLACIAN_LINES_GRID_LOOPS(float, 2)
+LAPLACIAN_LINES_GRID_LOOPS(double, 1)
+LAPLACIAN_LINES_GRID_LOOPS(double, 2)
 
 }  // namespace laplacian_lines

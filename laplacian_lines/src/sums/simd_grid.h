@@ -29,33 +29,6 @@ struct alignas(64) PointSums {
     Real derivatives[3][kMoments];
 };
 
-/// Adds `value` times the point's cubic B-splines to the 4 x 4 x 4 nodes from `corner` on in a box
-/// of kBox nodes a side. All functions here use the widest vectors, for float and double, Groups 1
-/// and 2.
-template <class Real, int Groups>
-void spread(const GridNode<Real, Groups>& value, const CellPlace& place,
-            GridNode<Real, Groups>* corner);
-
-/// Interpolates by quartic B-splines from the 5 x 5 x 5 nodes from `corner` on in such a box.
-template <class Real, int Groups>
-void interpolate(const GridNode<Real, Groups>* corner, const CellPlace& place,
-                 PointSums<Real, Groups>& sums);
-
-// The box of one block's points overlaps eight blocks; bits 0, 1, 2 of `part`: the next one along
-// x, y, z. These run over one part's rows of four nodes along x.
-template <class Real, int Groups>
-void clear_rows(int part, RowMask rows, GridNode<Real, Groups>* box);
-
-/// Copies from a block to its part of a box.
-template <class Real, int Groups>
-void copy_rows(int part, RowMask rows, const GridNode<Real, Groups>* block,
-               GridNode<Real, Groups>* box);
-
-/// Adds a part of a box to its block.
-template <class Real, int Groups>
-void add_rows(int part, RowMask rows, const GridNode<Real, Groups>* box,
-              GridNode<Real, Groups>* block);
-
 /// What a convolution along one axis reads: `count` blocks in a row around the output.
 template <class Real, int Groups>
 struct ConvolutionInput {
@@ -66,10 +39,27 @@ struct ConvolutionInput {
     int axis;
 };
 
-/// Computes a block's rows whose bits are set, and zeroes the others. Row l holds the nodes from 4l
-/// along x, from 16 (l / 4) + l % 4 along y, from l along z.
+/// See simd_sets.h. For float and double, Groups 1 and 2.
 template <class Real, int Groups>
-void convolve(const ConvolutionInput<Real, Groups>& input, RowMask rows,
-              GridNode<Real, Groups>* output);
+struct GridLoops {
+    using Node = GridNode<Real, Groups>;
+
+    /// Adds `value` times the point's cubic B-splines to the 4 x 4 x 4 nodes from `corner` on in a
+    /// box of kBox nodes a side.
+    void (*spread)(const Node& value, const CellPlace& place, Node* corner);
+    /// Interpolates by quartic B-splines from the 5 x 5 x 5 nodes from `corner` on in such a box.
+    void (*interpolate)(const Node* corner, const CellPlace& place, PointSums<Real, Groups>& sums);
+
+    // The box of one block's points overlaps eight blocks; bits 0, 1, 2 of `part`: the next one
+    // along x, y, z. These run over one part's rows of four nodes along x: clearing them, copying
+    // from a block, adding to it.
+    void (*clear_rows)(int part, RowMask rows, Node* box);
+    void (*copy_rows)(int part, RowMask rows, const Node* block, Node* box);
+    void (*add_rows)(int part, RowMask rows, const Node* box, Node* block);
+
+    /// Computes a block's rows whose bits are set, and zeroes the others. Row l holds the nodes
+    /// from 4l along x, from 16 (l / 4) + l % 4 along y, from l along z.
+    void (*convolve)(const ConvolutionInput<Real, Groups>& input, RowMask rows, Node* output);
+};
 
 }  // namespace laplacian_lines

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view-dependent curvature q1 at vertices, of T. Judd, F. Durand, E. Adelson, "Apparent Ridges
 // for Line Drawing" (2007), its direction and its derivative along that.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/simd/simd_batch.h"
 #include "redraw/simd/simd_columns.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// q1, D and r at vertices; q1 = 0 where they face away or have no direction.
 struct ApparentCurvature {
@@ -93,5 +92,5 @@ static inline void evaluate_apparent(const ClusterInSlot& place, const float eye
     }
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

@@ -2,7 +2,6 @@
 // Apparent ridges: where the view-dependent curvature q1 is largest along the direction r that
 // belongs to it. r has no sign and neither has the derivative D of q1 along it, so that zeros of D
 // are told by D r at both ends of an edge, and lines get their direction triangle by triangle.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/kinds/apparent_curvature_simd.h"
@@ -10,7 +9,7 @@
 #include "redraw/simd/simd_strips.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// Directions at the ends of an edge with a greater angle than this belong to no common line.
 constexpr float kLeastAgreement = 0.7f;
@@ -302,5 +301,5 @@ static void extract_apparent_strips(const ClusterStore& store, const ExtractionT
     name_edges(store, begin, *outputs);
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

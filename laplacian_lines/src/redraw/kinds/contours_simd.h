@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Occluding contours: the zeros of n·(e − w p).
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "laplacian_lines/line_kind.h"
@@ -9,7 +8,7 @@
 #include "redraw/simd/simd_signs.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// Opacities of crossings of contours: 1, less where the surface is concave along the view.
 static inline void weigh_contours(const LineRules& rules, const float eye[4], CrossingMemory& m,
@@ -54,5 +53,5 @@ struct Contours {
     }
 };
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What kinds of lines share that are drawn on what faces the eye.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/simd/simd_memory.h"
 #include "redraw/simd/simd_signs.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// See simd_kinds.h; kForms, kSlope, find_signs(), source() and test() are a kind's own.
 struct FacingKind {
@@ -30,5 +29,5 @@ struct FacingKind {
     }
 };
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Laplacian lines: the zeros of ΔI = Δn·l.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "laplacian_lines/line_kind.h"
@@ -9,7 +8,7 @@
 #include "redraw/simd/simd_segments.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// How the surface curves towards the light vector l at crossings [i, i + kLanes): −l·Sl, and ‖w‖
 /// of l's tangential part w. The cosine between −∇I and w is −l·Sl/(‖w‖‖∇I‖), since ∇I = Sl.
@@ -85,5 +84,5 @@ struct LaplacianLines : FacingKind {
     }
 };
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Photic extremum lines: the zeros of Hess I(g, g), g = ∇I, where ‖g‖ is largest along g.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/kinds/laplacian_lines_simd.h"
 #include "redraw/simd/simd_columns.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// Hess I(g, g) = C(g, g, l) − (n·l) ‖S g‖² − w g·S g at the vertices of a cluster, in the places
 /// of the forms.
@@ -57,5 +56,5 @@ struct PhoticExtrema : FacingKind {
     }
 };
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Suggestive contours and highlights: the zeros of the radial curvature, of which v·S v with the
 // vector to the eye v is a positive multiple.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "laplacian_lines/line_kind.h"
@@ -11,7 +10,7 @@
 #include "redraw/simd/simd_segments.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// v·S v at the vertices of a cluster, in the places of the forms. Places that are left over repeat
 /// the last vertex, as in the forms.
@@ -82,5 +81,5 @@ struct RadialZeros : FacingKind {
 using SuggestiveContours = RadialZeros<LineKind::SuggestiveContour, 1>;
 using SuggestiveHighlights = RadialZeros<LineKind::SuggestiveHighlight, -1>;
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

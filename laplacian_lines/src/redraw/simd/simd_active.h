@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which triangles of a cluster the functions change their signs in.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/simd/simd_batch.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// Places in write_active()'s bytes that make an ActiveTriangle, by which corners are negative.
 /// A line leaves through the edge that goes from a negative to a positive corner.
@@ -168,5 +167,5 @@ static inline void find_active(const ClusterStore& store, const ExtractionTask& 
     }
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

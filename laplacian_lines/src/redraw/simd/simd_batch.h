@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What begins the work on a batch of clusters.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/simd/simd_kinds.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// Reads memory once. Caches fetch many lines at a time only if nothing waits for the first of
 /// them.
@@ -68,5 +67,5 @@ static inline ClusterInSlot place_of(const ClusterStore& store, const Batch& bat
             slot};
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices as columns, for functions of the vertices that are no linear forms.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/simd/simd_memory.h"
-#include "redraw/simd/simd_vectors.h"
+#include "system/simd_vectors.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
-/// A vector of space in each lane.
-struct Vectors {
-    Floats x, y, z;
-
-    Vectors operator+(const Vectors& b) const { return {x + b.x, y + b.y, z + b.z}; }
-    Vectors operator-(const Vectors& b) const { return {x - b.x, y - b.y, z - b.z}; }
-    Vectors operator*(Floats s) const { return {x * s, y * s, z * s}; }
-};
-static inline Floats dot(const Vectors& a, const Vectors& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+using Vectors = SpaceVectors<Floats>;
 
 /// Rows of four numbers, one for each lane, as four columns. `row(lane)`: where it is.
 template <class Row>
@@ -30,12 +19,12 @@ static inline void load_columns(const Row& row, Floats columns[4]) {
             parts[i] = load4(row(4 * i + k));
         columns[k] = join(parts);
     }
-    transpose_parts(columns);
+    transpose(columns);
 }
 /// The other way round.
 template <class Row>
 static inline void store_as_rows(Floats columns[4], const Row& row) {
-    transpose_parts(columns);
+    transpose(columns);
     for (unsigned k = 0; k < 4; ++k) {
         Float4 parts[kParts];
         split(columns[k], parts);
@@ -104,5 +93,5 @@ private:
     Floats suu_, suv_, svv_, c_[4];
 };
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

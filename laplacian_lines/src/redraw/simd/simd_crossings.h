@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Zero crossings on edges: L. Zhang, Y. He, H. S. Seah, "Laplacian Lines for
 // Real-Time Shape Illustration", step 2 of the extraction.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include <cfloat>
@@ -9,7 +8,7 @@
 #include "redraw/simd/simd_columns.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// Where crossings [0, count) are on their edges, from the values at the ends.
 static inline void find_shares(const float* values, CrossingMemory& m, std::size_t count) {
@@ -107,5 +106,5 @@ static inline Towards towards(const float eye[4], const CrossingMemory& m, std::
     return {x, y, z, x * x + y * y + z * z};
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

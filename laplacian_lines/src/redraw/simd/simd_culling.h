@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Leaves out whole clusters by bounds of n·l.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +8,7 @@
 #include "redraw/simd/simd_kinds.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// More than rounding does to a sum of products of about 1 with what it is a factor of.
 constexpr float kRoundingMargin = 1e-5f;
@@ -80,5 +79,5 @@ static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, s
     return count;
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

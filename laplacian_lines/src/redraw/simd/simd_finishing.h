@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Weights, opacities and smoothed positions of whole lines, as columns.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
-#include "redraw/simd/simd_functions.h"
-#include "redraw/simd/simd_vectors.h"
+#include "redraw/simd/redraw_loops.h"
+#include "system/simd_vectors.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 constexpr int kTaperingPasses = 2;  // slopes of neighbouring triangles differ visibly
 
@@ -187,13 +186,14 @@ static inline void columns_to_rows(const float* const columns[6], std::size_t co
             rows[k] = columns[k][i];
 }
 
+typedef double FloatsAsDoubles __attribute__((vector_size(8 * kLanes)));
 /// Columns to points in mesh coordinates.
 static inline void write_points(const LineColumns& c, std::size_t count, const double centre[3],
                                 double diagonal, float* points) {
     float* const positions[3] = {c.x, c.y, c.z};
     for (int k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < count; i += kLanes) {
-            const Doubles local = __builtin_convertvector(load(positions[k] + i), Doubles);
+            const auto local = __builtin_convertvector(load(positions[k] + i), FloatsAsDoubles);
             store(positions[k] + i, __builtin_convertvector(centre[k] + diagonal * local, Floats));
         }
     const float* const columns[6] = {c.x, c.y, c.z, c.weight, c.gradient, c.opacity};
@@ -231,5 +231,5 @@ static void finish_line(const LineRules& rules, const LineSums& line, LineColumn
     write_points(c, count, centre, diagonal, points);
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

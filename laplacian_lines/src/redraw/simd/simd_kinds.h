@@ -13,7 +13,6 @@
 //  - test(rules, task, batch, crossings, count): opacities of crossings, and which are accepted
 //    if the rules use slopes,
 //  - kSlope: what a segment's slope is.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/kinds/contours_simd.h"
@@ -22,7 +21,7 @@
 #include "redraw/kinds/suggestive_contours_simd.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// The kinds of a pass.
 template <unsigned Pass, class... Kinds>
@@ -52,5 +51,5 @@ static_assert(StandardKinds::is_as_declared() && SuggestiveKinds::is_as_declared
                   PhoticKinds::is_as_declared(),
               "the same kinds in the same order");
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

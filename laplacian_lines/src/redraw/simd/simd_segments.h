@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Segments of lines in single triangles and their tests.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/simd/simd_crossings.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// Lists the crossings of a batch's active triangles. A triangle owns the crossing where its line
 /// leaves, which gets the triangle's place; the one where the line enters is that of the triangle
@@ -75,7 +74,7 @@ static inline void measure_segments(const LineRules& rules, const CrossingMemory
         }
         transpose(rows);
         const Float4 x = rows[0], y = rows[1], z = rows[2], gradients = rows[3];
-        const Float4 length = square_root4(x * x + y * y + z * z);
+        const Float4 length = square_root(x * x + y * y + z * z);
         const Float4 slope = load4(s.slope + i);
         rows[0] = length;
         rows[1] = gradients / 2 * length;
@@ -183,5 +182,5 @@ static inline unsigned keep_steep(const LineRules& rules, SegmentMemory& s, unsi
     return kept;
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

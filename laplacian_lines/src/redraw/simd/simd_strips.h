@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chains the segments of a batch to strips.
-// Included once by each of the files simd_*.cpp.
 #pragma once
 
 #include "redraw/simd/simd_kinds.h"
 #include "redraw/simd/simd_segments.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 /// Means along whole lines are known where strips end, so no strip is much longer than √h.
 constexpr unsigned kSegmentsOfPiece = 4;
@@ -186,5 +185,5 @@ static inline void append_strips(const ClusterStore& store, const ExtractionTask
     StripWriter(store, batch, active, m, s, count, output).write_all(rules);
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 }  // namespace laplacian_lines

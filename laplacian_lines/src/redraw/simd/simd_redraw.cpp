@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once by each of the files simd_*.cpp, which define SIMD_NAMESPACE and
-// SIMD_SET. Nothing that is inlined elsewhere may be used here, or the linker could keep the
-// copy that was compiled for a processor that is not there.
 #include <initializer_list>
 
 #include "redraw/kinds/apparent_ridges_simd.h"
@@ -9,9 +6,10 @@
 #include "redraw/simd/simd_culling.h"
 #include "redraw/simd/simd_finishing.h"
 #include "redraw/simd/simd_strips.h"
+#include "system/simd_sets.h"
 
 namespace laplacian_lines {
-namespace SIMD_NAMESPACE {
+namespace SIMD_SET {
 
 template <class Kinds>
 static void extract_strips(const ClusterStore& store, const ExtractionTask& task,
@@ -29,20 +27,19 @@ static void extract_strips(const ClusterStore& store, const ExtractionTask& task
         name_edges(store, begins[number], outputs[number]);
 }
 
-}  // namespace SIMD_NAMESPACE
+}  // namespace SIMD_SET
 
-extern const SimdFunctions SIMD_TABLE;
-const SimdFunctions SIMD_TABLE = {
-    SIMD_SET,
-    {{SIMD_NAMESPACE::cull<SIMD_NAMESPACE::StandardKinds>,
-      SIMD_NAMESPACE::extract_strips<SIMD_NAMESPACE::StandardKinds>},
-     {SIMD_NAMESPACE::cull<SIMD_NAMESPACE::SuggestiveKinds>,
-      SIMD_NAMESPACE::extract_strips<SIMD_NAMESPACE::SuggestiveKinds>},
-     {SIMD_NAMESPACE::cull<SIMD_NAMESPACE::PhoticKinds>,
-      SIMD_NAMESPACE::extract_strips<SIMD_NAMESPACE::PhoticKinds>},
-     {SIMD_NAMESPACE::cull<SIMD_NAMESPACE::ApparentKinds>,
-      SIMD_NAMESPACE::extract_apparent_strips}},
-    SIMD_NAMESPACE::append_points,
-    SIMD_NAMESPACE::finish_line};
+template <>
+const RedrawLoops& functions_of<RedrawLoops, InstructionSet::SIMD_SET>() {
+    using namespace SIMD_SET;
+    static constexpr RedrawLoops functions = {
+        {{cull<StandardKinds>, extract_strips<StandardKinds>},
+         {cull<SuggestiveKinds>, extract_strips<SuggestiveKinds>},
+         {cull<PhoticKinds>, extract_strips<PhoticKinds>},
+         {cull<ApparentKinds>, extract_apparent_strips}},
+        append_points,
+        finish_line};
+    return functions;
+}
 
 }  // namespace laplacian_lines

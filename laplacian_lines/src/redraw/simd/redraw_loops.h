@@ -6,9 +6,7 @@
 
 #include "redraw/simd/simd_memory.h"
 
-/// The inner loops of a redraw, compiled for several instruction sets. All compute the same bits:
-/// they do the same operations in the same order, and none contracts a·b + c.
-/// Plain data only, see cluster_data.h.
+/// The inner loops of a redraw. Plain data only, see cluster_data.h.
 namespace laplacian_lines {
 
 /// The points of a line, a column for each number, on cache units; with a place before the first
@@ -31,8 +29,6 @@ struct LineSums {
     float length, strength, slope;
 };
 
-enum class InstructionSet { Baseline, Avx2, Avx512 };
-
 /// How the kinds of one of kStripPasses are found.
 struct StripFunctions {
     /// Writes to `kept` those of the clusters [begin, end), a multiple of kFormGroup apart from the
@@ -44,8 +40,8 @@ struct StripFunctions {
                            std::size_t count, SimdMemory&, StripOutput* outputs);
 };
 
-struct SimdFunctions {
-    InstructionSet instruction_set;
+/// See simd_sets.h.
+struct RedrawLoops {
     StripFunctions passes[kStripPassCount];
     /// Appends the points of a strip to a line's columns at a place, as `weight` their slopes.
     /// Reads up to kPointMargin points more.
@@ -56,11 +52,5 @@ struct SimdFunctions {
     void (*finish_line)(const LineRules& rules, const LineSums& line, LineColumns& columns,
                         const double centre[3], double diagonal, float* points);
 };
-
-/// The fastest that this processor runs, or what use_instruction_set() asked for.
-const SimdFunctions& simd_functions();
-/// For tests; false if the processor or the build does not have it. Not to be called while lines
-/// are extracted.
-bool use_instruction_set(InstructionSet set);
 
 }  // namespace laplacian_lines
