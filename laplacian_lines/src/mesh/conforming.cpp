@@ -66,15 +66,15 @@ Cuts find_cuts(const std::vector<Vector3d>& positions, const std::vector<Side>& 
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     using Found = std::pair<std::uint32_t, std::uint32_t>;  // side, vertex
+    const auto find = [&](std::uint32_t i, std::vector<Found>& found) {
+        tree.visit(Eigen::AlignedBox3f(local(ends[i])), [&](std::uint32_t s) {
+            if (lies_between(positions, ends[i], sides[s][0], sides[s][1], precision))
+                found.emplace_back(s, ends[i]);
+            return true;
+        });
+    };
     Cuts cuts;
-    for (const auto& [s, v] :
-         collect<Found>(ends.size(), [&](std::uint32_t i, std::vector<Found>&found) {
-             tree.visit(Eigen::AlignedBox3f(local(ends[i])), [&](std::uint32_t s) {
-                 if (lies_between(positions, ends[i], sides[s][0], sides[s][1], precision))
-                     found.emplace_back(s, ends[i]);
-                 return true;
-             });
-         }))
+    for (const auto& [s, v] : collect<Found>(ends.size(), find))
         cuts[sides[s]].push_back(v);
     for (auto& [side, on] : cuts)
         std::sort(on.begin(), on.end(), [&, from = side[0]](std::uint32_t a, std::uint32_t b) {

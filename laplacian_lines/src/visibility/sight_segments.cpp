@@ -59,14 +59,12 @@ private:
 
     /// The triangle that is seen first on a side of an edge.
     std::uint32_t first_at(std::uint32_t edge, int side) const {
-        const SightMesh::Side* first = nullptr;
-        for (std::size_t i = 0; i < mesh_.side_count(edge); ++i) {
-            const SightMesh::Side* const other = mesh_.sides_of(edge) + i;
-            if (picture_.side_of(*other) == side &&
-                (!first || rise(edge, *other) > rise(edge, *first)))
-                first = other;
-        }
-        return first->triangle;
+        const SightMesh::Side* const sides = mesh_.sides_of(edge);
+        const auto comes_before = [&](const SightMesh::Side& a, const SightMesh::Side& b) {
+            const bool is_a = picture_.side_of(a) == side, is_b = picture_.side_of(b) == side;
+            return is_a != is_b ? is_b : rise(edge, a) < rise(edge, b);
+        };
+        return std::max_element(sides, sides + mesh_.side_count(edge), comes_before)->triangle;
     }
 
     bool are_flat(std::uint32_t a, std::uint32_t b) const {
