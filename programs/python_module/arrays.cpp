@@ -40,9 +40,8 @@ struct LineArrays {
     std::vector<std::uint8_t> kinds, closed, hidden, outline;
 
     template <class Point>
-    void add_point(const Point& point) {
-        for (int i = 0; i < 3; ++i)
-            points.push_back(point.position[i]);
+    void add_point(const Eigen::Vector3d& place, const Point& point) {
+        points.insert(points.end(), place.begin(), place.end());
         weights.push_back(point.weight);
         gradients.push_back(point.gradient);
         opacities.push_back(point.opacity);
@@ -116,7 +115,7 @@ nb::dict arrays_of(const LineSet& set) {
     LineArrays arrays;
     for (const Polyline& line : set.lines) {
         for (std::uint32_t i = 0; i < line.count; ++i)
-            arrays.add_point(set.points[line.first + i]);
+            arrays.add_point(set.place(set.points[line.first + i]), set.points[line.first + i]);
         arrays.end_line(line, false, false);
     }
     return arrays.hand_over();
@@ -126,7 +125,7 @@ nb::dict arrays_of(const std::vector<SightLine>& lines) {
     LineArrays arrays;
     for (const SightLine& line : lines) {
         for (const SightPoint& point : line.points)
-            arrays.add_point(point);
+            arrays.add_point(point.position, point);
         arrays.end_line(line, line.is_hidden, line.is_outline);
     }
     return arrays.hand_over();
