@@ -7,33 +7,22 @@
 namespace line_renderer {
 namespace {
 
-class Version {
-public:
-    Version() {
-        const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-        if (text) std::sscanf(text, "%d.%d", &major_, &minor_);
-    }
-    bool isAtLeast(int major, int minor) const {
-        return major_ > major || (major_ == major && minor_ >= minor);
-    }
-
-private:
-    int major_ = 0, minor_ = 0;
-};
-
 GlFeatures currentFeatures() {
-    const Version version;
+    int major = 0, minor = 0;
+    if (const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION)))
+        std::sscanf(text, "%d.%d", &major, &minor);
+    const int version = 10 * major + minor;
     const auto has = [](const char* extension) {
         const QOpenGLContext* context = QOpenGLContext::currentContext();
         return context && context->hasExtension(extension);
     };
-    const bool is_3_0 = version.isAtLeast(3, 0);
+    const bool is_3_0 = version >= 30;
     GlFeatures features;
-    features.shaders = version.isAtLeast(2, 0);
+    features.shaders = version >= 20;
     features.array_objects = is_3_0 || has("GL_ARB_vertex_array_object");
     features.framebuffers = is_3_0 || has("GL_ARB_framebuffer_object");
     features.buffer_ranges = is_3_0 || has("GL_ARB_map_buffer_range");
-    features.instancing = version.isAtLeast(3, 3);
+    features.instancing = version >= 33;
     features.old_instancing =
         features.shaders && has("GL_ARB_instanced_arrays") && has("GL_ARB_draw_instanced");
     return features;

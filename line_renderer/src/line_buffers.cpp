@@ -3,14 +3,12 @@
 
 #include <algorithm>
 
-#include "line_program.h"
-
 namespace line_renderer {
 namespace {
 
 /// From the bound buffer. `divisor` 1: one value per segment.
-void pointAttribute(LineProgram::Attribute attribute, GLint floats, GLsizei stride,
-                    std::size_t offset, GLuint divisor) {
+void pointAttribute(LineAttribute attribute, GLint floats, GLsizei stride, std::size_t offset,
+                    GLuint divisor) {
     glEnableVertexAttribArray(attribute);
     glVertexAttribPointer(attribute, floats, GL_FLOAT, GL_FALSE, stride,
                           reinterpret_cast<const void*>(offset));
@@ -18,11 +16,7 @@ void pointAttribute(LineProgram::Attribute attribute, GLint floats, GLsizei stri
 }
 
 /// Four windows onto one array, each a point further.
-constexpr LineProgram::Attribute windows[] = {LineProgram::Before, LineProgram::Start,
-                                              LineProgram::End, LineProgram::After};
-constexpr LineProgram::Attribute per_segment[] = {LineProgram::Before,    LineProgram::Start,
-                                                  LineProgram::End,       LineProgram::After,
-                                                  LineProgram::StartLook, LineProgram::EndLook};
+constexpr LineAttribute windows[] = {Before, Start, End, After};
 
 GLsizeiptr bytes(std::size_t points) {
     return GLsizeiptr(points * sizeof(StreamPoint));
@@ -64,22 +58,22 @@ bool LineBuffers::unmap() {
 
 void LineBuffers::bind(std::size_t first) const {
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
-    pointAttribute(LineProgram::Corner, 2, 0, 0, 0);
+    pointAttribute(Corner, 2, 0, 0, 0);
 
     glBindBuffer(GL_ARRAY_BUFFER, stream_);
     const std::size_t begin = first * sizeof(StreamPoint);
     std::size_t offset = begin;
-    for (LineProgram::Attribute window : windows) {
+    for (LineAttribute window : windows) {
         pointAttribute(window, 4, sizeof(StreamPoint), offset, 1);
         offset += sizeof(StreamPoint);
     }
     const std::size_t look = begin + offsetof(StreamPoint, opacity);
-    pointAttribute(LineProgram::StartLook, 3, sizeof(StreamPoint), sizeof(StreamPoint) + look, 1);
-    pointAttribute(LineProgram::EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
+    pointAttribute(StartLook, 3, sizeof(StreamPoint), sizeof(StreamPoint) + look, 1);
+    pointAttribute(EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
 }
 
 void LineBuffers::unbind() {
-    for (LineProgram::Attribute attribute : per_segment)
+    for (LineAttribute attribute : {Before, Start, End, After, StartLook, EndLook})
         setDivisor(attribute, 0);
 }
 

@@ -9,10 +9,10 @@
 #include "gl_functions.h"
 #include "gl_state.h"
 #include "line_buffers.h"
-#include "line_program.h"
+#include "line_shaders.h"
 #include "line_stream.h"
 #include "per_share_group.h"
-#include "shaders.h"
+#include "shader_program.h"
 
 namespace line_renderer {
 namespace {
@@ -50,50 +50,47 @@ Eigen::Vector2f halfViewport() {
     return viewport().tail<2>() / 2;
 }
 
-void setColors(const LineProgram& program, const LineAppearance& appearance, double alpha) {
-    PerLook<std::array<float, 4>> colors;
+void setColors(const ShaderProgram& program, const LineAppearance& appearance, double alpha) {
+    PerLook<Eigen::Vector4f> colors;
     for (std::size_t look = 0; look < colors.size(); ++look) {
         const QColor& color = appearance.looks[look].color;
-        colors[look] = {float(color.redF()), float(color.greenF()), float(color.blueF()),
-                        float(color.alphaF() * alpha)};
+        colors[look] << float(color.redF()), float(color.greenF()), float(color.blueF()),
+            float(color.alphaF() * alpha);
     }
-    glUniform4fv(program.colors, GLsizei(colors.size()), colors.front().data());
+    program.set("colors", colors);
 }
 
-void setDepthBiases(const LineProgram& program, const LinePlacement& placement, double factor) {
+void setDepthBiases(const ShaderProgram& program, const LinePlacement& placement, double factor) {
     PerLook<float> biases;
     for (std::size_t look = 0; look < biases.size(); ++look)
         biases[look] = float(factor * lineClearance(look, placement));
-    glUniform1fv(program.depth_biases, GLsizei(biases.size()), biases.data());
+    program.set("depth_biases", biases);
 }
 
 /// How far from a line depths may let it be seen; from mesh edges the same, unless they are exact.
-void setReach(const LineProgram& program, const LinePlacement& placement, bool is_exact) {
+void setReach(const ShaderProgram& program, const LinePlacement& placement, bool is_exact) {
     const double pixels = to_side * placement.pixel_scale;
-    glUniform1f(program.to_side, float(pixels));
-    glUniform2f(program.edge_reach, is_exact ? float(edge_move) : float(unlimited),
-                float(is_exact ? edge_side : pixels));
+    const Eigen::Vector2d at_edges(is_exact ? edge_move : unlimited, is_exact ? edge_side : pixels);
+    program.set("to_side", float(pixels));
+    program.set("edge_reach", Eigen::Vector2f(at_edges.cast<float>()));
 }
 
 /// For both seen and hidden lines.
-void setPlacement(const LineProgram& program, const LinePlacement& placement, double radius) {
-    const Eigen::Matrix4f to_eye = placement.to_eye.cast<float>();
-    const Eigen::Matrix4f projection = placement.projection.cast<float>();
-    glUniformMatrix4fv(program.to_eye, 1, GL_FALSE, to_eye.data());
-    glUniformMatrix4fv(program.projection, 1, GL_FALSE, projection.data());
-    glUniform2fv(program.half_viewport, 1, halfViewport().data());
+void setPlacement(const ShaderProgram& program, const LinePlacement& placement, double radius) {
+    program.set("to_eye", Eigen::Matrix4f(placement.to_eye.cast<float>()));
+    program.set("projection", Eigen::Matrix4f(placement.projection.cast<float>()));
+    program.set("half_viewport", halfViewport());
     // A mark's corner at the far side of a line. Another layer's marks have this one's faces count
     // twice, in the texture and in the depth buffer, which must not hide a line's inner half.
     const double to_horizon =
         placement.depths.is_complete ? 0 : 0.71 * placement.mark_pixels + radius;
-    glUniform1f(program.mark_reach,
-                float(placement.diagonal * meanScale(placement.to_eye) * to_horizon));
+    program.set("mark_reach", float(placement.diagonal * meanScale(placement.to_eye) * to_horizon));
     glBindTexture(GL_TEXTURE_2D, placement.depths.id);
-    glUniform1i(program.surface_depth, 0);
+    program.set("surface_depth", 0);
     const Eigen::Vector4f view = viewport();
-    glUniform4f(program.pixels, view[0] + 0.5f, view[1] + 0.5f, view[0] + view[2] - 0.5f,
-                view[1] + view[3] - 0.5f);
-    glUniform2fv(program.texel, 1, placement.depths.texel.data());
+    program.set("pixels", Eigen::Vector4f(view[0] + 0.5f, view[1] + 0.5f, view[0] + view[2] - 0.5f,
+                                          view[1] + view[3] - 0.5f));
+    program.set("texel", placement.depths.texel);
 }
 
 /// For points less their set's origin.
@@ -107,7 +104,8 @@ LinePlacement relativeTo(const Eigen::Vector3d& origin, LinePlacement placement)
 }  // namespace
 
 struct LineRenderer::Objects {
-    LineProgram program;
+    ShaderProgram program{"Lines cannot be drawn", line_vertex_shader, line_fragment_shader,
+                          line_attributes};
     LineBuffers buffers;
 };
 
@@ -132,13 +130,14 @@ struct LineRenderer::Pass {
 
 void LineRenderer::drawPass(const Objects& objects, const LinePlacement& placement,
                             const Pass& pass, RedrawClock& clock) const {
-    const LineProgram& program = objects.program;
+    const ShaderProgram& program = objects.program;
     glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
-    glUniform1f(program.surface_side, pass.surface_side);
+    program.set("surface_side", pass.surface_side);
     setDepthBiases(program, placement, pass.bias_factor);
     setReach(program, placement, pass.sees_edges_exactly);
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
-    glUniform2f(program.dash, float(dash_scale * dash_pixels), float(dash_scale * dash_period));
+    program.set("dash",
+                Eigen::Vector2f(float(dash_scale * dash_pixels), float(dash_scale * dash_period)));
     clock.count(RedrawClock::DrawCalls);
     for (const StreamPart& part : parts_) {
         if (part.length == 0) continue;
@@ -191,7 +190,7 @@ void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& p
     const Objects& objects = objects_->current(makeObjects);
     const LineRadii in_pixels = lineRadii(appearance, placement.pixel_scale);
     const GlState state;
-    glUseProgram(objects.program.id);
+    objects.program.use();
     setPlacement(objects.program, relativeTo(origin_, placement),
                  *std::max_element(in_pixels.full.begin(), in_pixels.full.end()));
     if (appearance.hidden != HiddenLines::LeftOut)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shaders.h"
+#include "line_shaders.h"
 
 namespace line_renderer {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shaders.h"
+#include "shader_program.h"
 
 #include <stdexcept>
 #include <string>
@@ -66,10 +66,11 @@ GLuint build(const char* vertex_shader, const char* fragment_shader,
 
 }  // namespace
 
-GLuint buildShaderProgram(const char* refusal, const char* vertex_shader,
-                          const char* fragment_shader, const std::vector<const char*>& attributes) {
+ShaderProgram::ShaderProgram(const char* refusal, const char* vertex_shader,
+                             const char* fragment_shader,
+                             const std::vector<const char*>& attributes) {
     try {
-        return build(vertex_shader, fragment_shader, attributes);
+        id_ = build(vertex_shader, fragment_shader, attributes);
     } catch (const std::runtime_error& reason) {
         throw std::runtime_error(std::string(refusal) + ": " + reason.what());
     }

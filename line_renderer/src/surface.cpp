@@ -2,12 +2,39 @@
 #include "line_renderer/surface.h"
 
 #include <algorithm>
+#include <map>
+
+#include "gl_functions.h"
+#include "per_share_group.h"
 
 namespace line_renderer {
 
 using laplacian_lines::Field;
 using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
+
+namespace {
+
+struct Buffers {
+    GLuint vertices = 0;
+    GLuint triangles = 0;
+};
+
+/// Leaves the buffer bound.
+template <class T>
+GLuint makeBuffer(GLenum target, const std::vector<T>& content) {
+    GLuint buffer = 0;
+    glGenBuffers(1, &buffer);
+    glBindBuffer(target, buffer);
+    glBufferData(target, GLsizeiptr(content.size() * sizeof(T)), content.data(), GL_STATIC_DRAW);
+    return buffer;
+}
+
+const void* offset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);
+}
+
+}  // namespace
 
 SurfacePointer makeSurface(const TriangleMesh& mesh, const Field& field) {
     auto surface = std::make_shared<Surface>();
@@ -29,6 +56,58 @@ SurfacePointer makeSurface(const TriangleMesh& mesh, const Field& field) {
 std::size_t bytesOf(const Surface& surface) {
     return surface.vertices.capacity() * sizeof(SurfaceVertex) +
            surface.triangles.capacity() * sizeof(Triangle);
+}
+
+class SurfaceBuffers::Group {
+public:
+    void bind(const SurfacePointer& surface) {
+        const auto [entry, is_new] = buffers_.try_emplace(surface);
+        Buffers& buffers = entry->second;
+        if (is_new) {
+            buffers.vertices = makeBuffer(GL_ARRAY_BUFFER, surface->vertices);
+            buffers.triangles = makeBuffer(GL_ELEMENT_ARRAY_BUFFER, surface->triangles);
+        }
+        glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.triangles);
+    }
+
+    void freeExpired() {
+        for (auto entry = buffers_.begin(); entry != buffers_.end();) {
+            if (!entry->first.expired()) {
+                ++entry;
+                continue;
+            }
+            glDeleteBuffers(1, &entry->second.vertices);
+            glDeleteBuffers(1, &entry->second.triangles);
+            entry = buffers_.erase(entry);
+        }
+    }
+
+private:
+    std::map<std::weak_ptr<const Surface>, Buffers, std::owner_less<>> buffers_;
+};
+
+SurfaceBuffers::SurfaceBuffers() : groups_(std::make_unique<PerShareGroup<Group>>()) {}
+
+SurfaceBuffers::~SurfaceBuffers() = default;
+
+void SurfaceBuffers::draw(const SurfaceLayer& layer) {
+    const SurfacePointer surface = layer.surface.lock();
+    if (!surface) return;
+    Group& group = groups_->current();
+    group.freeExpired();
+    group.bind(surface);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glVertexPointer(3, GL_FLOAT, sizeof(SurfaceVertex), offset(0));
+    glNormalPointer(GL_FLOAT, sizeof(SurfaceVertex), offset(sizeof(Eigen::Vector3f)));
+    (layer.culls_back_faces ? glEnable : glDisable)(GL_CULL_FACE);
+
+    glMatrixMode(GL_MODELVIEW);
+    glPushMatrix();
+    glMultMatrixd(layer.transform.data());
+    glDrawElements(GL_TRIANGLES, GLsizei(3 * surface->triangles.size()), GL_UNSIGNED_INT, nullptr);
+    glPopMatrix();
 }
 
 }  // namespace line_renderer

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
-#include "depth_framebuffer.h"
 #include "gl_state.h"
 #include "per_share_group.h"
 
@@ -40,6 +40,42 @@ DrawnScene currentScene(const std::vector<SurfaceLayer>& layers) {
     scene.viewport = currentViewport();
     return scene;
 }
+
+/// A framebuffer with only a depth texture, bound while the object lives, then replaced by those
+/// bound before. Contexts cannot share framebuffers, so it lives for one drawing.
+class DepthFramebuffer {
+public:
+    /// @throws std::runtime_error if there are no framebuffer objects, or not for this texture
+    explicit DepthFramebuffer(GLuint texture) {
+        if (!glFeatures().framebuffers)
+            throw std::runtime_error(
+                "Lines over points and wires need framebuffer objects (OpenGL 3.0): show the layer "
+                "filled.");
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_before_);
+        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_before_);
+        glGenFramebuffers(1, &id_);
+        glBindFramebuffer(GL_FRAMEBUFFER, id_);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+        glDrawBuffer(GL_NONE);
+        glReadBuffer(GL_NONE);
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+        unbind();
+        throw std::runtime_error("The depth of the surface cannot be drawn into a texture.");
+    }
+    ~DepthFramebuffer() { unbind(); }
+    DepthFramebuffer(const DepthFramebuffer&) = delete;
+    DepthFramebuffer& operator=(const DepthFramebuffer&) = delete;
+
+private:
+    void unbind() {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(draw_before_));
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read_before_));
+        glDeleteFramebuffers(1, &id_);
+    }
+
+    GLuint id_ = 0;
+    GLint draw_before_ = 0, read_before_ = 0;
+};
 
 /// By the fixed pipeline, as MeshLab draws, for equal depths.
 void render(GLuint texture, const std::vector<SurfaceLayer>& layers, SurfaceBuffers& buffers) {
@@ -126,7 +162,7 @@ void SurfaceDepth::forgetDepthBuffer() {
 bool SurfaceDepth::canCopy() {
     GLint framebuffer = 0, samples = 0;
     glGetIntegerv(GL_SAMPLES, &samples);
-    if (hasFramebuffers()) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
+    if (glFeatures().framebuffers) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
     return framebuffer == 0 || samples == 0;
 }
 

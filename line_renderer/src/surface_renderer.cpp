@@ -4,7 +4,7 @@
 #include "gl_state.h"
 #include "line_stream.h"
 #include "per_share_group.h"
-#include "shaders.h"
+#include "shader_program.h"
 
 namespace line_renderer {
 namespace {
@@ -13,37 +13,148 @@ namespace {
 constexpr double least_move = 0.0005;
 constexpr double greatest_move = 0.03;
 
+// Paints faces, slightly nearer to the eye, in flat tones by the angle between normal and ray.
+const char* const surface_vertex_shader = R"(#version 120
+varying vec3 eye_position;
+varying vec3 eye_normal;
+
+void main()
+{
+    vec4 eye = gl_ModelViewMatrix * gl_Vertex;
+    eye_position = eye.xyz / eye.w;
+    eye_normal = gl_NormalMatrix * gl_Normal;
+    gl_Position = ftransform();
+}
+)";
+
+// Depth: MeshLab's wires and points are flat on the screen, so on a slope they stand out by what it
+// falls in half their width, and at a fold over the part behind. Only the compared depth is moved;
+// none is written.
+const char* const surface_fragment_shader = R"(#version 120
+uniform bool is_toon;
+uniform vec2 nearer;  // least and greatest move towards the eye, length in eye coordinates
+uniform sampler2D surface_depth;  // of the nearest faces
+uniform vec2 texel;  // of it, for a pixel; zero: the depth buffer alone decides
+varying vec3 eye_position;
+varying vec3 eye_normal;
+
+const float pixels_of_slope = 3.0;
+const float tones = 3.0;
+const float shade = 150.0 / 255.0;
+
+vec3 towardsEye()
+{
+    bool orthographic = gl_ProjectionMatrix[2][3] == 0.0;
+    return orthographic ? vec3(0.0, 0.0, 1.0) : normalize(-eye_position);
+}
+
+float depthMoved(float distance)
+{
+    vec4 clip = gl_ProjectionMatrix * vec4(eye_position + distance * towardsEye(), 1.0);
+    if (clip.w <= 0.0)
+        return 0.0;
+    return (gl_DepthRange.diff * clip.z / clip.w + gl_DepthRange.near + gl_DepthRange.far) * 0.5;
+}
+
+// 0 in the shade, 1 on bare paper, with steps one pixel wide.
+float tone()
+{
+    if (!is_toon)
+        return 1.0;
+    float size = length(eye_normal);
+    float brightness = size > 0.0 ? abs(dot(eye_normal, towardsEye())) / size : 1.0;
+    float scaled = brightness * tones;
+    float step_at = floor(scaled + 0.5);
+    float width = max(fwidth(scaled), 1e-6);
+    float level = step_at - 1.0 + clamp((scaled - step_at) / width + 0.5, 0.0, 1.0);
+    return clamp(level / (tones - 1.0), 0.0, 1.0);
+}
+
+bool isHidden(float slope)
+{
+    float nearest = texture2D(surface_depth, gl_FragCoord.xy * texel).r;
+    return texel.x > 0.0 && gl_FragCoord.z > nearest + 0.5 * slope + 1e-6;
+}
+
+// Within half the width of points and wires.
+float nearestAround()
+{
+    float nearest = 1.0;
+    if (texel.x > 0.0)
+        for (float y = -2.0; y <= 2.0; y += 1.0)
+            for (float x = -2.0; x <= 2.0; x += 1.0) {
+                vec2 place = (gl_FragCoord.xy + vec2(x, y)) * texel;
+                nearest = min(nearest, texture2D(surface_depth, place).r);
+            }
+    return nearest;
+}
+
+void main()
+{
+    float slope = fwidth(gl_FragCoord.z);
+    if (isHidden(slope))
+        discard;
+    float moved = clamp(gl_FragCoord.z - pixels_of_slope * slope,
+                        depthMoved(nearer.y), depthMoved(nearer.x));
+    gl_FragDepth = min(moved, nearestAround() + depthMoved(nearer.y) - gl_FragCoord.z);
+    gl_FragColor = vec4(vec3(mix(shade, 1.0, tone())), 1.0);
+}
+)";
+
+// At the depth of an empty view.
+const char* const background_vertex_shader = R"(#version 120
+void main()
+{
+    gl_Position = vec4(gl_Vertex.xy, 1.0, 1.0);
+}
+)";
+
+const char* const background_fragment_shader = R"(#version 120
+void main()
+{
+    gl_FragColor = vec4(1.0);
+}
+)";
+
 }  // namespace
 
-struct SurfaceRenderer::Program {
-    GLuint id = buildShaderProgram("The surface cannot be painted", surface_vertex_shader,
-                                   surface_fragment_shader);
-    GLint is_toon = glGetUniformLocation(id, "is_toon");
-    GLint nearer = glGetUniformLocation(id, "nearer");
-    GLint surface_depth = glGetUniformLocation(id, "surface_depth");
-    GLint texel = glGetUniformLocation(id, "texel");
-};
-
-SurfaceRenderer::SurfaceRenderer() : programs_(std::make_unique<PerShareGroup<Program>>()) {}
+SurfaceRenderer::SurfaceRenderer()
+    : surface_programs_(std::make_unique<PerShareGroup<ShaderProgram>>()),
+      background_programs_(std::make_unique<PerShareGroup<ShaderProgram>>()) {}
 
 SurfaceRenderer::~SurfaceRenderer() = default;
 
 void SurfaceRenderer::paint(const SurfaceLayer& layer, SurfaceStyle style,
                             const Eigen::Matrix4d& to_eye, const DepthTexture& depth,
                             SurfaceBuffers& buffers) {
-    const Program& program = programs_->current();
+    const ShaderProgram& program = surface_programs_->current([] {
+        return ShaderProgram("The surface cannot be painted", surface_vertex_shader,
+                             surface_fragment_shader);
+    });
     const GlState state;
     glDisable(GL_BLEND);
-    glUseProgram(program.id);
-    glUniform1i(program.is_toon, style == SurfaceStyle::Toon);
+    program.use();
+    program.set("is_toon", style == SurfaceStyle::Toon);
     const double diagonal = layer.diagonal * meanScale(to_eye);
-    glUniform2f(program.nearer, float(least_move * diagonal), float(greatest_move * diagonal));
+    program.set("nearer",
+                Eigen::Vector2f(float(least_move * diagonal), float(greatest_move * diagonal)));
     const bool is_needed = !depth.is_complete;
     glBindTexture(GL_TEXTURE_2D, is_needed ? depth.id : 0);
-    glUniform1i(program.surface_depth, 0);
-    const Eigen::Vector2f texel = is_needed ? depth.texel : Eigen::Vector2f(0, 0);
-    glUniform2fv(program.texel, 1, texel.data());
+    program.set("surface_depth", 0);
+    program.set("texel", is_needed ? depth.texel : Eigen::Vector2f(0, 0));
     buffers.draw(layer);
+}
+
+void SurfaceRenderer::paintBackground() {
+    const ShaderProgram& program = background_programs_->current([] {
+        return ShaderProgram("The background cannot be painted", background_vertex_shader,
+                             background_fragment_shader);
+    });
+    const GlState state;
+    glDisable(GL_BLEND);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    program.use();
+    glRectf(-1, -1, 1, 1);
 }
 
 }  // namespace line_renderer

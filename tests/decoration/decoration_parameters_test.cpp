@@ -60,11 +60,10 @@ TEST(DecorationParameters, AreInTheDocuments) {
 TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
     const DecorationParameters defaults, read = readValidParameters(listed()).chosen;
     EXPECT_EQ(read.drawing_style, DrawingStyle::Custom);
-    const line_renderer::LineLooks usual = line_renderer::usualLooks();
     for (const auto& kind : laplacian_lines::line_kinds) {
         const line_renderer::LineLook& look = read.appearance.looks[std::size_t(kind.kind)];
         EXPECT_EQ(look.color, QColor(Qt::black));
-        EXPECT_DOUBLE_EQ(look.width, usual[std::size_t(kind.kind)].width);
+        EXPECT_DOUBLE_EQ(look.width, line_renderer::usual_line_width * kind.width);
         EXPECT_EQ(read.style.shows[kind.kind], kind.shown) << kind.key;
     }
     EXPECT_EQ(read.surface, SurfaceLook::AsMeshLabDrawsIt);

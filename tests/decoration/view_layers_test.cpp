@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view_layers.h"
+#include "view_drawing.h"
 
 #include <gtest/gtest.h>
 

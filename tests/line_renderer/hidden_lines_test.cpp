@@ -2,7 +2,7 @@
 // Hidden lines: left out, faint or dashed, by the depth buffer or a texture.
 #include <cmath>
 
-#include "line_test.h"
+#include "gl_test.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // Visible lines: width, colors, joints and ends, in pixels.
 #include <cmath>
 
-#include "line_test.h"
+#include "gl_test.h"
 
 namespace {
 

@@ -2,9 +2,8 @@
 // What OpenGL lacks is refused with a reason each time, without another try; older versions'
 // extensions are used.
 #include "gl_functions.h"
-#include "line_renderer/background_renderer.h"
+#include "gl_test.h"
 #include "line_renderer/surface_renderer.h"
-#include "line_test.h"
 
 namespace {
 
@@ -60,11 +59,10 @@ TEST_F(RefusalsTest, ProgramsThatFailAreCompiledOnce) {
     const line_renderer::SurfacePointer surface = rectangles.surface();
     line_renderer::SurfaceBuffers buffers;
     line_renderer::SurfaceRenderer surfaces;
-    line_renderer::BackgroundRenderer background;
     const auto paintSurface = [&] {
         surfaces.paint(layerOf(surface), {}, Eigen::Matrix4d::Identity(), depth_.copy(), buffers);
     };
-    const auto paintBackground = [&] { background.paint(); };
+    const auto paintBackground = [&] { surfaces.paintBackground(); };
     std::string refusals[3];
     {
         const Replaced<PFNGLSHADERSOURCEPROC> spoilt(line_renderer::glShaderSource.pointer(),

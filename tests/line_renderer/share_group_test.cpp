@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Objects of a share group are made once, used by all its contexts, and forgotten with it.
+#include "gl_test.h"
 #include "line_renderer/surface_renderer.h"
-#include "line_test.h"
 
 namespace {
 

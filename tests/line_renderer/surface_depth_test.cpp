@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_renderer/surface_depth.h"
-#include "gl_context.h"
+#include "gl_test.h"
 
 namespace {
 

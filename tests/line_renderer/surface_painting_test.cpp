@@ -3,8 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "gl_context.h"
-#include "line_renderer/background_renderer.h"
+#include "gl_test.h"
 #include "line_renderer/surface_depth.h"
 #include "line_renderer/surface_renderer.h"
 
@@ -103,7 +102,7 @@ TEST_F(SurfacePaintingTest, BackgroundIsWhereNothingIsAndLeavesAlphaAndDepth) {
     canvas_.clear(0, nothing);
     canvas_.putDepth(30, 20, 50, 40, 0.5);
     canvas_.putDepth(100, 20, 20, 40, -0.999);
-    line_renderer::BackgroundRenderer().paint();
+    renderer_.paintBackground();
     const QImage picture = canvas_.picture();
     for (int x = 0; x < Canvas::width; ++x)
         for (int y = 0; y < Canvas::height; ++y) {

@@ -18,14 +18,11 @@ using LineLooks = std::array<LineLook, laplacian_lines::line_kind_count>;
 /// Default width of a Laplacian line of full weight, pixels.
 constexpr double usual_line_width = 1.6;
 
-/// The colors and widths of laplacian_lines::line_kinds.
-LineLooks usualLooks();
-
 /// What is drawn of hidden parts of lines.
 enum class HiddenLines { LeftOut, Faint, Dashed };
 
 struct LineAppearance {
-    LineLooks looks = usualLooks();
+    LineLooks looks;
     HiddenLines hidden = HiddenLines::LeftOut;
 };
 

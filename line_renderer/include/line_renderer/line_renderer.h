@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "laplacian_lines/line_set.h"
-#include "line_renderer/depth_texture.h"
 #include "line_renderer/line_appearance.h"
 #include "line_renderer/redraw_clock.h"
+#include "line_renderer/surface_depth.h"
 
 namespace line_renderer {
 

@@ -10,6 +10,9 @@
 
 namespace line_renderer {
 
+template <class Object>
+class PerShareGroup;
+
 struct SurfaceVertex {
     Eigen::Vector3f position;  ///< mesh coordinates
     Eigen::Vector3f normal;    ///< of the field: smoothed, zero where a vertex was left out
@@ -39,7 +42,22 @@ struct SurfaceLayer {
                transform == other.transform && culls_back_faces == other.culls_back_faces &&
                is_in_depth_buffer == other.is_in_depth_buffer;
     }
-    bool operator!=(const SurfaceLayer& other) const { return !(*this == other); }
+};
+
+/// Faces in OpenGL's memory, by share group; freed at the group's next drawing after the surface is
+/// gone. GUI thread only.
+class SurfaceBuffers {
+public:
+    SurfaceBuffers();
+    ~SurfaceBuffers();
+
+    /// Draws all faces with normals by the program in use, with the camera's matrices current;
+    /// nothing if the surface is gone. Changes OpenGL's state: for renderers, which restore it.
+    void draw(const SurfaceLayer& layer);
+
+private:
+    class Group;
+    std::unique_ptr<PerShareGroup<Group>> groups_;
 };
 
 }  // namespace line_renderer

@@ -4,13 +4,19 @@
 #include <memory>
 #include <vector>
 
-#include "line_renderer/depth_texture.h"
-#include "line_renderer/surface_buffers.h"
+#include "line_renderer/surface.h"
 
 namespace line_renderer {
 
 template <class Object>
 class PerShareGroup;
+
+/// Depths 0..1 of a viewport: the window's pixel (x, y) is at (x, y) · texel.
+struct DepthTexture {
+    unsigned id = 0;  ///< OpenGL's name, of the current share group; 0: there is none
+    Eigen::Vector2f texel = Eigen::Vector2f::Zero();
+    bool is_complete = false;  ///< holds all that is in the depth buffer too
+};
 
 /// The depths that lines are compared with, a texture per share group. Keeps OpenGL's state. GUI
 /// thread only.

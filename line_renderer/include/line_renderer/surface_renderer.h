@@ -4,33 +4,38 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "line_renderer/depth_texture.h"
-#include "line_renderer/surface_buffers.h"
+#include "line_renderer/surface.h"
+#include "line_renderer/surface_depth.h"
 
 namespace line_renderer {
 
 template <class Object>
 class PerShareGroup;
+class ShaderProgram;
 
 /// White, or in three tones from white to gray where the surface turns away.
 enum class SurfaceStyle { Paper, Toon };
 
-/// Paints faces of meshes over what is seen of them already. One program per share group. GUI
-/// thread only.
+/// Paints faces of meshes over what is seen of them already, and what is around them. Keeps
+/// OpenGL's state. One program each per share group. GUI thread only.
 class SurfaceRenderer {
 public:
     SurfaceRenderer();
     ~SurfaceRenderer();
 
     /// Paints the nearest faces by the depth buffer and by `depth`, which adds nothing if the
-    /// buffer is complete. Needs the camera's matrices current; `to_eye` is from the mesh. Keeps
-    /// OpenGL's state. @throws std::runtime_error if OpenGL cannot do it
+    /// buffer is complete. Needs the camera's matrices current; `to_eye` is from the mesh.
+    /// @throws std::runtime_error if OpenGL cannot do it
     void paint(const SurfaceLayer& layer, SurfaceStyle style, const Eigen::Matrix4d& to_eye,
                const DepthTexture& depth, SurfaceBuffers& buffers);
 
+    /// Whitens the pixels of the current viewport that have the depth of an empty view. Call it
+    /// before any lines, which reach beyond outlines. Keeps depths and alpha, so that snapshots
+    /// without background stay so. @throws std::runtime_error if OpenGL cannot do it
+    void paintBackground();
+
 private:
-    struct Program;
-    std::unique_ptr<PerShareGroup<Program>> programs_;
+    std::unique_ptr<PerShareGroup<ShaderProgram>> surface_programs_, background_programs_;
 };
 
 }  // namespace line_renderer

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <GL/gl.h>
+#include <gtest/gtest.h>
 
 #include <Eigen/Core>
 #include <QColor>
 #include <QImage>
+#include <memory>
 
 #include "line_renderer/line_renderer.h"
-#include "line_renderer/surface.h"
+#include "line_renderer/surface_depth.h"
+#include "made_up_lines.h"
 
 /// A framebuffer with colors, alpha and depths, bound in the current context while it lives.
 /// Coordinates are pixels from the lower left until the camera changes; z in -1..1 points to an
@@ -76,3 +79,48 @@ private:
     Function& function_;
     Function before_;
 };
+
+/// Without a window; current until another one is.
+class GlContext {
+public:
+    /// In its own share group, or `partner`'s. @throws std::runtime_error if there is no OpenGL
+    explicit GlContext(const GlContext* partner = nullptr);
+    ~GlContext();
+
+    void makeCurrent();
+
+private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+/// Draws on a canvas in its own context.
+class GlTest : public testing::Test {
+protected:
+    GlContext context_;
+    Canvas canvas_;
+};
+
+class LineTest : public GlTest {
+protected:
+    /// Hidden by the depth buffer.
+    QImage drawn(const laplacian_lines::LineSet& lines,
+                 const line_renderer::LineAppearance& appearance,
+                 line_renderer::LinePlacement placement = Canvas::placement()) {
+        depth_.forgetDepthBuffer();
+        placement.depths = depth_.copy();
+        line_renderer::RedrawClock clock;
+        renderer_.upload(lines, appearance, placement);
+        renderer_.draw(appearance, placement, clock);
+        return canvas_.picture();
+    }
+
+    line_renderer::SurfaceDepth depth_;
+    line_renderer::LineRenderer renderer_;
+};
+
+inline line_renderer::LineAppearance blackLines(double width) {
+    line_renderer::LineAppearance appearance;
+    appearance.looks.fill({Qt::black, width});
+    return appearance;
+}
