@@ -129,8 +129,11 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
     // Not at redraws: MeshLab restarts decorations whenever a parameter changes.
     const ValidParameters valid = validParameters(parameters);
     meshlab_host::noteDrawnStyle(drawnStyleOf(valid.chosen));
-    const QString forgotten = forgetOtherSettings();
-    if (!forgotten.isEmpty()) say(QString("%1: %2").arg(title, forgotten));
+    if (!has_looked_at_settings_) {
+        const QString forgotten = forgetOtherSettings();
+        if (!forgotten.isEmpty()) say(QString("%1: %2").arg(title, forgotten));
+    }
+    has_looked_at_settings_ = true;
     QString refusal;
     try {
         const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
@@ -139,7 +142,8 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
         refusal = QString::fromUtf8(error.what());
     }
     if (refusal.isEmpty()) return true;
-    const GLLogStream* log = meshlab_host::documentLog(mesh);
+    const MeshDocument* document = meshlab_host::documentOf(mesh);
+    const GLLogStream* log = document ? &document->Log : nullptr;
     complaints_.erase({log, int(mesh.id())});  // each time that it is switched on
     complain(mesh, log, refusal);
     return false;
@@ -190,8 +194,8 @@ void DecorateLaplacianLines::meshGone(GLArea* view) {
 
 PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view,
                                                          bool needs_derivatives) {
-    const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
-    if (!alive.empty()) cache_.releaseAllBut(view, alive);
+    if (const MeshDocument* document = meshlab_host::documentOf(mesh))
+        cache_.releaseAllBut(view, meshlab_host::layerIds(*document));
     const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
     const auto say_line = [this](const QString& line) { say(line); };
     const auto prepare = [&] {
@@ -217,7 +221,7 @@ void DecorateLaplacianLines::keep(const MeshModel& mesh, const PreparedLinesPoin
             kept_.forgetAllBut(document, alive);
         });
         connect(document, &QObject::destroyed, this, [=] { known_layers_.erase(document); });
-        const std::vector<int> alive = meshlab_host::liveMeshIds(mesh);
+        const std::vector<int> alive = meshlab_host::layerIds(*document);
         known->second.insert(alive.begin(), alive.end());
     }
     known->second.insert(mesh.id());
@@ -282,7 +286,8 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     clock.count(RedrawClock::Extraction);
 
     layer.is_first = beginsRedraw(painter);
-    if (layer.is_first) layer.shown = meshlab_host::shownMeshIds(mesh);
+    const MeshDocument* document = meshlab_host::documentOf(mesh);
+    if (layer.is_first && document) layer.shown = meshlab_host::layerIds(*document, true);
     drawing_.draw(layer, lines_, chosen, clock);
     if (!lines->first_redraw) lines->first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};

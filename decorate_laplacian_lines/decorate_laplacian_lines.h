@@ -5,12 +5,11 @@
 #include <set>
 
 #include "decoration_parameters.h"
-#include "kept_lines.h"
 #include "laplacian_lines/line_extractor.h"
 #include "line_cache.h"
 #include "line_renderer/redraw_clock.h"
+#include "meshlab_host/camera.h"
 #include "meshlab_host/decorate_plugin_base.h"
-#include "meshlab_host/snapshot_tiles.h"
 #include "view_drawing.h"
 #include "view_levels.h"
 
@@ -71,5 +70,5 @@ private:
     ViewDrawing drawing_;
     laplacian_lines::ExtractionScratch scratch_;
     laplacian_lines::LineSet lines_, faded_lines_;
-    bool shows_statistics_ = false;
+    bool shows_statistics_ = false, has_looked_at_settings_ = false;
 };

@@ -4,13 +4,27 @@
 #include <algorithm>
 
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/option_rows.h"
 #include "meshlab_host/parameters.h"
 
 namespace {
 
+using namespace laplacian_lines::option_rows;
+using laplacian_lines::LineKind;
+using laplacian_lines::LineStyle;
+using Parameters = DecorationParameters;
+constexpr auto style = &Parameters::style;
+
+std::vector<const char*> mixtureNames() {
+    std::vector<const char*> names = {"As Ticked Below"};
+    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::line_mixtures)
+        names.push_back(mixture.label);
+    return names;
+}
+
 void add(const DecorationRow& row, RichParameterList& list) {
-    meshlab_host::addParameter(meshlab_host::describe(row, decoration_prefix),
-                               row.get(DecorationParameters()), 0, list);
+    meshlab_host::addNumber(meshlab_host::describe(row, decoration_prefix),
+                            row.get(DecorationParameters()), 0, list);
 }
 
 void add(const ColorRow& row, RichParameterList& list) {
@@ -18,28 +32,30 @@ void add(const ColorRow& row, RichParameterList& list) {
                             row.label, meshlab_host::toolTip(row.help)));
 }
 
-struct Reader {
-    ValidParameters& result;
-    const RichParameterList& list;
-    const DecorationParameters& last_time;
+void read(const DecorationRow& row, const RichParameterList& list,
+          const DecorationParameters& last_time, ValidParameters& result) {
+    const auto parameter = meshlab_host::describe(row, decoration_prefix);
+    try {
+        row.set(result.as_set, meshlab_host::readNumber(parameter, row.get(result.as_set), list));
+    } catch (const laplacian_lines::Error& error) {
+        const double value = row.get(last_time);
+        row.set(result.as_set, value);
+        result.refused +=
+            QString("%1 Until then it stays %2.").arg(error.what(), textOf(value, parameter));
+    }
+}
 
-    void operator()(const DecorationRow& row) const {
-        DecorationParameters& read = result.as_set;
-        const auto parameter = meshlab_host::describe(row, decoration_prefix);
-        try {
-            row.set(read, meshlab_host::readParameter(parameter, row.get(read), list));
-        } catch (const laplacian_lines::Error& error) {
-            const double value = row.get(last_time);
-            row.set(read, value);
-            result.refused +=
-                QString("%1 Until then it stays %2.").arg(error.what(), textOf(value, parameter));
-        }
-    }
-    void operator()(const ColorRow& row) const {
-        QColor& color = result.as_set.*row.color;
-        color = meshlab_host::readColor(decoration_prefix + row.key, color, list);
-    }
-};
+void read(const ColorRow& row, const RichParameterList& list, const DecorationParameters&,
+          ValidParameters& result) {
+    QColor& color = result.as_set.*row.color;
+    color = meshlab_host::readColor(decoration_prefix + row.key, color, list);
+}
+
+/// Null if the ticks count.
+const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters) {
+    if (parameters.mixture == as_ticked) return nullptr;
+    return &laplacian_lines::line_mixtures.at(std::size_t(parameters.mixture - 1));
+}
 
 /// Kinds that a mixture tells apart by their colors have them in any drawing style if it is the
 /// one that colors all.
@@ -79,6 +95,71 @@ DecorationParameters inEffect(DecorationParameters parameters) {
 
 }  // namespace
 
+const std::vector<std::variant<DecorationRow, ColorRow>>& decorationTable() {
+    static const std::vector<std::variant<DecorationRow, ColorRow>> table = {
+        choice<&Parameters::drawing_style>(
+            "drawing_style", "Drawing Style",
+            {"Custom", "Publication (Black on White)", "Archaeology (Side Light)"},
+            "Publication: black lines on white paper that fills the view, with the light at the "
+            "eye. Archaeology: the same with the light from the upper left, or from where Light "
+            "has it. Line Color and Surface count in the style Custom only."),
+        choice<&Parameters::mixture>(
+            "lines", "Lines", mixtureNames(),
+            "The kinds ticked below, or one of the kinds of other papers with the outlines, "
+            "whatever is ticked. The last has all at once, each in a color of its own."),
+        real<style, &LineStyle::detail>(
+            "detail", "Detail", 0, 100,
+            "0 to 100: more or fewer lines of all kinds; 50 is the usual."),
+        real<&Parameters::line_width>("line_width", "Line Width", 0.1, 64,
+                                      "In pixels, where a line is strongest; it tapers where it "
+                                      "fades out."),
+        real<&Parameters::outline_width>("contour_width_factor", "Outline Width", 0.1, 16,
+                                         "Of outlines and borders, in widths of the lines inside."),
+        ColorRow{"line_color", "Line Color",
+                 "Of all lines but those that Lines tells apart by their colors.",
+                 &Parameters::line_color},
+        choice<&Parameters::appearance, &line_renderer::LineAppearance::hidden>(
+            "hidden_lines", "Hidden Lines", {"Not Drawn", "Faint", "Dashed"},
+            "Those behind the surface."),
+        choice<&Parameters::scale>(
+            "scale", "Scale", {"As Computed", "With the View"},
+            "Of the forms that Laplacian lines show. As Computed: the kernel size of the filter "
+            "Compute Laplacian Lines, or its default, at any zoom. With the View: what is large "
+            "enough to be drawn at this zoom, a kernel of four line widths."),
+        kind_switch<LineKind::Contour, style, &LineStyle::shows>(),
+        kind_switch<LineKind::Laplacian, style, &LineStyle::shows>(),
+        kind_switch<LineKind::Ridge, style, &LineStyle::shows>(),
+        kind_switch<LineKind::Crease, style, &LineStyle::shows>(),
+        kind_switch<LineKind::Border, style, &LineStyle::shows>(),
+        choice<&Parameters::surface>(
+            "surface", "Surface",
+            {"As MeshLab Draws It", "Paper", "Toon", "As MeshLab Draws It, on Paper"},
+            "Paper: nothing but lines on white. Toon: three flat tones, darker where the surface "
+            "turns away, on white."),
+        choice<&Parameters::light>(
+            "light", "Light",
+            {"At the Eye", "From the Upper Left", "From Above", "From the Upper Right",
+             "From the Right", "From the Lower Right", "From Below", "From the Lower Left",
+             "From the Left"},
+            "Whose shading the Laplacian lines draw. All but the first turn with the camera, 45 "
+            "degrees above the plane of the picture. Outlines follow the eye."),
+        boolean<&Parameters::show_statistics>(
+            "show_statistics", "Show Statistics",
+            "In the view: the number of lines; milliseconds to find them (extraction), to hand "
+            "them to OpenGL (upload), to tell it what to draw (draw calls) and of its own "
+            "drawing; seconds that switching them on took."),
+        real<style, &LineStyle::gradient_threshold>(
+            "gradient_threshold", "Gradient Threshold t", 0, 1e6,
+            "Least change of the shading across a line: its gradient times the diagonal of the "
+            "bounding box, without a unit. Larger leaves out lines on gentle forms."),
+        real<style, &LineStyle::strength_threshold>(
+            "strength_threshold", "Strength Threshold tau", 0, 1e6,
+            "Least strength of a line: its gradient summed along its length, without a unit. "
+            "Larger leaves out short and weak lines."),
+    };
+    return table;
+}
+
 void listDecorationParameters(RichParameterList& list) {
     for (const auto& any : decorationTable())
         std::visit([&](const auto& row) { add(row, list); }, any);
@@ -89,16 +170,11 @@ std::optional<double> lightAzimuth(const DecorationParameters& parameters) {
     return 315 + 45 * (parameters.light - from_the_upper_left);
 }
 
-const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters) {
-    if (parameters.mixture == as_ticked) return nullptr;
-    return &laplacian_lines::line_mixtures.at(std::size_t(parameters.mixture - 1));
-}
-
 ValidParameters readValidParameters(const RichParameterList& list,
                                     const DecorationParameters& last_time) {
     ValidParameters result;
-    for (const auto& row : decorationTable())
-        std::visit(Reader{result, list, last_time}, row);
+    for (const auto& any : decorationTable())
+        std::visit([&](const auto& row) { read(row, list, last_time, result); }, any);
     result.chosen = inEffect(result.as_set);
     return result;
 }

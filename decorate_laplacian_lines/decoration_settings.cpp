@@ -20,7 +20,7 @@ QString allowedBy(const ColorRow&) {
 
 /// As the dialog has it.
 QString valueIn(const QString& text, const DecorationRow& row) {
-    const meshlab_host::ParameterDescription description = meshlab_host::describe(row, "");
+    const meshlab_host::ParameterDescription description = meshlab_host::describe(row);
     return meshlab_host::textOf(meshlab_host::valueIn(text, description), description);
 }
 QString valueIn(const QString& text, const ColorRow& row) {

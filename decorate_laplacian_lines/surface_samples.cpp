@@ -2,8 +2,9 @@
 #include "surface_samples.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <cmath>
+
+#include "meshlab_host/camera.h"
 
 namespace {
 
@@ -55,8 +56,9 @@ double SurfaceSamples::pixelSize(const PictureOfMesh& picture) const {
     const double sum = weight.sum();
     if (!(sum > 0)) return 0;
     const double mean_depth = std::exp((weight * depth.log()).sum() / sum);
-    const double scale = std::cbrt(std::abs(picture.to_eye.topLeftCorner<3, 3>().determinant()));
-    return 2 * mean_depth / (std::abs(picture.projection(1, 1)) * picture.height * scale);
+    return 2 * mean_depth /
+           (std::abs(picture.projection(1, 1)) * picture.height *
+            meshlab_host::meanScale(picture.to_eye));
 }
 
 std::size_t SurfaceSamples::bytes() const {

@@ -4,24 +4,23 @@
 #include <QElapsedTimer>
 #include <string>
 
-#include "compute_filter.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/version.h"
 #include "meshlab_host/field_attributes.h"
+#include "meshlab_host/field_source.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/parameters.h"
-#include "meshlab_host/progress.h"
 
 using laplacian_lines::Error;
 using laplacian_lines::ErrorCode;
 using laplacian_lines::Field;
+using laplacian_lines::FieldScale;
+using laplacian_lines::MeshReport;
 using laplacian_lines::PrecomputeOptions;
 
 namespace {
-
-const QString key_prefix;  // scripts use the keys of the option table as they are
 
 /// Of the core's table. The others keep their defaults here.
 std::vector<laplacian_lines::OptionDescription<PrecomputeOptions>> makeTable() {
@@ -50,35 +49,101 @@ void store(MeshDocument& document, int mesh_id, const meshlab_host::GeometryStam
     meshlab_host::writeField(mesh->cm, field, options, stamp);
 }
 
-}  // namespace
-
-meshlab_host::FilterDescription ComputeFilter::description() const {
-    meshlab_host::FilterDescription result;
-    result.name = "Compute Laplacian Lines";
-    result.python_name = "compute_laplacian_lines_per_vertex";
-    result.help =
-        QStringLiteral(
-            "Chooses how the surface is analysed; without this filter, Render &gt; <b>Laplacian "
-            "Lines</b> takes the defaults. The result is in per-vertex attributes <b>ll_...</b>, "
-            "until the mesh changes.<br>"
-            "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, "
-            "2009. Version ") +
-        laplacian_lines::version() + '.';
-    result.filter_class =
-        meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Quality;
-    result.preconditions = MeshModel::MM_FACENUMBER;
-    return result;
+QString meshLine(const MeshReport& report) {
+    return QString("Laplacian lines: %1 vertices, %2 triangles")
+        .arg(report.vertices)
+        .arg(report.triangles);
 }
 
-void ComputeFilter::listParameters(const MeshModel* mesh, RichParameterList& list) const {
-    meshlab_host::addParameters(optionTable(), PrecomputeOptions(),
-                                mesh ? double(mesh->cm.bbox.Diag()) : 0, key_prefix, list);
+QString counted(std::size_t count, const char* one, const char* several) {
+    return QString("%1 %2").arg(count).arg(count == 1 ? one : several);
 }
 
-void ComputeFilter::run(const meshlab_host::FilterRun& run) const {
+/// Empty if all was used.
+QString leftOutLine(const MeshReport& report) {
+    QStringList parts;
+    if (report.non_finite_vertices)
+        parts << counted(report.non_finite_vertices, "vertex with non-finite coordinates",
+                         "vertices with non-finite coordinates");
+    if (report.degenerate_triangles)
+        parts << counted(report.degenerate_triangles, "triangle without area",
+                         "triangles without area");
+    if (report.unreferenced_vertices)
+        parts << counted(report.unreferenced_vertices, "vertex without triangles",
+                         "vertices without triangles");
+    return parts.isEmpty() ? QString() : "Left out: " + parts.join(", ");
+}
+
+QString weldedLine(const MeshReport& report) {
+    return report.welded_vertices
+               ? "Cuts closed: " + counted(report.welded_vertices,
+                                           "duplicate vertex treated as one with another",
+                                           "duplicate vertices treated as one with others")
+               : QString();
+}
+
+QString undoneLine(const MeshReport& report) {
+    const int times = report.undone_subdivisions;
+    return times ? QString(
+                       "Subdivision undone: field and lines are those of the %1 triangles "
+                       "before each was cut in %2")
+                       .arg(report.triangles >> 2 * times)
+                       .arg(1 << 2 * times)
+                 : QString();
+}
+
+QString kernelLine(const FieldScale& scale) {
+    return QString(
+               "Kernel size %1 in mesh units = %2 mean edges = %3 % of the bounding-box diagonal")
+        .arg(scale.kernel_size, 0, 'g', 5)
+        .arg(scale.kernel_size / scale.mean_edge, 0, 'f', 2)
+        .arg(100 * scale.kernel_size / scale.diagonal, 0, 'f', 2);
+}
+
+/// Empty without smoothing.
+QString smoothingLine(const Field& field, const PrecomputeOptions& options) {
+    if (!(field.scale.normal_sigma > 0)) return QString();
+    const bool is_automatic = options.normal_sigma == 0;
+    return (is_automatic ? QString("Roughness %1: normals").arg(field.report.roughness, 0, 'f', 2)
+                         : QString("Normals")) +
+           QString(" smoothed by %1 mean edges")
+               .arg(field.scale.normal_sigma / field.scale.mean_edge, 0, 'f', 2);
+}
+
+/// "Laplace Operator: Heat Kernel (Belkin), Normal Smoothing: Gaussian, ..."
+QString choicesLine(const PrecomputeOptions& options) {
+    QStringList parts;
+    for (const auto& row : laplacian_lines::precompute_option_table())
+        if (row.kind == laplacian_lines::OptionKind::Choice)
+            parts << QString("%1: %2").arg(row.label, row.choices[std::size_t(row.get(options))]);
+    return parts.join(", ");
+}
+
+/// "None were left out" is not said.
+QStringList computeReport(const Field& field, const PrecomputeOptions& options, double seconds) {
+    QStringList lines{meshLine(field.report),   leftOutLine(field.report),
+                      weldedLine(field.report), undoneLine(field.report),
+                      kernelLine(field.scale),  smoothingLine(field, options),
+                      choicesLine(options)};
+    lines << QString("Computed in %1 s, stored per vertex in %2")
+                 .arg(seconds, 0, 'f', 2)
+                 .arg(meshlab_host::fieldAttributeNames(field));
+    lines.removeAll(QString());
+    return lines + meshlab_host::meshAdvice(field.report);
+}
+
+void listParameters(const MeshModel* mesh, RichParameterList& list) {
+    const double diagonal = mesh ? double(mesh->cm.bbox.Diag()) : 0;
+    for (const auto& row : optionTable())
+        meshlab_host::addParameter(row, PrecomputeOptions(), list, diagonal);
+}
+
+void run(const meshlab_host::FilterRun& run) {
     QElapsedTimer clock;
     clock.start();
-    const auto options = meshlab_host::readOptions(optionTable(), key_prefix, run.parameters);
+    PrecomputeOptions options;
+    for (const auto& row : optionTable())
+        meshlab_host::readParameter(row, options, run.parameters);
     const CMeshO& mesh = run.document.mm()->cm;
     const int mesh_id = run.document.mm()->id();
     const meshlab_host::GeometryStamp stamp = meshlab_host::geometryStamp(mesh);
@@ -87,4 +152,24 @@ void ComputeFilter::run(const meshlab_host::FilterRun& run) const {
     store(run.document, mesh_id, stamp, field, options);
     for (const QString& line : computeReport(field, options, 1e-3 * double(clock.elapsed())))
         run.say(line);
+}
+
+}  // namespace
+
+meshlab_host::Filter computeFilter() {
+    meshlab_host::FilterDescription description;
+    description.name = "Compute Laplacian Lines";
+    description.python_name = "compute_laplacian_lines_per_vertex";
+    description.help =
+        QStringLiteral(
+            "Chooses how the surface is analysed; without this filter, Render &gt; <b>Laplacian "
+            "Lines</b> takes the defaults. The result is in per-vertex attributes <b>ll_...</b>, "
+            "until the mesh changes.<br>"
+            "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, "
+            "2009. Version ") +
+        laplacian_lines::version() + '.';
+    description.filter_class =
+        meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Quality;
+    description.preconditions = MeshModel::MM_FACENUMBER;
+    return {description, listParameters, run};
 }

@@ -13,7 +13,6 @@
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/documents.h"
 #include "meshlab_host/layer_drawing.h"
-#include "meshlab_host/progress.h"
 #include "placed_layers.h"
 
 using line_drawing::Sheet;
@@ -75,26 +74,12 @@ QString freeName(const QString& name, const std::string& provenance) {
     }
 }
 
-}  // namespace
-
-meshlab_host::FilterDescription DrawingFilter::description() const {
-    meshlab_host::FilterDescription result;
-    result.name = filter_name;
-    result.python_name = "export_laplacian_lines_drawing";
-    result.help = QStringLiteral(
-        "Writes a measured drawing: lines at scale on paper, as vectors, from the window's view or "
-        "several sides.");
-    result.filter_class = meshlab_host::FilterInterface::Normal;
-    result.preconditions = MeshModel::MM_FACENUMBER;
-    return result;
-}
-
-void DrawingFilter::listParameters(const MeshModel* mesh, RichParameterList& list) const {
+void listParameters(const MeshModel* mesh, RichParameterList& list) {
     const bool has_window = meshlab_host::currentView().has_value();
     listDrawingParameters(drawingDefaults(mesh, has_window), list);
 }
 
-void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
+void run(const meshlab_host::FilterRun& run) {
     const DrawingParameters chosen = readDrawingParameters(run.parameters);
     QString name = inQt(fileFor(*run.document.mm(), chosen.file));
     std::string place = QFile::encodeName(name).toStdString();  // as the system has it
@@ -133,4 +118,18 @@ void DrawingFilter::run(const meshlab_host::FilterRun& run) const {
     meshlab_host::addResult("paper", {sheet.size.x(), sheet.size.y(), 0}, run.results);
     meshlab_host::addResult("object", size, run.results);
     meshlab_host::keepUnmodified(run.document);
+}
+
+}  // namespace
+
+meshlab_host::Filter drawingFilter() {
+    meshlab_host::FilterDescription description;
+    description.name = filter_name;
+    description.python_name = "export_laplacian_lines_drawing";
+    description.help = QStringLiteral(
+        "Writes a measured drawing: lines at scale on paper, as vectors, from the window's view or "
+        "several sides.");
+    description.filter_class = meshlab_host::FilterInterface::Normal;
+    description.preconditions = MeshModel::MM_FACENUMBER;
+    return {description, listParameters, run};
 }

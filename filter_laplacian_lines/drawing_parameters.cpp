@@ -3,7 +3,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <cmath>
 
 #include "line_drawing/words.h"
 #include "meshlab_host/camera.h"
@@ -15,12 +14,9 @@ using line_drawing::SheetOption;
 using line_drawing::SheetOptions;
 using line_drawing::ViewFrame;
 using meshlab_host::CurrentView;
-using meshlab_host::ParameterDescription;
 using meshlab_host::TextDescription;
 
 namespace {
-
-const QString key_prefix;  // scripts use the keys as they are
 
 const std::vector<SheetOption>& filterOptions() {
     static const std::vector<SheetOption> options = [] {
@@ -32,10 +28,6 @@ const std::vector<SheetOption>& filterOptions() {
     return options;
 }
 
-ParameterDescription describe(const SheetOption& option) {
-    return meshlab_host::describe(option.row, key_prefix);
-}
-
 TextDescription describeText(const SheetOption& option) {
     const bool is_file = option.text == &DrawingParameters::file;
     return {option.row.key, option.row.label, option.row.help,
@@ -44,9 +36,8 @@ TextDescription describeText(const SheetOption& option) {
 
 /// In world coordinates.
 double diagonalOf(const MeshModel& layer) {
-    const Eigen::Matrix4d transform = meshlab_host::layerTransform(layer.cm);
-    const double factor = std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
-    return factor * double(layer.cm.bbox.Diag());
+    return meshlab_host::meanScale(meshlab_host::layerTransform(layer.cm)) *
+           double(layer.cm.bbox.Diag());
 }
 
 const char* const window_view = "window";
@@ -67,13 +58,9 @@ ViewFrame frameOf(const CurrentView& window) {
 }
 
 void takeFromDecoration(SheetOptions& options) {
-    const std::optional<meshlab_host::DrawnStyle> drawn = meshlab_host::drawnStyle();
-    if (!drawn)
-        refuse(
-            "The decoration Laplacian Lines has drawn nothing here. Switch it on in MeshLab's "
-            "window first, or set \"Settings\" to 0 (Defaults).");
-    options.style = line_drawing::styleOnPaper(drawn->style);
-    if (drawn->light_azimuth) options.light = meshlab_host::towardsLight(*drawn->light_azimuth);
+    const meshlab_host::DrawnStyle drawn = meshlab_host::demandDrawnStyle();
+    options.style = line_drawing::styleOnPaper(drawn.style);
+    if (drawn.light_azimuth) options.light = meshlab_host::towardsLight(*drawn.light_azimuth);
 }
 
 }  // namespace
@@ -94,7 +81,7 @@ void listDrawingParameters(const DrawingParameters& defaults, RichParameterList&
         if (option.text)
             meshlab_host::addText(describeText(option), inQt(defaults.*option.text), list);
         else
-            meshlab_host::addParameter(describe(option), option.row.get(defaults), 0, list);
+            meshlab_host::addParameter(option.row, defaults, list);
 }
 
 DrawingParameters readDrawingParameters(const RichParameterList& list) {
@@ -104,8 +91,7 @@ DrawingParameters readDrawingParameters(const RichParameterList& list) {
             result.*text = meshlab_host::readText(describeText(option), inQt(result.*text), list)
                                .toStdString();
         else
-            option.row.set(result, meshlab_host::readParameter(describe(option),
-                                                               option.row.get(result), list));
+            meshlab_host::readParameter(option.row, result, list);
     return result;
 }
 

@@ -4,11 +4,7 @@
 #include "filters.h"
 
 meshlab_host::FilterList makeFilters() {
-    meshlab_host::FilterList result;
-    result.push_back(std::make_unique<ComputeFilter>());
-    result.push_back(std::make_unique<PolylineFilter>());
-    result.push_back(std::make_unique<DrawingFilter>());
-    return result;
+    return {computeFilter(), polylineFilter(), drawingFilter()};
 }
 
 FilterLaplacianLines::FilterLaplacianLines()

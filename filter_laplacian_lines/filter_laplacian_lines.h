@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "meshlab_host/filter_plugin_base.h"
+#include "meshlab_host/filter.h"
 
 /// In the order of the plugin's actions.
 meshlab_host::FilterList makeFilters();

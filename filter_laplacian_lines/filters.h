@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "laplacian_lines/line_set.h"
 #include "meshlab_host/filter.h"
 
 // Descriptions in dialogs are short: these have to fit small screens, and not all scroll.
 
 /// laplacian_lines::precompute(): parameters in, per-vertex attributes out.
-class ComputeFilter : public meshlab_host::Filter {
-public:
-    meshlab_host::FilterDescription description() const override;
-    void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
-    void run(const meshlab_host::FilterRun& run) const override;
-};
+meshlab_host::Filter computeFilter();
 
 /// The lines of a mesh from one view, as a layer of polylines.
-class PolylineFilter : public meshlab_host::Filter {
-public:
-    meshlab_host::FilterDescription description() const override;
-    void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
-    void run(const meshlab_host::FilterRun& run) const override;
-};
+meshlab_host::Filter polylineFilter();
 
-/// "12 Laplacian lines, 1 ridge", without kinds that have none.
-QString kindsInWords(const laplacian_lines::LineSet& lines);
-
-/// A measured drawing, as a file, of a layer as it stands in the world.
-class DrawingFilter : public meshlab_host::Filter {
-public:
-    meshlab_host::FilterDescription description() const override;
-    void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
-    void run(const meshlab_host::FilterRun& run) const override;
-};
+/// A measured drawing, as a file, of layers as they stand in the world.
+meshlab_host::Filter drawingFilter();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "placed_layers.h"
 
+#include <Eigen/LU>
 #include <QStringList>
 #include <cmath>
+#include <utility>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
@@ -10,15 +12,28 @@
 #include "meshlab_host/documents.h"
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/mesh_conversion.h"
-#include "meshlab_host/progress.h"
-#include "placed_mesh.h"
 
 using laplacian_lines::Error;
 using laplacian_lines::ErrorCode;
+using laplacian_lines::Field;
 using laplacian_lines::Progress;
+using laplacian_lines::ShapeOperator;
 using meshlab_host::FilterRun;
 
 namespace {
+
+/// MeshLab's transformations are floats.
+constexpr double tolerance = 1e-4;
+
+Eigen::Matrix3f matrixOf(const ShapeOperator& s) {
+    Eigen::Matrix3f matrix;
+    matrix << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
+    return matrix;
+}
+
+ShapeOperator shapeOperatorOf(const Eigen::Matrix3f& m) {
+    return {m(0, 0), m(1, 1), m(2, 2), m(1, 2), m(0, 2), m(0, 1)};
+}
 
 /// A stretched layer needs a field of its own.
 laplacian_lines::Field fieldOfStretched(const laplacian_lines::TriangleMesh& mesh, double factor,
@@ -41,8 +56,8 @@ PlacedLayer placeInWorld(const MeshModel& layer, const FilterRun& run, const Pro
     }
     if (!similarity) {
         place(transform, result.mesh);
-        const double factor = std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
-        result.field = fieldOfStretched(result.mesh, factor, source.options, run, progress);
+        result.field = fieldOfStretched(result.mesh, meshlab_host::meanScale(transform),
+                                        source.options, run, progress);
         return result;
     }
     result.field =
@@ -53,25 +68,11 @@ PlacedLayer placeInWorld(const MeshModel& layer, const FilterRun& run, const Pro
     return result;
 }
 
-/// By number: layers may go while others are worked on.
-std::vector<int> visibleLayers(const MeshDocument& document) {
-    std::vector<int> numbers;
-    for (const MeshModel* layer : meshlab_host::layersOf(document))
-        if (layer->isVisible()) numbers.push_back(int(layer->id()));
-    return numbers;
-}
-
-const MeshModel* layerOf(const MeshDocument& document, int number) {
-    for (const MeshModel* layer : meshlab_host::layersOf(document))
-        if (int(layer->id()) == number) return layer;
-    return nullptr;
-}
-
 void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
-    const std::vector<int> numbers = visibleLayers(run.document);
-    const double step = share / std::max<double>(1, double(numbers.size()));
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const MeshModel* layer = layerOf(run.document, numbers[i]);
+    const std::vector<int> ids = meshlab_host::layerIds(run.document, true);
+    const double step = share / std::max<double>(1, double(ids.size()));
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const MeshModel* layer = run.document.getMesh(ids[i]);  // may have gone meanwhile
         if (!layer) continue;
         const QString name = layer->label();
         if (layer->cm.fn == 0) {
@@ -94,6 +95,46 @@ void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
 }
 
 }  // namespace
+
+std::optional<Similarity> similarityOf(const Eigen::Matrix4d& layer) {
+    const Eigen::Matrix3d linear = layer.topLeftCorner<3, 3>();
+    const double factor = std::cbrt(linear.determinant());
+    if (!(factor > 0) || !std::isfinite(factor)) return std::nullopt;
+    const Eigen::Matrix3d rotation = linear / factor;
+    if (!(rotation.transpose() * rotation).isIdentity(tolerance)) return std::nullopt;
+    return Similarity{rotation, factor};
+}
+
+void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh) {
+    const Eigen::Matrix3d linear = layer.topLeftCorner<3, 3>();
+    const double determinant = linear.determinant();
+    if (determinant == 0 || !layer.allFinite())
+        laplacian_lines::refuse(
+            "The layer's transformation cannot be inverted. Reset it, or freeze it.");
+    for (Eigen::Vector3d& p : mesh.positions)
+        p = linear * p + layer.topRightCorner<3, 1>();
+    if (determinant < 0)
+        for (laplacian_lines::Triangle& triangle : mesh.triangles)
+            std::swap(triangle[1], triangle[2]);
+}
+
+void place(const Similarity& similarity, Field& field) {
+    const Eigen::Matrix3f rotation = similarity.rotation.cast<float>();
+    const auto factor = float(similarity.factor);
+    for (Eigen::Vector3f& n : field.normals)
+        n = (rotation * n).eval();
+    for (Eigen::Vector3f& n : field.laplacian_normals)
+        n = (rotation * n / (factor * factor)).eval();
+    for (ShapeOperator& s : field.shape_operators)
+        s = shapeOperatorOf(rotation * matrixOf(s) * rotation.transpose() / factor);
+    field.smooth_curvatures.clear();
+    field.curvature_derivatives.clear();
+    for (float& size : field.kernel_sizes)
+        size *= factor;
+    for (double* length : {&field.scale.diagonal, &field.scale.mean_edge, &field.scale.kernel_size,
+                           &field.scale.normal_sigma})
+        *length *= similarity.factor;
+}
 
 PlacedLayers placeLayers(const LayerChoice& choice, const FilterRun& run, double share) {
     constexpr double field_part = 0.9;

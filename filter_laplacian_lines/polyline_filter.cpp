@@ -16,7 +16,6 @@
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/mesh_conversion.h"
-#include "meshlab_host/progress.h"
 #include "polyline_parameters.h"
 #include "polyline_view.h"
 
@@ -123,8 +122,7 @@ void recordView(const meshlab_host::FilterRun& run, PolylineParameters seen, con
     meshlab_host::recordAs(filter_name, recorded, run.document);
 }
 
-}  // namespace
-
+/// "12 Laplacian lines, 1 ridge", without kinds that have none.
 QString kindsInWords(const LineSet& lines) {
     std::array<std::size_t, laplacian_lines::line_kind_count> counts{};
     for (const auto& line : lines.lines)
@@ -136,25 +134,11 @@ QString kindsInWords(const LineSet& lines) {
     return parts.join(", ");
 }
 
-meshlab_host::FilterDescription PolylineFilter::description() const {
-    meshlab_host::FilterDescription result;
-    result.name = filter_name;
-    result.python_name = "generate_polyline_from_laplacian_lines";
-    result.help = QStringLiteral(
-        "Creates a layer with the lines of the current layer as seen from one view, that of the "
-        "window or another: vertices and edges, for other filters and programs (OBJ, DXF), with "
-        "attributes <b>ll_...</b> that tell more about them.");
-    result.filter_class =
-        meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer;
-    result.preconditions = MeshModel::MM_FACENUMBER;
-    return result;
-}
-
-void PolylineFilter::listParameters(const MeshModel* mesh, RichParameterList& list) const {
+void listParameters(const MeshModel* mesh, RichParameterList& list) {
     listPolylineParameters(polylineDefaults(mesh, meshlab_host::currentView()), list);
 }
 
-void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
+void run(const meshlab_host::FilterRun& run) {
     const PolylineParameters chosen = readPolylineParameters(run.parameters);
     const MeshModel& mesh = *run.document.mm();
     const Source source(mesh);
@@ -179,4 +163,20 @@ void PolylineFilter::run(const meshlab_host::FilterRun& run) const {
     addResults(eye, run.results);
     run.results["sees_all"] = warning.isEmpty();
     if (chosen.view == ViewChoice::CurrentView) recordView(run, chosen, eye);
+}
+
+}  // namespace
+
+meshlab_host::Filter polylineFilter() {
+    meshlab_host::FilterDescription description;
+    description.name = filter_name;
+    description.python_name = "generate_polyline_from_laplacian_lines";
+    description.help = QStringLiteral(
+        "Creates a layer with the lines of the current layer as seen from one view, that of the "
+        "window or another: vertices and edges, for other filters and programs (OBJ, DXF), with "
+        "attributes <b>ll_...</b> that tell more about them.");
+    description.filter_class =
+        meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer;
+    description.preconditions = MeshModel::MM_FACENUMBER;
+    return {description, listParameters, run};
 }

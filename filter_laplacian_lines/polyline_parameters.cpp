@@ -18,7 +18,6 @@ using meshlab_host::PlaceKind;
 using Row = laplacian_lines::OptionDescription<Parameters>;
 namespace rows = laplacian_lines::option_rows;
 
-const QString key_prefix;             // scripts use the keys as they are
 constexpr double largest_box = 1e15;  // as the core has it
 
 struct PlaceRow {
@@ -68,32 +67,17 @@ const std::vector<std::variant<Row, PlaceRow>>& table() {
     return table;
 }
 
-struct Lister {
-    const Parameters& defaults;
-    RichParameterList& list;
+using meshlab_host::addParameter;
+using meshlab_host::readParameter;
 
-    void operator()(const Row& row) const {
-        meshlab_host::addParameter(meshlab_host::describe(row, key_prefix), row.get(defaults), 0,
-                                   list);
-    }
-    void operator()(const PlaceRow& row) const {
-        meshlab_host::addPlace(row.description, defaults.*row.value, list);
-    }
-};
+void addParameter(const PlaceRow& row, const Parameters& defaults, RichParameterList& list) {
+    meshlab_host::addPlace(row.description, defaults.*row.value, list);
+}
 
-struct Reader {
-    Parameters& result;
-    const RichParameterList& list;
-
-    void operator()(const Row& row) const {
-        row.set(result, meshlab_host::readParameter(meshlab_host::describe(row, key_prefix),
-                                                    row.get(result), list));
-    }
-    void operator()(const PlaceRow& row) const {
-        Eigen::Vector3d& target = result.*row.value;
-        target = meshlab_host::readPlace(row.description, target, list);
-    }
-};
+void readParameter(const PlaceRow& row, Parameters& parameters, const RichParameterList& list) {
+    Eigen::Vector3d& target = parameters.*row.value;
+    target = meshlab_host::readPlace(row.description, target, list);
+}
 
 void takeFromMixture(const laplacian_lines::LineMixture& mixture, Parameters& parameters) {
     parameters.style.shows = mixture.kinds;
@@ -103,15 +87,11 @@ void takeFromMixture(const laplacian_lines::LineMixture& mixture, Parameters& pa
 }
 
 void takeFromDecoration(Parameters& parameters) {
-    const std::optional<meshlab_host::DrawnStyle> drawn = meshlab_host::drawnStyle();
-    if (!drawn)
-        laplacian_lines::refuse(
-            "The decoration Laplacian Lines has drawn nothing here. Switch it on in MeshLab's "
-            "window first, or set \"Settings\" to 0 (Defaults).");
-    parameters.style = drawn->style;
-    parameters.visible_only = !drawn->shows_hidden;
-    parameters.light_azimuth = drawn->light_azimuth;
-    parameters.colors = drawn->colors;
+    const meshlab_host::DrawnStyle drawn = meshlab_host::demandDrawnStyle();
+    parameters.style = drawn.style;
+    parameters.visible_only = !drawn.shows_hidden;
+    parameters.light_azimuth = drawn.light_azimuth;
+    parameters.colors = drawn.colors;
 }
 
 /// MeshLab's box includes vertices that lines ignore: not finite, or far beyond the rest.
@@ -154,14 +134,14 @@ PolylineParameters polylineDefaults(const MeshModel* mesh,
 }
 
 void listPolylineParameters(const PolylineParameters& defaults, RichParameterList& list) {
-    for (const auto& row : table())
-        std::visit(Lister{defaults, list}, row);
+    for (const auto& any : table())
+        std::visit([&](const auto& row) { addParameter(row, defaults, list); }, any);
 }
 
 PolylineParameters readPolylineParameters(const RichParameterList& list) {
     Parameters result;
-    for (const auto& row : table())
-        std::visit(Reader{result, list}, row);
+    for (const auto& any : table())
+        std::visit([&](const auto& row) { readParameter(row, result, list); }, any);
     if (result.settings == line_drawing::settings_of_decoration) takeFromDecoration(result);
     if (const auto* mixture = line_drawing::mixtureAt(result.settings))
         takeFromMixture(*mixture, result);

@@ -5,6 +5,43 @@
 #include <cmath>
 
 namespace meshlab_host {
+namespace {
+
+bool isOrthographic(const Eigen::Matrix4d& projection) {
+    // The last row makes w: (0, 0, 0, 1), or (0, 0, -1, 0) in perspective.
+    return projection(3, 2) == 0;
+}
+
+/// How far the frustum's middle is left of and below the axis of sight, in half widths and heights.
+/// Tile c of n has n - 1 - 2c, an integer.
+Eigen::Vector2d offset(const Eigen::Matrix4d& projection) {
+    // Perspective divides by -z, hence the sign.
+    return isOrthographic(projection) ? Eigen::Vector2d(projection.col(3).head<2>())
+                                      : Eigen::Vector2d(-projection.col(2).head<2>());
+}
+
+void moveToMiddle(Eigen::Matrix4d& projection) {
+    projection.col(isOrthographic(projection) ? 3 : 2).head<2>().setZero();
+}
+
+bool isWhole(double number) {
+    return std::abs(number - std::round(number)) < 1e-3;
+}
+
+/// Tiles start at the lower left.
+bool isFirstTile(const Eigen::Vector2d& offset) {
+    return offset.x() > 0.5 && std::abs(offset.x() - offset.y()) < 1e-3 && isWhole(offset.x());
+}
+
+}  // namespace
+
+CameraMatrices cameraFromGl() {
+    CameraMatrices camera;
+    // Both OpenGL and Eigen store columns.
+    glGetDoublev(GL_MODELVIEW_MATRIX, camera.modelview.data());
+    glGetDoublev(GL_PROJECTION_MATRIX, camera.projection.data());
+    return camera;
+}
 
 Eigen::Matrix4d layerTransform(const CMeshO& mesh) {
     Eigen::Matrix4d result;
@@ -14,9 +51,8 @@ Eigen::Matrix4d layerTransform(const CMeshO& mesh) {
     return result;
 }
 
-bool isOrthographic(const Eigen::Matrix4d& projection) {
-    // The last row makes w: (0, 0, 0, 1), or (0, 0, -1, 0) in perspective.
-    return projection(3, 2) == 0;
+double meanScale(const Eigen::Matrix4d& transform) {
+    return std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
 }
 
 std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& modelview,
@@ -56,6 +92,19 @@ std::optional<Eigen::Vector3d> directionInMesh(const Eigen::Vector3d& direction,
     const Eigen::Vector3d result = to_mesh * direction;
     if (!result.allFinite() || !(result.norm() > 0)) return std::nullopt;
     return result;
+}
+
+double SnapshotTiles::scale(const CameraMatrices& camera) {
+    // Asked first: an inner tile can look like the first one of fewer.
+    const bool is_next = scale_ > 1 && camera.modelview.isApprox(camera_.modelview, 1e-6) &&
+                         std::abs(camera.projection(1, 1) / camera_.projection(1, 1) - 1) < 1e-5;
+    if (is_next) return scale_;
+    const Eigen::Vector2d place = offset(camera.projection);
+    if (!isFirstTile(place)) return 1;
+    camera_ = middle_ = camera;
+    moveToMiddle(middle_.projection);
+    scale_ = 1 + std::round(place.x());
+    return scale_;
 }
 
 }  // namespace meshlab_host

@@ -5,9 +5,25 @@
 #include <QMdiArea>
 #include <QMdiSubWindow>
 
-#include "shot_receiver.h"
+#include "meshlab_host/meshlab_api.h"
 
 namespace meshlab_host {
+
+/// Receives the camera that a GL view sends. The signal is the same in all versions.
+class ShotReceiver : public QObject {
+    Q_OBJECT
+
+public:
+    /// Empty if the view does not answer.
+    static std::optional<Shotm> ask(QObject& view);
+
+public slots:
+    void receive(QString name, Shotm shot);
+
+private:
+    std::optional<Shotm> shot_;
+};
+
 namespace {
 
 // A name of our own: all who have asked a view hear each answer.
@@ -68,3 +84,5 @@ std::optional<CurrentView> currentView() {
 }
 
 }  // namespace meshlab_host
+
+#include "current_view.moc"

@@ -39,7 +39,8 @@ bool DecoratePluginBase::startDecorate(ActionPointer, MeshModel& mesh,
         meshGone(view);
         return false;
     }
-    if (GLLogStream* log = documentLog(mesh)) setLog(log);  // MeshLab may have set another, or none
+    if (MeshDocument* document = documentOf(mesh))
+        setLog(&document->Log);  // MeshLab may have set another, or none
     return start(mesh, parameters ? *parameters : RichParameterList(), view);
 }
 

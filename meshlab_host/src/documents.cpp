@@ -1,21 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/documents.h"
 
+#include <QApplication>
+#include <QPointer>
 #include <QTimer>
 #include <algorithm>
 
-#include "scene.h"
-
 namespace meshlab_host {
-
 namespace {
 
-std::vector<int> idsOf(const MeshDocument& document, bool only_shown = false) {
-    std::vector<int> ids;
-    for (const MeshModel* layer : layersOf(document))
-        if (!only_shown || layer->isVisible()) ids.push_back(int(layer->id()));
-    std::sort(ids.begin(), ids.end());
-    return ids;
+/// Closing a project can destroy a document before its scene, which keeps a reference, so each
+/// document is watched from when its scene is first seen.
+class WatchedDocuments {
+public:
+    /// Null if it is gone.
+    const MeshDocument* of(MLSceneGLSharedDataContext* scene) {
+        entries_.erase(std::remove_if(entries_.begin(), entries_.end(),
+                                      [](const Entry& entry) { return entry.scene.isNull(); }),
+                       entries_.end());
+        for (const Entry& entry : entries_)
+            if (entry.scene == scene) return entry.document;
+        entries_.push_back({scene, &scene->meshDoc()});
+        return entries_.back().document;
+    }
+
+private:
+    struct Entry {
+        QPointer<MLSceneGLSharedDataContext> scene;
+        QPointer<MeshDocument> document;
+    };
+    std::vector<Entry> entries_;
+};
+
+bool holds(const MeshDocument* document, const MeshModel& mesh) {
+    if (!document) return false;
+    const std::vector<const MeshModel*> layers = layersOf(*document);
+    return std::find(layers.begin(), layers.end(), &mesh) != layers.end();
 }
 
 /// MeshLab 2020.09 has a pointer to its history.
@@ -28,26 +48,28 @@ std::vector<int> idsOf(const MeshDocument& document, bool only_shown = false) {
 
 }  // namespace
 
-std::vector<int> liveMeshIds(const MeshModel& mesh) {
-    MLSceneGLSharedDataContext* scene = sceneOf(mesh);
-    return scene ? idsOf(scene->meshDoc()) : std::vector<int>();
+MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh) {
+    static WatchedDocuments documents;
+    MLSceneGLSharedDataContext* found = nullptr;
+    // A widget that is never shown and has no parent; all are visited, to watch them.
+    for (QWidget* widget : QApplication::allWidgets()) {
+        auto* scene = qobject_cast<MLSceneGLSharedDataContext*>(widget);
+        if (scene && holds(documents.of(scene), mesh)) found = scene;
+    }
+    return found;
 }
 
-std::vector<int> shownMeshIds(const MeshModel& mesh) {
-    MLSceneGLSharedDataContext* scene = sceneOf(mesh);
-    return scene ? idsOf(scene->meshDoc(), true) : std::vector<int>();
+MLSceneGLSharedDataContext* sceneOf(const MeshDocument& document) {
+    if (!qobject_cast<QApplication*>(QCoreApplication::instance())) return nullptr;
+    for (QWidget* widget : QApplication::allWidgets())
+        if (auto* scene = qobject_cast<MLSceneGLSharedDataContext*>(widget))
+            if (&scene->meshDoc() == &document) return scene;
+    return nullptr;
 }
 
 MeshDocument* documentOf(const MeshModel& mesh) {
     MLSceneGLSharedDataContext* scene = sceneOf(mesh);
     return scene ? &scene->meshDoc() : nullptr;
-}
-
-void whenMeshesChange(const MeshDocument* document, QObject* receiver,
-                      const std::function<void(const std::vector<int>&)>& changed) {
-    QObject::connect(document, &MeshDocument::meshSetChanged, receiver,
-                     [=] { changed(idsOf(*document)); });
-    QObject::connect(document, &QObject::destroyed, receiver, [=] { changed({}); });
 }
 
 std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
@@ -62,9 +84,19 @@ std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
     return layers;
 }
 
-GLLogStream* documentLog(const MeshModel& mesh) {
-    MLSceneGLSharedDataContext* scene = sceneOf(mesh);
-    return scene ? &scene->meshDoc().Log : nullptr;
+std::vector<int> layerIds(const MeshDocument& document, bool only_shown) {
+    std::vector<int> ids;
+    for (const MeshModel* layer : layersOf(document))
+        if (!only_shown || layer->isVisible()) ids.push_back(int(layer->id()));
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+void whenMeshesChange(const MeshDocument* document, QObject* receiver,
+                      const std::function<void(const std::vector<int>&)>& changed) {
+    QObject::connect(document, &MeshDocument::meshSetChanged, receiver,
+                     [=] { changed(layerIds(*document)); });
+    QObject::connect(document, &QObject::destroyed, receiver, [=] { changed({}); });
 }
 
 void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text) {

@@ -6,6 +6,7 @@
 #include <QVariantMap>
 #include <algorithm>
 
+#include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 
 namespace meshlab_host {
@@ -42,10 +43,13 @@ void noteDrawnStyle(const DrawnStyle& drawn) {
         application->setProperty(property, map);
 }
 
-std::optional<DrawnStyle> drawnStyle() {
+DrawnStyle demandDrawnStyle() {
     const QObject* application = QCoreApplication::instance();
     const QVariantMap map = application ? application->property(property).toMap() : QVariantMap();
-    if (map.isEmpty()) return std::nullopt;
+    if (map.isEmpty())
+        laplacian_lines::refuse(
+            "The decoration Laplacian Lines has drawn nothing here. Switch it on in MeshLab's "
+            "window first, or set \"Settings\" to 0 (Defaults).");
     DrawnStyle drawn;
     for (const auto& row : laplacian_lines::line_style_table())
         row.set(drawn.style, map.value(row.key, row.get(drawn.style)).toDouble());

@@ -33,14 +33,6 @@ void visitVertices(const LineSet& lines, Visit visit) {
     }
 }
 
-template <class Value>
-void addAttribute(const LineSet& lines, const char* name, CMeshO& mesh, Value value) {
-    auto& values = demandVertexValues<Scalarm>(mesh, name);
-    visitVertices(
-        lines, [&](std::size_t vertex, const LinePoint& point, const Polyline& line,
-                   std::size_t number) { values[vertex] = Scalarm(value(point, line, number)); });
-}
-
 void addVertices(const LineSet& lines, CMeshO& mesh) {
     std::size_t count = 0;
     for (const Polyline& line : lines.lines)
@@ -86,21 +78,23 @@ struct OrientedPoints {
 void toEdgeMesh(const LineSet& lines, CMeshO& mesh) {
     addVertices(lines, mesh);
     addEdges(lines, mesh);
-    const auto add = [&](const char* name, auto value) { addAttribute(lines, name, mesh, value); };
-    add("ll_line", [](const LinePoint&, const Polyline&, std::size_t number) { return number; });
-    add("ll_kind",
-        [](const LinePoint&, const Polyline& line, std::size_t) { return int(line.kind); });
-    add("ll_strength",
-        [](const LinePoint&, const Polyline& line, std::size_t) { return line.strength; });
-    add("ll_slope", [](const LinePoint&, const Polyline& line, std::size_t) {
-        return std::max(line.slope, 0.f);
+    const auto column = [&](const char* name) {
+        return demandVertexValues<Scalarm>(mesh, name).data();
+    };
+    Scalarm *const numbers = column("ll_line"), *const kinds = column("ll_kind"),
+                   *const strengths = column("ll_strength"), *const slopes = column("ll_slope"),
+                   *const weights = column("ll_weight"), *const gradients = column("ll_gradient"),
+                   *const opacities = column("ll_opacity");
+    visitVertices(lines, [&](std::size_t vertex, const LinePoint& point, const Polyline& line,
+                             std::size_t number) {
+        numbers[vertex] = Scalarm(number);
+        kinds[vertex] = Scalarm(int(line.kind));
+        strengths[vertex] = line.strength;
+        slopes[vertex] = std::max(line.slope, 0.f);
+        weights[vertex] = point.weight;
+        gradients[vertex] = point.gradient;
+        opacities[vertex] = point.opacity;
     });
-    add("ll_weight",
-        [](const LinePoint& point, const Polyline&, std::size_t) { return point.weight; });
-    add("ll_gradient",
-        [](const LinePoint& point, const Polyline&, std::size_t) { return point.gradient; });
-    add("ll_opacity",
-        [](const LinePoint& point, const Polyline&, std::size_t) { return point.opacity; });
     vcg::tri::UpdateBounding<CMeshO>::Box(mesh);
 }
 

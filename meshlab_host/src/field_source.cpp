@@ -4,9 +4,9 @@
 #include <QElapsedTimer>
 #include <tuple>
 
+#include "laplacian_lines/mesh_faults.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
-#include "meshlab_host/mesh_advice.h"
 
 namespace meshlab_host {
 
@@ -55,6 +55,13 @@ bool FieldKey::operator<(const FieldKey& other) const {
         return std::tie(key.stamp.hash, key.stamp.vertices, key.stamp.faces, key.options);
     };
     return order(*this) < order(other);
+}
+
+QStringList meshAdvice(const laplacian_lines::MeshReport& report) {
+    QStringList lines;
+    for (const laplacian_lines::MeshFault fault : laplacian_lines::faults_of(report))
+        lines << "Warning: " + QString::fromStdString(describe(fault, report));
+    return lines;
 }
 
 FieldSource fieldSource(const CMeshO& mesh) {

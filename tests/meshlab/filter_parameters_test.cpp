@@ -26,7 +26,7 @@ TEST(FilterParameters, AreFewAndInTheDocumentsAndExamples) {
     const meshlab_host::FilterList filters = makeFilters();
     for (std::size_t i = 0; i < filters.size(); ++i) {
         RichParameterList list;
-        filters[i]->listParameters(nullptr, list);
+        filters[i].list_parameters(nullptr, list);
         const std::string example = content(std::string("docs/examples/") + examples[i]);
         int count = 0, in_example = 0;
         for (const RichParameter& parameter : list) {

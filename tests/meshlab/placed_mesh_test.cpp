@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes, fields and layers as they stand in the world.
-#include "placed_mesh.h"
+#include "placed_layers.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,6 @@
 #include "laplacian_lines/precompute.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
-#include "placed_layers.h"
 
 namespace {
 

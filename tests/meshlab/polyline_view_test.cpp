@@ -82,8 +82,8 @@ TEST(PolylineView, CameraLightTurnsWithThePicture) {
     const Eye eye = eyeOf(chosen, box.center(), std::nullopt);
     const auto view = viewOf(eye, chosen, Eigen::Matrix4d::Identity());
     ASSERT_TRUE(view.light);
-    EXPECT_TRUE(view.light->normalized().isApprox(
-        Eigen::Vector3d(-1, 0, 1).normalized(), 1e-12)) << "the viewer is at -x";
+    EXPECT_TRUE(view.light->normalized().isApprox(Eigen::Vector3d(-1, 0, 1).normalized(), 1e-12))
+        << "the viewer is at -x";
     EXPECT_THROW(viewOf(eye, chosen, Eigen::Matrix4d::Zero()), laplacian_lines::Error);
 }
 
@@ -100,7 +100,6 @@ laplacian_lines::LineStyle otherStyle() {
 TEST(DrawnStyle, IsReadAsItWasNoted) {
     int count = 0;
     QCoreApplication application(count, nullptr);
-    EXPECT_FALSE(meshlab_host::drawnStyle());
     RichParameterList list;
     PolylineParameters asked;
     asked.settings = line_drawing::settings_of_decoration;

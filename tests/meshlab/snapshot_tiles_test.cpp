@@ -2,7 +2,7 @@
 // How large a picture is whose tiles are drawn one after the other.
 #include <gtest/gtest.h>
 
-#include "meshlab_host/snapshot_tiles.h"
+#include "meshlab_host/camera.h"
 
 namespace {
 

@@ -64,4 +64,20 @@ auto choice(const char* key, const char* label, std::vector<const char*> choices
     return row<Path...>(key, label, OptionKind::Choice, 0, last, help, std::move(choices));
 }
 
+/// Whether a kind of lines is in the LineKindSet at the end of the path.
+template <LineKind Kind, auto... Path>
+OptionDescription<OptionsOf<Path...>> kind_switch() {
+    using Options = OptionsOf<Path...>;
+    constexpr const LineKindDescription& kind = describe(Kind);
+    return {kind.key,
+            kind.label,
+            kind.help,
+            OptionKind::Boolean,
+            0,
+            1,
+            {},
+            [](const Options& options) { return (options.*....*Path)[Kind] ? 1. : 0.; },
+            [](Options& options, double value) { (options.*....*Path)[Kind] = value != 0; }};
+}
+
 }  // namespace laplacian_lines::option_rows

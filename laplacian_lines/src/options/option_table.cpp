@@ -116,20 +116,6 @@ namespace {
 using StyleRow = OptionDescription<LineStyle>;
 using S = LineStyle;
 
-template <LineKind Kind>
-StyleRow kind_row() {
-    constexpr const LineKindDescription& kind = describe(Kind);
-    return {kind.key,
-            kind.label,
-            kind.help,
-            OptionKind::Boolean,
-            0,
-            1,
-            {},
-            [](const S& style) { return style.shows[Kind] ? 1. : 0.; },
-            [](S& style, double value) { style.shows[Kind] = value != 0; }};
-}
-
 }  // namespace
 
 const std::vector<OptionDescription<LineStyle>>& line_style_table() {
@@ -138,39 +124,39 @@ const std::vector<OptionDescription<LineStyle>>& line_style_table() {
                          "More or fewer lines, 0 to 100: moves all thresholds together. 50 leaves "
                          "them as they are."),
 
-        kind_row<LineKind::Contour>(),
+        kind_switch<LineKind::Contour, &S::shows>(),
         boolean<&S::exact_outlines>("exact_outlines", "Exact Outlines",
                                     "Outlines follow the edges of triangles that are large or meet "
                                     "at steep angles, and are smooth curves elsewhere."),
-        kind_row<LineKind::Laplacian>(),
+        kind_switch<LineKind::Laplacian, &S::shows>(),
         boolean<&S::single_strokes>(
             "single_strokes", "Single Strokes",
             "One line along a groove and at the foot of a form, where the surface is concave. Off: "
             "also those on the convex forms beside them, as in the paper."),
-        kind_row<LineKind::Ridge>(),
+        kind_switch<LineKind::Ridge, &S::shows>(),
         real<&S::ridge_angle>(
             "ridge_angle", "Ridge Angle", 5, 180,
             "Least angle in degrees by which the surface turns across a ridge or valley, within 2 "
             "% of the bounding-box diagonal to both sides. Larger leaves out softer ones."),
-        kind_row<LineKind::Crease>(),
+        kind_switch<LineKind::Crease, &S::shows>(),
         real<&S::crease_angle>(
             "crease_angle", "Crease Angle", 20, 180,
             "Edges of the mesh that turn by at least this angle, in degrees, are always creases. "
             "At 40 or less, softer edges are drawn too where they are no facets of curved faces. "
             "Larger leaves out softer edges; smaller shows facets of coarse round forms."),
-        kind_row<LineKind::Border>(),
-        kind_row<LineKind::Valley>(),
-        kind_row<LineKind::DemarcatingCurve>(),
+        kind_switch<LineKind::Border, &S::shows>(),
+        kind_switch<LineKind::Valley, &S::shows>(),
+        kind_switch<LineKind::DemarcatingCurve, &S::shows>(),
         real<&S::demarcation>(
             "demarcation", "Least Demarcation", 0, 180,
             "How sharply the surface has to turn from hollow to bulging at a demarcating curve, in "
             "degrees within the scale at which it is looked at. Larger leaves out gentle reliefs."),
-        kind_row<LineKind::SuggestiveContour>(),
-        kind_row<LineKind::SuggestiveHighlight>(),
+        kind_switch<LineKind::SuggestiveContour, &S::shows>(),
+        kind_switch<LineKind::SuggestiveHighlight, &S::shows>(),
         real<&S::suggestive_slope>("suggestive_slope", "Least Slope of Suggestive Contours", 0, 1e6,
                                    "Least change of curvature across a suggestive contour (no "
                                    "unit). Larger leaves out lines on gentle forms."),
-        kind_row<LineKind::ApparentRidge>(),
+        kind_switch<LineKind::ApparentRidge, &S::shows>(),
         real<&S::apparent_curvature>(
             "apparent_curvature", "Least Apparent Curvature", 0, 1e6,
             "Least curvature, as it is seen, of an apparent ridge (times the bounding-box "
@@ -178,7 +164,7 @@ const std::vector<OptionDescription<LineStyle>>& line_style_table() {
         real<&S::apparent_slope>("apparent_slope", "Least Slope of Apparent Ridges", 0, 1e6,
                                  "How sharp the maximum of the apparent curvature must be (no "
                                  "unit). Larger leaves out faint lines."),
-        kind_row<LineKind::PhoticExtremum>(),
+        kind_switch<LineKind::PhoticExtremum, &S::shows>(),
         real<&S::photic_slope>("photic_slope", "Least Slope of Photic Extremum Lines", 0, 1e6,
                                "How sharp the maximum of the change of shading must be (no unit). "
                                "Larger leaves out faint lines."),

@@ -21,7 +21,8 @@ CameraMatrices cameraFromGl();
 /// Mesh to world coordinates.
 Eigen::Matrix4d layerTransform(const CMeshO& mesh);
 
-bool isOrthographic(const Eigen::Matrix4d& projection);
+/// By how much lengths grow, averaged over directions.
+double meanScale(const Eigen::Matrix4d& transform);
 
 /// The eye in the coordinates of a mesh whose layer has the transformation `layer`, which may scale
 /// or reflect. Off-centre frustums (snapshot tiles) are fine. Empty if the product of the matrices
@@ -47,5 +48,22 @@ Eigen::Vector3d towardsLight(double azimuth);
 std::optional<Eigen::Vector3d> directionInMesh(const Eigen::Vector3d& direction,
                                                const Eigen::Matrix4d& modelview,
                                                const Eigen::Matrix4d& layer);
+
+/// How much larger than the view a picture is that MeshLab composes of tiles. A tile fills the view
+/// with part of the camera's frustum, so lengths in pixels have to grow with the picture.
+class SnapshotTiles {
+public:
+    /// Tiles in a row of the picture, 1 if this is no tile. Call it at every redraw: earlier tiles
+    /// identify those in the middle.
+    double scale(const CameraMatrices& camera);
+    /// The camera at the picture's middle: the same for all tiles, to the bit. Meaningless without
+    /// tiles.
+    const CameraMatrices& camera() const { return middle_; }
+
+private:
+    CameraMatrices camera_;  ///< of the last snapshot's first tile
+    CameraMatrices middle_;
+    double scale_ = 1;
+};
 
 }  // namespace meshlab_host

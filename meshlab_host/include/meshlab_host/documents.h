@@ -9,26 +9,25 @@
 
 namespace meshlab_host {
 
+/// MeshLab's GUI state for the document of `mesh`: the document and its layers' render settings.
+/// Null without a GUI. Decorations are not handed it.
+MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh);
+
+/// For a document that exists.
+MLSceneGLSharedDataContext* sceneOf(const MeshDocument& document);
+
+/// The document of `mesh`. Null if there is none, as without a GUI. GUI thread only.
+MeshDocument* documentOf(const MeshModel& mesh);
+
 std::vector<const MeshModel*> layersOf(const MeshDocument& document);
 
-/// All meshes in the document of `mesh`, ascending. Empty if there is no document, as without a
-/// GUI.
-std::vector<int> liveMeshIds(const MeshModel& mesh);
-
-/// Of these, those that MeshLab shows.
-std::vector<int> shownMeshIds(const MeshModel& mesh);
-
-/// The document of `mesh`. Null if there is none.
-MeshDocument* documentOf(const MeshModel& mesh);
+/// All layers of the document, or those that MeshLab shows, ascending.
+std::vector<int> layerIds(const MeshDocument& document, bool only_shown = false);
 
 /// Calls `changed` with the ids of the document's meshes, ascending, when meshes come or go, and
 /// with none when it closes, as long as `receiver` lives. GUI thread only.
 void whenMeshesChange(const MeshDocument* document, QObject* receiver,
                       const std::function<void(const std::vector<int>&)>& changed);
-
-/// The log of the document of `mesh`. Null if there is no document, as without a GUI. GUI thread
-/// only.
-GLLogStream* documentLog(const MeshModel& mesh);
 
 /// Shows text in the corner of the view until the next redraw. `mesh` is shown only if two boxes
 /// have the same title. GUI thread only, while drawing.

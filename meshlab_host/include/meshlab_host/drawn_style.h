@@ -27,7 +27,8 @@ struct DrawnStyle {
 /// plugins in every version of MeshLab. GUI thread only.
 void noteDrawnStyle(const DrawnStyle& drawn);
 
-/// Empty if nothing was noted, as without a window. GUI thread only.
-std::optional<DrawnStyle> drawnStyle();
+/// @throws laplacian_lines::Error(InvalidOption) if nothing was noted, as without a window. GUI
+/// thread only.
+DrawnStyle demandDrawnStyle();
 
 }  // namespace meshlab_host

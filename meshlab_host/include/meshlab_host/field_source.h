@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <QStringList>
 #include <functional>
 #include <vector>
 
@@ -42,5 +42,8 @@ laplacian_lines::Field demandField(const CMeshO& mesh,
 void demandDerivatives(const laplacian_lines::TriangleMesh& triangles,
                        laplacian_lines::Field& field,
                        const laplacian_lines::Progress& progress = {});
+
+/// A line of the log per laplacian_lines::faults_of(), what to do about it in MeshLab's terms.
+QStringList meshAdvice(const laplacian_lines::MeshReport& report);
 
 }  // namespace meshlab_host

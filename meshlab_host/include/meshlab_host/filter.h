@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <wrap/callback.h>
+
 #include <Eigen/Core>
 #include <QVariant>
 #include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/progress.h"
 #include "meshlab_host/meshlab_api.h"
 
 namespace meshlab_host {
@@ -39,18 +42,97 @@ struct FilterRun {
 
 /// An entry of the Filters menu that works on the current mesh and changes nothing MeshLab draws of
 /// it. GUI thread only.
-class Filter {
-public:
-    virtual ~Filter() = default;
-
-    virtual FilterDescription description() const = 0;
-
+struct Filter {
+    FilterDescription description;
     /// Adds the parameters with defaults for this mesh, which may be null.
-    virtual void listParameters(const MeshModel* mesh, RichParameterList& list) const = 0;
-
+    void (*list_parameters)(const MeshModel* mesh, RichParameterList& list);
     /// May throw anything: the user reads what(), the caller gets a failed filter.
-    virtual void run(const FilterRun& run) const = 0;
+    void (*run)(const FilterRun& run);
 };
-using FilterList = std::vector<std::unique_ptr<const Filter>>;
+using FilterList = std::vector<Filter>;
+
+/// Passes the core's reports on to MeshLab's callback (percent and text; false cancels), which may
+/// be null, as the part from `begin` to `end` (0..1). It runs the GUI's event loop: the document
+/// may have changed when it returns.
+inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback, double begin = 0,
+                                            double end = 1) {
+    if (!callback) return {};
+    return [=](double done, const char* stage) {
+        return callback(int(100 * (begin + (end - begin) * done)), stage);
+    };
+}
+
+/// Tells the callback, which may be null, that a step begins at `done` (0..1).
+/// @throws laplacian_lines::Error(Cancelled)
+inline void beginStep(vcg::CallBackPos* callback, double done, const char* step) {
+    if (callback && !callback(int(100 * done), step))
+        throw laplacian_lines::Error(laplacian_lines::ErrorCode::Cancelled,
+                                     "Cancelled; the mesh was not changed.");
+}
+
+/// A plugin of filters, the same in every version of MeshLab. A plugin class adds Q_OBJECT and
+///     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_FILTER_IID)
+///     Q_INTERFACES(MESHLAB_HOST_FILTER_INTERFACE)
+class FilterPluginBase : public QObject, public MESHLAB_HOST_FILTER_INTERFACE {
+public:
+    FilterPluginBase(const QString& plugin_name, FilterList filters);
+
+private:
+    const Filter& filter(ActionPointer action) const {
+        return filters_.at(std::size_t(ID(action)));
+    }
+    void say(const QString& line);
+    /// Runs a filter; returns an exception's sentence, or nothing.
+    QString runCatchingAll(const Filter& filter, MeshDocument& document,
+                           const RichParameterList& parameters, vcg::CallBackPos* progress,
+                           FilterResults& results);
+
+    // MeshLab's interface, final here.
+public:
+    QString pluginName() const final { return plugin_name_; }
+    QString filterName(int id) const final { return filters_.at(std::size_t(id)).description.name; }
+    QString filterInfo(int id) const final { return filters_.at(std::size_t(id)).description.help; }
+    using MESHLAB_HOST_FILTER_INTERFACE::filterInfo;
+    using MESHLAB_HOST_FILTER_INTERFACE::filterName;
+    int getPreConditions(ActionPointer action) const final {
+        return filter(action).description.preconditions;
+    }
+    int getRequirements(ActionPointer) final { return MeshModel::MM_NONE; }
+    int postCondition(ActionPointer) const final { return MeshModel::MM_NONE; }
+#if MESHLAB_API < 2022
+    FilterClass getClass(QAction* action) final {
+        return FilterClass(filter(action).description.filter_class);
+    }
+    FILTER_ARITY filterArity(QAction*) const final {
+        return SINGLE_MESH;
+    }
+    void initParameterSet(QAction*, MeshDocument&, RichParameterList&) final;
+    using MeshFilterInterface::initParameterSet;
+    bool applyFilter(QAction*, MeshDocument&, const RichParameterList&, vcg::CallBackPos*) final;
+#else
+    QString vendor() const final {
+        return "Laplacian Lines";
+    }
+    QString pythonFilterName(int id) const final {
+        return filters_.at(std::size_t(id)).description.python_name;
+    }
+    using FilterPlugin::pythonFilterName;
+    FilterClass getClass(const QAction* action) const final {
+        return FilterClass(filter(action).description.filter_class);
+    }
+    FilterArity filterArity(const QAction*) const final {
+        return SINGLE_MESH;
+    }
+    RichParameterList initParameterList(const QAction*, const MeshDocument&) final;
+    using FilterPlugin::initParameterList;
+    std::map<std::string, QVariant> applyFilter(const QAction*, const RichParameterList&,
+                                                MeshDocument&, unsigned int& post_condition,
+                                                vcg::CallBackPos*) final;
+#endif
+
+private:
+    const QString plugin_name_;
+    const FilterList filters_;
+};
 
 }  // namespace meshlab_host

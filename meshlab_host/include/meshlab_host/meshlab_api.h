@@ -8,6 +8,7 @@
 
 #if MESHLAB_API < 2022
 #include <common/interfaces.h>
+#include <common/ml_shared_data_context.h>
 #include <common/mlexception.h>
 #define MESHLAB_HOST_FILTER_INTERFACE MeshFilterInterface
 #define MESHLAB_HOST_FILTER_IID MESH_FILTER_INTERFACE_IID
@@ -16,6 +17,7 @@
 #else
 #include <common/globals.h>
 #include <common/ml_document/mesh_document.h>
+#include <common/ml_shared_data_context/ml_scene_gl_shared_data_context.h>
 #include <common/mlexception.h>
 #include <common/parameters/rich_parameter_list.h>
 #include <common/plugins/interfaces/decorate_plugin.h>

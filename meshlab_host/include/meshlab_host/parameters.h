@@ -10,13 +10,13 @@
 
 namespace meshlab_host {
 
-// Dialogs, scripts and settings from the core's option tables: a MeshLab parameter per row,
-// key_prefix + key. MeshLab's are floats; they are read back as the shortest decimal, so that 0.07
-// stays 0.07.
+// Dialogs, scripts and settings from the core's option tables: a MeshLab parameter per row, named
+// by its key, after a prefix. MeshLab's are floats; they are read back as the shortest decimal, so
+// that 0.07 stays 0.07.
 
 /// A row of an option table without its struct.
 struct ParameterDescription {
-    QString name;  ///< with prefix
+    QString name;
     QString label;
     QString help;
     laplacian_lines::OptionKind kind;
@@ -26,22 +26,10 @@ struct ParameterDescription {
     QString allowed;  ///< values, after "It has to be"
 };
 
-/// Help, HTML without paragraphs, so that MeshLab wraps it in a tool tip.
-QString toolTip(const QString& help);
-
-/// `diagonal` of the mesh's bounding box, for percentages of lengths; 0 without a mesh.
-void addParameter(const ParameterDescription& description, double value, double diagonal,
-                  RichParameterList& list);
-
-/// `fallback` if the list lacks it. @throws laplacian_lines::Error(InvalidOption) that names label,
-/// value and range if the value is out of range or of another type
-double readParameter(const ParameterDescription& description, double fallback,
-                     const RichParameterList& list);
-
 template <class Options>
 ParameterDescription describe(const laplacian_lines::OptionDescription<Options>& row,
-                              const QString& key_prefix) {
-    ParameterDescription result{key_prefix + row.key,
+                              const QString& prefix = QString()) {
+    ParameterDescription result{prefix + row.key,
                                 row.label,
                                 row.help,
                                 row.kind,
@@ -54,22 +42,29 @@ ParameterDescription describe(const laplacian_lines::OptionDescription<Options>&
     return result;
 }
 
+/// Help, HTML without paragraphs, so that MeshLab wraps it in a tool tip.
+QString toolTip(const QString& help);
+
+/// `diagonal` of the mesh's bounding box, for percentages of lengths; 0 without a mesh.
+void addNumber(const ParameterDescription& description, double value, double diagonal,
+               RichParameterList& list);
+
+/// `fallback` if the list lacks it. @throws laplacian_lines::Error(InvalidOption) that names label,
+/// value and range if the value is out of range or of another type
+double readNumber(const ParameterDescription& description, double fallback,
+                  const RichParameterList& list);
+
 template <class Options>
-void addParameters(const std::vector<laplacian_lines::OptionDescription<Options>>& table,
-                   const Options& defaults, double diagonal, const QString& key_prefix,
-                   RichParameterList& list) {
-    for (const auto& row : table)
-        addParameter(describe(row, key_prefix), row.get(defaults), diagonal, list);
+void addParameter(const laplacian_lines::OptionDescription<Options>& row, const Options& defaults,
+                  RichParameterList& list, double diagonal = 0) {
+    addNumber(describe(row), row.get(defaults), diagonal, list);
 }
 
-/// @throws laplacian_lines::Error(InvalidOption), see readParameter().
+/// Keeps the option if the list lacks it. @throws as readNumber()
 template <class Options>
-Options readOptions(const std::vector<laplacian_lines::OptionDescription<Options>>& table,
-                    const QString& key_prefix, const RichParameterList& list) {
-    Options options;
-    for (const auto& row : table)
-        row.set(options, readParameter(describe(row, key_prefix), row.get(options), list));
-    return options;
+void readParameter(const laplacian_lines::OptionDescription<Options>& row, Options& options,
+                   const RichParameterList& list) {
+    row.set(options, readNumber(describe(row), row.get(options), list));
 }
 
 /// In world coordinates. Dialogs have a button that takes it from the view.
@@ -117,7 +112,6 @@ double valueIn(const QString& text, const ParameterDescription& description);
 QString textOf(double value, const ParameterDescription& description);
 
 /// @throws laplacian_lines::Error(InvalidOption) that names label, value and allowed values
-[[noreturn]] void refuseValue(const QString& value, const ParameterDescription& description);
 [[noreturn]] void refuseValue(const QString& value, const QString& label, const QString& allowed);
 
 }  // namespace meshlab_host

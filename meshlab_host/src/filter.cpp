@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "meshlab_host/filter_plugin_base.h"
+#include "meshlab_host/filter.h"
 
 #include <exception>
 #include <new>
@@ -21,7 +21,7 @@ namespace {
 QStringList otherParameters(const Filter& filter, const MeshModel& mesh,
                             const RichParameterList& parameters) {
     RichParameterList known;
-    filter.listParameters(&mesh, known);
+    filter.list_parameters(&mesh, known);
     QStringList names;
     for (const RichParameter& parameter : parameters)
         if (!known.hasParameter(parameter.name()) && !parameter.name().contains("::"))
@@ -32,12 +32,10 @@ QStringList otherParameters(const Filter& filter, const MeshModel& mesh,
 }  // namespace
 
 FilterPluginBase::FilterPluginBase(const QString& plugin_name, FilterList filters)
-    : plugin_name_(plugin_name) {
-    for (auto& filter : filters) {
-        typeList.push_back(int(entries_.size()));
-        const FilterDescription description = filter->description();
-        actionList.push_back(new QAction(description.name, this));
-        entries_.push_back({std::move(filter), description});
+    : plugin_name_(plugin_name), filters_(std::move(filters)) {
+    for (const Filter& filter : filters_) {
+        typeList.push_back(int(typeList.size()));
+        actionList.push_back(new QAction(filter.description.name, this));
     }
 }
 
@@ -73,14 +71,14 @@ QString FilterPluginBase::runCatchingAll(const Filter& filter, MeshDocument& doc
 
 void FilterPluginBase::initParameterSet(QAction* action, MeshDocument& document,
                                         RichParameterList& list) {
-    entry(action).filter->listParameters(document.mm(), list);
+    filter(action).list_parameters(document.mm(), list);
 }
 
 bool FilterPluginBase::applyFilter(QAction* action, MeshDocument& document,
                                    const RichParameterList& parameters,
                                    vcg::CallBackPos* progress) {
     FilterResults results;
-    errorMessage = runCatchingAll(*entry(action).filter, document, parameters, progress, results);
+    errorMessage = runCatchingAll(filter(action), document, parameters, progress, results);
     if (errorMessage.isEmpty()) return true;
     say(errorMessage);  // meshlabserver prints the log but never errorMessage
     return false;
@@ -91,7 +89,7 @@ bool FilterPluginBase::applyFilter(QAction* action, MeshDocument& document,
 RichParameterList FilterPluginBase::initParameterList(const QAction* action,
                                                       const MeshDocument& document) {
     RichParameterList list;
-    entry(action).filter->listParameters(document.mm(), list);
+    filter(action).list_parameters(document.mm(), list);
     return list;
 }
 
@@ -103,7 +101,7 @@ std::map<std::string, QVariant> FilterPluginBase::applyFilter(const QAction* act
     post_condition = MeshModel::MM_NONE;
     FilterResults results;
     const QString failure =
-        runCatchingAll(*entry(action).filter, document, parameters, progress, results);
+        runCatchingAll(filter(action), document, parameters, progress, results);
     if (!failure.isEmpty()) throw MLException(failure);
     return results;
 }
