@@ -30,13 +30,9 @@ QSize Command::size(int index) const {
     return result;
 }
 
-void CommandTable::add(const QString& name, Handler handler, Boxes boxes) {
-    entries_[name] = Entry{std::move(handler), boxes};
-}
-
-const CommandTable::Entry& CommandTable::find(const QString& name) const {
-    const auto found = entries_.find(name);
-    if (found == entries_.end()) throw CommandError(QString("unknown command '%1'").arg(name));
+const CommandHandler& find(const CommandTable& table, const QString& name) {
+    const auto found = table.find(name);
+    if (found == table.end()) throw CommandError(QString("unknown command '%1'").arg(name));
     return found->second;
 }
 

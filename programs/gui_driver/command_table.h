@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <QObject>
 #include <QSize>
 #include <QString>
 #include <QStringList>
@@ -44,20 +45,13 @@ enum class Boxes {
     Subject    // it is begun while there is one
 };
 
-class CommandTable {
-public:
-    using Handler = std::function<void(const Command&)>;
-    struct Entry {
-        Handler handler;
-        Boxes boxes;
-    };
-
-    void add(const QString& name, Handler handler, Boxes boxes = Boxes::Errors);
-    const Entry& find(const QString& name) const;  // CommandError when there is none
-
-private:
-    std::map<QString, Entry> entries_;
+struct CommandHandler {
+    std::function<void(const Command&)> handle;
+    Boxes boxes = Boxes::Errors;
 };
+using CommandTable = std::map<QString, CommandHandler>;
+
+const CommandHandler& find(const CommandTable& table, const QString& name);  // CommandError if none
 
 // Each file of commands registers its own; README.md describes them.
 void addDialogCommands(CommandTable& table);
@@ -65,5 +59,9 @@ void addDrawingCommands(CommandTable& table);
 void addFrameCommands(CommandTable& table);
 void addWindowCommands(CommandTable& table);
 CommandTable allCommands();
+
+// Begins to run a script in MeshLab's event loop, as long as `parent` lives. CommandError if it
+// cannot be read.
+void runScript(const QString& file_name, QObject* parent);
 
 }  // namespace driver

@@ -156,12 +156,13 @@ void setDecorationParameter(const Command& command) {
 }
 
 // For commands that wait for a modal box.
-CommandTable::Handler inModal(void (*act)(QWidget*, const Command&)) {
-    return [act](const Command& command) {
-        QWidget* modal = QApplication::activeModalWidget();
-        if (!modal) throw NotYet();
-        act(modal, command);
-    };
+CommandHandler inModal(void (*act)(QWidget*, const Command&)) {
+    return {[act](const Command& command) {
+                QWidget* modal = QApplication::activeModalWidget();
+                if (!modal) throw NotYet();
+                act(modal, command);
+            },
+            Boxes::Subject};
 }
 
 void expectModal(QWidget* modal, const Command& command) {
@@ -217,19 +218,17 @@ void takeSnapshot(const Command& command) {
 }  // namespace
 
 void addDialogCommands(CommandTable& table) {
-    table.add("trigger", trigger);
-    table.add("check", check);
-    table.add("expect-action", expectAction);
-    table.add("set", [](const Command& c) { setField(filterDialog(), c); });
-    table.add("apply", [](const Command&) { clickButton(filterDialog(), "Apply"); });
-    table.add("close", [](const Command&) { clickButton(filterDialog(), "Close"); });
-    table.add("setdeco", setDecorationParameter);
-    table.add("expect-modal", inModal(expectModal), Boxes::Subject);
-    table.add("set-modal", inModal(setField), Boxes::Subject);
-    table.add("button",
-              inModal([](QWidget* modal, const Command& c) { clickButton(modal, c.rest); }),
-              Boxes::Subject);
-    table.add("snapshot", takeSnapshot);
+    table["trigger"] = {trigger};
+    table["check"] = {check};
+    table["expect-action"] = {expectAction};
+    table["set"] = {[](const Command& c) { setField(filterDialog(), c); }};
+    table["apply"] = {[](const Command&) { clickButton(filterDialog(), "Apply"); }};
+    table["close"] = {[](const Command&) { clickButton(filterDialog(), "Close"); }};
+    table["setdeco"] = {setDecorationParameter};
+    table["expect-modal"] = inModal(expectModal);
+    table["set-modal"] = inModal(setField);
+    table["button"] = inModal([](QWidget* modal, const Command& c) { clickButton(modal, c.rest); });
+    table["snapshot"] = {takeSnapshot};
 }
 
 }  // namespace driver

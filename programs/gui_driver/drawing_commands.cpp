@@ -106,12 +106,12 @@ void waitForLevels(const Command&) {
 }  // namespace
 
 void addDrawingCommands(CommandTable& table) {
-    table.add("load", load, Boxes::Answered);
-    table.add("open-project", openProject, Boxes::Answered);
-    table.add("draw-lines", drawLines);
-    table.add("draw-all-lines", drawAllLines);
-    table.add("scale-lines", scaleLines);
-    table.add("wait-for-levels", waitForLevels);
+    table["load"] = {load, Boxes::Answered};
+    table["open-project"] = {openProject, Boxes::Answered};
+    table["draw-lines"] = {drawLines};
+    table["draw-all-lines"] = {drawAllLines};
+    table["scale-lines"] = {scaleLines};
+    table["wait-for-levels"] = {waitForLevels};
 }
 
 }  // namespace driver

@@ -1,11 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "driver_plugin.h"
-
 #include <QApplication>
 
 #include "command_table.h"
+#include "meshlab_host/decorate_plugin_base.h"
 #include "process.h"
-#include "runner.h"
+
+/// Drives MeshLab from a script, for tests and pictures: see README.md. A plugin without any
+/// decoration, which does nothing unless LAPLACIAN_LINES_DRIVER names a script.
+class DriverPlugin : public meshlab_host::DecoratePluginBase {
+    Q_OBJECT
+    MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
+    Q_INTERFACES(MESHLAB_HOST_DECORATE_INTERFACE)
+
+public:
+    DriverPlugin();
+
+protected:
+    void listParameters(RichParameterList&) const override {}
+    bool start(MeshModel&, const RichParameterList&, GLArea*) override { return false; }
+    void draw(MeshModel&, const RichParameterList&, GLArea*, QPainter*, GLLogStream&) override {}
+    void end(MeshModel&, GLArea*) override {}
+    void endAll(GLArea*) override {}
+    void meshGone(GLArea*) override {}
+};
 
 DriverPlugin::DriverPlugin() : DecoratePluginBase({"LaplacianLinesDriver", "", ""}) {
     actionList.clear();
@@ -13,10 +30,12 @@ DriverPlugin::DriverPlugin() : DecoratePluginBase({"LaplacianLinesDriver", "", "
     const QString script = qEnvironmentVariable("LAPLACIAN_LINES_DRIVER");
     if (script.isEmpty() || !qobject_cast<QApplication*>(QCoreApplication::instance())) return;
     try {
-        new driver::Runner(driver::readScript(script), driver::allCommands(), this);
+        driver::runScript(script, this);
     } catch (const driver::CommandError& e) {
         driver::endWithError(e.what());
     }
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(DriverPlugin)
+
+#include "driver_plugin.moc"

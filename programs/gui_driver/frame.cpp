@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDomDocument>
-#include <QVector3D>
 #include <QtMath>
 #include <algorithm>
 #include <cmath>
@@ -29,15 +28,10 @@ constexpr double line_pixels = 2;      // an outline lies half outside the form
 constexpr std::size_t few_points = 8;  // each of which may be at a side
 constexpr double least_share = 1e-4;   // of the box of all, of what is in its middle
 
-/// In the scene: right, up, and towards the viewer.
-struct CameraAxes {
-    QVector3D right, up, back;
-};
-
 /// The place alone; MeshLab keeps more of a camera.
 struct CameraPlace {
-    CameraAxes axes;
-    QVector3D target;        // any point in the middle of the picture
+    Eigen::Matrix3d axes;    // in the scene: rows right, up, and towards the viewer
+    Eigen::Vector3d target;  // any point in the middle of the picture
     double distance;         // of the eye from it; if orthographic, half of the picture's height
     double angle;            // from the bottom of the picture to its top; orthographic_angle
     double farthest_behind;  // how far behind the target there is something to be seen
@@ -104,27 +98,21 @@ Points allCorners() {
 
 /// Degrees to the right around the scene and up, at most 90; 0 0 looks against z with y up. Another
 /// axis `up` first turns the scene by the least angle that brings it up: for z, 0 0 looks along y.
-CameraAxes axesFrom(double azimuth, double elevation, const QString& up) {
+Eigen::Matrix3d axesFrom(double azimuth, double elevation, const QString& up) {
     const double a = qDegreesToRadians(azimuth), e = qDegreesToRadians(elevation);
-    const auto turned = [&](double x, double y, double z) {
-        if (up == "x") return QVector3D(float(y), float(-x), float(z));
-        if (up == "y") return QVector3D(float(x), float(y), float(z));
-        if (up == "z") return QVector3D(float(x), float(-z), float(y));
+    Eigen::Matrix3d axes, turned;
+    axes << std::cos(a), 0, -std::sin(a),  //
+        -std::sin(a) * std::sin(e), std::cos(e), -std::cos(a) * std::sin(e),
+        std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e);
+    if (up == "x")
+        turned << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    else if (up == "y")
+        turned.setIdentity();
+    else if (up == "z")
+        turned << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    else
         throw CommandError("the axis that is up is x, y or z, not " + up);
-    };
-    return {turned(std::cos(a), 0, -std::sin(a)),
-            turned(-std::sin(a) * std::sin(e), std::cos(e), -std::cos(a) * std::sin(e)),
-            turned(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e))};
-}
-
-/// Into the camera's axes around `origin`: x right, y up, z to the viewer.
-void turn(Points& points, const Eigen::Vector3d& origin, const CameraAxes& axes) {
-    Eigen::Matrix3d rotation;
-    rotation << axes.right.x(), axes.right.y(), axes.right.z(),  //
-        axes.up.x(), axes.up.y(), axes.up.z(),                   //
-        axes.back.x(), axes.back.y(), axes.back.z();
-    for (Eigen::Vector3d& p : points)
-        p = rotation * (p - origin);
+    return axes * turned;
 }
 
 /// Half of the part to fill of a picture of height 2.
@@ -180,8 +168,8 @@ CameraPlace perspectivePlace(const Points& points, const Eigen::Vector2d& window
         least = std::max(least, p.z() / (1 - nearest_shown));
     CameraPlace place;
     place.distance = wheelDistance(least, diagonal);
-    place.target = QVector3D(float(middleSeenFrom(place.distance, points, 0)),
-                             float(middleSeenFrom(place.distance, points, 1)), 0);
+    place.target = {middleSeenFrom(place.distance, points, 0),
+                    middleSeenFrom(place.distance, points, 1), 0};
     place.angle = 2 * qRadiansToDegrees(std::atan(tangent / zoom));
     return place;
 }
@@ -190,7 +178,7 @@ CameraPlace orthographicPlace(const Eigen::AlignedBox3d& box, const Eigen::Vecto
                               double zoom) {
     const Eigen::Vector3d middle = box.center(), sizes = box.sizes() / 2;
     CameraPlace place;
-    place.target = QVector3D(float(middle.x()), float(middle.y()), 0);
+    place.target = {middle.x(), middle.y(), 0};
     place.distance = std::max(sizes.x() / window.x(), sizes.y() / window.y()) / zoom;
     place.distance = std::max(place.distance, box.max().z() / orthographic_depth);
     place.angle = orthographic_angle;
@@ -214,7 +202,7 @@ void viewToClip(const QDomDocument& document) {
     requireView()->update();
 }
 
-QString row(const QVector3D& v, int last) {
+QString row(const Eigen::Vector3d& v, int last) {
     return QString("%1 %2 %3 %4 ")
         .arg(v.x(), 0, 'g', 9)
         .arg(v.y(), 0, 'g', 9)
@@ -247,25 +235,25 @@ void placeCamera(const CameraPlace& place) {
                                   camera.attribute("PixelSizeMm").section(' ', 1, 1).toDouble();
     camera.setAttribute("FocalMm",
                         picture_height / (2 * std::tan(qDegreesToRadians(place.angle / 2))));
-    // rows: the camera's axes; the translation is minus the eye
-    const CameraAxes& axes = place.axes;
-    camera.setAttribute("RotationMatrix",
-                        row(axes.right, 0) + row(axes.up, 0) + row(axes.back, 0) + "0 0 0 1 ");
-    camera.setAttribute("TranslationVector",
-                        row(-(place.target + float(eye) * axes.back), 1).trimmed());
+    const auto axis = [&](int i) { return row(place.axes.row(i), 0); };
+    camera.setAttribute("RotationMatrix", axis(0) + axis(1) + axis(2) + "0 0 0 1 ");
+    const Eigen::Vector3d eye_place = place.target + eye * place.axes.row(2).transpose();
+    camera.setAttribute("TranslationVector", row(-eye_place, 1).trimmed());
     viewToClip(document);
 }
 
 // AZIMUTH ELEVATION [UP [ZOOM [orthographic]]], computed from the vertices: the view need not be
 // drawn.
 void frame(const Command& command) {
-    const CameraAxes axes = axesFrom(command.number(0), command.number(1), command.wordOr(2, "y"));
+    const Eigen::Matrix3d axes =
+        axesFrom(command.number(0), command.number(1), command.wordOr(2, "y"));
     const double zoom = command.words.size() > 3 ? command.number(3) : 1;
     if (!(zoom > 0)) throw CommandError("the zoom has to be positive");
     Points points = allCorners();
     const Eigen::AlignedBox3d in_scene = boxOf(points);
     const Eigen::Vector3d centre = in_scene.center();
-    turn(points, centre, axes);
+    for (Eigen::Vector3d& p : points)
+        p = axes * (p - centre);
     const Eigen::AlignedBox3d box = boxOf(points);
     const Eigen::Vector2d window = windowWithinMargin(requireView()->size());
     CameraPlace place = command.wordOr(4, "") == "orthographic"
@@ -273,16 +261,14 @@ void frame(const Command& command) {
                             : perspectivePlace(points, window, zoom, in_scene.diagonal().norm());
     place.axes = axes;
     place.farthest_behind = -box.min().z();
-    const QVector3D shift = place.target;
-    place.target = QVector3D(float(centre.x()), float(centre.y()), float(centre.z())) +
-                   shift.x() * axes.right + shift.y() * axes.up;
+    place.target = centre + axes.transpose() * place.target;
     placeCamera(place);
 }
 
 }  // namespace
 
 void addFrameCommands(CommandTable& table) {
-    table.add("frame", frame);
+    table["frame"] = {frame};
 }
 
 }  // namespace driver

@@ -33,14 +33,14 @@ void endWithError(const std::string& why) {
 }
 
 void endProcess(int exit_code) {
-    watchNothing();  // looking for leaks takes as long as it takes
+    alarm(0);  // looking for leaks takes as long as it takes
     std::fflush(nullptr);
     if (__lsan_do_recoverable_leak_check) __lsan_do_recoverable_leak_check();
     _exit(exit_code);
 }
 
 void watch(const std::string& what, unsigned seconds) {
-    watchNothing();
+    alarm(0);
     std::snprintf(last_words, sizeof last_words, "meshlab_driver: error: %s: time-out after %u s\n",
                   what.c_str(), seconds);
     std::signal(SIGALRM, endByAlarm);
@@ -50,11 +50,6 @@ void watch(const std::string& what, unsigned seconds) {
 
 void watchOn() {
     alarm(watched_seconds);
-}
-
-void watchNothing() {
-    watched_seconds = 0;
-    watchOn();
 }
 
 }  // namespace driver

@@ -10,10 +10,9 @@ void say(const std::string& text);  // one line on stderr
 [[noreturn]] void endWithError(const std::string& why);
 [[noreturn]] void endProcess(int exit_code);  // at once: no "save changes?" box, no teardown
 
-// Ends the process with an error if none of these is called within so many seconds: also while a
-// filter or drawing hangs, which no timer of the GUI notices.
+// Ends the process with an error if neither of these is called within so many seconds, 0 for any:
+// also while a filter or drawing hangs, which no timer of the GUI notices.
 void watch(const std::string& what, unsigned seconds);
 void watchOn();  // the clock begins anew
-void watchNothing();
 
 }  // namespace driver

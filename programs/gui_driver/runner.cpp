@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runner.h"
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QTimer>
+#include "command_table.h"
 #include "gui.h"
 #include "process.h"
 
@@ -24,7 +25,30 @@ std::string describe(const Command& command) {
     endWithError(describe(command) + ": " + why.what());
 }
 
-}  // namespace
+// Runs the script's commands in MeshLab's event loop.
+class Runner : public QObject {
+public:
+    Runner(QVector<Command> script, CommandTable table, QObject* parent);
+
+private:
+    void addOwnCommands();
+    void checkNames() const;
+    void scheduleStep(int milliseconds);
+    void step();
+    bool answers(QWidget* modal);
+    void start(const Command& command);
+    void sleep(const Command& command);
+    void together(const Command& command);
+
+    QVector<Command> script_;
+    CommandTable table_;
+    QElapsedTimer sleeping_;
+    unsigned time_limit_ = 60;  // seconds
+    // More than one when a command sits in a modal box's event loop.
+    QVector<Command> in_progress_;
+    int next_ = 0;
+    int watched_line_ = 0;
+};
 
 Runner::Runner(QVector<Command> script, CommandTable table, QObject* parent)
     : QObject(parent), script_(std::move(script)), table_(std::move(table)) {
@@ -35,18 +59,17 @@ Runner::Runner(QVector<Command> script, CommandTable table, QObject* parent)
 }
 
 void Runner::addOwnCommands() {
-    table_.add(
-        "sleep", [this](const Command& c) { sleep(c); }, Boxes::Subject);
-    table_.add("time-limit", [this](const Command& c) { time_limit_ = unsigned(c.number(0)); });
-    table_.add("together", [this](const Command& c) { together(c); });
-    table_.add("quit", [](const Command&) { endProcess(0); });
+    table_["sleep"] = {[this](const Command& c) { sleep(c); }, Boxes::Subject};
+    table_["time-limit"] = {[this](const Command& c) { time_limit_ = unsigned(c.number(0)); }};
+    table_["together"] = {[this](const Command& c) { together(c); }};
+    table_["quit"] = {[](const Command&) { endProcess(0); }};
 }
 
 // Misspelt commands fail at once, not after minutes.
 void Runner::checkNames() const {
     for (const Command& command : script_) {
         try {
-            table_.find(command.name);
+            find(table_, command.name);
         } catch (const CommandError& e) {
             endAt(command, e);
         }
@@ -69,7 +92,7 @@ void Runner::step() {
     // Without a box, it is a filter's progress that runs the event loop.
     const bool has_to_wait = !modal && !in_progress_.isEmpty();
     if (next_ >= script_.size() && in_progress_.isEmpty())
-        return watchNothing();  // no "quit" at the end: the user goes on by hand
+        return watch("", 0);  // no "quit" at the end: the user goes on by hand
     try {
         if (has_to_wait || (modal && answers(modal))) return scheduleStep(between_retries);
         if (next_ < script_.size()) start(script_[next_]);
@@ -81,11 +104,12 @@ void Runner::step() {
 /// Otherwise it is left to the next command.
 bool Runner::answers(QWidget* modal) {
     if (acceptOptionsBox(modal)) return true;
-    if (!in_progress_.isEmpty() && table_.find(in_progress_.last().name).boxes == Boxes::Answered) {
+    if (!in_progress_.isEmpty() &&
+        find(table_, in_progress_.last().name).boxes == Boxes::Answered) {
         answerBox(modal);
         return true;
     }
-    if (next_ < script_.size() && table_.find(script_[next_].name).boxes == Boxes::Subject)
+    if (next_ < script_.size() && find(table_, script_[next_].name).boxes == Boxes::Subject)
         return false;
     throw CommandError("MeshLab says: " + describeBox(modal));
 }
@@ -100,7 +124,7 @@ void Runner::start(const Command& command) {
     scheduleStep(between_commands);  // before the command, which may block in a modal box
     in_progress_ << command;
     try {
-        table_.find(command.name).handler(command);
+        find(table_, command.name).handle(command);
     } catch (const NotYet&) {
         next_ = position;
     }
@@ -118,11 +142,17 @@ void Runner::together(const Command& command) {
     for (const QString& text : command.rest.split(" ; ")) {
         const Command part = parseLine(text.trimmed());
         try {
-            table_.find(part.name).handler(part);
+            find(table_, part.name).handle(part);
         } catch (const NotYet&) {
             throw CommandError(part.name + " takes longer");
         }
     }
+}
+
+}  // namespace
+
+void runScript(const QString& file_name, QObject* parent) {
+    new Runner(readScript(file_name), allCommands(), parent);
 }
 
 }  // namespace driver

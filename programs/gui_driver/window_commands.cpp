@@ -50,14 +50,6 @@ void setViewSize(const Command& command) {
     throw NotYet();
 }
 
-void openMesh(const Command& command) {
-    bool opened = false;
-    QMetaObject::invokeMethod(requireMainWindow(), "importMeshWithLayerManagement",
-                              Qt::DirectConnection, Q_RETURN_ARG(bool, opened),
-                              Q_ARG(QString, command.rest));
-    if (!opened) throw CommandError("MeshLab could not open the mesh");
-}
-
 void makeViewCurrent(const Command& command) {
     chooseView(int(command.number(0)));
     // MeshLab takes the view that got the focus last; a display without window manager may hand out
@@ -79,11 +71,6 @@ void clickLayer(const Command& command, LayerColumn column) {
         return;
     }
     throw CommandError(QString("no layer %1").arg(command.rest));
-}
-
-void deleteLayer(const Command& command) {
-    clickLayer(command, Name);
-    requireAction("Delete Current Mesh")->trigger();
 }
 
 /// As users do, while the view has yet to be redrawn: the exit code is MeshLab's own.
@@ -144,35 +131,21 @@ void drag(const Command& command) {
     sendMouse(QEvent::MouseButtonRelease, to);
 }
 
-void turnWheel(const Command& command) {
-    constexpr int one_notch = 120;
-    QGLWidget* area = requireView();
-    const QPoint centre = area->rect().center();
-    QWheelEvent event(centre, area->mapToGlobal(centre), QPoint(),
-                      QPoint(0, int(one_notch * command.number(0))), Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(area, &event);
-    area->repaint();
-}
-
 }  // namespace
 
 void addWindowCommands(CommandTable& table) {
-    table.add("wait", [](const Command&) {
+    table["wait"] = {[](const Command&) {
         if (!view()) throw NotYet();
-    });
-    table.add("size", setViewSize);
-    table.add("open", openMesh);
-    table.add("view", makeViewCurrent);
-    table.add("select-layer", [](const Command& c) { clickLayer(c, Name); });
-    table.add("show-layer", [](const Command& c) { clickLayer(c, Eye); });
-    table.add("delete-layer", deleteLayer);
-    table.add("drag", drag);
-    table.add("wheel", turnWheel);
-    table.add("grab", grab);
-    table.add("expect-log", expectLog);
-    table.add("expect-no-log", expectNoLog);
-    table.add("leave", leave, Boxes::Answered);
+    }};
+    table["size"] = {setViewSize};
+    table["view"] = {makeViewCurrent};
+    table["select-layer"] = {[](const Command& c) { clickLayer(c, Name); }};
+    table["show-layer"] = {[](const Command& c) { clickLayer(c, Eye); }};
+    table["drag"] = {drag};
+    table["grab"] = {grab};
+    table["expect-log"] = {expectLog};
+    table["expect-no-log"] = {expectNoLog};
+    table["leave"] = {leave, Boxes::Answered};
 }
 
 }  // namespace driver

@@ -14,7 +14,7 @@ torus("mesh.ply")
 os.mkdir("scans")
 torus("scans/next.ply")
 drive(rf"""wait
-open torus.ply
+load torus.ply
 trigger Compute Laplacian Lines
 apply
 expect-log Computed in [\d.]+ s, stored per vertex in ll_normal
@@ -33,7 +33,7 @@ close
 grab cotangent.png
 
 trigger New Empty Project...
-open mesh.ply
+load mesh.ply
 {SHOW_LINES}frame 40 25
 grab before.png
 # the view of the window is what the dialogs begin with
@@ -49,7 +49,8 @@ select-layer 1
 trigger Generate Laplacian Lines Polylines
 expect-modal PreConditions' Failure.*Generate Laplacian Lines Polylines
 button OK
-delete-layer 1
+select-layer 1
+trigger Delete Current Mesh
 trigger Export Laplacian Lines Drawing
 set File = {WORK}/scans/refused.bmp
 {refused('does not end in .svg, .pdf, .dxf or .png')}
@@ -64,7 +65,7 @@ grab after.png
 
 # a script of both, saved and applied to another mesh, from where the first was seen
 trigger New Empty Project...
-open torus.ply
+load torus.ply
 trigger Export Laplacian Lines Drawing
 apply
 close
@@ -78,7 +79,7 @@ button Save Script
 set-modal File name: = {WORK}/recorded.mlx
 button Close
 trigger New Empty Project...
-open scans/next.ply
+load scans/next.ply
 trigger Show current filter script
 button Open Script
 set-modal File name: = {WORK}/recorded.mlx

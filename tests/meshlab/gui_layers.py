@@ -17,7 +17,7 @@ write_mesh("ring.ply", 120, 60)
 ply("points.ply", ["0 0 0", "1 0 0", "0 1 0"])
 ply("flat.ply", ["0 0 0", "1 0 0", "2 0 0"], ["3 0 1 2"])
 drive(f"""wait
-open torus.ply
+load torus.ply
 {SHOW_LINES}setdeco Surface = 1
 frame 40 25
 grab torus.png
@@ -36,7 +36,7 @@ trigger Reload
 grab reloaded.png
 
 # a ring that links the torus like the next one of a chain
-open ring.ply
+load ring.ply
 {moved("X Translation = 1.1", "X Rotation = 80", "Y Rotation = 20")}
 expect-log ring.* came later and has no lines yet
 frame 40 25
@@ -53,10 +53,12 @@ grab both_again.png
 select-layer 1
 {moved("X Scale = 0")}expect-log Laplacian Lines: ring.*: The layer's transformation cannot be inverted
 {moved("X Scale = 1")}
-delete-layer 0
+select-layer 0
+trigger Delete Current Mesh
 grab ring_alone.png
-delete-layer 1
-open torus.ply
+select-layer 1
+trigger Delete Current Mesh
+load torus.ply
 draw-lines
 frame 40 25
 grab torus_again.png
@@ -69,11 +71,11 @@ grab nothing.png
 trigger Reload
 grab torus_whole.png
 trigger New Empty Project...
-open points.ply
+load points.ply
 check Laplacian Lines on
 expect-log Laplacian Lines: points.ply: The mesh has no triangle with an area
 expect-action Laplacian Lines unchecked
-open flat.ply
+load flat.ply
 check Laplacian Lines on
 expect-log Laplacian Lines: flat.ply: The mesh has no triangle with an area
 trigger Close Project

@@ -28,7 +28,7 @@ before = sorted(os.listdir(folder))
 
 small_torus()
 ACTIONS = """wait
-open torus.ply
+load torus.ply
 expect-action Compute Laplacian Lines
 expect-action Laplacian Lines unchecked
 check Laplacian Lines on

@@ -12,7 +12,7 @@ from product.package import make_packages, packages_in
 from product.stage import built_plugins, installed_meshlab, stage_meshlab
 
 SCRIPT = """wait
-open torus.ply
+load torus.ply
 size 800x600
 expect-action Compute Laplacian Lines
 expect-action Generate Laplacian Lines Polylines
