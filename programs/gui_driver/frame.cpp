@@ -28,10 +28,10 @@ constexpr double line_pixels = 2;      // an outline lies half outside the form
 constexpr std::size_t few_points = 8;  // each of which may be at a side
 constexpr double least_share = 1e-4;   // of the box of all, of what is in its middle
 
-/// The place alone; MeshLab keeps more of a camera.
+/// The place alone, in floats, as MeshLab keeps it; it keeps more of a camera.
 struct CameraPlace {
-    Eigen::Matrix3d axes;    // in the scene: rows right, up, and towards the viewer
-    Eigen::Vector3d target;  // any point in the middle of the picture
+    Eigen::Matrix3f axes;    // in the scene: rows right, up, and towards the viewer
+    Eigen::Vector3f target;  // any point in the middle of the picture
     double distance;         // of the eye from it; if orthographic, half of the picture's height
     double angle;            // from the bottom of the picture to its top; orthographic_angle
     double farthest_behind;  // how far behind the target there is something to be seen
@@ -98,7 +98,7 @@ Points allCorners() {
 
 /// Degrees to the right around the scene and up, at most 90; 0 0 looks against z with y up. Another
 /// axis `up` first turns the scene by the least angle that brings it up: for z, 0 0 looks along y.
-Eigen::Matrix3d axesFrom(double azimuth, double elevation, const QString& up) {
+Eigen::Matrix3f axesFrom(double azimuth, double elevation, const QString& up) {
     const double a = qDegreesToRadians(azimuth), e = qDegreesToRadians(elevation);
     Eigen::Matrix3d axes, turned;
     axes << std::cos(a), 0, -std::sin(a),  //
@@ -112,7 +112,7 @@ Eigen::Matrix3d axesFrom(double azimuth, double elevation, const QString& up) {
         turned << 1, 0, 0, 0, 0, 1, 0, -1, 0;
     else
         throw CommandError("the axis that is up is x, y or z, not " + up);
-    return axes * turned;
+    return (axes * turned).cast<float>();
 }
 
 /// Half of the part to fill of a picture of height 2.
@@ -168,8 +168,8 @@ CameraPlace perspectivePlace(const Points& points, const Eigen::Vector2d& window
         least = std::max(least, p.z() / (1 - nearest_shown));
     CameraPlace place;
     place.distance = wheelDistance(least, diagonal);
-    place.target = {middleSeenFrom(place.distance, points, 0),
-                    middleSeenFrom(place.distance, points, 1), 0};
+    place.target << float(middleSeenFrom(place.distance, points, 0)),
+        float(middleSeenFrom(place.distance, points, 1)), 0;
     place.angle = 2 * qRadiansToDegrees(std::atan(tangent / zoom));
     return place;
 }
@@ -178,7 +178,7 @@ CameraPlace orthographicPlace(const Eigen::AlignedBox3d& box, const Eigen::Vecto
                               double zoom) {
     const Eigen::Vector3d middle = box.center(), sizes = box.sizes() / 2;
     CameraPlace place;
-    place.target = {middle.x(), middle.y(), 0};
+    place.target << float(middle.x()), float(middle.y()), 0;
     place.distance = std::max(sizes.x() / window.x(), sizes.y() / window.y()) / zoom;
     place.distance = std::max(place.distance, box.max().z() / orthographic_depth);
     place.angle = orthographic_angle;
@@ -202,7 +202,7 @@ void viewToClip(const QDomDocument& document) {
     requireView()->update();
 }
 
-QString row(const Eigen::Vector3d& v, int last) {
+QString row(const Eigen::Vector3f& v, int last) {
     return QString("%1 %2 %3 %4 ")
         .arg(v.x(), 0, 'g', 9)
         .arg(v.y(), 0, 'g', 9)
@@ -237,7 +237,7 @@ void placeCamera(const CameraPlace& place) {
                         picture_height / (2 * std::tan(qDegreesToRadians(place.angle / 2))));
     const auto axis = [&](int i) { return row(place.axes.row(i), 0); };
     camera.setAttribute("RotationMatrix", axis(0) + axis(1) + axis(2) + "0 0 0 1 ");
-    const Eigen::Vector3d eye_place = place.target + eye * place.axes.row(2).transpose();
+    const Eigen::Vector3f eye_place = place.target + float(eye) * place.axes.row(2).transpose();
     camera.setAttribute("TranslationVector", row(-eye_place, 1).trimmed());
     viewToClip(document);
 }
@@ -245,7 +245,7 @@ void placeCamera(const CameraPlace& place) {
 // AZIMUTH ELEVATION [UP [ZOOM [orthographic]]], computed from the vertices: the view need not be
 // drawn.
 void frame(const Command& command) {
-    const Eigen::Matrix3d axes =
+    const Eigen::Matrix3f axes =
         axesFrom(command.number(0), command.number(1), command.wordOr(2, "y"));
     const double zoom = command.words.size() > 3 ? command.number(3) : 1;
     if (!(zoom > 0)) throw CommandError("the zoom has to be positive");
@@ -253,7 +253,7 @@ void frame(const Command& command) {
     const Eigen::AlignedBox3d in_scene = boxOf(points);
     const Eigen::Vector3d centre = in_scene.center();
     for (Eigen::Vector3d& p : points)
-        p = axes * (p - centre);
+        p = axes.cast<double>() * (p - centre);
     const Eigen::AlignedBox3d box = boxOf(points);
     const Eigen::Vector2d window = windowWithinMargin(requireView()->size());
     CameraPlace place = command.wordOr(4, "") == "orthographic"
@@ -261,7 +261,9 @@ void frame(const Command& command) {
                             : perspectivePlace(points, window, zoom, in_scene.diagonal().norm());
     place.axes = axes;
     place.farthest_behind = -box.min().z();
-    place.target = centre + axes.transpose() * place.target;
+    const Eigen::Vector3f shift = place.target;
+    place.target = centre.cast<float>() + shift.x() * axes.row(0).transpose() +
+                   shift.y() * axes.row(1).transpose();
     placeCamera(place);
 }
 
