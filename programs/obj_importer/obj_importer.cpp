@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "obj_importer.h"
+#include <GL/glew.h>  // before every header that might include gl.h
 
 #include <QFile>
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
+#include <common/interfaces.h>
 #include <wrap/io_trimesh/import_obj.h>
 
 namespace vcg {
@@ -64,6 +65,31 @@ QString read(const QString& file_name, MeshModel& mesh, int& mask, vcg::CallBack
 
 }  // namespace
 
+/// MeshLab's own reader (VCGlib's headers) with one function mended: in MeshLab 2020.09 it takes a
+/// file's first vertex for none, loses its faces and then trips an assertion, for nearly every
+/// file. MeshLab 2022.02 and later do not need this.
+class ObjImporter : public QObject, public MeshIOInterface {
+    Q_OBJECT
+    MESHLAB_PLUGIN_IID_EXPORTER(MESH_IO_INTERFACE_IID)
+    Q_INTERFACES(MeshIOInterface)
+
+public:
+    QString pluginName() const override { return "LaplacianLinesObjImporter"; }
+    QList<Format> importFormats() const override;
+    QList<Format> exportFormats() const override { return {}; }
+    void GetExportMaskCapability(QString&, int&, int&) const override {}
+
+    /// On failure errorMessage has the reason. The working folder has to be the file's, for its
+    /// materials.
+    bool open(const QString& format, const QString& file_name, MeshModel& mesh, int& mask,
+              const RichParameterList& parameters, vcg::CallBackPos* progress,
+              QWidget* parent) override;
+    bool save(const QString&, const QString&, MeshModel&, int, const RichParameterList&,
+              vcg::CallBackPos*, QWidget*) override {
+        return false;
+    }
+};
+
 QList<MeshIOInterface::Format> ObjImporter::importFormats() const {
     return {{"Alias Wavefront Object", "OBJ"}, {"Quad Object", "QOBJ"}};
 }
@@ -82,3 +108,5 @@ bool ObjImporter::open(const QString&, const QString& file_name, MeshModel& mesh
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(ObjImporter)
+
+#include "obj_importer.moc"

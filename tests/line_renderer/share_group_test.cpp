@@ -52,13 +52,6 @@ TEST(ShareGroups, AreAllDrawnIn) {
     EXPECT_EQ(renderers.picture(), expected) << "after a group that is gone";
 }
 
-TEST(ShareGroups, MayOutliveTheRenderers) {
-    const GlContext context;
-    auto renderers = std::make_unique<Renderers>();
-    renderers->picture();
-    renderers.reset();
-}
-
 int buffersInUse() {
     int count = 0;
     for (GLuint name = 1; name < 100; ++name)

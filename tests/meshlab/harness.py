@@ -143,11 +143,11 @@ def accept(file, example, mesh="torus.ply", **settings):
     expect(code == 0 and is_file(file), f"the script with {settings} ended with {code}")
 
 
-def refuse(reason, example, **settings):
+def refuse(reason, example, mesh="torus.ply", **settings):
     """The example with these settings; no file is left behind, which would hold the mesh without result."""
     filter_script(example, settings)
     pathlib.Path("none.ply").unlink(missing_ok=True)
-    expect(serve("-i", "torus.ply", "-s", "script.mlx", "-o", "none.ply"), f"the script with {settings} was accepted")
+    expect(serve("-i", mesh, "-s", "script.mlx", "-o", "none.ply"), f"the script with {settings} was accepted")
     expect_text("log", reason)
     expect(not os.path.exists("none.ply"), f"the script with {settings} wrote a mesh")
 
