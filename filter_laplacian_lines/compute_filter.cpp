@@ -157,19 +157,17 @@ void run(const meshlab_host::FilterRun& run) {
 }  // namespace
 
 meshlab_host::Filter computeFilter() {
-    meshlab_host::FilterDescription description;
-    description.name = "Compute Laplacian Lines";
-    description.python_name = "compute_laplacian_lines_per_vertex";
-    description.help =
-        QStringLiteral(
-            "Chooses how the surface is analysed; without this filter, Render &gt; <b>Laplacian "
-            "Lines</b> takes the defaults. The result is in per-vertex attributes <b>ll_...</b>, "
-            "until the mesh changes.<br>"
-            "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, "
-            "2009. Version ") +
-        laplacian_lines::version() + '.';
-    description.filter_class =
-        meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Quality;
-    description.preconditions = MeshModel::MM_FACENUMBER;
-    return {description, listParameters, run};
+    return {
+        {"Compute Laplacian Lines", "compute_laplacian_lines_per_vertex",
+         QStringLiteral(
+             "Chooses how the surface is analysed; without this filter, Render &gt; <b>Laplacian "
+             "Lines</b> takes the defaults. The result is in per-vertex attributes <b>ll_...</b>, "
+             "until the mesh changes.<br>"
+             "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, "
+             "2009. Version ") +
+             laplacian_lines::version() + '.',
+         meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Quality,
+         MeshModel::MM_FACENUMBER},
+        listParameters,
+        run};
 }

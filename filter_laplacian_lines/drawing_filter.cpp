@@ -123,13 +123,11 @@ void run(const meshlab_host::FilterRun& run) {
 }  // namespace
 
 meshlab_host::Filter drawingFilter() {
-    meshlab_host::FilterDescription description;
-    description.name = filter_name;
-    description.python_name = "export_laplacian_lines_drawing";
-    description.help = QStringLiteral(
-        "Writes a measured drawing: lines at scale on paper, as vectors, from the window's view or "
-        "several sides.");
-    description.filter_class = meshlab_host::FilterInterface::Normal;
-    description.preconditions = MeshModel::MM_FACENUMBER;
-    return {description, listParameters, run};
+    return {{filter_name, "export_laplacian_lines_drawing",
+             QStringLiteral("Writes a measured drawing: lines at scale on paper, as vectors, from "
+                            "the window's view or "
+                            "several sides."),
+             meshlab_host::FilterInterface::Normal, MeshModel::MM_FACENUMBER},
+            listParameters,
+            run};
 }

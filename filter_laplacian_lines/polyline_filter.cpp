@@ -113,10 +113,10 @@ void addLayer(const LineSet& lines, const Source& source, const laplacian_lines:
 }
 
 /// From where it was seen, for scripts.
-void recordView(const meshlab_host::FilterRun& run, PolylineParameters seen, const Eye& eye) {
-    const bool is_perspective = eye.place.w() != 0;
-    seen.view = is_perspective ? ViewChoice::Perspective : ViewChoice::Orthographic;
-    (is_perspective ? seen.viewpoint : seen.view_direction) = eye.place.head<3>();
+void recordView(const meshlab_host::FilterRun& run, PolylineParameters seen,
+                const line_drawing::ViewFrame& frame) {
+    seen.view = frame.eye ? ViewChoice::Perspective : ViewChoice::Orthographic;
+    (frame.eye ? seen.viewpoint : seen.view_direction) = frame.eye.value_or(frame.towards_viewer);
     RichParameterList recorded;
     listPolylineParameters(seen, recorded);
     meshlab_host::recordAs(filter_name, recorded, run.document);
@@ -144,8 +144,8 @@ void run(const meshlab_host::FilterRun& run) {
     const Source source(mesh);
     Eigen::AlignedBox3d box = line_drawing::boundsOf(source.triangles);
     if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.layer));
-    const Eye eye = eyeOf(chosen, box.center(), meshlab_host::currentView());
-    const View view = viewOf(eye, chosen, source.layer);
+    const auto frame = frameOf(chosen, box.center(), meshlab_host::currentView());
+    const View view = viewOf(frame, chosen, source.layer);
     meshlab_host::FieldSource field_source = meshlab_host::fieldSource(mesh.cm);
     if (chosen.style.shows.needs_derivatives())
         field_source = meshlab_host::withDerivatives(std::move(field_source));
@@ -157,26 +157,25 @@ void run(const meshlab_host::FilterRun& run) {
     addLayer(lines, source, field, chosen.colors, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")
                 .arg(source.name, kindsInWords(lines), QString::number(lines.segment_count()),
-                     eye.words));
-    const QString warning = nearnessWarning(eye, box);
+                     inWords(frame, chosen)));
+    const QString warning = nearnessWarning(frame, box);
     if (!warning.isEmpty()) run.say(warning);
-    addResults(eye, run.results);
+    addResults(frame, run.results);
     run.results["sees_all"] = warning.isEmpty();
-    if (chosen.view == ViewChoice::CurrentView) recordView(run, chosen, eye);
+    if (chosen.view == ViewChoice::CurrentView) recordView(run, chosen, frame);
 }
 
 }  // namespace
 
 meshlab_host::Filter polylineFilter() {
-    meshlab_host::FilterDescription description;
-    description.name = filter_name;
-    description.python_name = "generate_polyline_from_laplacian_lines";
-    description.help = QStringLiteral(
-        "Creates a layer with the lines of the current layer as seen from one view, that of the "
-        "window or another: vertices and edges, for other filters and programs (OBJ, DXF), with "
-        "attributes <b>ll_...</b> that tell more about them.");
-    description.filter_class =
-        meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer;
-    description.preconditions = MeshModel::MM_FACENUMBER;
-    return {description, listParameters, run};
+    return {{filter_name, "generate_polyline_from_laplacian_lines",
+             QStringLiteral("Creates a layer with the lines of the current layer as seen from one "
+                            "view, that of the "
+                            "window or another: vertices and edges, for other filters and programs "
+                            "(OBJ, DXF), with "
+                            "attributes <b>ll_...</b> that tell more about them."),
+             meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer,
+             MeshModel::MM_FACENUMBER},
+            listParameters,
+            run};
 }

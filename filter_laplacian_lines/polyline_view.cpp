@@ -6,6 +6,7 @@
 #include "laplacian_lines/error.h"
 #include "meshlab_host/camera.h"
 
+using line_drawing::ViewFrame;
 using meshlab_host::CurrentView;
 
 namespace {
@@ -26,81 +27,74 @@ Eigen::Vector3d upwards(const Eigen::Vector3d& towards_viewer) {
         .normalized();
 }
 
-Eye perspective(const Eigen::Vector3d& viewpoint, const Eigen::Vector3d& towards_viewer,
-                const Eigen::Vector3d& up) {
-    return {viewpoint.homogeneous(), towards_viewer, up,
-            "perspective, from the viewpoint " + inWords(viewpoint)};
-}
-
-Eye orthographic(const Eigen::Vector3d& direction, const Eigen::Vector3d& up) {
-    Eigen::Vector4d place = Eigen::Vector4d::Zero();
-    place.head<3>() = direction;
-    return {place, direction.normalized(), up,
-            "orthographic, along the view direction " + inWords(direction)};
-}
-
-Eye ofWindow(const std::optional<CurrentView>& window) {
-    if (!window)
-        laplacian_lines::refuse(
-            "There is no window with a current view. Set \"View\" to 3 (Front) or another "
-            "side, to 1 (Perspective) and give a viewpoint, or to 2 (Orthographic) and "
-            "give a view direction.");
-    return window->is_orthographic ? orthographic(window->towards_viewer, window->up)
-                                   : perspective(window->eye, window->towards_viewer, window->up);
-}
-
-/// In world coordinates.
-Eigen::Vector3d cameraLight(const Eye& eye, double azimuth) {
-    const Eigen::Vector3d in_eye = meshlab_host::towardsLight(azimuth);
-    return in_eye.x() * eye.up.cross(eye.towards_viewer) + in_eye.y() * eye.up +
-           in_eye.z() * eye.towards_viewer;
+ViewFrame makeFrame(const Eigen::Vector3d& towards_viewer, const Eigen::Vector3d& up,
+                    const std::optional<Eigen::Vector3d>& eye = std::nullopt) {
+    return {
+        line_drawing::Side::Other, "", up.cross(towards_viewer), up, towards_viewer, false, eye};
 }
 
 }  // namespace
 
-Eye eyeOf(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
-          const std::optional<CurrentView>& window) {
+ViewFrame frameOf(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
+                  const std::optional<CurrentView>& window) {
     switch (chosen.view) {
         case ViewChoice::CurrentView:
-            return ofWindow(window);
+            if (!window)
+                laplacian_lines::refuse(
+                    "There is no window with a current view. Set \"View\" to 3 (Front) or another "
+                    "side, to 1 (Perspective) and give a viewpoint, or to 2 (Orthographic) and "
+                    "give a view direction.");
+            return makeFrame(window->towards_viewer, window->up,
+                             window->is_orthographic ? std::nullopt : std::optional(window->eye));
         case ViewChoice::Perspective: {
             const Eigen::Vector3d back = chosen.viewpoint - centre;
             const Eigen::Vector3d towards_viewer =
                 back.isZero(0) ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(back.normalized());
-            return perspective(chosen.viewpoint, towards_viewer, upwards(towards_viewer));
+            return makeFrame(towards_viewer, upwards(towards_viewer), chosen.viewpoint);
         }
         case ViewChoice::Orthographic:
-            return orthographic(chosen.view_direction, upwards(chosen.view_direction));
+            return makeFrame(chosen.view_direction.normalized(), upwards(chosen.view_direction));
         default:
             break;
     }
-    const line_drawing::ViewFrame side = sideView(chosen.view);
-    const Eigen::Vector3d towards_viewer = side.towards_viewer + Eigen::Vector3d::Zero();  // no -0
-    Eye eye = orthographic(towards_viewer, side.up);
-    eye.words += QString(" (%1)").arg(QString::fromStdString(side.name));
-    return eye;
+    ViewFrame side = sideView(chosen.view);
+    side.towards_viewer += Eigen::Vector3d::Zero();  // no -0
+    return side;
 }
 
-laplacian_lines::View viewOf(const Eye& eye, const PolylineParameters& chosen,
+QString inWords(const ViewFrame& frame, const PolylineParameters& chosen) {
+    if (frame.eye) return "perspective, from the viewpoint " + inWords(*frame.eye);
+    const bool is_chosen = chosen.view == ViewChoice::Orthographic;
+    const QString words = "orthographic, along the view direction " +
+                          inWords(is_chosen ? chosen.view_direction : frame.towards_viewer);
+    return frame.name.empty() ? words
+                              : QString("%1 (%2)").arg(words, QString::fromStdString(frame.name));
+}
+
+laplacian_lines::View viewOf(const ViewFrame& frame, const PolylineParameters& chosen,
                              const Eigen::Matrix4d& layer) {
-    std::optional<laplacian_lines::View> view = meshlab_host::viewFromWorld(eye.place, layer);
+    Eigen::Vector4d eye = Eigen::Vector4d::Zero();
+    eye.head<3>() = frame.eye.value_or(frame.towards_viewer);
+    eye.w() = frame.eye ? 1 : 0;
+    std::optional<laplacian_lines::View> view = meshlab_host::viewFrom(eye, layer);
     if (!view)
         laplacian_lines::refuse(
             "The layer's transformation cannot be inverted. Reset it, or freeze it.");
     if (chosen.light_azimuth)
-        view->light = meshlab_host::directionInMesh(cameraLight(eye, *chosen.light_azimuth),
-                                                    Eigen::Matrix4d::Identity(), layer);
+        view->light = meshlab_host::directionInMesh(
+            inMesh(meshlab_host::towardsLight(*chosen.light_azimuth), frame),
+            Eigen::Matrix4d::Identity(), layer);
     return *view;
 }
 
-QString nearnessWarning(const Eye& eye, const Eigen::AlignedBox3d& box) {
-    if (eye.place.w() == 0 || box.isEmpty()) return {};
-    const Eigen::Vector3d viewpoint = eye.place.head<3>() / eye.place.w();
+QString nearnessWarning(const ViewFrame& frame, const Eigen::AlignedBox3d& box) {
+    if (!frame.eye || box.isEmpty()) return {};
+    const Eigen::Vector3d viewpoint = *frame.eye;
     double widest = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3d ray = box.corner(Eigen::AlignedBox3d::CornerType(corner)) - viewpoint;
-        widest = std::max(
-            widest, std::atan2(ray.cross(eye.towards_viewer).norm(), -ray.dot(eye.towards_viewer)));
+        widest = std::max(widest, std::atan2(ray.cross(frame.towards_viewer).norm(),
+                                             -ray.dot(frame.towards_viewer)));
     }
     const bool is_within = box.contains(viewpoint);
     if (!is_within && widest < widest_angle * std::acos(-1.0) / 180) return {};
@@ -112,9 +106,8 @@ QString nearnessWarning(const Eye& eye, const Eigen::AlignedBox3d& box) {
              inWords(box.min()), inWords(box.max()));
 }
 
-void addResults(const Eye& eye, meshlab_host::FilterResults& results) {
-    if (eye.place.w() != 0)
-        meshlab_host::addResult("viewpoint", eye.place.head<3>() / eye.place.w(), results);
-    meshlab_host::addResult("view_direction", eye.towards_viewer, results);
-    meshlab_host::addResult("up", eye.up, results);
+void addResults(const ViewFrame& frame, meshlab_host::FilterResults& results) {
+    if (frame.eye) meshlab_host::addResult("viewpoint", *frame.eye, results);
+    meshlab_host::addResult("view_direction", frame.towards_viewer, results);
+    meshlab_host::addResult("up", frame.up, results);
 }

@@ -55,28 +55,23 @@ double meanScale(const Eigen::Matrix4d& transform) {
     return std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
 }
 
+std::optional<laplacian_lines::View> viewFrom(const Eigen::Vector4d& eye,
+                                              const Eigen::Matrix4d& to_world) {
+    const Eigen::Vector4d in_mesh = to_world.inverse() * eye;
+    if (!in_mesh.allFinite() || in_mesh.isZero(0)) return std::nullopt;
+    const Eigen::Vector3d direction = in_mesh.head<3>();
+    if (eye.w() == 0) return laplacian_lines::View::orthographic(direction.normalized());
+    if (in_mesh.w() == 0) return std::nullopt;
+    return laplacian_lines::View::perspective(direction / in_mesh.w());
+}
+
 std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& modelview,
                                                       const Eigen::Matrix4d& projection,
                                                       const Eigen::Matrix4d& layer) {
-    const Eigen::Matrix4d to_mesh = (modelview * layer).inverse();
-    if (!to_mesh.allFinite()) return std::nullopt;
-    // The eye is the origin of eye coordinates, or infinitely far along +z.
-    if (isOrthographic(projection)) {
-        const Eigen::Vector3d towards_viewer = to_mesh.col(2).head<3>();
-        if (!(towards_viewer.norm() > 0)) return std::nullopt;
-        return laplacian_lines::View::orthographic(towards_viewer.normalized());
-    }
-    if (to_mesh(3, 3) == 0) return std::nullopt;
-    return laplacian_lines::View::perspective(to_mesh.col(3).head<3>() / to_mesh(3, 3));
-}
-
-std::optional<laplacian_lines::View> viewFromWorld(const Eigen::Vector4d& eye,
-                                                   const Eigen::Matrix4d& layer) {
-    const Eigen::Vector4d in_mesh = layer.inverse() * eye;
-    if (!in_mesh.allFinite() || in_mesh.isZero(0)) return std::nullopt;
-    const Eigen::Vector3d direction = in_mesh.head<3>();
-    if (in_mesh.w() == 0) return laplacian_lines::View::orthographic(direction.normalized());
-    return laplacian_lines::View::perspective(direction / in_mesh.w());
+    // In eye coordinates it is the origin, or infinitely far along +z.
+    const bool is_orthographic = isOrthographic(projection);
+    return viewFrom(is_orthographic ? Eigen::Vector4d::UnitZ() : Eigen::Vector4d::UnitW(),
+                    modelview * layer);
 }
 
 Eigen::Vector3d towardsLight(double azimuth) {

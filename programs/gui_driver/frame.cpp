@@ -34,7 +34,7 @@ struct CameraPlace {
     Eigen::Vector3f target;  // any point in the middle of the picture
     double distance;         // of the eye from it; if orthographic, half of the picture's height
     double angle;            // from the bottom of the picture to its top; orthographic_angle
-    double farthest_behind;  // how far behind the target there is something to be seen
+    double farthest_behind = 0;  // how far behind the target there is something to be seen
 };
 constexpr double perspective_angle = 60, orthographic_angle = 5;  // degrees, as MeshLab has them
 

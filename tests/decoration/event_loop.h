@@ -7,14 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
-/// Processes all pending events once.
-inline void endTurn() {
-    QEventLoop loop;
-    QTimer::singleShot(0, &loop, &QEventLoop::quit);
-    loop.exec();
-}
-
-/// The same for this long.
+/// Processes events for this long, or all that are pending once.
 inline void wait(int milliseconds) {
     QEventLoop loop;
     QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);

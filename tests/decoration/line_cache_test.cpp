@@ -50,7 +50,7 @@ TEST_F(LineCacheTest, FindsWhatIsReleasedUntilTheTurnEnds) {
     cache_.release(left_, 0);
     EXPECT_EQ(cache_.at(left_, 0), nullptr);
     ASSERT_TRUE(cache_.find(keyOf(1)));
-    endTurn();
+    wait(0);
     EXPECT_TRUE(lines.expired());
     EXPECT_EQ(cache_.find(keyOf(1)), nullptr);
 }
@@ -59,10 +59,10 @@ TEST_F(LineCacheTest, KeepsLinesAsLongAsSomeoneUsesThem) {
     const auto lines = assign(left_, 0, 1);
     cache_.assign(right_, 7, lines.lock());
     cache_.releaseView(left_);
-    endTurn();
+    wait(0);
     EXPECT_FALSE(lines.expired());
     cache_.release(right_, 7);
-    endTurn();
+    wait(0);
     EXPECT_TRUE(lines.expired());
 }
 
@@ -70,7 +70,7 @@ TEST_F(LineCacheTest, ReleasesMeshesThatAreGone) {
     const auto gone = assign(left_, 2, 1), kept = assign(left_, 3, 2);
     const auto elsewhere = assign(right_, 2, 3);
     cache_.releaseAllBut(left_, {0, 3, 9});
-    endTurn();
+    wait(0);
     EXPECT_TRUE(gone.expired());
     EXPECT_FALSE(kept.expired());
     EXPECT_FALSE(elsewhere.expired());
@@ -80,16 +80,16 @@ TEST_F(LineCacheTest, ReleasesMeshesThatAreGone) {
 TEST_F(LineCacheTest, ReleasesWhatIsNotAssignedAgainInTheSameTurn) {
     const auto gone = assign(left_, 0, 1), kept = assign(left_, 1, 2);
     const auto elsewhere = assign(right_, 0, 3);
-    endTurn();
+    wait(0);
     cache_.releaseUnlessAssigned(left_);
     EXPECT_TRUE(cache_.at(left_, 0)) << "not yet";
     cache_.assign(left_, 1, kept.lock());
-    endTurn();
+    wait(0);
     EXPECT_TRUE(gone.expired());
     EXPECT_FALSE(kept.expired());
     EXPECT_FALSE(elsewhere.expired());
     assign(right_, 5, 4);
-    endTurn();
+    wait(0);
     EXPECT_FALSE(kept.expired()) << "said once, done once";
 }
 

@@ -14,31 +14,31 @@
 
 namespace {
 
+using line_drawing::ViewFrame;
 using meshlab_host::CurrentView;
 
 const Eigen::AlignedBox3d box(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
 
-Eye eyeAt(const Eigen::Vector3d& viewpoint) {
+ViewFrame frameAt(const Eigen::Vector3d& viewpoint) {
     PolylineParameters chosen;
     chosen.view = ViewChoice::Perspective;
     chosen.viewpoint = viewpoint;
-    return eyeOf(chosen, box.center(), std::nullopt);
+    return frameOf(chosen, box.center(), std::nullopt);
 }
 
 TEST(PolylineView, SidesHaveAnUprightPicture) {
     for (int choice = int(ViewChoice::Front); choice <= int(ViewChoice::Bottom); ++choice) {
         PolylineParameters chosen;
         chosen.view = ViewChoice(choice);
-        const Eye eye = eyeOf(chosen, {5, 6, 7}, std::nullopt);
-        EXPECT_EQ(eye.place.w(), 0);
-        EXPECT_EQ(eye.place.head<3>(), eye.towards_viewer);
-        EXPECT_EQ(eye.towards_viewer.norm(), 1);
-        EXPECT_NEAR(eye.up.norm(), 1, 1e-15);
-        EXPECT_NEAR(eye.up.dot(eye.towards_viewer), 0, 1e-15);
-        EXPECT_TRUE(nearnessWarning(eye, box).isEmpty());
-        const bool is_upright = eye.towards_viewer.y() == 0;
-        EXPECT_EQ(eye.up.y(), is_upright ? 1 : 0);
-        EXPECT_TRUE(eye.words.contains(QString::fromStdString(sideView(chosen.view).name)));
+        const ViewFrame frame = frameOf(chosen, {5, 6, 7}, std::nullopt);
+        EXPECT_FALSE(frame.eye);
+        EXPECT_EQ(frame.towards_viewer.norm(), 1);
+        EXPECT_NEAR(frame.up.norm(), 1, 1e-15);
+        EXPECT_NEAR(frame.up.dot(frame.towards_viewer), 0, 1e-15);
+        EXPECT_TRUE(nearnessWarning(frame, box).isEmpty());
+        const bool is_upright = frame.towards_viewer.y() == 0;
+        EXPECT_EQ(frame.up.y(), is_upright ? 1 : 0);
+        EXPECT_TRUE(inWords(frame, chosen).contains(QString::fromStdString(frame.name)));
     }
 }
 
@@ -52,39 +52,39 @@ TEST(PolylineView, DefaultsSeeAllFromOutside) {
     PolylineParameters chosen = polylineDefaults(mesh, std::nullopt);
     EXPECT_EQ(chosen.view, ViewChoice::Front);
     chosen.view = ViewChoice::Perspective;
-    const Eye eye = eyeOf(chosen, far_box.center(), std::nullopt);
-    EXPECT_TRUE(nearnessWarning(eye, far_box).isEmpty());
+    const ViewFrame frame = frameOf(chosen, far_box.center(), std::nullopt);
+    EXPECT_TRUE(nearnessWarning(frame, far_box).isEmpty());
     EXPECT_GT(chosen.viewpoint.z(), 33);
 }
 
 TEST(PolylineView, WarnsOfEyesWithinTheBoxOrCloseToIt) {
-    EXPECT_TRUE(nearnessWarning(eyeAt({0, 0, 4}), box).isEmpty());
-    EXPECT_TRUE(nearnessWarning(eyeAt({0.5, 0.2, 0}), box).contains("within the bounding box"));
-    EXPECT_TRUE(nearnessWarning(eyeAt({0, 0, 0}), box).contains("within the bounding box"));
-    EXPECT_TRUE(nearnessWarning(eyeAt({0, 0, 1.2}), box).contains("close to the box"));
-    EXPECT_TRUE(nearnessWarning(eyeAt({0, 0, 0}), Eigen::AlignedBox3d()).isEmpty());
+    EXPECT_TRUE(nearnessWarning(frameAt({0, 0, 4}), box).isEmpty());
+    EXPECT_TRUE(nearnessWarning(frameAt({0.5, 0.2, 0}), box).contains("within the bounding box"));
+    EXPECT_TRUE(nearnessWarning(frameAt({0, 0, 0}), box).contains("within the bounding box"));
+    EXPECT_TRUE(nearnessWarning(frameAt({0, 0, 1.2}), box).contains("close to the box"));
+    EXPECT_TRUE(nearnessWarning(frameAt({0, 0, 0}), Eigen::AlignedBox3d()).isEmpty());
 }
 
 TEST(PolylineView, ThatOfTheWindowHasItsUpwardDirection) {
     PolylineParameters chosen;
     chosen.view = ViewChoice::CurrentView;
-    EXPECT_THROW(eyeOf(chosen, box.center(), std::nullopt), laplacian_lines::Error);
+    EXPECT_THROW(frameOf(chosen, box.center(), std::nullopt), laplacian_lines::Error);
     const CurrentView window{false, {0, 0, 9}, {0, 0, 1}, {1, 0, 0}};
-    const Eye eye = eyeOf(chosen, box.center(), window);
-    EXPECT_EQ(eye.place, Eigen::Vector4d(0, 0, 9, 1));
-    EXPECT_EQ(eye.up, window.up);
+    const ViewFrame frame = frameOf(chosen, box.center(), window);
+    EXPECT_EQ(frame.eye, window.eye);
+    EXPECT_EQ(frame.up, window.up);
 }
 
 TEST(PolylineView, CameraLightTurnsWithThePicture) {
     PolylineParameters chosen;
     chosen.view = ViewChoice::Left;
     chosen.light_azimuth = 90;  // from the right of the picture
-    const Eye eye = eyeOf(chosen, box.center(), std::nullopt);
-    const auto view = viewOf(eye, chosen, Eigen::Matrix4d::Identity());
+    const ViewFrame frame = frameOf(chosen, box.center(), std::nullopt);
+    const auto view = viewOf(frame, chosen, Eigen::Matrix4d::Identity());
     ASSERT_TRUE(view.light);
     EXPECT_TRUE(view.light->normalized().isApprox(Eigen::Vector3d(-1, 0, 1).normalized(), 1e-12))
         << "the viewer is at -x";
-    EXPECT_THROW(viewOf(eye, chosen, Eigen::Matrix4d::Zero()), laplacian_lines::Error);
+    EXPECT_THROW(viewOf(frame, chosen, Eigen::Matrix4d::Zero()), laplacian_lines::Error);
 }
 
 /// A style whose every number differs from its default.

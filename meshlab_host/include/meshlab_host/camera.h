@@ -24,17 +24,16 @@ Eigen::Matrix4d layerTransform(const CMeshO& mesh);
 /// By how much lengths grow, averaged over directions.
 double meanScale(const Eigen::Matrix4d& transform);
 
-/// The eye in the coordinates of a mesh whose layer has the transformation `layer`, which may scale
-/// or reflect. Off-centre frustums (snapshot tiles) are fine. Empty if the product of the matrices
-/// is singular.
+/// For an eye in homogeneous coordinates of the world, (position, 1), or (direction towards the
+/// viewer, 0), in the coordinates of a mesh that `to_world` may scale or reflect. Empty if it is
+/// singular.
+std::optional<laplacian_lines::View> viewFrom(const Eigen::Vector4d& eye,
+                                              const Eigen::Matrix4d& to_world);
+
+/// The same for the eye of a camera. Off-centre frustums (snapshot tiles) are fine.
 std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& modelview,
                                                       const Eigen::Matrix4d& projection,
                                                       const Eigen::Matrix4d& layer);
-
-/// For an eye in homogeneous world coordinates: (position, 1), or (direction towards the viewer,
-/// 0).
-std::optional<laplacian_lines::View> viewFromWorld(const Eigen::Vector4d& eye,
-                                                   const Eigen::Matrix4d& layer);
 
 /// Towards a light that turns with the camera, 45 degrees above the plane of the picture, where
 /// `azimuth` is in degrees clockwise from the top. Unit vector in eye coordinates: x right, y up, z
