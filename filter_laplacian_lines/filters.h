@@ -13,3 +13,6 @@ meshlab_host::Filter polylineFilter();
 
 /// A measured drawing, as a file, of layers as they stand in the world.
 meshlab_host::Filter drawingFilter();
+
+/// All, in the order of the plugin's actions.
+meshlab_host::FilterList makeFilters();

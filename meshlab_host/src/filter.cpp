@@ -100,8 +100,7 @@ std::map<std::string, QVariant> FilterPluginBase::applyFilter(const QAction* act
                                                               vcg::CallBackPos* progress) {
     post_condition = MeshModel::MM_NONE;
     FilterResults results;
-    const QString failure =
-        runCatchingAll(filter(action), document, parameters, progress, results);
+    const QString failure = runCatchingAll(filter(action), document, parameters, progress, results);
     if (!failure.isEmpty()) throw MLException(failure);
     return results;
 }

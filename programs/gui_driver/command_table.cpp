@@ -12,22 +12,11 @@ const QString& Command::word(int index) const {
     return words[index];
 }
 
-QString Command::wordOr(int index, const QString& otherwise) const {
-    return index < words.size() ? words[index] : otherwise;
-}
-
 double Command::number(int index) const {
     bool is_number = false;
     const double value = word(index).toDouble(&is_number);
     if (!is_number) throw CommandError(QString("'%1' is not a number").arg(word(index)));
     return value;
-}
-
-QSize Command::size(int index) const {
-    const QStringList parts = word(index).split('x');
-    const QSize result(parts.value(0).toInt(), parts.value(1).toInt());
-    if (parts.size() != 2 || result.isEmpty()) throw CommandError("say WIDTHxHEIGHT");
-    return result;
 }
 
 const CommandHandler& find(const CommandTable& table, const QString& name) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <QObject>
-#include <QSize>
 #include <QString>
 #include <QStringList>
 #include <QVector>
@@ -19,9 +18,7 @@ struct Command {
     QStringList words;  // of the rest
 
     const QString& word(int index) const;  // CommandError when there are fewer words
-    QString wordOr(int index, const QString& otherwise) const;
-    double number(int index) const;  // CommandError when it is not a number
-    QSize size(int index) const;     // CommandError when it is not WIDTHxHEIGHT
+    double number(int index) const;        // CommandError when it is not a number
 };
 
 // `text` has no blanks around it.

@@ -246,7 +246,7 @@ void placeCamera(const CameraPlace& place) {
 // drawn.
 void frame(const Command& command) {
     const Eigen::Matrix3f axes =
-        axesFrom(command.number(0), command.number(1), command.wordOr(2, "y"));
+        axesFrom(command.number(0), command.number(1), command.words.value(2, "y"));
     const double zoom = command.words.size() > 3 ? command.number(3) : 1;
     if (!(zoom > 0)) throw CommandError("the zoom has to be positive");
     Points points = allCorners();
@@ -256,7 +256,7 @@ void frame(const Command& command) {
         p = axes.cast<double>() * (p - centre);
     const Eigen::AlignedBox3d box = boxOf(points);
     const Eigen::Vector2d window = windowWithinMargin(requireView()->size());
-    CameraPlace place = command.wordOr(4, "") == "orthographic"
+    CameraPlace place = command.words.value(4) == "orthographic"
                             ? orthographicPlace(box, window, zoom)
                             : perspectivePlace(points, window, zoom, in_scene.diagonal().norm());
     place.axes = axes;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QTimer>
@@ -37,12 +36,10 @@ private:
     void step();
     bool answers(QWidget* modal);
     void start(const Command& command);
-    void sleep(const Command& command);
     void together(const Command& command);
 
     QVector<Command> script_;
     CommandTable table_;
-    QElapsedTimer sleeping_;
     unsigned time_limit_ = 60;  // seconds
     // More than one when a command sits in a modal box's event loop.
     QVector<Command> in_progress_;
@@ -59,7 +56,6 @@ Runner::Runner(QVector<Command> script, CommandTable table, QObject* parent)
 }
 
 void Runner::addOwnCommands() {
-    table_["sleep"] = {[this](const Command& c) { sleep(c); }, Boxes::Subject};
     table_["time-limit"] = {[this](const Command& c) { time_limit_ = unsigned(c.number(0)); }};
     table_["together"] = {[this](const Command& c) { together(c); }};
     table_["quit"] = {[](const Command&) { endProcess(0); }};
@@ -129,12 +125,6 @@ void Runner::start(const Command& command) {
         next_ = position;
     }
     in_progress_.removeLast();
-}
-
-void Runner::sleep(const Command& command) {
-    if (!sleeping_.isValid()) sleeping_.start();
-    if (sleeping_.elapsed() < command.number(0)) throw NotYet();
-    sleeping_.invalidate();
 }
 
 // COMMAND ; COMMAND...

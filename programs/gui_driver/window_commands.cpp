@@ -33,7 +33,9 @@ void setViewSize(const Command& command) {
     static int line = 0;
     if (line != command.line) waiting.start();
     line = command.line;
-    const QSize wanted = command.size(0);
+    const QStringList parts = command.rest.split('x');
+    const QSize wanted(parts.value(0).toInt(), parts.value(1).toInt());
+    if (wanted.isEmpty()) throw CommandError("say WIDTHxHEIGHT");
     QMainWindow* window = requireMainWindow();
     if (window->isMaximized() || window->isFullScreen()) window->showNormal();
     QGLWidget* area = requireView();
@@ -105,6 +107,13 @@ void expectNoLog(const Command& command) {
     if (logHas(command)) throw CommandError("the log says so");
 }
 
+void sleep(const Command& command) {
+    static QElapsedTimer sleeping;
+    if (!sleeping.isValid()) sleeping.start();
+    if (sleeping.elapsed() < command.number(0)) throw NotYet();
+    sleeping.invalidate();
+}
+
 void sendMouse(QEvent::Type type, QPointF point) {
     QGLWidget* area = requireView();
     const bool is_move = type == QEvent::MouseMove;
@@ -145,6 +154,7 @@ void addWindowCommands(CommandTable& table) {
     table["grab"] = {grab};
     table["expect-log"] = {expectLog};
     table["expect-no-log"] = {expectNoLog};
+    table["sleep"] = {sleep, Boxes::Subject};
     table["leave"] = {leave, Boxes::Answered};
 }
 

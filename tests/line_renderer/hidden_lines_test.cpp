@@ -25,10 +25,11 @@ class HiddenLinesTest : public LineTest {
 protected:
     /// With a surface at this z over the right half.
     QImage lineWithSurfaceAt(double z, const LineAppearance& appearance,
-                             const LinePlacement& placement = Canvas::placement()) {
+                             const LinePlacement& placement = Canvas::placement(),
+                             const LineSet& lines = line) {
         canvas_.clear();
         canvas_.putDepth(80, 0, 80, Canvas::height, z);
-        return drawn(line, appearance, placement);
+        return drawn(lines, appearance, placement);
     }
 };
 
@@ -53,18 +54,13 @@ TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
     LinePlacement placement = Canvas::placement();
     placement.diagonal = 10;
     placement.sight_edge = 0.1;
-    expectWidths(lineWithSurfaceAt(0.029, appearance, placement), 4, 4);
-    expectWidths(lineWithSurfaceAt(0.031, appearance, placement), 4, 0);
     LineSet outline = line;
     const auto expect_limit = [&](LineKind kind, double limit) {
         outline.lines[0].kind = kind;
-        canvas_.clear();
-        canvas_.putDepth(80, 0, 80, Canvas::height, limit - 0.001);
-        expectWidths(drawn(outline, appearance, placement), 4, 4);
-        canvas_.clear();
-        canvas_.putDepth(80, 0, 80, Canvas::height, limit + 0.001);
-        expectWidths(drawn(outline, appearance, placement), 4, 0);
+        expectWidths(lineWithSurfaceAt(limit - 0.001, appearance, placement, outline), 4, 4);
+        expectWidths(lineWithSurfaceAt(limit + 0.001, appearance, placement, outline), 4, 0);
     };
+    expect_limit(LineKind::Laplacian, 0.03);
     expect_limit(LineKind::Contour, 0.15);
     expect_limit(LineKind::Border, 0.03);
     placement.sight_edge = 0;  // contours follow edges then
@@ -102,10 +98,8 @@ TEST_F(HiddenLinesTest, AreHiddenByALittleWhereTheyFollowEdges) {
     placement.projection.leftCols<2>() *= 10;
     placement.to_eye(2, 3) = -0.25;  // their depth
     const auto expect_right_half = [&](bool follows_edge, double z, double width) {
-        canvas_.clear();
-        canvas_.putDepth(80, 0, 80, Canvas::height, z);
         const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
-        expectWidths(drawn(contour(follows_edge), appearance, placement), 4, width);
+        expectWidths(lineWithSurfaceAt(z, appearance, placement, contour(follows_edge)), 4, width);
     };
     for (const bool follows_edge : {false, true})
         expect_right_half(follows_edge, 0.1, 4);

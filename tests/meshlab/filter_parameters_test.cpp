@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "filter_laplacian_lines.h"
+#include "filters.h"
 #include "places.h"
 
 namespace {

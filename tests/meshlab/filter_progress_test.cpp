@@ -9,7 +9,7 @@
 #include <set>
 
 #include "add_layer.h"
-#include "filter_laplacian_lines.h"
+#include "filters.h"
 #include "meshlab_host/field_attributes.h"
 #include "registry.h"
 #include "with_threads.h"
