@@ -12,7 +12,6 @@
 #include "meshlab_host/layer_drawing.h"
 #include "view_properties.h"
 
-using laplacian_lines::DrawnKernel;
 using line_renderer::RedrawClock;
 using meshlab_host::CameraMatrices;
 
@@ -39,12 +38,6 @@ laplacian_lines::View viewOf(const CameraMatrices& camera, const Eigen::Matrix4d
     return *view;
 }
 
-QString kernelSize(const DrawnKernel& kernel, const PreparedLines& lines) {
-    return kernel.laplacian
-               ? QString("√h %1 % of D; ").arg(100 * kernel.size / lines.diagonal, 0, 'f', 2)
-               : QString();
-}
-
 QString statistics(const laplacian_lines::LineSet& lines, const RedrawClock& clock,
                    double switching_on) {
     const auto spent = [&](const char* name, RedrawClock::Part part) {
@@ -69,18 +62,50 @@ double lineScale(QPainter* painter) {
     return scale.isValid() ? scale.toDouble() : 1;
 }
 
-/// The whole picture, of which a tile shows a part. The view's viewport has to be OpenGL's.
-PictureOfMesh pictureOf(const LayerInView& layer, const laplacian_lines::View& eye,
-                        const Eigen::Matrix4d& middle_of_tiles, double tiles) {
+Eigen::Vector2i viewportSize() {
     GLint viewport[4] = {};
     glGetIntegerv(GL_VIEWPORT, viewport);
-    PictureOfMesh picture{eye, layer.placement.to_eye, layer.placement.projection,
-                          tiles * viewport[3]};
-    if (tiles > 1) {
-        picture.projection = middle_of_tiles;
-        picture.projection.topRows<2>() /= tiles;
-    }
-    return picture;
+    return {viewport[2], viewport[3]};
+}
+
+/// Where a picture of the projection `whole` lies in the view of a tile, `tiles` times as large.
+line_renderer::PicturePlace placeInTile(const Eigen::Matrix4d& whole, const Eigen::Matrix4d& tile,
+                                        double tiles) {
+    const bool is_parallel = meshlab_host::isOrthographic(tile);
+    const Eigen::Vector4d column =
+        is_parallel ? tile.col(3) - tiles * whole.col(3) : tile.col(2) - tiles * whole.col(2);
+    return {tiles, (is_parallel ? 1 : -1) * column.head<2>()};
+}
+
+bool hasOneColor(const DecorationParameters& chosen) {
+    for (const auto& kind : laplacian_lines::line_kinds)
+        if (chosen.style.shows[kind.kind] &&
+            chosen.appearance.looks[std::size_t(kind.kind)].color != chosen.line_color)
+            return false;
+    return true;
+}
+
+/// No other layer shows faces, which would hide its lines.
+bool isAlone(const MeshModel& mesh) {
+    const MeshDocument* document = meshlab_host::documentOf(mesh);
+    if (!document) return true;
+    for (const MeshModel* layer : meshlab_host::layersOf(*document))
+        if (layer->id() != mesh.id() && layer->isVisible() && layer->cm.fn > 0) return false;
+    return true;
+}
+
+/// Pens of which that of inner lines is Line Width.
+line_drawing::SheetOptions sheetOptions(const DecorationParameters& chosen) {
+    line_drawing::SheetOptions options;
+    options.style = line_drawing::styleOnPaper(chosen.style);
+    if (const auto azimuth = lightAzimuth(chosen))
+        options.light = meshlab_host::towardsLight(*azimuth);
+    if (chosen.appearance.hidden == line_renderer::HiddenLines::Dashed)
+        options.hidden = line_drawing::HiddenLines::Dashed;
+    const double factor = chosen.outline_width / DecorationParameters().outline_width;
+    for (const auto outline : {line_drawing::LineClass::Outline, line_drawing::LineClass::Contour})
+        options.pens[std::size_t(outline)] *= factor;
+    return options;
 }
 
 double devicePixelRatio(QPainter* painter) {
@@ -165,8 +190,6 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
             text = drawLines(mesh, lines, valid.chosen, view, painter, clock);
         const QString& lack = needs_derivatives ? lines->lack : QString();
         complaints += QStringList{lines->failure, lack};
-        if (valid.chosen.scale == Scale::WithTheView && !lines->failed_levels.empty())
-            complaints << lines->failed_levels.begin()->second;
     } catch (const std::exception& error) {
         complaints << QString::fromUtf8(error.what());
     }
@@ -180,16 +203,19 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
 
 void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
     cache_.release(view, mesh.id());
+    prints_.forget(view);
 }
 
 void DecorateLaplacianLines::endAll(GLArea* view) {
     cache_.releaseView(view);
+    prints_.forget(view);
     drawing_.forget(view);
     complaints_.clear();  // a new document may get the address of the old
 }
 
 void DecorateLaplacianLines::meshGone(GLArea* view) {
     cache_.releaseUnlessAssigned(view);
+    prints_.forget(view);
 }
 
 PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view,
@@ -252,17 +278,29 @@ PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh,
     return lines;
 }
 
-std::vector<DrawnKernel> DecorateLaplacianLines::kernelsFor(
-    const MeshModel& mesh, const PreparedLinesPointer& lines, const DecorationParameters& chosen,
-    const laplacian_lines::View& eye, const LayerInView& layer, double tiles) {
-    if (chosen.scale == Scale::AsComputed) return {DrawnKernel()};
-    const PictureOfMesh picture = pictureOf(layer, eye, tiles_.camera().projection, tiles);
-    const double width = chosen.line_width * layer.placement.pixel_scale;
-    const double wanted =
-        laplacian_lines::kDrawnKernelWidths * width * lines->samples.pixelSize(picture);
-    const bool waits =
-        tiles > 1 || (layer.widget && layer.widget->property(waits_property).toBool());
-    return levels_.demand(lines, mesh.cm, wanted, layer.widget, waits);
+std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshModel& mesh,
+                                                               const PreparedLinesPointer& lines,
+                                                               const DecorationParameters& chosen,
+                                                               const LayerInView& layer,
+                                                               double tiles) const {
+    const bool is_wanted = chosen.at_rest == AtRest::PrintedDrawing &&
+                           chosen.appearance.hidden != line_renderer::HiddenLines::Faint;
+    if (!is_wanted || !lines->scene || !hasOneColor(chosen) || !isAlone(mesh)) return std::nullopt;
+    line_drawing::SheetOptions options = sheetOptions(chosen);
+    Eigen::Matrix4d projection = layer.placement.projection;
+    if (tiles > 1) {
+        projection = tiles_.camera().projection;
+        projection.topRows<2>() /= tiles;
+    }
+    const double pen = options.pens[std::size_t(line_drawing::LineClass::Inner)];
+    auto window = windowOf(layer.placement.to_eye, projection, int(tiles) * viewportSize(),
+                           chosen.line_width * layer.placement.pixel_scale / pen);
+    if (!window) return std::nullopt;
+    PrintedView printed{lines, std::move(*window), std::move(options), {}};
+    for (const auto& row : decorationTable())
+        if (const auto* number = std::get_if<DecorationRow>(&row))
+            printed.chosen.push_back(number->get(chosen));
+    return printed;
 }
 
 QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,
@@ -279,22 +317,33 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     if (tiles > 1)
         layer.placement.picture_to_clip = tiles_.camera().projection * tiles_.camera().modelview *
                                           meshlab_host::layerTransform(mesh.cm);
-    const auto kernels = kernelsFor(mesh, lines, chosen, eye, layer, tiles);
-    clock.count(RedrawClock::DrawCalls);
-    laplacian_lines::extract_kernels(*lines->extractor, eye, chosen.style, kernels, scratch_,
-                                     faded_lines_, lines_);
-    clock.count(RedrawClock::Extraction);
-
     layer.is_first = beginsRedraw(painter);
     const MeshDocument* document = meshlab_host::documentOf(mesh);
     if (layer.is_first && document) layer.shown = meshlab_host::layerIds(*document, true);
+    if (const auto printed = printedView(mesh, lines, chosen, layer, tiles)) {
+        const bool waits =
+            tiles > 1 || (layer.widget && layer.widget->property(waits_property).toBool());
+        const Print print = prints_.demand(view, layer.widget, *printed, waits);
+        if (print.picture) {
+            const auto whole = printed->window.to_clip * layer.placement.to_eye.inverse();
+            drawing_.draw(layer, print.picture, placeInTile(whole, camera.projection, tiles),
+                          chosen);
+            return chosen.show_statistics
+                       ? QString("printed drawing, %1 ms").arg(print.milliseconds, 0, 'f', 0)
+                       : QString();
+        }
+    } else {
+        prints_.forget(view);
+    }
+    clock.count(RedrawClock::DrawCalls);
+    lines->extractor->extract(eye, chosen.style, scratch_, lines_);
+    clock.count(RedrawClock::Extraction);
     drawing_.draw(layer, lines_, chosen, clock);
     if (!lines->first_redraw) lines->first_redraw = clock.ownMilliseconds();
     if (!chosen.show_statistics) return {};
     glFinish();
     clock.count(RedrawClock::Drawing);
-    return kernelSize(kernels.front(), *lines) +
-           statistics(lines_, clock, lines->preparation + *lines->first_redraw);
+    return statistics(lines_, clock, lines->preparation + *lines->first_redraw);
 }
 
 void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream* log,

@@ -10,8 +10,8 @@
 #include "line_renderer/redraw_clock.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/decorate_plugin_base.h"
+#include "printed_views.h"
 #include "view_drawing.h"
-#include "view_levels.h"
 
 /// Mesh attributes, camera and parameters in, lines on the screen out; never lines of a geometry
 /// that the mesh no longer has.
@@ -44,12 +44,10 @@ private:
     QString drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,
                       const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                       line_renderer::RedrawClock& clock);
-    /// The kernels for `layer` seen by `eye`; `tiles` as in meshlab_host::SnapshotTiles.
-    std::vector<laplacian_lines::DrawnKernel> kernelsFor(const MeshModel& mesh,
-                                                         const PreparedLinesPointer& lines,
-                                                         const DecorationParameters& chosen,
-                                                         const laplacian_lines::View& eye,
-                                                         const LayerInView& layer, double tiles);
+    /// The layer as it would be printed, if that is wanted and possible.
+    std::optional<PrintedView> printedView(const MeshModel& mesh, const PreparedLinesPointer& lines,
+                                           const DecorationParameters& chosen,
+                                           const LayerInView& layer, double tiles) const;
     /// Logs why a mesh has no lines, once, or remembers that it has; `log` is its document's.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
@@ -61,7 +59,7 @@ private:
     DecorationParameters last_good_;
     LineCache cache_;
     KeptLines kept_;
-    ViewLevels levels_{[this] { kept_.fit(); }};
+    PrintedViews prints_{[this](const QString& lack) { say(lack); }};
     std::map<const MeshDocument*, std::set<int>>
         known_layers_;  ///< of the documents that are watched
     /// What was said last of meshes without lines, by log, which is never followed, and mesh.
@@ -69,6 +67,6 @@ private:
     meshlab_host::SnapshotTiles tiles_;
     ViewDrawing drawing_;
     laplacian_lines::ExtractionScratch scratch_;
-    laplacian_lines::LineSet lines_, faded_lines_;
+    laplacian_lines::LineSet lines_;
     bool shows_statistics_ = false, has_looked_at_settings_ = false;
 };

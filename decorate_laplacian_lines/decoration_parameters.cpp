@@ -121,11 +121,12 @@ const std::vector<std::variant<DecorationRow, ColorRow>>& decorationTable() {
         choice<&Parameters::appearance, &line_renderer::LineAppearance::hidden>(
             "hidden_lines", "Hidden Lines", {"Not Drawn", "Faint", "Dashed"},
             "Those behind the surface."),
-        choice<&Parameters::scale>(
-            "scale", "Scale", {"As Computed", "With the View"},
-            "Of the forms that Laplacian lines show. As Computed: the kernel size of the filter "
-            "Compute Laplacian Lines, or its default, at any zoom. With the View: what is large "
-            "enough to be drawn at this zoom, a kernel of four line widths."),
+        choice<&Parameters::at_rest>(
+            "at_rest", "At Rest", {"Printed Drawing", "Live Lines"},
+            "Once the view has not changed for a moment. Printed Drawing: as the filter Export "
+            "Laplacian Lines Drawing draws it, with whole strokes and a pen of 0.25 mm as wide as "
+            "Line Width. Views of several layers, lines in several colors and faint hidden lines "
+            "stay live."),
         kind_switch<LineKind::Contour, style, &LineStyle::shows>(),
         kind_switch<LineKind::Laplacian, style, &LineStyle::shows>(),
         kind_switch<LineKind::Ridge, style, &LineStyle::shows>(),

@@ -26,8 +26,8 @@ constexpr int as_ticked = 0;
 /// All but the first have paper around the surface.
 enum class SurfaceLook { AsMeshLabDrawsIt, Paper, Toon, OnPaper };
 
-/// The kernel of the field as computed, or one that suits the size of the surface in the view.
-enum class Scale { AsComputed, WithTheView };
+/// What is shown once nothing moves.
+enum class AtRest { PrintedDrawing, LiveLines };
 
 /// From 1 on, lights turn with the camera: eight around the picture, clockwise.
 constexpr int at_the_eye = 0, from_the_upper_left = 1;
@@ -41,7 +41,7 @@ struct DecorationParameters {
     double outline_width = describe(laplacian_lines::LineKind::Contour).width;  ///< in line widths
     QColor line_color = Qt::black;
     line_renderer::LineAppearance appearance;  ///< its looks are made of the above
-    Scale scale = Scale::AsComputed;
+    AtRest at_rest = AtRest::PrintedDrawing;
     SurfaceLook surface = SurfaceLook::AsMeshLabDrawsIt;
     int light = at_the_eye;
     bool show_statistics = false;

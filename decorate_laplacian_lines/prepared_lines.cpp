@@ -3,25 +3,21 @@
 
 #include <QElapsedTimer>
 #include <QGuiApplication>
-#include <algorithm>
-#include <cstdlib>
-#include <iterator>
 #include <new>
-#include <numeric>
 
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_visibility.h"
 #include "meshlab_host/mesh_conversion.h"
+#include "printed_scene.h"
 
 using laplacian_lines::Field;
 using laplacian_lines::TriangleMesh;
 
 namespace {
 
-constexpr std::size_t least_kept_levels = 4;
-
-/// Of an extractor's memory.
-constexpr double share_of_levels = 0.7;
+/// What a scene takes once it has been printed, in memories of the extractor.
+constexpr std::size_t scene_share = 4;
+constexpr std::size_t most_triangles_printed = 10000000;
 
 class WaitCursor {
 public:
@@ -32,67 +28,15 @@ public:
 };
 
 std::size_t bytesOf(const PreparedLines& lines) {
-    std::size_t sum = lines.extractor->memory() + line_renderer::bytesOf(*lines.surface) +
-                      lines.kept_levels.bytes() + lines.samples.bytes();
+    std::size_t sum = lines.extractor->memory() * (lines.scene ? 1 + scene_share : 1) +
+                      line_renderer::bytesOf(*lines.surface);
     if (lines.field)
         for (const auto& column : laplacian_lines::present_columns(*lines.field))
             sum += column.size(*lines.field) * std::size_t(column.floats) * sizeof(float);
     return sum;
 }
 
-std::size_t bytesForLevels(const PreparedLines& lines) {
-    return std::size_t(share_of_levels * double(lines.extractor->memory()));
-}
-
 }  // namespace
-
-const laplacian_lines::KernelLaplacian* KeptLevels::find(int level) const {
-    for (const Entry& entry : entries_)
-        if (entry.level == level) return &entry.laplacian;
-    return nullptr;
-}
-
-const laplacian_lines::KernelLaplacian* KeptLevels::use(int level) {
-    const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                    [=](const Entry& entry) { return entry.level == level; });
-    if (found == entries_.end()) return nullptr;
-    entries_.splice(entries_.begin(), entries_, found);
-    found->is_used = true;
-    return &found->laplacian;
-}
-
-int KeptLevels::nearest(int level) const {
-    const auto found =
-        std::min_element(entries_.begin(), entries_.end(), [=](const Entry& a, const Entry& b) {
-            return std::abs(a.level - level) < std::abs(b.level - level);
-        });
-    return found == entries_.end() ? -1 : found->level;
-}
-
-bool KeptLevels::hasRoom(std::size_t most_bytes) const {
-    return entries_.empty() || bytes() + entries_.front().laplacian.memory() <= most_bytes;
-}
-
-void KeptLevels::add(int level, laplacian_lines::KernelLaplacian laplacian,
-                     std::size_t most_bytes) {
-    entries_.remove_if([=](const Entry& entry) { return entry.level == level; });
-    entries_.push_front({level, std::move(laplacian)});
-    while (entries_.size() > least_kept_levels && bytes() > most_bytes)
-        dropOne();
-}
-
-void KeptLevels::dropOne() {
-    auto dropped = std::prev(entries_.end());
-    for (auto entry = std::next(entries_.begin()); entry != entries_.end(); ++entry)
-        if (!entry->is_used) dropped = entry;
-    entries_.erase(dropped);
-}
-
-std::size_t KeptLevels::bytes() const {
-    return std::accumulate(
-        entries_.begin(), entries_.end(), std::size_t(0),
-        [](std::size_t sum, const Entry& entry) { return sum + entry.laplacian.memory(); });
-}
 
 PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                                   const meshlab_host::FieldSource& source,
@@ -103,17 +47,17 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
     result->key = source.key;
     try {
         const WaitCursor wait_cursor;
-        const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
+        TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
         Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say);
         result->diagonal = field.scale.diagonal;
         result->sight_edge = laplacian_lines::sight_edge(field);
-        result->options = source.options;
-        result->levels = laplacian_lines::KernelLevels(field.scale.mean_edge, field.scale.diagonal);
-        result->samples = SurfaceSamples(triangles, field);
         result->surface = line_renderer::makeSurface(triangles, field);
         result->extractor.emplace(triangles, field);
         result->has_derivatives = field.has_derivatives();
         const bool is_in_mesh = source.status == meshlab_host::FieldStatus::Current;
+        if (triangles.triangles.size() <= most_triangles_printed)
+            result->scene = std::make_shared<PrintedScene>(
+                std::move(triangles), is_in_mesh ? std::optional<Field>(field) : std::nullopt);
         if (!is_in_mesh && !result->has_derivatives) result->field = std::move(field);
         result->bytes = bytesOf(*result);
     } catch (const std::bad_alloc&) {
@@ -124,15 +68,6 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
     }
     result->preparation = 1e-6 * double(clock.nsecsElapsed());
     return result;
-}
-
-void addLevel(PreparedLines& lines, int level, laplacian_lines::KernelLaplacian laplacian) {
-    lines.kept_levels.add(level, std::move(laplacian), bytesForLevels(lines));
-    lines.bytes = bytesOf(lines);
-}
-
-bool hasRoomForLevel(const PreparedLines& lines) {
-    return lines.kept_levels.hasRoom(bytesForLevels(lines));
 }
 
 void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,

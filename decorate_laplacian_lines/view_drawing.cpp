@@ -92,6 +92,13 @@ void ViewDrawing::draw(const LayerInView& layer, const laplacian_lines::LineSet&
     clock.count(RedrawClock::DrawCalls);
 }
 
+void ViewDrawing::draw(const LayerInView& layer, const line_renderer::InkPicturePointer& lines,
+                       const line_renderer::PicturePlace& place,
+                       const DecorationParameters& chosen) {
+    prepare(layer, false, chosen);
+    pictures_.paint(lines, chosen.line_color, place);
+}
+
 void ViewDrawing::forget(ViewLayers::View view) {
     layers_.forget(view);
 }

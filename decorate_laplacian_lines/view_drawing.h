@@ -10,6 +10,7 @@
 #include "decoration_parameters.h"
 #include "laplacian_lines/line_set.h"
 #include "line_renderer/line_renderer.h"
+#include "line_renderer/picture_renderer.h"
 #include "line_renderer/surface_depth.h"
 #include "line_renderer/surface_renderer.h"
 
@@ -76,6 +77,10 @@ public:
     /// @throws std::runtime_error if OpenGL cannot do it
     void draw(const LayerInView& layer, const laplacian_lines::LineSet& lines,
               const DecorationParameters& chosen, line_renderer::RedrawClock& clock);
+    /// The same with lines that are a picture already.
+    /// @throws std::runtime_error if OpenGL cannot do it
+    void draw(const LayerInView& layer, const line_renderer::InkPicturePointer& lines,
+              const line_renderer::PicturePlace& place, const DecorationParameters& chosen);
     /// The view is gone.
     void forget(ViewLayers::View view);
 
@@ -93,4 +98,5 @@ private:
     line_renderer::SurfaceDepth depth_;
     line_renderer::SurfaceRenderer surfaces_;
     line_renderer::LineRenderer lines_;
+    line_renderer::PictureRenderer pictures_;
 };

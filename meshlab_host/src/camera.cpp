@@ -5,12 +5,13 @@
 #include <cmath>
 
 namespace meshlab_host {
-namespace {
 
 bool isOrthographic(const Eigen::Matrix4d& projection) {
     // The last row makes w: (0, 0, 0, 1), or (0, 0, -1, 0) in perspective.
     return projection(3, 2) == 0;
 }
+
+namespace {
 
 /// How far the frustum's middle is left of and below the axis of sight, in half widths and heights.
 /// Tile c of n has n - 1 - 2c, an integer.

@@ -99,7 +99,7 @@ void scaleLines(const Command& command) {
 }
 
 /// So that pictures do not depend on timing.
-void waitForLevels(const Command&) {
+void waitForDrawings(const Command&) {
     requireView()->setProperty(waits_property, true);
 }
 
@@ -111,7 +111,7 @@ void addDrawingCommands(CommandTable& table) {
     table["draw-lines"] = {drawLines};
     table["draw-all-lines"] = {drawAllLines};
     table["scale-lines"] = {scaleLines};
-    table["wait-for-levels"] = {waitForLevels};
+    table["wait-for-drawings"] = {waitForDrawings};
 }
 
 }  // namespace driver

@@ -130,13 +130,13 @@ class Pictures:
 
     def row_script(self, number):
         """What stands between "together" and the end of its line is done before MeshLab redraws: each redraw of a large
-        mesh takes its time. The style Publication looks the same, but what the user sets besides would not count. Lines
-        show what is large enough for the picture, while kinds are compared at one kernel."""
+        mesh takes its time. The style Publication looks the same, but what the user sets besides would not count. Kinds
+        are compared as the core finds them."""
         options = self.options
         yield from loading(self.rows[number][0])
         yield f"size {options.size}"
-        scale = [] if options.kinds else ["setdeco Scale = With the View"]
-        commands = ["draw-lines", "setdeco Surface = Paper", *scale, *self.settings]
+        live = ["setdeco At Rest = Live Lines"] if options.kinds else []
+        commands = ["draw-lines", "setdeco Surface = Paper", *live, *self.settings]
         for v, view in enumerate(self.views):
             angles = VIEWS.get(view or "front", view).replace(",", " ")
             commands.append(f"frame {angles} {options.up} {options.zoom} {options.projection}")
@@ -147,7 +147,7 @@ class Pictures:
     def script(self, first):
         """Draws the rows from the first-th on in one MeshLab, on white paper."""
         yield from (LIMIT, "wait", "check Show Layer Dialog on", "check Show Info Panel off", "check Show Trackball off",
-                    f"size {self.options.size}", f"scale-lines {LINE_SIDE}", "wait-for-levels")
+                    f"size {self.options.size}", f"scale-lines {LINE_SIDE}", "wait-for-drawings")
         for number in range(first, len(self.rows)):
             yield from self.row_script(number)
         yield "quit"

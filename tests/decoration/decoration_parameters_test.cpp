@@ -69,7 +69,7 @@ TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
     EXPECT_EQ(read.surface, SurfaceLook::AsMeshLabDrawsIt);
     EXPECT_FALSE(lightAzimuth(read));
     EXPECT_EQ(read.appearance.hidden, HiddenLines::LeftOut);
-    EXPECT_EQ(read.scale, Scale::AsComputed);
+    EXPECT_EQ(read.at_rest, AtRest::PrintedDrawing);
     EXPECT_EQ(read.style.detail, defaults.style.detail);
     EXPECT_EQ(read.style.gradient_threshold, defaults.style.gradient_threshold);
     EXPECT_EQ(read.style.strength_threshold, defaults.style.strength_threshold);

@@ -43,6 +43,7 @@ load torus.ply
 expect-action Laplacian Lines unchecked
 {SHOW_LINES}expect-action Laplacian Lines checked
 expect-log Laplacian Lines: torus.ply: computed with the default options
+setdeco At Rest = 1
 frame 40 25
 grab lines.png
 drag 0.5 0.5 0.7 0.62
@@ -58,10 +59,14 @@ setdeco Detail = 50
 grab again.png
 snapshot snapshot.png 1
 snapshot tiles.png 2
-wait-for-levels
-frame 40 25 y 0.3
-{pictures("Scale = 1", "Scale = 0")}
+setdeco At Rest = 0
+sleep 4000
+grab printed.png
+wait-for-drawings
+snapshot printed_tiles.png 2
+drag 0.5 0.5 0.7 0.62
 frame 40 25
+{pictures("At Rest = 0", "At Rest = 1")}
 check Laplacian Lines off
 {"".join(map(in_mode, MODES))}
 # another view has no lines of its own yet
@@ -100,7 +105,9 @@ for name in ("Detail50", "Lines0", "HiddenLines0", "again"):
 for name in ("turned", "orthographic", "Lines1", "HiddenLines1", "HiddenLines2"):
     expect_other_picture("lines.png", f"{name}.png")
 expect(red_pixels("Detail0.png") < red_pixels("lines.png") < red_pixels("Detail100.png"), "Detail does not add lines")
-expect_other_picture("Scale0.png", "Scale1.png", 50)
+expect_same_picture("AtRest1.png", "lines.png")
+expect_other_picture("AtRest0.png", "lines.png")
+expect_same_picture("AtRest0.png", "printed.png")
 expect(red_pixels("second_plain.png") == 0, "a new view has lines before they are switched on")
 for mode in MODES:
     expect_same_picture(f"{mode}_plain.png", f"{mode}_after.png")
@@ -118,6 +125,8 @@ expect_same_picture("lines.png", "snapshot.png", 150)
 expect(picture_size("tiles.png") == "1000x800", f"the snapshot is {picture_size('tiles.png')}")
 ratio = redness("lines.png") / redness("tiles.png")
 expect(0.96 < ratio < 1 / 0.96, f"the view has {ratio} times the red of the snapshot")
+ratio = redness("printed.png") / redness("printed_tiles.png")
+expect(0.98 < ratio < 1 / 0.98, f"the view has {ratio} times the red of the snapshot of its printed drawing")
 
 for file in ("ring_near.png", "ring_far.png"):  # on every ray from the middle lies ink, or a pixel beside it
     least = convert(file, "-alpha", "off", "-colorspace", "gray", "-threshold", "55%", "-negate", "-morphology", "Dilate",

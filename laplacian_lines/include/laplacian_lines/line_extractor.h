@@ -27,25 +27,6 @@ private:
     std::unique_ptr<Memory> memory_;
 };
 
-struct LaplacianForms;
-
-/// The Laplacian of the normals with another kernel than the extractor's field has, for that
-/// extractor only; an eighth of its memory.
-class KernelLaplacian {
-public:
-    ~KernelLaplacian();
-    KernelLaplacian(KernelLaplacian&&) noexcept;
-    KernelLaplacian& operator=(KernelLaplacian&&) noexcept;
-
-    /// Bytes.
-    std::size_t memory() const;
-
-private:
-    friend class LineExtractor;
-    explicit KernelLaplacian(std::unique_ptr<const LaplacianForms> forms);
-    std::unique_ptr<const LaplacianForms> forms_;
-};
-
 /// Extracts the lines of one mesh for any view. Built once from a mesh and its field, which need
 /// not outlive it. Source: Zhang, He, Seah, "Laplacian Lines for Real-Time Shape Illustration",
 /// section on extraction; where we deviate is said at the members of LineStyle.
@@ -59,15 +40,10 @@ public:
     LineExtractor& operator=(LineExtractor&&) noexcept;
 
     /// Replaces `lines` with the lines of this view, in an order that depends on the input alone.
-    /// Thread-safe, each thread with its own scratch and line set. `laplacian` replaces Δn for the
-    /// Laplacian lines; all else stays that of the extractor's field.
+    /// Thread-safe, each thread with its own scratch and line set.
     /// @throws Error(InvalidOption) if a style value is out of range or the view is not finite
     void extract(const View& view, const LineStyle& style, ExtractionScratch& scratch,
-                 LineSet& lines, const KernelLaplacian* laplacian = nullptr) const;
-
-    /// Of a field of the same mesh that differs only in kernel size and smoothing of normals.
-    /// Thread-safe. @throws Error(FieldMismatch, InvalidMesh, EmptyMesh)
-    KernelLaplacian laplacian_of(const TriangleMesh& mesh, const Field& field) const;
+                 LineSet& lines) const;
 
     /// Adds what kinds with LineKindDescription::needs_derivatives read, as if the field had had
     /// its derivatives from the start. Not while another thread extracts. Strong guarantee.

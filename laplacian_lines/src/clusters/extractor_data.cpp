@@ -64,12 +64,12 @@ std::size_t ExtractorData::padded_cluster_count() const {
     return (clusters.size() + kFormGroup - 1) / kFormGroup * kFormGroup;
 }
 
-ClusterStore ExtractorData::store(const LaplacianForms& forms) const {
+ClusterStore ExtractorData::store() const {
     const auto array = [&](std::size_t i) { return bounds.data() + i * padded_cluster_count(); };
     return {memory_of_clusters.get(),
             clusters.data(),
             border_edges.data(),
-            forms.groups.data(),
+            laplacians.groups.data(),
             {{array(0), array(1), array(2)},
              {array(3), array(4), array(5)},
              {{array(6), array(7), array(8)},
@@ -105,13 +105,6 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
 
 bool has_needs_of(LineKind kind, const ExtractorData& data) {
     return !describe(kind).needs_derivatives || !data.curvatures.empty();
-}
-
-LaplacianForms build_laplacian_forms(const TriangleMesh& mesh, const Field& field,
-                                     const ExtractorData& data) {
-    const PreparedMesh prepared = prepare(mesh, field, data.undone_subdivisions);
-    if (prepared.size() != data.vertex_count) refuse_field();
-    return laplacian_forms(prepared, field, data);
 }
 
 void add_derivatives(const TriangleMesh& mesh, const Field& field, ExtractorData& data) {

@@ -36,7 +36,7 @@ struct ExtractorData {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of line sets
     double diagonal = 1;                               ///< D, mesh units
-    LaplacianForms laplacians;                         ///< of the field that it was built of
+    LaplacianForms laplacians;                         ///< √h as of its field
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
 
@@ -45,9 +45,8 @@ struct ExtractorData {
     /// @throws std::bad_alloc
     void allocate(std::size_t bytes);
     std::size_t padded_cluster_count() const;  ///< to whole groups of kFormGroup
-    ClusterStore store() const { return store(laplacians); }
-    ClusterStore store(const LaplacianForms& forms) const;  ///< with these instead of its own
-    std::size_t memory() const;                             ///< bytes
+    ClusterStore store() const;
+    std::size_t memory() const;  ///< bytes
 };
 
 inline Eigen::Vector3f position_of(const VertexRecord& record) {
@@ -74,10 +73,6 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
 
 /// Whether lines of a kind can be found: those of some need derivatives.
 bool has_needs_of(LineKind kind, const ExtractorData& data);
-
-/// LineExtractor::laplacian().
-LaplacianForms build_laplacian_forms(const TriangleMesh& mesh, const Field& field,
-                                     const ExtractorData& data);
 
 /// LineExtractor::add_derivatives().
 void add_derivatives(const TriangleMesh& mesh, const Field& field, ExtractorData& data);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "clusters/laplacian_forms.h"
 
-#include <cmath>
-
 #include "clusters/bounded.h"
 #include "clusters/extractor_data.h"
 #include "clusters/linear_forms.h"
@@ -14,25 +12,15 @@ namespace {
 
 constexpr double kLargestLaplacian = 1e12;
 
-/// h_e, D²
-double squared_scale(const FieldScale& scale) {
-    const double size = scale.kernel_size / scale.diagonal,
-                 sigma = scale.normal_sigma / scale.diagonal;
-    return size * size + sigma * sigma / 2;
-}
-
 }  // namespace
 
 LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
                                const ExtractorData& data) {
     LaplacianForms forms;
     forms.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
-    forms.squared_scale = squared_scale(field.scale);
-    const double own = data.laplacians.squared_scale;
-    if (own > 0) forms.factor = float(std::pow(forms.squared_scale / own, 1.5));
     const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
     forms.groups = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
-    const double factor = data.diagonal * data.diagonal * forms.factor;
+    const double factor = data.diagonal * data.diagonal;
     in_parallel(data.clusters.size(), [&](std::size_t c) {
         const Cluster& cluster = data.clusters[c];
         write_forms(&forms.groups[cluster.first_form_group], cluster, [&](unsigned i) {

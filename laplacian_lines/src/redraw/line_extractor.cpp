@@ -43,21 +43,6 @@ LineExtractor::~LineExtractor() = default;
 LineExtractor::LineExtractor(LineExtractor&&) noexcept = default;
 LineExtractor& LineExtractor::operator=(LineExtractor&&) noexcept = default;
 
-KernelLaplacian::KernelLaplacian(std::unique_ptr<const LaplacianForms> forms)
-    : forms_(std::move(forms)) {}
-KernelLaplacian::~KernelLaplacian() = default;
-KernelLaplacian::KernelLaplacian(KernelLaplacian&&) noexcept = default;
-KernelLaplacian& KernelLaplacian::operator=(KernelLaplacian&&) noexcept = default;
-
-std::size_t KernelLaplacian::memory() const {
-    return sizeof(*forms_) + forms_->memory();
-}
-
-KernelLaplacian LineExtractor::laplacian_of(const TriangleMesh& mesh, const Field& field) const {
-    return KernelLaplacian(
-        std::make_unique<const LaplacianForms>(build_laplacian_forms(mesh, field, *data_)));
-}
-
 void LineExtractor::add_derivatives(const TriangleMesh& mesh, const Field& field) {
     laplacian_lines::add_derivatives(mesh, field, *data_);
 }
@@ -101,7 +86,7 @@ void set_eye(const LocalEye& eye, float out[4]) {
 }
 
 ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEye& eye,
-                         const ExtractorData& data, const LaplacianForms& laplacian) {
+                         const ExtractorData& data) {
     ExtractionTask task;
     const LocalEye light =
         view.light ? direction_to_local(*view.light, "The light has no finite direction.") : eye;
@@ -111,12 +96,7 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     for (unsigned number = 0; number < kStripKindCount; ++number) {
         const StripKind* const kind = strip_kinds()[number];
         LineRules rules = kind->rules(style, task.light_at_eye);
-        const float own_size = data.laplacians.kernel_size;
-        rules.kernel_size = own_size;
-        if (kind->kind == LineKind::Laplacian) {
-            rules.kernel_size = laplacian.kernel_size;
-            if (laplacian.kernel_size > own_size) rules.least_concavity = -1;  // S is finer
-        }
+        rules.kernel_size = data.laplacians.kernel_size;
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
@@ -129,13 +109,12 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
 }  // namespace
 
 void LineExtractor::extract(const View& view, const LineStyle& style, ExtractionScratch& scratch,
-                            LineSet& lines, const KernelLaplacian* laplacian) const {
+                            LineSet& lines) const {
     validate(style);
-    const LaplacianForms& forms = laplacian ? *laplacian->forms_ : data_->laplacians;
     const LocalEye eye = eye_to_local(view, *data_);
-    const ExtractionTask task = make_task(view, style, eye, *data_, forms);
+    const ExtractionTask task = make_task(view, style, eye, *data_);
     ExtractionScratch::Memory& memory = *scratch.memory_;
-    find_strips(*data_, forms, task, memory.found);
+    find_strips(*data_, task, memory.found);
     memory.traced.clear();
     for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
         join_strips(memory.found, kind, data_->border_edge_count, memory.joining);

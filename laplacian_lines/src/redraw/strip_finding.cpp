@@ -79,9 +79,8 @@ void even_out(const ExtractionTask& task, FoundStrips& found) {
 
 }  // namespace
 
-void find_strips(const ExtractorData& data, const LaplacianForms& laplacians,
-                 const ExtractionTask& task, FoundStrips& found) {
-    const ClusterStore store = data.store(laplacians);
+void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found) {
+    const ClusterStore store = data.store();
     const std::size_t chunks = (data.clusters.size() + kChunk - 1) / kChunk;
     const unsigned workers = workers_for(chunks);
     if (found.threads.size() < workers) found.threads.resize(workers);

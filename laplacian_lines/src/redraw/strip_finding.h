@@ -36,7 +36,6 @@ struct FoundStrips {
 
 /// Finds all strips of a view on several threads. What is found, and its order, does not depend on
 /// their number.
-void find_strips(const ExtractorData& data, const LaplacianForms& laplacians,
-                 const ExtractionTask& task, FoundStrips& found);
+void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found);
 
 }  // namespace laplacian_lines

@@ -48,7 +48,10 @@ enum class LineClass {
 };
 constexpr std::size_t line_class_count = 7;
 
-constexpr std::array<double, line_class_count> pensOf(Weights weights) {
+/// Widths in mm, by LineClass.
+using Pens = std::array<double, line_class_count>;
+
+constexpr Pens pensOf(Weights weights) {
     if (weights == Weights::Iso) return {0.5, 0.5, 0.5, 0.25, 0.25, 0.5, 0.25};
     return {0.5, 0.35, 0.25, 0.25, 0.13, 0.35, 0.18};
 }
@@ -87,8 +90,8 @@ struct SheetOptions : SheetLook {
     double scale = 0;
     double mm_per_unit = 1;    ///< true length of a unit of the mesh
     std::string paper = "a4";  ///< a5 to a0, or "fit": as large as the drawing
-    /// Widths in mm, by LineClass. Drawings of less than 40 mm have finer ones.
-    std::array<double, line_class_count> pens = pensOf(Weights::Illustrator);
+    /// Drawings of less than 40 mm have finer ones.
+    Pens pens = pensOf(Weights::Illustrator);
     /// √h of the inner lines. 0: four inner pens, as far as the mesh has the detail.
     DetailSize kernel;
     /// Standard deviation of the smoothing of normals. 0: by the mesh's roughness, at least √h / 4.

@@ -110,10 +110,7 @@ void cover(std::vector<Crossing>& crossings, FillRule rule, Coverage& coverage) 
 }  // namespace
 
 Canvas::Canvas(int width, int height)
-    : width_(width), height_(height), grays_((std::size_t(width) + 1) * std::size_t(height), 255) {
-    for (int y = 0; y < height; ++y)
-        grays_[rowBegin(y) - 1] = 0;
-}
+    : width_(width), height_(height), grays_(std::size_t(width) * std::size_t(height), 255) {}
 
 void Canvas::fill(const std::vector<Polygon>& polygons, FillRule rule, double tone) {
     const int gray = int(std::lround(255 * tone)), line_count = height_ * lines_of_pixel;
@@ -137,7 +134,8 @@ void Canvas::fill(const std::vector<Polygon>& polygons, FillRule rule, double to
         cover(crossings, rule, coverage);
         const bool is_last = crossed.empty() && next == sides.end();
         if (is_last || line % lines_of_pixel == lines_of_pixel - 1)
-            coverage.paint(grays_.data() + rowBegin(line / lines_of_pixel), gray);
+            coverage.paint(grays_.data() + std::size_t(line / lines_of_pixel) * std::size_t(width_),
+                           gray);
         if (is_last) break;
     }
 }

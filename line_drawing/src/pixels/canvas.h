@@ -20,17 +20,15 @@ public:
 
     int width() const { return width_; }
     int height() const { return height_; }
-    const std::uint8_t* row(int y) const { return grays_.data() + rowBegin(y); }
-    /// The rows, each after a byte that is 0.
-    const std::vector<std::uint8_t>& bytes() const { return grays_; }
+    /// A byte a pixel, row by row.
+    const std::vector<std::uint8_t>& grays() const& { return grays_; }
+    std::vector<std::uint8_t>&& grays() && { return std::move(grays_); }
 
     /// Fills the polygons together, clipped to the picture, without those whose coordinates are not
     /// finite. `tone`: 0 black, 1 white.
     void fill(const std::vector<Polygon>& polygons, FillRule rule, double tone = 0);
 
 private:
-    std::size_t rowBegin(int y) const { return std::size_t(y) * (std::size_t(width_) + 1) + 1; }
-
     const int width_, height_;
     std::vector<std::uint8_t> grays_;
 };

@@ -35,26 +35,6 @@ void check(const SheetOptions& options) {
             refuse("The width of a pen has to be more than 0, up to 10 mm.");
 }
 
-constexpr std::array<double, 10> pen_series = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4, 2};
-/// mm on paper: smaller drawings have pens one or two steps finer.
-constexpr double full_size = 40, half_size = 28;
-
-/// Pens, like drawing sizes here, go in steps of √2.
-double finer(double pen, int steps) {
-    const auto place = std::lower_bound(pen_series.begin(), pen_series.end(), pen);
-    return pen_series[std::size_t(std::max<std::ptrdiff_t>(0, place - pen_series.begin() - steps))];
-}
-
-SheetOptions withPensFor(const SheetLayout& layout, SheetOptions options) {
-    double size = 0;
-    for (const Eigen::AlignedBox2d& place : layout.places)
-        size = std::max(size, place.sizes().maxCoeff());
-    const int steps = size >= full_size ? 0 : size >= half_size ? 1 : 2;
-    for (double& pen : options.pens)
-        if (steps > 0 && pen <= pen_series.back()) pen = std::min(pen, finer(pen, steps));
-    return options;
-}
-
 /// As on their marks, if any view has these.
 void nameSections(std::vector<DrawnView>& views) {
     const bool has_marks = std::any_of(views.begin(), views.end(),
@@ -105,7 +85,11 @@ Draft layOut(const Observer& observer, const SheetOptions& options) {
         views.push_back(observer.cut(section, options));
     nameSections(views);
     SheetLayout layout = layOut(views, options);
-    SheetOptions with_pens = withPensFor(layout, options);
+    double size = 0;
+    for (const Eigen::AlignedBox2d& place : layout.places)
+        size = std::max(size, place.sizes().maxCoeff());
+    SheetOptions with_pens = options;
+    with_pens.pens = pensFor(size, options.pens);
     return {std::move(with_pens), std::move(views), std::move(layout)};
 }
 

@@ -42,6 +42,16 @@ std::optional<Vector2d> paperSize(const std::string& name) {
            "\". Papers are a5, a4, a3, a2, a1, a0, or fit: as large as the drawing.");
 }
 
+constexpr std::array<double, 10> pen_series = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4, 2};
+/// mm on paper: smaller drawings have pens one or two steps finer.
+constexpr double full_size = 40, half_size = 28;
+
+/// Pens, like drawing sizes here, go in steps of √2.
+double finer(double pen, int steps) {
+    const auto place = std::lower_bound(pen_series.begin(), pen_series.end(), pen);
+    return pen_series[std::size_t(std::max<std::ptrdiff_t>(0, place - pen_series.begin() - steps))];
+}
+
 struct Cell {
     int row, column;
 };
@@ -191,10 +201,8 @@ public:
             const Placement placement{
                 scale,
                 {left + columns_[cells_[i].column].middle, top + rows_[cells_[i].row].middle}};
-            const Vector2d a = placement.onSheet(views_[i].bounds.min());
-            const Vector2d b = placement.onSheet(views_[i].bounds.max());
             layout.placements.push_back(placement);
-            layout.places.emplace_back(Vector2d(a.x(), b.y()), Vector2d(b.x(), a.y()));
+            layout.places.push_back(placement.onSheet(views_[i].bounds));
         }
         return layout;
     }
@@ -307,6 +315,13 @@ SheetLayout layOutAt(Layout& layout, double scale, const Vector2d& upright,
 }
 
 }  // namespace
+
+Pens pensFor(double size, Pens pens) {
+    const int steps = size >= full_size ? 0 : size >= half_size ? 1 : 2;
+    for (double& pen : pens)
+        if (steps > 0 && pen <= pen_series.back()) pen = std::min(pen, finer(pen, steps));
+    return pens;
+}
 
 std::vector<const char*> paperNames() {
     std::vector<const char*> names;

@@ -25,6 +25,9 @@ bool areInPerspective(const std::vector<DrawnView>& views);
 /// paper or the views do not fit
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options);
 
+/// For the largest view of a drawing, mm on paper: small ones have pens one or two steps finer.
+Pens pensFor(double size, Pens pens);
+
 /// Names of views, scale bar, projection symbol, title. Adds remarks to the sheet if texts are too
 /// long.
 SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout& layout,

@@ -2,6 +2,7 @@
 #include "sight/object_lines.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
@@ -18,7 +19,8 @@ using laplacian_lines::MeshFault;
 using laplacian_lines::PrecomputeOptions;
 using laplacian_lines::Progress;
 
-constexpr double field_share = 0.8;  // of the time
+constexpr double field_share = 0.8;   // of the time
+constexpr double same_kernel = 0.02;  // a share: the lines of such kernels are the same
 
 /// Mesh units; `diagonal` is that of the mesh's bounding box.
 double lengthOf(const DetailSize& detail, double mm, double diagonal) {
@@ -59,8 +61,9 @@ void ObjectLines::makeReady(const SheetOptions& options, double scale, const Pro
     const PrecomputeOptions wanted = fieldOptions(options, mm);
     const bool are_given = std::all_of(objects_.begin(), objects_.end(),
                                        [](const Object& object) { return object.field; });
-    const bool are_equal = wanted.drawn_kernel_size == made_.drawn_kernel_size &&
-                           wanted.curvature_derivatives == made_.curvature_derivatives;
+    const bool are_equal = std::abs(wanted.drawn_kernel_size - made_.drawn_kernel_size) <=
+                               same_kernel * made_.drawn_kernel_size &&
+                           (made_.curvature_derivatives || !wanted.curvature_derivatives);
     if (!extractors_.empty() && (are_given || are_equal)) return;
     extractors_.clear();
     kernel_size_ = 0;

@@ -49,6 +49,7 @@ public:
     DrawnView cut(const Section& section, const SheetOptions& options) const;
     /// Mesh units.
     Eigen::Vector3d objectSize() const { return box_.sizes(); }
+    Eigen::Vector3d middle() const { return box_.center(); }  ///< of the objects' box
     std::size_t triangleCount() const { return surface_.mesh().triangles.size(); }
 
 private:

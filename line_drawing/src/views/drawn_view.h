@@ -83,6 +83,9 @@ struct Placement {
     Eigen::Vector2d onSheet(const Eigen::Vector2d& p) const {
         return {middle.x() + scale * p.x(), middle.y() - scale * p.y()};
     }
+    Eigen::AlignedBox2d onSheet(const Eigen::AlignedBox2d& box) const {
+        return Eigen::AlignedBox2d(onSheet(box.min())).extend(onSheet(box.max()));
+    }
 };
 
 /// Lines as they look in a view, times `unit`.

@@ -18,6 +18,8 @@ struct CameraMatrices {
 /// From the GL context that is current on this thread.
 CameraMatrices cameraFromGl();
 
+bool isOrthographic(const Eigen::Matrix4d& projection);
+
 /// Mesh to world coordinates.
 Eigen::Matrix4d layerTransform(const CMeshO& mesh);
 

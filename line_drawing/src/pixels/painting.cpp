@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pixels/painting.h"
+
+#include "planes/lettering.h"
+
+namespace line_drawing {
+namespace {
+
+constexpr double flatness = 0.03;  // pixels that a curve may be away from its chords
+
+void add(const SheetPath& path, double scale, Canvas& canvas) {
+    const Path placed = path.path.placed(scale, {0, 0});
+    const std::vector<Polygon> lines = placed.flattened(flatness);
+    if (path.pen_width == 0) return canvas.fill(lines, placed.fill_rule, path.tone);
+    std::vector<Polygon> strokes;
+    for (const Polygon& line : lines)
+        appendStroke(line, path.pen_width * scale, path.dash * scale, strokes);
+    canvas.fill(strokes, FillRule::NonZero);
+}
+
+}  // namespace
+
+Canvas paintGroups(const std::vector<SheetGroup>& groups, const Eigen::Vector2i& size,
+                   double pixels_per_mm) {
+    Canvas canvas(size.x(), size.y());
+    for (const SheetGroup& group : groups)
+        for (const SheetLayer& layer : group.layers) {
+            for (const SheetPath& path : layer.paths)
+                add(path, pixels_per_mm, canvas);
+            for (const SheetText& text : layer.texts)
+                add(outlinesOf(text), pixels_per_mm, canvas);
+        }
+    return canvas;
+}
+
+}  // namespace line_drawing

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "printed_views.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "event_loop.h"
+#include "wavy_sheet.h"
+
+namespace {
+
+constexpr double pixels_per_mm = 6.4;
+
+class PrintedViewsTest : public testing::Test {
+protected:
+    PrintedViewsTest() {
+        makeSheet(mesh_, 100);
+        lines_ =
+            prepareLines(mesh_, "sheet", meshlab_host::fieldSource(mesh_), [](const QString&) {});
+    }
+
+    /// From the front, turned by some degrees.
+    PrintedView turned(double degrees) const {
+        Eigen::Affine3d to_eye(
+            Eigen::AngleAxisd(degrees * std::acos(-1) / 180, Eigen::Vector3d::UnitY()));
+        to_eye.translate(Eigen::Vector3d(-0.5, -0.5, 0));
+        PrintedView view{lines_, {}, {}, {degrees}};
+        view.window = *windowOf(to_eye.matrix(), Eigen::Vector4d(1.5, 1.5, -0.1, 1).asDiagonal(),
+                                {400, 400}, pixels_per_mm);
+        view.options.style = line_drawing::styleOnPaper();
+        return view;
+    }
+    Print demand(const PrintedView& view, bool waits = false) {
+        return prints_->demand(this, &widget_, view, waits);
+    }
+    /// Processes events until the view is printed.
+    line_renderer::InkPicturePointer waitFor(const PrintedView& view) {
+        QElapsedTimer clock;
+        clock.start();
+        while (!demand(view).picture && clock.elapsed() < 60000)
+            wait(5);
+        return demand(view).picture;
+    }
+    static int inked(const line_renderer::InkPicturePointer& picture) {
+        return int(std::count(picture->grays.begin(), picture->grays.end(), 0));
+    }
+
+    CMeshO mesh_;
+    PreparedLinesPointer lines_;
+    CountingWidget widget_;
+    QStringList said_;
+    std::unique_ptr<PrintedViews> prints_ =
+        std::make_unique<PrintedViews>([this](const QString& lack) { said_ << lack; });
+};
+
+TEST_F(PrintedViewsTest, AreThereAtOnceForThoseWhoWait) {
+    const Print print = demand(turned(20), true);
+    ASSERT_TRUE(print.picture);
+    EXPECT_EQ(print.picture->size, Eigen::Vector2i(400, 400));
+    EXPECT_GT(inked(print.picture), 400);
+    EXPECT_EQ(demand(turned(20)).picture, print.picture) << "once";
+}
+
+TEST_F(PrintedViewsTest, ComeOnceTheViewIsAtRestAndHaveItRedrawn) {
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 400) {  // as a user turns it
+        EXPECT_FALSE(demand(turned(double(clock.elapsed()))).picture);
+        wait(20);
+    }
+    const int before = widget_.redraws();
+    const auto picture = waitFor(turned(30));
+    ASSERT_TRUE(picture);
+    wait(50);
+    EXPECT_GT(widget_.redraws(), before);
+    prints_ = std::make_unique<PrintedViews>([](const QString&) {});
+    EXPECT_EQ(demand(turned(30), true).picture->grays, picture->grays);
+}
+
+TEST_F(PrintedViewsTest, AreGivenUpWhenTheViewMoves) {
+    ASSERT_TRUE(waitFor(turned(30)));
+    EXPECT_FALSE(demand(turned(31)).picture);
+    EXPECT_TRUE(waitFor(turned(31)));
+    PrintedView other = turned(31);
+    other.chosen = {1, 2};  // of other parameters
+    EXPECT_FALSE(demand(other).picture);
+    prints_->forget(this);
+    wait(400);
+    EXPECT_FALSE(demand(other).picture);
+    prints_.reset();  // while one is due
+}
+
+TEST_F(PrintedViewsTest, SayOnceWhatTheyLack) {
+    PrintedView inside = turned(0);
+    inside.window.frame.eye = Eigen::Vector3d(0.5, 0.5, -1);  // before which there is nothing
+    EXPECT_FALSE(demand(inside, true).picture);
+    EXPECT_FALSE(demand(inside, true).picture);
+    EXPECT_EQ(said_.size(), 1);
+}
+
+TEST(WindowOf, IsNoneWhereLengthsDependOnTheDirection) {
+    const Eigen::Matrix4d one = Eigen::Matrix4d::Identity();
+    const auto of = [&](const Eigen::Vector3d& factors) {
+        const Eigen::Matrix4d to_eye = Eigen::Affine3d(Eigen::Scaling(factors)).matrix();
+        return windowOf(to_eye, one, {10, 10}, 1).has_value();
+    };
+    EXPECT_TRUE(of({2, 2, 2}));
+    EXPECT_FALSE(of({2, 1, 2}));
+    EXPECT_FALSE(of({-1, 1, 1}));
+}
+
+}  // namespace
