@@ -41,6 +41,12 @@ struct Reader {
     }
 };
 
+/// Null if the ticks count.
+const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters) {
+    if (parameters.mixture == as_ticked) return nullptr;
+    return &laplacian_lines::line_mixtures.at(std::size_t(parameters.mixture - 1));
+}
+
 /// Kinds that a mixture tells apart by their colors have them in any drawing style if it is the
 /// one that colors all.
 laplacian_lines::LineKindSet coloredKinds(const DecorationParameters& parameters) {
@@ -87,11 +93,6 @@ void listDecorationParameters(RichParameterList& list) {
 std::optional<double> lightAzimuth(const DecorationParameters& parameters) {
     if (parameters.light == at_the_eye) return std::nullopt;
     return 315 + 45 * (parameters.light - from_the_upper_left);
-}
-
-const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters) {
-    if (parameters.mixture == as_ticked) return nullptr;
-    return &laplacian_lines::line_mixtures.at(std::size_t(parameters.mixture - 1));
 }
 
 ValidParameters readValidParameters(const RichParameterList& list,

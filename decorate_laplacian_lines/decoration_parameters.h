@@ -62,9 +62,6 @@ void listDecorationParameters(RichParameterList& list);
 /// Of the light that turns with the camera, if it does, as meshlab_host::towardsLight() takes it.
 std::optional<double> lightAzimuth(const DecorationParameters& parameters);
 
-/// Null if the ticks count.
-const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters);
-
 /// Values out of range are those of the last time.
 struct ValidParameters {
     DecorationParameters chosen;  ///< with drawing style and mixture applied

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "laplacian_lines/line_set.h"
 #include "meshlab_host/filter.h"
 
 // Descriptions in dialogs are short: these have to fit small screens, and not all scroll.
@@ -21,9 +20,6 @@ public:
     void listParameters(const MeshModel* mesh, RichParameterList& list) const override;
     void run(const meshlab_host::FilterRun& run) const override;
 };
-
-/// "12 Laplacian lines, 1 ridge", without kinds that have none.
-QString kindsInWords(const laplacian_lines::LineSet& lines);
 
 /// A measured drawing, as a file, of a layer as it stands in the world.
 class DrawingFilter : public meshlab_host::Filter {

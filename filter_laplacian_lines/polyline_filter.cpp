@@ -113,6 +113,18 @@ void addLayer(const LineSet& lines, const Source& source, const laplacian_lines:
     meshlab_host::showAsLines(document, layer->id());
 }
 
+/// "12 Laplacian lines, 1 ridge", without kinds that have none.
+QString kindsInWords(const LineSet& lines) {
+    std::array<std::size_t, laplacian_lines::line_kind_count> counts{};
+    for (const auto& line : lines.lines)
+        ++counts.at(std::size_t(line.kind));
+    QStringList parts;
+    for (const auto& kind : laplacian_lines::line_kinds)
+        if (const std::size_t count = counts[std::size_t(kind.kind)])
+            parts << QString("%1 %2").arg(count).arg(count == 1 ? kind.one : kind.many);
+    return parts.join(", ");
+}
+
 /// From where it was seen, for scripts.
 void recordView(const meshlab_host::FilterRun& run, PolylineParameters seen, const Eye& eye) {
     const bool is_perspective = eye.place.w() != 0;
@@ -124,17 +136,6 @@ void recordView(const meshlab_host::FilterRun& run, PolylineParameters seen, con
 }
 
 }  // namespace
-
-QString kindsInWords(const LineSet& lines) {
-    std::array<std::size_t, laplacian_lines::line_kind_count> counts{};
-    for (const auto& line : lines.lines)
-        ++counts.at(std::size_t(line.kind));
-    QStringList parts;
-    for (const auto& kind : laplacian_lines::line_kinds)
-        if (const std::size_t count = counts[std::size_t(kind.kind)])
-            parts << QString("%1 %2").arg(count).arg(count == 1 ? kind.one : kind.many);
-    return parts.join(", ");
-}
 
 meshlab_host::FilterDescription PolylineFilter::description() const {
     meshlab_host::FilterDescription result;

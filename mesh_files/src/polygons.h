@@ -37,11 +37,4 @@ private:
     std::vector<std::size_t> ends_;       // in corners_, by face
 };
 
-/// Cuts ears (Meisters 1975) off a polygon in its plane; one that crosses itself is cut up somehow.
-/// One that is not planar, unless it has many corners, is cut into the triangles of least area.
-/// `work`, in looks at a corner, is what may still be spent; false if it ran out.
-bool triangulate(const std::vector<Eigen::Vector3d>& positions, const std::uint32_t* corners,
-                 std::size_t count, std::size_t& work,
-                 std::vector<laplacian_lines::Triangle>& triangles);
-
 }  // namespace mesh_files

@@ -25,12 +25,9 @@ struct ViewFrame {
     /// Left of a vessel's axis the section with what is behind it, right of it the outside.
     bool is_half_section = false;
     /// The eye of a perspective view, mesh coordinates; none: far away, lengths across the view are
-    /// true. The picture ends at tangent_of_sight.
+    /// true. The picture ends 60 degrees off its middle.
     std::optional<Eigen::Vector3d> eye = std::nullopt;
 };
-
-/// Half width of a perspective view at distance 1: 60 degrees.
-constexpr double tangent_of_sight = 1.7320508075688772;
 
 /// From the picture, x right, y up, z to the viewer, to mesh coordinates.
 Eigen::Vector3d inMesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
@@ -45,9 +42,6 @@ ViewFrame frameOfSide(Side side, UpAxis up);
 /// From the front by `azimuth` degrees to the right around the object and `elevation` degrees up,
 /// −90 to 90. @throws laplacian_lines::Error(InvalidOption)
 ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis up);
-
-/// A half section from the front.
-ViewFrame frameOfVessel(UpAxis up);
 
 /// For any view: "toward", the direction to the viewer, that of the picture's upper edge and, in
 /// perspective, "from" and the eye, all in mesh coordinates.

@@ -29,6 +29,14 @@ ViewFrame makeFrame(Side side, const std::string& name, const Vector3d& towards_
     return {side, name, up.cross(towards_viewer), up, towards_viewer, false};
 }
 
+/// A half section from the front.
+ViewFrame frameOfVessel(UpAxis axis) {
+    ViewFrame frame = frameOfSide(Side::Front, axis);
+    frame.name = "Vessel";
+    frame.is_half_section = true;
+    return frame;
+}
+
 class ViewWords {
 public:
     ViewWords(std::string_view text, UpAxis up, const NamedViews& others)
@@ -126,13 +134,6 @@ ViewFrame frameOfSide(Side side, UpAxis axis) {
         default:
             return makeFrame(side, name, front, up);
     }
-}
-
-ViewFrame frameOfVessel(UpAxis axis) {
-    ViewFrame frame = frameOfSide(Side::Front, axis);
-    frame.name = "Vessel";
-    frame.is_half_section = true;
-    return frame;
 }
 
 ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {

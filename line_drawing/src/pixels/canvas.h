@@ -20,7 +20,6 @@ public:
 
     int width() const { return width_; }
     int height() const { return height_; }
-    const std::uint8_t* row(int y) const { return grays_.data() + rowBegin(y); }
     /// The rows, each after a byte that is 0.
     const std::vector<std::uint8_t>& bytes() const { return grays_; }
 

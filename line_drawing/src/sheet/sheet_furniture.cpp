@@ -84,6 +84,23 @@ SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& lay
     return layer;
 }
 
+/// The longest usual length, 1, 2 or 5 times a power of ten, drawn at most `most` long; in the
+/// object's mm.
+double barLength(double scale, double most) {
+    double power = std::pow(10, std::floor(std::log10(most / scale) + 1e-9));
+    for (const double first : {5., 2.})
+        if (first * power * scale <= most) return first * power;
+    return power;
+}
+
+/// "5 cm" for 50.
+std::string lengthInWords(double mm) {
+    if (mm >= 1e6) return inDigits(mm / 1e6) + " km";
+    if (mm >= 1000) return inDigits(mm / 1000) + " m";
+    if (mm >= 10) return inDigits(mm / 10) + " cm";
+    return mm < 0.1 ? inDigits(mm * 1000) + " µm" : inDigits(mm) + " mm";
+}
+
 /// Blocks of a tenth, fifth or quarter of the bar, alternately black and white.
 int partsOf(double length) {
     const double first = length / std::pow(10, std::floor(std::log10(length) + 1e-9));
@@ -180,25 +197,11 @@ double widthInAnyFont(const std::string& text, double height) {
     return widest_font * height * letteringOf(text).width;
 }
 
-double barLength(double scale, double most) {
-    double power = std::pow(10, std::floor(std::log10(most / scale) + 1e-9));
-    for (const double first : {5., 2.})
-        if (first * power * scale <= most) return first * power;
-    return power;
-}
-
 std::string elided(const std::string& text, double height, double width) {
     const std::u32string letters = lettersOf(text);
     if (fitting(letters, height, width) == letters.size()) return text;
     const double dots = widest_font * height * widthOf(U'\u2026');
     return inUtf8(letters.substr(0, fitting(letters, height, width - dots))) + "…";
-}
-
-std::string lengthInWords(double mm) {
-    if (mm >= 1e6) return inDigits(mm / 1e6) + " km";
-    if (mm >= 1000) return inDigits(mm / 1000) + " m";
-    if (mm >= 10) return inDigits(mm / 10) + " cm";
-    return mm < 0.1 ? inDigits(mm * 1000) + " µm" : inDigits(mm) + " mm";
 }
 
 SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout& layout,

@@ -156,6 +156,12 @@ double place(Bands& bands, double start, double scale, double gap) {
     return end;
 }
 
+/// No view has a scale.
+bool areInPerspective(const std::vector<DrawnView>& views) {
+    return std::all_of(views.begin(), views.end(),
+                       [](const DrawnView& view) { return view.frame.eye.has_value(); });
+}
+
 class Layout {
 public:
     Layout(const std::vector<DrawnView>& views, const SheetOptions& options,
@@ -313,11 +319,6 @@ std::vector<const char*> paperNames() {
     for (const Paper& paper : papers)
         names.push_back(paper.name);
     return names;
-}
-
-bool areInPerspective(const std::vector<DrawnView>& views) {
-    return std::all_of(views.begin(), views.end(),
-                       [](const DrawnView& view) { return view.frame.eye.has_value(); });
 }
 
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {

@@ -13,8 +13,4 @@ namespace line_drawing {
 void fitCurve(const std::vector<Eigen::Vector2d>& points, bool closed, double tolerance,
               Path& path);
 
-/// Where `points` turn by more than 25° within `reach`, without the ends of open lines.
-std::vector<std::size_t> findCorners(const std::vector<Eigen::Vector2d>& points, bool closed,
-                                     double reach);
-
 }  // namespace line_drawing

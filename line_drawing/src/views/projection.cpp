@@ -8,6 +8,9 @@ using Eigen::Vector3d;
 using laplacian_lines::SightLine;
 using laplacian_lines::TriangleMesh;
 
+/// Half width of a perspective view at distance 1: 60 degrees.
+constexpr double tangent_of_sight = 1.7320508075688772;
+
 Projection::Projection(const ViewFrame& frame, const Vector3d& middle)
     : frame_(frame), origin_(frame.eye.value_or(middle)) {
     if (!frame.eye) return;
