@@ -6,6 +6,7 @@ import filecmp
 import re
 
 from harness import *
+from environment.messages import skip
 from product.models import bumpy_torus
 
 BARE = ("--views", "front", "--strokes", "plain", "--furniture", "none")

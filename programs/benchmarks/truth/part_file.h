@@ -22,10 +22,11 @@ struct ExactView {
     PlaneLines allowed;   ///< tangent edges, which may be drawn
 };
 
-/// A CAD part. Its file is packed as qCompress() does it; numbers have the lowest byte first, lists
-/// their length before them: "LLTRUTH1"; meshes: deflections, vertices as three floats, triangles;
-/// views: name, a number to ignore, right, up and towards the viewer as doubles, demanded and
-/// allowed lines, whose points are integers, steps from the last point in 1/1000 mm.
+/// A CAD part. Its file is packed by zlib, behind the length of what is packed; numbers have the
+/// lowest byte first, lists their length before them: "LLTRUTH1"; meshes: deflections, vertices as
+/// three floats, triangles; views: name, a number to ignore, right, up and towards the viewer as
+/// doubles, demanded and allowed lines, whose points are integers, steps from the last point in
+/// 1/1000 mm.
 struct CadPart {
     std::string name;
     std::vector<PartMesh> meshes;
