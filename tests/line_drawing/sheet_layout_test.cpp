@@ -25,13 +25,13 @@ SheetOptions fitting(const char* views, const char* paper = "a4") {
     return options;
 }
 
-SheetPlan planOf(const SheetOptions& options) {
-    return planSheet({{box()}}, options);
+Sheet sheetOf(const SheetOptions& options) {
+    return made_sheets::sheetOf(box(), options);
 }
 
 std::string complaintOf(const SheetOptions& options) {
     try {
-        planOf(options);
+        sheetOf(options);
     } catch (const laplacian_lines::Error& error) {
         return error.what();
     }
@@ -40,7 +40,7 @@ std::string complaintOf(const SheetOptions& options) {
 
 /// Of the views on the sheet.
 std::vector<QRectF> placesOf(const SheetOptions& options) {
-    const Sheet sheet = made_sheets::sheetOf(box(), options);
+    const Sheet sheet = sheetOf(options);
     std::vector<QRectF> places;
     for (const SheetGroup& group : sheet.groups)
         if (group.key != "sheet") places.push_back(extentOf(group));
@@ -81,22 +81,22 @@ TEST(SheetLayout, ManyViewsStandInRows) {
         SheetOptions options = fitting(views);
         options.sections.resize(30);
         EXPECT_EQ(placesOf(options).size(), options.views.size() + 30);
-        EXPECT_GE(planOf(options).scale, 0.2);
+        EXPECT_GE(sheetOf(options).scale, 0.2);
     }
 }
 
 TEST(SheetLayout, TakesTheLargestUsualScaleThatFits) {
-    EXPECT_EQ(planOf(fitting("front")).scale, 4);  // 240 mm on lying A4
-    EXPECT_EQ(planOf(fitting("front", "a5")).scale, 2);
+    EXPECT_EQ(sheetOf(fitting("front")).scale, 4);  // 240 mm on lying A4
+    EXPECT_EQ(sheetOf(fitting("front", "a5")).scale, 2);
     for (const char* name : paperNames())
-        EXPECT_GT(planOf(fitting("front", name)).paper.x(), 100) << name;
+        EXPECT_GT(sheetOf(fitting("front", name)).size.x(), 100) << name;
 }
 
 TEST(SheetLayout, PaperCanBeAsLargeAsTheDrawing) {
     SheetOptions options = fitting("front", "fit");
     options.scale = 10;
-    EXPECT_NEAR(planOf(options).paper.x(), 600, 50);
-    EXPECT_GT(planOf(options).paper.x(), 600);
+    EXPECT_NEAR(sheetOf(options).size.x(), 600, 50);
+    EXPECT_GT(sheetOf(options).size.x(), 600);
 }
 
 TEST(SheetLayout, SaysWhichScaleWouldFit) {
@@ -122,7 +122,7 @@ TEST(SheetFurniture, LongTitlesAreWhole) {
     for (int i = 0; i < 30; ++i)
         options.title += (i ? " word" : "word") + std::to_string(i);
     const auto title_of = [&] {
-        const Sheet sheet = made_sheets::sheetOf(box(), options);
+        const Sheet sheet = sheetOf(options);
         Words lines;
         for (const SheetText& text : made_sheets::layerOf(sheet.groups.back(), "title").texts)
             if (text.text.find("word") != text.text.npos) lines.insert(lines.begin(), text.text);
@@ -131,21 +131,6 @@ TEST(SheetFurniture, LongTitlesAreWhole) {
     EXPECT_EQ(title_of(), options.title);
     options.title += options.title + options.title + options.title;
     EXPECT_TRUE(endsWith(title_of(), "…"));
-}
-
-TEST(SheetPlans, AreWhatIsMade) {
-    for (const char* views : {"six", "30,15 top"})
-        for (const char* paper : {"a4", "fit"})
-            for (const double scale : {0., 0.5})
-                for (const char* sections : {"", "y=0.4 z=0.5"}) {
-                    SheetOptions options = plainViews(views, paper);
-                    options.scale = scale;
-                    options.sections = parseSections(sections);
-                    const Sheet sheet = made_sheets::sheetOf(box(), options);
-                    const SheetPlan plan = planOf(options);
-                    EXPECT_EQ(plan.scale, sheet.scale) << views << paper << scale << sections;
-                    EXPECT_EQ(plan.paper, sheet.size) << views << paper << scale << sections;
-                }
 }
 
 }  // namespace

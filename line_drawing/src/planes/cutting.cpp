@@ -14,7 +14,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using laplacian_lines::Triangle;
-using laplacian_lines::TriangleMesh;
 using Place = std::array<double, 3>;
 
 Place placeOf(const Vector3d& p) {
@@ -35,13 +34,14 @@ struct Piece {
     bool used = false;
 };
 
-std::vector<Piece> piecesOf(const TriangleMesh& mesh, int axis, double height) {
+std::vector<Piece> piecesOf(const std::vector<Vector3d>& positions,
+                            const std::vector<Triangle>& triangles, int axis, double height) {
     std::vector<Piece> pieces;
-    for (const Triangle& t : laplacian_lines::conforming_triangles(mesh)) {
+    for (const Triangle& t : triangles) {
         std::array<Vector3d, 3> p;
         std::array<bool, 3> above{};
         for (std::size_t k = 0; k < 3; ++k) {
-            p[k] = mesh.positions.at(t[k]);
+            p[k] = positions.at(t[k]);
             above[k] = p[k][axis] >= height;
         }
         Piece piece;
@@ -82,8 +82,8 @@ std::vector<Strip> stripsAt(const std::vector<Loops>& areas, const Vector2d& dir
 
 }  // namespace
 
-std::vector<Cut> cutMesh(const TriangleMesh& mesh, int axis, double height) {
-    std::vector<Piece> pieces = piecesOf(mesh, axis, height);
+std::vector<Cut> CuttableMesh::cut(int axis, double height) const {
+    std::vector<Piece> pieces = piecesOf(positions_, triangles_, axis, height);
     std::multimap<Place, std::pair<std::size_t, bool>> ends;  // begins before others
     for (const bool is_end : {false, true})
         for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -11,10 +11,21 @@ namespace line_drawing {
 /// A line where a plane cuts a surface; a closed one repeats its first point.
 using Cut = std::vector<Eigen::Vector3d>;
 
-/// Where the plane at `height` along a mesh axis cuts the mesh, in mesh coordinates and in the
-/// order of the triangles: closed lines of closed surfaces, even if triangles only share places,
-/// not vertices.
-std::vector<Cut> cutMesh(const laplacian_lines::TriangleMesh& mesh, int axis, double height);
+/// A mesh, which outlives it, to be cut by any number of planes.
+class CuttableMesh {
+public:
+    explicit CuttableMesh(const laplacian_lines::TriangleMesh& mesh)
+        : positions_(mesh.positions), triangles_(conforming_triangles(mesh)) {}
+
+    /// Where the plane at `height` along a mesh axis cuts it, in mesh coordinates and in the order
+    /// of the triangles: closed lines of closed surfaces, even if triangles only share places, not
+    /// vertices.
+    std::vector<Cut> cut(int axis, double height) const;
+
+private:
+    const std::vector<Eigen::Vector3d>& positions_;
+    const std::vector<laplacian_lines::Triangle> triangles_;
+};
 
 using Loops = std::vector<std::vector<Eigen::Vector2d>>;
 

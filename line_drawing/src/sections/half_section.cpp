@@ -53,10 +53,8 @@ Level levelOf(const std::vector<Vector2d>& points, double sign, double reach) {
 
 }  // namespace
 
-HalfSection::HalfSection(const Objects& objects, const laplacian_lines::TriangleMesh& all,
-                         const ViewFrame& frame)
-    : objects_(objects),
-      axis_(findAxis(all, axisAlong(frame.up), frame.up.sum() > 0)),
+HalfSection::HalfSection(const laplacian_lines::TriangleMesh& all, const ViewFrame& frame)
+    : axis_(findAxis(all, axisAlong(frame.up), frame.up.sum() > 0)),
       behind_{-frame.towards_viewer, -frame.towards_viewer.dot(axis_.point)},
       right_{frame.right, frame.right.dot(axis_.point)} {}
 
@@ -78,16 +76,17 @@ std::string HalfSection::words() const {
     return "rim " + percent(axis_.rim) + ", axis off by " + inDecimals(axis_.lean, 1) + "°";
 }
 
-void HalfSection::draw(DrawnView& drawn, const Vector3d& middle, double unit) const {
+void HalfSection::draw(DrawnView& drawn, const std::vector<CuttableMesh>& all,
+                       const Vector3d& middle, double unit) const {
     const int across = axisAlong(behind_.normal);
     const Projection projection(drawn.frame, middle);
     const auto flat = [&](const Cut& cut) { return positionsOf(project(cut, projection, unit)); };
     std::vector<Vector2d> points;
     std::vector<CutObject> objects;
-    for (const Object& object : objects_) {
+    for (const CuttableMesh& object : all) {
         CutObject parts;
         std::vector<Cut> cut_lines;
-        for (Cut& cut : cutMesh(object.mesh, across, axis_.point[across])) {
+        for (Cut& cut : object.cut(across, axis_.point[across])) {
             const std::vector<Vector2d> line = flat(cut);
             points.insert(points.end(), line.begin(), line.end());
             const Cut loop = cut.front() == cut.back() ? clipLoop(cut, left()) : Cut();

@@ -12,7 +12,6 @@
 #include "sheet/sheet_layout.h"
 #include "sight/observer.h"
 #include "system/parallel.h"
-#include "views/joined_surface.h"
 
 namespace line_drawing {
 namespace {
@@ -97,7 +96,7 @@ struct Draft {
     double kernel = 0;                                              ///< as Sheet's
 };
 
-Draft layOut(const Observer& observer, const SheetOptions& options) {
+Draft layOut(Observer& observer, const SheetOptions& options) {
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : options.views)
         views.push_back(observer.stand(frame, options));
@@ -217,21 +216,6 @@ std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOpt
         sheets.push_back(draw(observer, draft, own));
     });
     return sheets;
-}
-
-SheetPlan planSheet(const Objects& objects, const SheetOptions& options) {
-    check(options);
-    const JoinedSurface surface(objects);
-    const Eigen::AlignedBox3d bounds = boundsOf(surface.mesh());
-    if (bounds.isEmpty()) refuse("There is nothing to draw: the mesh has no triangles.");
-    std::vector<DrawnView> views;
-    for (const ViewFrame& frame : options.views)
-        views.push_back(standBefore(surface.mesh(), bounds, frame, options));
-    for (const Section& section : options.sections)
-        views.push_back(standBefore(surface.mesh(), bounds, section, options));
-    nameSections(views);
-    const SheetLayout layout = layOut(views, options);
-    return {layout.size, layout.scale};
 }
 
 Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,

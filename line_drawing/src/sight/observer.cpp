@@ -30,42 +30,51 @@ laplacian_lines::SightOptions sightOf(const SheetOptions& options) {
             options.hidden != HiddenLines::LeftOut, true};
 }
 
+TriangleMesh joinedMesh(const Objects& objects) {
+    TriangleMesh all;
+    for (const Object& object : objects) {
+        const auto first = std::uint32_t(all.positions.size());
+        all.positions.insert(all.positions.end(), object.mesh.positions.begin(),
+                             object.mesh.positions.end());
+        for (const laplacian_lines::Triangle& t : object.mesh.triangles)
+            all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    return all;
+}
+
 }  // namespace
 
-DrawnView standBefore(const TriangleMesh& surface, const Eigen::AlignedBox3d& bounds,
-                      const ViewFrame& frame, const SheetOptions& options) {
-    const double unit = options.mm_per_unit;
-    const Eigen::AlignedBox2d flat = Projection(frame, bounds.center()).boundsOf(surface);
-    if (frame.eye && flat.isEmpty())
-        refuse("All of the object is behind the eye of a view in perspective.");
-    DrawnView drawn{frame, {unit * flat.min(), unit * flat.max()}};
-    drawn.marks = marksOf(frame, options, bounds);
-    return drawn;
-}
-
-DrawnView standBefore(const TriangleMesh& surface, const Eigen::AlignedBox3d& bounds,
-                      const Section& section, const SheetOptions& options) {
-    DrawnView drawn = standBefore(surface, bounds, frameOfSection(section, options.up), options);
-    drawn.is_section = true;
-    drawn.marks.clear();
-    return drawn;
-}
-
 Observer::Observer(const Objects& objects)
-    : objects_(objects), surface_(objects), box_(boundsOf(surface_.mesh())) {
-    for (const laplacian_lines::Triangle& t : surface_.mesh().triangles)
+    : objects_(objects),
+      joined_(objects.size() == 1 ? TriangleMesh() : joinedMesh(objects)),
+      surface_(objects.size() == 1 ? objects.front().mesh : joined_),
+      box_(boundsOf(surface_)) {
+    for (const laplacian_lines::Triangle& t : surface_.triangles)
         for (const std::uint32_t v : t)
-            if (v >= surface_.mesh().positions.size())
+            if (v >= surface_.positions.size())
                 throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidMesh,
                                              "A triangle names a vertex that is not there.");
 }
 
-DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) const {
-    return standBefore(surface_.mesh(), box_, frame, options);
+void Observer::prepareCuts() {
+    if (cuttable_.empty())
+        for (const Object& object : objects_)
+            cuttable_.emplace_back(object.mesh);
+}
+
+DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) {
+    if (frame.is_half_section) prepareCuts();
+    const double unit = options.mm_per_unit;
+    const Eigen::AlignedBox2d flat = Projection(frame, box_.center()).boundsOf(surface_);
+    if (frame.eye && flat.isEmpty())
+        refuse("All of the object is behind the eye of a view in perspective.");
+    DrawnView drawn{frame, {unit * flat.min(), unit * flat.max()}};
+    drawn.marks = marksOf(frame, options, box_);
+    return drawn;
 }
 
 void Observer::prepare(const std::vector<SheetOptions>& sheets, const Progress& progress) {
-    visibility_.emplace(surface_.mesh(), progress);
+    visibility_.emplace(surface_, progress);
     const bool are_alone = std::any_of(sheets.begin(), sheets.end(), [](const SheetOptions& o) {
         return o.area == OutlineArea::Objects;
     });
@@ -118,17 +127,17 @@ std::vector<DrawnLine> Observer::draw(const SightLines& lines, const ViewFrame& 
 void Observer::lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
                         const std::vector<laplacian_lines::LineSet>& lines,
                         const SheetOptions& options, const Progress& progress) const {
-    const HalfSection half(objects_, surface_.mesh(), drawn.frame);
+    const HalfSection half(surface_, drawn.frame);
     half.expectVessel();
     drawn.note = half.words();
-    const laplacian_lines::LineVisibility visibility(clip(surface_.mesh(), half.behind()),
+    const laplacian_lines::LineVisibility visibility(clip(surface_, half.behind()),
                                                      part(progress, 0, 0.3));
     const SightLines inside = visibility.look(view, clipEach(lines, half.behind()),
                                               sightOf(options), part(progress, 0.3, 0.6));
     drawn.lines = draw(clip(inside, half.left()), drawn.frame, options);
     for (DrawnLine& line : drawn.lines)  // the outline of this half is the section's
         if (line.line_class == LineClass::Outline) line.line_class = LineClass::Contour;
-    half.draw(drawn, box_.center(), options.mm_per_unit);
+    half.draw(drawn, cuttable_, box_.center(), options.mm_per_unit);
     const SightLines all = visibility_->look(view, lines, sightOf(options), part(progress, 0.6, 1));
     const std::vector<DrawnLine> outside = draw(clip(all, half.right()), drawn.frame, options);
     drawn.lines.insert(drawn.lines.end(), outside.begin(), outside.end());
@@ -141,7 +150,7 @@ double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, do
         !shows[laplacian_lines::LineKind::Contour] || !shows[laplacian_lines::LineKind::Border])
         return 0;
     const Projection projection(drawn.frame, box_.center());
-    const auto missing = borderWithoutOutline(surface_.mesh(), projection, options.mm_per_unit,
+    const auto missing = borderWithoutOutline(surface_, projection, options.mm_per_unit,
                                               drawn.bounds, drawn.lines, pixel);
     if (missing.empty()) return 0;
     laplacian_lines::SightOptions all = sightOf(options);
@@ -152,13 +161,16 @@ double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, do
     return pixel * double(missing.size());
 }
 
-DrawnView Observer::cut(const Section& section, const SheetOptions& options) const {
-    DrawnView drawn = standBefore(surface_.mesh(), box_, section, options);
+DrawnView Observer::cut(const Section& section, const SheetOptions& options) {
+    prepareCuts();
+    DrawnView drawn = stand(frameOfSection(section, options.up), options);
+    drawn.is_section = true;
+    drawn.marks.clear();
     const Projection projection(drawn.frame, box_.center());
     std::vector<CutObject> objects;
-    for (const Object& object : objects_) {
+    for (const CuttableMesh& object : cuttable_) {
         CutObject parts;
-        for (const Cut& cut : cutMesh(object.mesh, section.axis, placeOnAxis(section, box_))) {
+        for (const Cut& cut : object.cut(section.axis, placeOnAxis(section, box_))) {
             parts.lines.push_back(project(cut, projection, options.mm_per_unit));
             if (parts.lines.back().closed) parts.wall.push_back(positionsOf(parts.lines.back()));
         }
