@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <cmath>
 
+#include "line_drawing/sheet_file.h"
 #include "line_drawing/words.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
@@ -39,7 +40,7 @@ ParameterDescription describe(const SheetOption& option) {
 TextDescription describeText(const SheetOption& option) {
     const bool is_file = option.text == &DrawingParameters::file;
     return {option.row.key, option.row.label, option.row.help,
-            is_file ? "Drawings (*.svg *.pdf *.dxf *.png)" : ""};
+            is_file ? inQt("Drawings (*" + line_drawing::endingsInWords(" *", " *") + ')') : ""};
 }
 
 /// In world coordinates.

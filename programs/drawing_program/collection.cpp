@@ -136,8 +136,7 @@ private:
         if (commands_.options.text == line_drawing::TextStyle::Outlines)
             line_drawing::outlineTexts(sheet);
         sheet.provenance = line_drawing::provenanceText(meshes, commands_.words);
-        line_drawing::writeWhole(
-            file, writeSheet(sheet, line_drawing::formatOf(file), commands_.choices.dpi));
+        line_drawing::writeWhole(file, writeSheet(sheet, file, commands_.choices.dpi));
         say(stdout, file + ": " + std::to_string(entries.size()) + " objects");
     }
 

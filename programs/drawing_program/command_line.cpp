@@ -78,7 +78,8 @@ CommandLine parseCommandLine(Words rest) {
 }
 
 std::string usage() {
-    return "laplacian-lines FILE.svg|.pdf|.dxf|.png [OPTION...] MESH|FOLDER...\n"
+    return "laplacian-lines FILE" + line_drawing::endingsInWords("|", "|") +
+           " [OPTION...] MESH|FOLDER...\n"
            "                       a measured drawing of a mesh, or of several that hide each "
            "other\n"
            "laplacian-lines FOLDER/ [OPTION...] MESH|FOLDER...\n"

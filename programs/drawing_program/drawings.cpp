@@ -59,9 +59,8 @@ std::vector<line_drawing::SourceMesh> sourcesOf(const std::vector<ReadMesh>& mes
 std::vector<line_drawing::Sheet> drawInto(const std::string& file,
                                           const std::vector<ReadMesh>& meshes,
                                           const CommandLine& commands) {
-    const line_drawing::SheetFormat format = line_drawing::formatOf(file);
     std::vector<line_drawing::SheetOptions> options = {optionsFor(meshes, commands.options)};
-    const std::vector<std::string> remarks = line_drawing::checkTexts(options[0], format);
+    const std::vector<std::string> remarks = line_drawing::checkTexts(options[0], file);
     if (commands.is_collection)
         options.push_back(line_drawing::contactOptions(meshes.front().mesh, options[0]));
     line_drawing::Objects objects;
@@ -69,7 +68,7 @@ std::vector<line_drawing::Sheet> drawInto(const std::string& file,
         objects.push_back({read.mesh, nullptr, read.file});
     std::vector<line_drawing::Sheet> sheets = line_drawing::makeSheets(objects, options);
     sheets[0].provenance = line_drawing::provenanceText(sourcesOf(meshes), commands.words);
-    line_drawing::writeWhole(file, writeSheet(sheets[0], format, commands.choices.dpi));
+    line_drawing::writeWhole(file, writeSheet(sheets[0], file, commands.choices.dpi));
     for (const auto& all : {remarks, sheets[0].remarks})
         for (const std::string& remark : all)
             say(stderr, (commands.is_collection ? meshes.front().file + ": " : "") + remark);

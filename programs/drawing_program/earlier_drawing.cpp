@@ -19,14 +19,10 @@ namespace {
 QJsonObject provenanceIn(const std::string& name) {
     const std::optional<std::string> read = contentsOf(name);
     if (!read) refuse("\"" + name + "\" cannot be read.");
-    const QByteArray bytes =
-        QByteArray::fromStdString(*read).replace("\n999\n", "");  // where DXF continues a line
-    const int place = bytes.indexOf(line_drawing::provenance_begin);
+    const QByteArray bytes = QByteArray::fromStdString(line_drawing::provenanceIn(*read));
     QJsonParseError error;
-    if (place >= 0) QJsonDocument::fromJson(bytes.mid(place), &error);  // tells where it ends
-    const QJsonObject object =
-        place < 0 ? QJsonObject()
-                  : QJsonDocument::fromJson(bytes.mid(place, error.offset)).object();
+    QJsonDocument::fromJson(bytes, &error);  // tells where it ends
+    const QJsonObject object = QJsonDocument::fromJson(bytes.left(error.offset)).object();
     if (object.isEmpty())
         refuse("\"" + name +
                "\" does not say how it was drawn: only SVG, PDF and DXF files of version 0.3 and "

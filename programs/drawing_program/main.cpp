@@ -29,7 +29,6 @@ void saySize(const std::vector<ReadMesh>& meshes, const CommandLine& commands) {
 }
 
 void drawOne(const CommandLine& commands) {
-    line_drawing::formatOf(commands.drawing);
     line_drawing::checkWritable(commands.drawing);
     std::vector<ReadMesh> meshes;
     for (const std::string& file : commands.meshes)

@@ -61,10 +61,8 @@ TEST(MeasuredDrawing, OfSeveralSheetsIsThatOfEach) {
     });
     EXPECT_EQ(last, 1);
     ASSERT_EQ(sheets.size(), 2u);
-    EXPECT_EQ(writeSheet(sheets[0], SheetFormat::Svg),
-              writeSheet(makeSheet(mesh, field, a), SheetFormat::Svg));
-    EXPECT_EQ(writeSheet(sheets[1], SheetFormat::Svg),
-              writeSheet(makeSheet(mesh, field, b), SheetFormat::Svg));
+    EXPECT_EQ(writeSheet(sheets[0], ".svg"), writeSheet(makeSheet(mesh, field, a), ".svg"));
+    EXPECT_EQ(writeSheet(sheets[1], ".svg"), writeSheet(makeSheet(mesh, field, b), ".svg"));
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST(MeasuredDrawing, ALightTurnsWithTheView) {
         SheetOptions options = plainViews(views);
         options.mm_per_unit = 40;
         options.light = light;
-        return writeSheet(sheetOf(mesh, options), SheetFormat::Svg);
+        return writeSheet(sheetOf(mesh, options), ".svg");
     };
     EXPECT_EQ(svg("top", Eigen::Vector3d(0, 0, 2)), svg("top", {}));
     EXPECT_NE(svg("top", Eigen::Vector3d(-1, 1, 1)), svg("top", {}));

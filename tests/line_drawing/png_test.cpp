@@ -31,7 +31,7 @@ Points rectangle(double left, double top, double right, double bottom) {
 /// 10 x 8 pixels of a millimetre.
 QImage pictureOf(const std::vector<SheetPath>& paths) {
     const Sheet sheet{{10, 8}, "", {{"a", "A", {{"outline", "Outlines", paths, {}}}}}, 1};
-    return QImage::fromData(QByteArray::fromStdString(writeSheet(sheet, SheetFormat::Png, 25.4)));
+    return QImage::fromData(QByteArray::fromStdString(writeSheet(sheet, ".png", 25.4)));
 }
 
 QImage filled(const Points& points, double tone = 0) {
@@ -105,12 +105,12 @@ TEST(PngFiles, HaveTheirDotsPerInch) {
     area.path.addRectangle({25.4, 25.4}, 50.8, 12.7);
     sheet.groups.push_back({"a", "A", {{"outline", "Outlines", {area}, {}}}});
     const QImage image =
-        QImage::fromData(QByteArray::fromStdString(writeSheet(sheet, SheetFormat::Png, 100)));
+        QImage::fromData(QByteArray::fromStdString(writeSheet(sheet, ".png", 100)));
     EXPECT_EQ(image.size(), QSize(500, 200));
     EXPECT_NEAR(image.dotsPerMeterX() * 0.0254, 100, 0.05);
     EXPECT_EQ(ink(image), 200 * 50);
     EXPECT_EQ(gray(image, 101, 101), 0);
-    EXPECT_THROW(writeSheet(sheet, SheetFormat::Png, 1e5), laplacian_lines::Error);
+    EXPECT_THROW(writeSheet(sheet, ".png", 1e5), laplacian_lines::Error);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(Sections, OfASoupAreTheSame) {
         soup.triangles.push_back({first, first + 1, first + 2});
     }
     const auto draw = [](const TriangleMesh& drawn) {
-        return writeSheet(sheetOf(drawn, withSections("", "y=0.4")), SheetFormat::Svg);
+        return writeSheet(sheetOf(drawn, withSections("", "y=0.4")), ".svg");
     };
     EXPECT_EQ(draw(soup), draw(mesh));
 }

@@ -37,11 +37,11 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST(SheetFiles, DashesAreAPropertyOfLines) {
     Sheet sheet = smallSheet();
-    EXPECT_FALSE(has(writeSheet(sheet, SheetFormat::Svg), "dasharray"));
-    EXPECT_FALSE(has(writeSheet(sheet, SheetFormat::Dxf), "DASHED"));
+    EXPECT_FALSE(has(writeSheet(sheet, ".svg"), "dasharray"));
+    EXPECT_FALSE(has(writeSheet(sheet, ".dxf"), "DASHED"));
     sheet.groups[0].layers[0].paths[0].dash = 2;
-    EXPECT_EQ(count(writeSheet(sheet, SheetFormat::Svg), "stroke-dasharray=\"2 1\""), 1);
-    const std::string dxf = writeSheet(sheet, SheetFormat::Dxf);
+    EXPECT_EQ(count(writeSheet(sheet, ".svg"), "stroke-dasharray=\"2 1\""), 1);
+    const std::string dxf = writeSheet(sheet, ".dxf");
     EXPECT_TRUE(has(dxf, "2\nDASHED\n"));
     EXPECT_TRUE(has(dxf, "2\nOUTLINE\n70\n0\n62\n7\n6\nDASHED\n"));
     EXPECT_TRUE(has(dxf, "2\nNAMES\n70\n0\n62\n30\n6\nCONTINUOUS\n"));
@@ -51,16 +51,11 @@ TEST(SheetFiles, DashesAreAPropertyOfLines) {
 TEST(SheetFiles, OfDxfHaveTextsAsData) {
     Sheet sheet = smallSheet();
     SheetText& text = sheet.groups[0].layers[1].texts[0];
-    const std::string before = writeSheet(sheet, SheetFormat::Dxf);
+    const std::string before = writeSheet(sheet, ".dxf");
     text.text = "a\n0\nLINE\r8 100 %c 5%% %° \xc3\xbc \xf0\x9f\x98\x80";
-    const std::string dxf = writeSheet(sheet, SheetFormat::Dxf);
+    const std::string dxf = writeSheet(sheet, ".dxf");
     EXPECT_TRUE(has(dxf, "\n1\na 0 LINE 8 100 %c 5%%%%%% %%%%%d \\U+00FC ?\n"));
     EXPECT_EQ(count(dxf, "\n"), count(before, "\n"));
-}
-
-TEST(SheetFiles, OfDxfHavePlainStrokes) {
-    EXPECT_EQ(strokesIn("plate.DXF", StrokeStyle::Tapered), StrokeStyle::Plain);
-    EXPECT_EQ(strokesIn("dxf.svg", StrokeStyle::Tapered), StrokeStyle::Tapered);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct SheetChoices {
     int settings = 0;               ///< see settingsNames()
     bool draws_damaged = false;     ///< files that are not whole
     double dpi = 300;               ///< of PNG
-    int format = 0;                 ///< of drawings in a folder: pdf, svg, dxf, png
+    int format = 1;                 ///< of drawings in a folder: PDF of sheet_formats
 };
 
 struct MeshUnit {
@@ -49,14 +49,13 @@ struct SheetOption {
 
     Row row;
     Place place = Place::Both;
-    std::string SheetChoices::*text = nullptr;  ///< of an option that is a text
-    /// The command's name for it, without --; null: the key.
-    const char* command_word = nullptr;
     /// The command's words for a switch, off and on. Choices go by the first words of their labels,
     /// in lower case.
     std::vector<const char*> switch_words = {};
-    /// Placeholder for the value in the command's help.
-    const char* form = "";
+    std::string SheetChoices::*text = nullptr;  ///< of an option that is a text
+    const char* form = "";                      ///< placeholder for a text in the command's help
+    /// The command's name for it, without --; null: the key.
+    const char* command_word = nullptr;
     bool adds_up = false;  ///< the command takes several
 
     bool isOf(Place one) const { return place == Place::Both || place == one; }

@@ -215,7 +215,7 @@ private:
 
 }  // namespace
 
-std::string writeDxf(const Sheet& sheet) {
+std::string writeDxf(const Sheet& sheet, double) {
     return DxfWriter(sheet).write();
 }
 

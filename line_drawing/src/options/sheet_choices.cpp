@@ -108,8 +108,11 @@ std::string sheetOptionsHelp() {
     for (const SheetOption& option : sheetOptionTable()) {
         if (!option.isOf(SheetOption::Place::Command)) continue;
         const Words words = option.words();
-        const std::string head =
-            "  " + option.command() + ' ' + (words.empty() ? option.form : joined(words, "|"));
+        const std::string value =
+            option.text     ? option.form
+            : words.empty() ? inDigits(option.row.minimum) + ".." + inDigits(option.row.maximum)
+                            : joined(words, "|");
+        const std::string head = "  " + option.command() + ' ' + value;
         const std::string usual = option.valueIn({});
         const std::string text = option.row.help + (usual.empty() ? usual : " (" + usual + ')');
         help += head.size() < column ? head : head + '\n';
@@ -130,7 +133,7 @@ SheetOptions sheetOptions(const SheetChoices& chosen, const NamedViews& others) 
     const auto paper = std::size_t(chosen.paper);
     options.paper = paper < papers.size() ? papers[paper] : "fit";
     options.mm_per_unit = mesh_units[chosen.unit].mm;
-    options.strokes = strokesIn(chosen.file, chosen.look.strokes);
+    if (!formatOf(chosen.file).has_tapered_strokes) options.strokes = StrokeStyle::Plain;
     options.title = chosen.title;
     options.pens = pensOf(chosen.weights);
     options.kernel = parseDetailSize(chosen.kernel);
