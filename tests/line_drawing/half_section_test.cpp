@@ -61,9 +61,7 @@ TEST(HalfSection, IsRefusedOfWhatIsNoVessel) {
     EXPECT_THROW(draw(made_sheets::cubeOf100()), laplacian_lines::Error);
     EXPECT_THROW(draw(turnedAside(smallVessel(), 20)), laplacian_lines::Error);
     EXPECT_THROW(draw(sherdOf(smallVessel(), 60)), laplacian_lines::Error);
-    SheetOptions options = vesselOptions();
-    options.has_notes = true;
-    const Sheet sheet = made_sheets::sheetOf(sherdOf(smallVessel(), 270), options);
+    const Sheet sheet = made_sheets::sheetOf(sherdOf(smallVessel(), 270), vesselOptions());
     ASSERT_EQ(sheet.remarks.size(), 1);
     EXPECT_EQ(sheet.remarks[0].find("Vessel: rim 7"), 0u) << sheet.remarks[0];
     bool is_said = false;

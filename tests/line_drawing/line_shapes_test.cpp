@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines are smoothed within a part of their pen; specks go; curves stay near lines.
-#include "strokes/line_easing.h"
+#include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
-
-#include "strokes/curve_fitting.h"
-#include "strokes/strokes.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_drawing/section.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

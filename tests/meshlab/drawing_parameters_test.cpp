@@ -28,7 +28,8 @@ line_drawing::Words viewNames(const char* views, const char* sections = "") {
 }
 
 TEST(DrawingParameters, ViewsKeepTheirOrder) {
-    EXPECT_EQ(line_drawing::joined(viewNames("top, WINDOW;30,15 front"), "/"), "Top/View/View 30°, 15°/Front");
+    EXPECT_EQ(line_drawing::joined(viewNames("top, WINDOW;30,15 front"), "/"),
+              "Top/View/View 30°, 15°/Front");
     EXPECT_EQ(viewNames("six window").size(), 7u);
     EXPECT_THROW(viewNames(""), Error);
     EXPECT_TRUE(viewNames("", "x=0.5").empty());
@@ -63,7 +64,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     chosen.title = "Find 17";
     chosen.look.wall = line_drawing::WallStyle::Filled;
     chosen.look.hidden = line_drawing::HiddenLines::Dashed;
-    chosen.has_furniture = false;
+    chosen.look.has_furniture = false;
     const SheetOptions options = sheetOptions(chosen, std::nullopt);
     EXPECT_EQ(options.scale, 0.25);
     EXPECT_EQ(options.paper, "fit");
@@ -73,7 +74,7 @@ TEST(DrawingParameters, BecomeOptionsOfASheet) {
     EXPECT_EQ(options.title, "Find 17");
     EXPECT_EQ(options.hidden, line_drawing::HiddenLines::Dashed);
     EXPECT_EQ(options.wall, line_drawing::WallStyle::Filled);
-    EXPECT_FALSE(options.has_notes || options.has_scale_bar || options.has_view_names);
+    EXPECT_FALSE(options.has_furniture);
     chosen.scale = "half";
     EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
 }
@@ -90,21 +91,22 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     given.look.up = line_drawing::UpAxis::X;
     given.look.arrangement = line_drawing::Arrangement::ThirdAngle;
     given.look.wall = line_drawing::WallStyle::None;
-    given.has_furniture = false;
+    given.look.has_furniture = false;
     given.settings = line_drawing::settings_of_decoration;
     given.is_of_all_layers = true;
     given.look.hidden = line_drawing::HiddenLines::Dashed;
     RichParameterList list;
     listDrawingParameters(given, list);
     const DrawingParameters read = readDrawingParameters(list);
-    EXPECT_EQ((line_drawing::Words{read.file, read.views, read.scale, read.sections, read.title}),
-              (line_drawing::Words{given.file, given.views, given.scale, given.sections, given.title}));
+    EXPECT_EQ(
+        (line_drawing::Words{read.file, read.views, read.scale, read.sections, read.title}),
+        (line_drawing::Words{given.file, given.views, given.scale, given.sections, given.title}));
     EXPECT_EQ(read.paper, 0);
     EXPECT_EQ(read.unit, 2);
     EXPECT_EQ(read.look.up, given.look.up);
     EXPECT_EQ(read.look.arrangement, given.look.arrangement);
     EXPECT_EQ(read.look.wall, given.look.wall);
-    EXPECT_FALSE(read.has_furniture);
+    EXPECT_FALSE(read.look.has_furniture);
     EXPECT_EQ(read.settings, line_drawing::settings_of_decoration);
     EXPECT_TRUE(read.is_of_all_layers);
     EXPECT_EQ(read.look.hidden, given.look.hidden);

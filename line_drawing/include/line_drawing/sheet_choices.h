@@ -21,7 +21,6 @@ struct SheetChoices {
     int paper = 1;  ///< of paperNames(), and one more: as large as the drawing
     int unit = 0;   ///< of mesh_units
     Weights weights = Weights::Illustrator;
-    bool has_furniture = true;
     bool is_of_all_layers = false;  ///< the visible ones
     int settings = 0;               ///< see settingsNames()
     bool draws_damaged = false;     ///< files that are not whole

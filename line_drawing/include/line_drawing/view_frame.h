@@ -43,6 +43,22 @@ ViewFrame frameOfSide(Side side, UpAxis up);
 /// −90 to 90. @throws laplacian_lines::Error(InvalidOption)
 ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis up);
 
+/// A plane across an axis of the mesh.
+struct Section {
+    int axis = 0;        ///< 0 to 2: x, y, z
+    double share = 0.5;  ///< where across the bounding box, 0 to 1
+};
+
+/// From names such as "y=0.5", separated by commas or spaces.
+/// @throws laplacian_lines::Error(InvalidOption)
+std::vector<Section> parseSections(std::string_view text);
+
+/// "A", "B", ..., "Z", "AA", ...
+std::string letterOf(std::size_t number);
+
+/// Looks along the section's axis: from above, from the front or from the left.
+ViewFrame frameOfSection(const Section& section, UpAxis up);
+
 /// For any view: "toward", the direction to the viewer, that of the picture's upper edge and, in
 /// perspective, "from" and the eye, all in mesh coordinates.
 std::string frameInWords(const ViewFrame& frame);

@@ -139,7 +139,6 @@ SheetOptions sheetOptions(const SheetChoices& chosen, const NamedViews& others) 
     options.kernel = parseDetailSize(chosen.kernel);
     options.smoothing = parseDetailSize(chosen.smoothing);
     options.style.shows = kindsIn(chosen.kinds);
-    options.has_view_names = options.has_scale_bar = options.has_notes = chosen.has_furniture;
     return options;
 }
 

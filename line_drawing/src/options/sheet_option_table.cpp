@@ -95,7 +95,7 @@ std::vector<SheetOption> makeTable() {
             "weights", "Line Weights", {"Illustrator", "ISO 128"},
             "Illustrator: outlines are widest, edges within the form thin. ISO 128: edges that are "
             "seen are as wide as outlines, other lines half as wide.")},
-        {rows::boolean<&S::has_furniture>(
+        {rows::boolean<look, &SheetLook::has_furniture>(
              "furniture", "Scale Bar and Notes",
              "Names of views, scale bar, symbol of the projection, notes of scale, size and file."),
          Place::Both,

@@ -208,11 +208,11 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
                          const Eigen::Vector3d& object_size, const SheetOptions& options,
                          Sheet& sheet) {
     SheetGroup group{"sheet", "Sheet", {}};
-    if (options.has_view_names && views.size() > 1)
-        group.layers.push_back(viewNames(views, layout));
+    if (!options.has_furniture) return group;
+    if (views.size() > 1) group.layers.push_back(viewNames(views, layout));
     const double bottom = layout.size.y() - sheet_margin;
     double right = layout.size.x() - sheet_margin;
-    if (options.has_scale_bar && layout.scale > 0) {
+    if (layout.scale > 0) {
         SheetLayer layer{"scale", "Scale", {}, {}};
         right = addScaleBar({right, bottom}, layout.scale, layer) - strip_gap;
         if (showsSides(views)) {
@@ -222,10 +222,9 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
         }
         group.layers.push_back(std::move(layer));
     }
-    if (options.has_notes)
-        group.layers.push_back(notes({sheet_margin, bottom}, right - sheet_margin,
-                                     noteOf(views, layout, object_size, options, sheet.kernel),
-                                     options.title, sheet.remarks));
+    group.layers.push_back(notes({sheet_margin, bottom}, right - sheet_margin,
+                                 noteOf(views, layout, object_size, options, sheet.kernel),
+                                 options.title, sheet.remarks));
     return group;
 }
 

@@ -172,7 +172,7 @@ public:
             const Vector2d room = roomOfMarks(views[i]);
             Band& column = columns_[cells_[i].column];
             column.hold(-box.min().x(), box.max().x(), room.x());
-            if (options.has_view_names && views.size() > 1)
+            if (options.has_furniture && views.size() > 1)
                 column.name = std::max(
                     column.name, widthInAnyFont(nameOf(views[i].frame, !areInPerspective(views)),
                                                 view_name_height));
@@ -182,7 +182,7 @@ public:
 
     /// Without furniture.
     Vector2d sizeAt(double scale) {
-        const double below = options_.has_view_names ? 2 * view_name_height : 0;
+        const double below = options_.has_furniture ? 2 * view_name_height : 0;
         return {place(columns_, 0, scale, view_gap),
                 place(rows_, 0, scale, view_gap + below) + below};
     }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/curve_fitting.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "strokes/refining.h"
+#include "strokes/strokes.h"
 
 namespace line_drawing {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/families.h"
-
 #include <algorithm>
 #include <map>
 
 #include "laplacian_lines/precompute_options.h"
+#include "strokes/drawn_lines.h"
 #include "strokes/refining.h"
 
 namespace line_drawing {
