@@ -2,6 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
@@ -36,5 +38,12 @@ private:
     std::vector<std::uint32_t> corners_;  // of faces that are no triangles
     std::vector<std::size_t> ends_;       // in corners_, by face
 };
+
+// Feed the builder, and say in a part of a sentence what they skip. @throws Defect where the bytes
+// are malformed
+std::string read_ply(std::string_view bytes, MeshBuilder& mesh);
+std::string read_stl(std::string_view bytes, MeshBuilder& mesh);
+std::string read_obj(std::string_view bytes, MeshBuilder& mesh);
+std::string read_off(std::string_view bytes, MeshBuilder& mesh);
 
 }  // namespace mesh_files

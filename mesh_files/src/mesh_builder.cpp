@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "polygons.h"
+#include "mesh_builder.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
