@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "laplacian_lines/error.h"
-#include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
 
 using namespace line_drawing;
@@ -45,24 +44,6 @@ TEST(ContactSheets, TellSizes) {
     EXPECT_EQ(entry.view.groups.size(), 1u);  // one view, no furniture
     EXPECT_EQ(makeContactSheet({entry}, "").groups[0].layers.back().texts[1].text,
               "100.0 × 100.0 × 100.0 mm");
-}
-
-TEST(MeasuredDrawing, OfSeveralSheetsIsThatOfEach) {
-    const auto mesh = test_meshes::bumpy_sphere(3).mesh;
-    const auto field = laplacian_lines::precompute(mesh);
-    SheetOptions a, b;
-    a.views = parseViews("front", UpAxis::Y);
-    b.views = parseViews("left,top", UpAxis::Y);
-    double last = 0;
-    const auto sheets = makeSheets({{mesh, &field}}, {a, b}, [&](double done, const char*) {
-        EXPECT_GE(done, last);
-        last = done;
-        return true;
-    });
-    EXPECT_EQ(last, 1);
-    ASSERT_EQ(sheets.size(), 2u);
-    EXPECT_EQ(writeSheet(sheets[0], ".svg"), writeSheet(makeSheet(mesh, field, a), ".svg"));
-    EXPECT_EQ(writeSheet(sheets[1], ".svg"), writeSheet(makeSheet(mesh, field, b), ".svg"));
 }
 
 }  // namespace

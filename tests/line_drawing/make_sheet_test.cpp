@@ -81,16 +81,6 @@ TEST(MeasuredDrawing, TellsSmallSizes) {
         << furnitureOf(sheet);
 }
 
-TEST(MeasuredDrawing, ACubeOf100MillimetresMeasures100At1To1) {
-    const Sheet sheet = sheetOf(made_sheets::cubeOf100(), plainViews("six"));
-    ASSERT_EQ(sheet.groups.size(), 7u);
-    for (std::size_t view = 0; view < 6; ++view) {
-        const QRectF extent = extentOf(sheet.groups[view]);
-        EXPECT_NEAR(extent.width(), 100, 0.02) << sheet.groups[view].key;
-        EXPECT_NEAR(extent.height(), 100, 0.02) << sheet.groups[view].key;
-    }
-}
-
 TEST(MeasuredDrawing, UnitsAndScalesMultiply) {
     SheetOptions options = plainViews("front");
     options.scale = 0.05;
@@ -153,11 +143,13 @@ TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {
         change(options);
         EXPECT_THROW(sheetOf(mesh, options), laplacian_lines::Error);
     };
+    EXPECT_THROW(makeSheets({}, {plainViews("front")}), laplacian_lines::Error);
     refused([](SheetOptions& o) { o.views.clear(); });
     refused([](SheetOptions& o) { o.mm_per_unit = 0; });
     refused([](SheetOptions& o) { o.mm_per_unit = std::nan(""); });
     refused([](SheetOptions& o) { o.pens[1] = -1; });
     refused([](SheetOptions& o) { o.scale = 100; });
+    refused([](SheetOptions& o) { o.paper = "foolscap"; });
     refused([](SheetOptions& o) { o.style.detail = 1000; });
 }
 

@@ -147,11 +147,4 @@ TEST(SeveralObjects, AreTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(draw(1), draw(3));
 }
 
-TEST(SeveralObjects, OneIsDrawnAsByItself) {
-    const TriangleMesh cube = cubeOf100();
-    EXPECT_EQ(writeSheet(sheetOfAll({cube}, plainViews("six")), ".svg"),
-              writeSheet(made_sheets::sheetOf(cube, plainViews("six")), ".svg"));
-    EXPECT_THROW(sheetOfAll({}, plainViews("six")), laplacian_lines::Error);
-}
-
 }  // namespace

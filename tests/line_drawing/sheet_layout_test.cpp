@@ -29,15 +29,6 @@ Sheet sheetOf(const SheetOptions& options) {
     return made_sheets::sheetOf(box(), options);
 }
 
-std::string complaintOf(const SheetOptions& options) {
-    try {
-        sheetOf(options);
-    } catch (const laplacian_lines::Error& error) {
-        return error.what();
-    }
-    return {};
-}
-
 /// Of the views on the sheet.
 std::vector<QRectF> placesOf(const SheetOptions& options) {
     const Sheet sheet = sheetOf(options);
@@ -97,13 +88,6 @@ TEST(SheetLayout, PaperCanBeAsLargeAsTheDrawing) {
     options.scale = 10;
     EXPECT_NEAR(sheetOf(options).size.x(), 600, 50);
     EXPECT_GT(sheetOf(options).size.x(), 600);
-}
-
-TEST(SheetLayout, SaysWhichScaleWouldFit) {
-    SheetOptions options = fitting("front");
-    options.scale = 10;
-    EXPECT_NE(complaintOf(options).find("Take the scale 4:1"), std::string::npos);
-    EXPECT_NE(complaintOf(plainViews("front", "foolscap")), "");
 }
 
 TEST(SheetLayout, ScalesHaveNames) {

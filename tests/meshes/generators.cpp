@@ -59,6 +59,21 @@ TriangleMesh icosahedron() {
     return mesh;
 }
 
+/// An icosphere, jittered by up to `jitter` edges, then mapped.
+AnalyticMesh mapped_icosphere(int level, const DirectionMap& map, double jitter) {
+    AnalyticMesh result{icosphere(level), {}};
+    std::mt19937 random(7);
+    const double edge = 1.1 / (1 << level);
+    for (Eigen::Vector3d& p : result.mesh.positions) {
+        const Eigen::Vector3d d = p;
+        for (int k = 0; k < 3; ++k)
+            p[k] = d[k] + jitter * edge * signed_unit(random);
+        result.truth.push_back(surface_point(map, p.normalized()));
+        p = result.truth.back().position;
+    }
+    return result;
+}
+
 }  // namespace
 
 TriangleMesh grid_mesh(const Grid& grid,
@@ -125,20 +140,6 @@ TriangleMesh with_noise(TriangleMesh mesh, double share, unsigned seed) {
         p += length * move.normalized();
     }
     return mesh;
-}
-
-AnalyticMesh mapped_icosphere(int level, const DirectionMap& map, double jitter) {
-    AnalyticMesh result{icosphere(level), {}};
-    std::mt19937 random(7);
-    const double edge = 1.1 / (1 << level);
-    for (Eigen::Vector3d& p : result.mesh.positions) {
-        const Eigen::Vector3d d = p;
-        for (int k = 0; k < 3; ++k)
-            p[k] = d[k] + jitter * edge * signed_unit(random);
-        result.truth.push_back(surface_point(map, p.normalized()));
-        p = result.truth.back().position;
-    }
-    return result;
 }
 
 AnalyticMesh sphere(int level, double radius, double jitter) {

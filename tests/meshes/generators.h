@@ -30,8 +30,6 @@ AnalyticMesh grid_mesh(const Grid& grid,
 
 /// An icosahedron's triangles split into 4^level.
 TriangleMesh icosphere(int level);
-/// An icosphere, jittered by up to `jitter` edges, then mapped.
-AnalyticMesh mapped_icosphere(int level, const DirectionMap& map, double jitter = 0);
 
 AnalyticMesh sphere(int level, double radius = 1, double jitter = 0);
 AnalyticMesh ellipsoid(int level, double jitter = 0);  ///< half axes 1, 0.8, 0.6

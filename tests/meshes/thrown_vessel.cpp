@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thrown_vessel.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "generators.h"
 
 namespace test_meshes {
 namespace {
@@ -73,34 +76,14 @@ std::vector<Vector2d> vessel_profile(int points) {
 
 laplacian_lines::TriangleMesh thrown_vessel(const VesselShape& shape) {
     const std::vector<Vector2d> profile = vessel_profile(shape.rings);
-    std::size_t rim = 0;
-    for (std::size_t i = 0; i < profile.size(); ++i)
-        if (profile[i].y() > profile[rim].y()) rim = i;
-    laplacian_lines::TriangleMesh mesh;
-    const auto n = std::uint32_t(shape.columns), rings = std::uint32_t(profile.size()) - 2;
-    mesh.positions.emplace_back(0, profile.front().y(), 0);
-    for (std::size_t i = 1; i + 1 < profile.size(); ++i)
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const double angle = kTau * j / n;
-            const double radius = profile[i].x() +
-                                  shape.relief * relief_at(profile[i], angle, i > rim) +
-                                  shape.wobble * std::sin(2 * angle);
-            mesh.positions.emplace_back(radius * std::cos(angle), profile[i].y(),
-                                        radius * std::sin(angle));
-        }
-    mesh.positions.emplace_back(0, profile.back().y(), 0);
-    const auto vertex = [n](std::uint32_t ring, std::uint32_t j) { return 1 + ring * n + j % n; };
-    for (std::uint32_t j = 0; j < n; ++j) {
-        mesh.triangles.push_back({0, vertex(0, j), vertex(0, j + 1)});
-        for (std::uint32_t ring = 0; ring + 1 < rings; ++ring) {
-            mesh.triangles.push_back(
-                {vertex(ring, j), vertex(ring + 1, j), vertex(ring + 1, j + 1)});
-            mesh.triangles.push_back(
-                {vertex(ring, j), vertex(ring + 1, j + 1), vertex(ring, j + 1)});
-        }
-        mesh.triangles.push_back({vertex(rings - 1, j), 1 + rings * n, vertex(rings - 1, j + 1)});
-    }
-    return mesh;
+    const auto rim = std::max_element(profile.begin(), profile.end(),
+                                      [](auto& a, auto& b) { return a.y() < b.y(); });
+    return grid_mesh({shape.columns, shape.rings - 1, true, false}, [&](double u, double v) {
+        const auto ring = profile.begin() + std::lround(v * (shape.rings - 1));
+        const double angle = kTau * u;
+        const double radius = ring->x() + shape.relief * relief_at(*ring, angle, ring > rim);
+        return Eigen::Vector3d(radius * std::cos(angle), ring->y(), radius * std::sin(angle));
+    });
 }
 
 }  // namespace test_meshes

@@ -10,7 +10,6 @@ namespace test_meshes {
 struct VesselShape {
     int rings = 600, columns = 720;
     double relief = 1;  ///< height of grooves, wave and traces of throwing; 0: smooth
-    double wobble = 0;  ///< how far it is from round, mm
 };
 
 /// From the underside's middle around the wall to the inside's middle: (radius, height), mm, evenly
