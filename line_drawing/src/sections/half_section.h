@@ -2,7 +2,7 @@
 #pragma once
 
 #include "laplacian_lines/triangle_mesh.h"
-#include "planes/clipping.h"
+#include "planes/cutting.h"
 #include "views/drawn_view.h"
 
 namespace line_drawing {
@@ -14,13 +14,6 @@ struct VesselAxis {
     double lean = 0;        ///< degrees by which the vessel's own axis stands off
     double rim = 0;         ///< share of the way around the axis with surface in the upper tenth
 };
-
-/// The axis around which a vessel was thrown, along the mesh's axis `up`: the normals of a surface
-/// of revolution meet its axis. Handles and spouts count little. Through the middle of the bounding
-/// box if normals do not tell. `looks_up`: upright along `up`, or upside down. By the linear
-/// complex of normals, H. Pottmann, T. Randrup, "Rotational and helical surface approximation for
-/// reverse engineering", Computing 60 (1998), with iterated weights.
-VesselAxis findAxis(const laplacian_lines::TriangleMesh& mesh, int up, bool looks_up = true);
 
 /// Planes through the axis of a vessel.
 class HalfSection {

@@ -10,6 +10,7 @@
 #include "options/progress_part.h"
 #include "planes/lettering.h"
 #include "sheet/sheet_layout.h"
+#include "sight/object_lines.h"
 #include "sight/observer.h"
 #include "system/parallel.h"
 
@@ -120,7 +121,8 @@ void findLines(const Observer& observer, ObjectLines& lines, Draft& draft,
     options.kernel = {lines.kernelSize() * options.mm_per_unit * scale, false};
     if (is_given || is_detail) draft.kernel = options.kernel.size;
     for (std::size_t i = 0; i < options.views.size(); ++i)
-        draft.lines.push_back(observer.linesOf(draft.views[i], options, lines));
+        draft.lines.push_back(
+            lines.extract(observer.viewOf(draft.views[i], options), options.style));
 }
 
 /// Adds missing outlines. Returns their length by view, mm.

@@ -194,7 +194,7 @@ std::string nameOf(const ViewFrame& frame, bool beside_scale) {
 }
 
 double widthInAnyFont(const std::string& text, double height) {
-    return widest_font * height * letteringOf(text).width;
+    return widest_font * height * widthOf(text);
 }
 
 std::string elided(const std::string& text, double height, double width) {

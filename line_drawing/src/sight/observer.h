@@ -7,10 +7,9 @@
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/object.h"
 #include "line_drawing/sheet_options.h"
-#include "sight/object_lines.h"
 #include "views/drawn_view.h"
-#include "views/projection.h"
 
 namespace line_drawing {
 
@@ -27,15 +26,12 @@ public:
     DrawnView stand(const ViewFrame& frame, const SheetOptions& options);
     /// What a section cuts, without what is behind it.
     DrawnView cut(const Section& section, const SheetOptions& options);
-    /// Lines within faces, by object, before anything hides them.
-    std::vector<laplacian_lines::LineSet> linesOf(const DrawnView& drawn,
-                                                  const SheetOptions& options,
-                                                  ObjectLines& lines) const;
+    laplacian_lines::View viewOf(const DrawnView& drawn, const SheetOptions& options) const;
     /// Call before look(). @throws laplacian_lines::Error(Cancelled)
     void prepare(const std::vector<SheetOptions>& sheets,
                  const laplacian_lines::Progress& progress);
-    /// Adds what is seen of mesh edges and of linesOf(). Thread-safe for different views, like the
-    /// functions below.
+    /// Adds what is seen of mesh edges and of `lines` within faces, by object. Thread-safe for
+    /// different views, like the functions below.
     void look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
               const SheetOptions& options, const laplacian_lines::Progress& progress) const;
     /// Compares outlines with the pixels that the surface covers, of this size in mm of the object,
@@ -53,7 +49,6 @@ private:
                   const laplacian_lines::Progress& progress) const;
 
     void prepareCuts();
-    laplacian_lines::View viewOf(const DrawnView& drawn, const SheetOptions& options) const;
     void addSilhouettes(DrawnView& drawn, const SheetOptions& options) const;
     std::vector<DrawnLine> draw(const SightLines& lines, const ViewFrame& frame,
                                 const SheetOptions& options) const;
@@ -66,18 +61,5 @@ private:
     std::optional<const laplacian_lines::LineVisibility> visibility_;
     std::vector<laplacian_lines::LineVisibility> alone_;  ///< of each object, if wanted
 };
-
-/// Checks a view's outlines by independent means: fills its triangles in pixels of this size, mm of
-/// the object. Returns the middles of border pixels without an outline within two pixels. `bounds`
-/// are the surface's in the view.
-std::vector<Eigen::Vector2d> borderWithoutOutline(const laplacian_lines::TriangleMesh& mesh,
-                                                  const Projection& projection, double unit,
-                                                  const Eigen::AlignedBox2d& bounds,
-                                                  const std::vector<DrawnLine>& lines,
-                                                  double pixel);
-
-/// Segments within two pixels of these places, as outlines.
-std::vector<DrawnLine> linesAt(const std::vector<Eigen::Vector2d>& places,
-                               const std::vector<DrawnLine>& lines, double pixel);
 
 }  // namespace line_drawing

@@ -33,20 +33,14 @@ public:
     /// Whether `point` is this near beside a line in any direction, not beyond its end.
     bool isBeside(const Eigen::Vector2d& point, double within) const;
 
-    /// A range of lines.
-    struct Numbers {
-        Numbers(std::size_t one) : first(one), last(one) {}
-        Numbers(std::size_t from, std::size_t to) : first(from), last(to) {}
-        std::size_t first, last;
-    };
-    /// Whether any but these is this near.
-    bool isNear(const Eigen::Vector2d& point, const Numbers& except, double within) const;
-    /// The nearest place on a line without these numbers, and its number.
+    /// Whether any but that one is this near.
+    bool isNear(const Eigen::Vector2d& point, std::size_t except, double within) const;
+    /// The nearest place on any but that one, and its line.
     struct Place {
         Eigen::Vector2d position;
         std::size_t line;
     };
-    std::optional<Place> nearestOn(const Eigen::Vector2d& point, const Numbers& except,
+    std::optional<Place> nearestOn(const Eigen::Vector2d& point, std::size_t except,
                                    double within) const;
 
     /// The nearest line on the side where the unit vector `side` points, within 20°, that runs

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double step_share = 1.5;  // of the reach, between the places that are moved
-constexpr int rounds = 60;  // of the elastic line
+constexpr int rounds = 60;          // of the elastic line
 // Of it for being off a point's place: the first rounds take out waves of some twenty points.
 constexpr double penalty = 0.01, penalty_of_fixed = 100;
 
