@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "flat_drawing.h"
+#include "truth_measures.h"
 
 #include <Eigen/Geometry>
 
