@@ -7,10 +7,8 @@
 #include <algorithm>
 
 #include "made_sheets.h"
-#include "thrown_vessel.h"
 
 using namespace line_drawing;
-using Eigen::Vector3d;
 using made_sheets::cubeOf100;
 using made_sheets::layerOf;
 using made_sheets::plainViews;
@@ -71,9 +69,7 @@ void expectClosedOutlines(const laplacian_lines::TriangleMesh& mesh, const char*
 /// Faces are seen edge-on.
 TEST(Outlines, AreClosedInExactSideViews) {
     expectClosedOutlines(cubeOf100(), "six");
-    laplacian_lines::TriangleMesh torus = test_meshes::torus(60, 30).mesh;
-    for (Vector3d& p : torus.positions)
-        p *= 30;
+    const auto torus = test_meshes::moved(test_meshes::torus(60, 30).mesh, {0, 0, 0}, 30);
     expectClosedOutlines(torus, "six");
     expectClosedOutlines(torus, "45,0,30,35");
     expectClosedOutlines(test_meshes::thrown_vessel({150, 180}), "front,top,20,30");
