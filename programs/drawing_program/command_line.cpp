@@ -17,7 +17,7 @@ namespace {
 const char* const format_option = "--format";  // of a collection
 
 /// The object that the file's line of provenance begins with.
-QJsonObject provenanceIn(const std::string& name) {
+QJsonObject provenanceOf(const std::string& name) {
     const std::optional<std::string> read = contentsOf(name);
     if (!read) refuse("\"" + name + "\" cannot be read.");
     const QByteArray bytes = QByteArray::fromStdString(line_drawing::provenanceIn(*read));
@@ -39,7 +39,7 @@ bool isOption(const std::string& word) {
 /// Of an SVG, PDF or DXF file that is to be made again, with options that can be given here.
 /// @throws laplacian_lines::Error(InvalidOption) if the file has none.
 EarlierDrawing earlierDrawing(const std::string& file) {
-    const QJsonObject object = provenanceIn(file);
+    const QJsonObject object = provenanceOf(file);
     const auto text = [](const QJsonValue& value) { return value.toString().toStdString(); };
     EarlierDrawing earlier{text(object["laplacian_lines"]), {}, {}};
     for (const QJsonValue mesh : object["meshes"].toArray())

@@ -15,8 +15,8 @@ namespace line_drawing {
 struct SheetFormat {
     const char* ending;  ///< of files, in lower case
     std::string (*write)(const Sheet& sheet, double dpi);
-    bool has_any_letter;  ///< of the reader's font, not of ours
-    bool has_tapered_strokes;
+    bool has_any_letter;       ///< of the reader's font, not of ours
+    bool has_tapered_strokes;  ///< DXF readers draw even widths
 };
 extern const std::array<SheetFormat, 4> sheet_formats;
 

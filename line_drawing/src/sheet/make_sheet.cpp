@@ -6,17 +6,23 @@
 #include <cmath>
 #include <set>
 
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/mesh_faults.h"
+#include "laplacian_lines/precompute.h"
 #include "line_drawing/words.h"
 #include "options/progress_part.h"
 #include "planes/lettering.h"
 #include "sheet/sheet_layout.h"
-#include "sight/object_lines.h"
 #include "sight/observer.h"
 #include "system/parallel.h"
 
 namespace line_drawing {
 namespace {
 
+using laplacian_lines::Field;
+using laplacian_lines::MeshFault;
+using laplacian_lines::PrecomputeOptions;
 using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
@@ -25,6 +31,107 @@ constexpr double largest_kernel = 0.0401;  // of the diagonal: meshes without de
 // Progress at which lines are found, and what hides them is prepared.
 constexpr double lines_share = 0.4, sight_share = 0.55;
 constexpr std::size_t most_triangles_at_once = 2000000;  // in views that are found together
+
+constexpr double field_share = 0.8;  // of the time that lines of an object take
+
+/// Mesh units; `diagonal` is that of the mesh's bounding box.
+double lengthOf(const DetailSize& detail, double mm, double diagonal) {
+    return detail.is_share ? detail.size * diagonal : detail.size / mm;
+}
+
+/// `mm`: on paper, per mesh unit.
+PrecomputeOptions fieldOptions(const SheetOptions& options, double mm) {
+    PrecomputeOptions result;
+    result.drawn_kernel_size =
+        laplacian_lines::kDrawnKernelWidths * options.pens[std::size_t(LineClass::Inner)] / mm;
+    result.curvature_derivatives = options.style.shows.needs_derivatives();
+    return result;
+}
+
+Field computeField(const Object& object, PrecomputeOptions wanted, const SheetOptions& options,
+                   double mm, const Progress& progress) {
+    const double diagonal = boundsOf(object.mesh).diagonal().norm();
+    if (options.kernel.size > 0) {
+        wanted.drawn_kernel_size = 0;
+        wanted.kernel_size = lengthOf(options.kernel, mm, diagonal);
+    }
+    try {
+        if (options.smoothing.size > 0)
+            wanted.normal_sigma = lengthOf(options.smoothing, mm, diagonal) /
+                                  laplacian_lines::measure_scale(object.mesh, wanted).mean_edge;
+        return laplacian_lines::precompute(object.mesh, wanted, progress);
+    } catch (const laplacian_lines::Error& error) {
+        if (object.name.empty()) throw;
+        throw laplacian_lines::Error(error.code(), object.name + ": " + error.what());
+    }
+}
+
+/// The lines within objects' faces, from fields as fine as the scale asks for. Objects outlive
+/// this.
+class ObjectLines {
+public:
+    explicit ObjectLines(const Objects& objects) : objects_(objects) {}
+
+    /// Computes the fields for `scale`, mm on paper per mm of the object, unless given or kept.
+    /// @throws laplacian_lines::Error, naming the object
+    void makeReady(const SheetOptions& options, double scale,
+                   const laplacian_lines::Progress& progress);
+
+    /// One set per object, for LineVisibility.
+    std::vector<laplacian_lines::LineSet> extract(const laplacian_lines::View& view,
+                                                  const laplacian_lines::LineStyle& style);
+
+    /// What users should know of the objects' meshes.
+    std::vector<std::string> remarks() const { return remarks_; }
+
+    /// The largest √h, mesh units.
+    double kernelSize() const { return kernel_size_; }
+
+private:
+    const Objects& objects_;
+    laplacian_lines::PrecomputeOptions made_;  ///< of the extractors
+    std::vector<laplacian_lines::LineExtractor> extractors_;
+    double kernel_size_ = 0;
+    std::vector<std::string> remarks_;
+    laplacian_lines::ExtractionScratch scratch_;
+};
+
+void ObjectLines::makeReady(const SheetOptions& options, double scale, const Progress& progress) {
+    const double mm = scale * options.mm_per_unit;
+    const PrecomputeOptions wanted = fieldOptions(options, mm);
+    const bool are_given = std::all_of(objects_.begin(), objects_.end(),
+                                       [](const Object& object) { return object.field; });
+    const bool are_equal = wanted.drawn_kernel_size == made_.drawn_kernel_size &&
+                           wanted.curvature_derivatives == made_.curvature_derivatives;
+    if (!extractors_.empty() && (are_given || are_equal)) return;
+    extractors_.clear();
+    kernel_size_ = 0;
+    remarks_.clear();
+    made_ = wanted;
+    const auto count = double(objects_.size());
+    for (const Object& object : objects_) {
+        const auto done = double(extractors_.size());
+        const Progress own = part(progress, done / count, (done + 1) / count);
+        Field computed;
+        if (!object.field)
+            computed = computeField(object, wanted, options, mm, part(own, 0, field_share));
+        const Field& field = object.field ? *object.field : computed;
+        kernel_size_ = std::max(kernel_size_, field.scale.kernel_size);
+        for (const MeshFault fault : laplacian_lines::faults_of(field.report))
+            if (fault != MeshFault::CoarseKernel)  // as the scale or the user asks for
+                remarks_.push_back((object.name.empty() ? "" : object.name + ": ") +
+                                   describe(fault, field.report));
+        extractors_.emplace_back(object.mesh, field, part(own, field_share, 1));
+    }
+}
+
+std::vector<laplacian_lines::LineSet> ObjectLines::extract(
+    const laplacian_lines::View& view, const laplacian_lines::LineStyle& style) {
+    std::vector<laplacian_lines::LineSet> lines;
+    for (const laplacian_lines::LineExtractor& extractor : extractors_)
+        lines.push_back(laplacian_lines::extract_on_surface(extractor, view, style, scratch_));
+    return lines;
+}
 
 void check(const SheetOptions& options) {
     if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
