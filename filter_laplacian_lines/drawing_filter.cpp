@@ -50,25 +50,21 @@ QString report(const PlacedLayers& layers, const QString& file, const Sheet& she
 }
 
 /// Without hashes: a layer may differ from its file.
-std::string provenanceOf(const PlacedLayers& layers) {
+std::vector<line_drawing::SourceMesh> meshesOf(const PlacedLayers& layers) {
     std::vector<line_drawing::SourceMesh> meshes;
     for (const PlacedLayer& layer : layers)
         meshes.push_back({layer.name.toStdString(), {}});
-    return line_drawing::provenanceText(meshes);
+    return meshes;
 }
 
 /// Of a file that has no drawing of other meshes: with a number, if that named has one.
-QString freeName(const QString& name, const std::string& provenance) {
-    const QByteArray key = "\"meshes\":";
-    const QByteArray meshes =
-        QByteArray::fromStdString(provenance.substr(provenance.find(key.toStdString())));
+QString freeName(const QString& name, const std::vector<line_drawing::SourceMesh>& meshes) {
     const QFileInfo info(name);
     QString result = name;
     for (int number = 2;; ++number) {
         QFile file(result);
-        QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-        bytes.replace("\n999\n", "");  // where DXF continues a line
-        if (!bytes.contains(key) || bytes.contains(meshes)) return result;
+        file.open(QIODevice::ReadOnly);
+        if (!line_drawing::isOfOthers(file.readAll().toStdString(), meshes)) return result;
         result = info.dir().filePath(
             QString("%1_%2.%3").arg(info.completeBaseName()).arg(number).arg(info.suffix()));
     }
@@ -83,7 +79,7 @@ void run(const meshlab_host::FilterRun& run) {
     const DrawingParameters chosen = readDrawingParameters(run.parameters);
     QString name = inQt(fileFor(*run.document.mm(), chosen.file));
     std::string place = QFile::encodeName(name).toStdString();  // as the system has it
-    const line_drawing::SheetFormat format = line_drawing::formatOf(place);
+    line_drawing::formatOf(place);
     line_drawing::checkWritable(place);
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::currentView();
     SheetOptions options = sheetOptions(chosen, window);
@@ -96,17 +92,18 @@ void run(const meshlab_host::FilterRun& run) {
     for (const PlacedLayer& layer : layers)
         names.push_back(QFileInfo(layer.name).completeBaseName().toStdString());
     options.title = line_drawing::titleOf(options.title, names);
-    for (const std::string& remark : line_drawing::checkTexts(options, format))
+    for (const std::string& remark : line_drawing::checkTexts(options, place))
         run.say(inQt(remark));
     Sheet sheet =
         line_drawing::makeSheets(objectsOf(layers), {options},
                                  meshlab_host::progressTo(run.progress, field_share, sheet_share))
             .front();
     meshlab_host::beginStep(run.progress, 1, "Writing the drawing");
-    sheet.provenance = provenanceOf(layers);
-    name = freeName(name, sheet.provenance);  // scripts run over a folder
+    const std::vector<line_drawing::SourceMesh> meshes = meshesOf(layers);
+    sheet.provenance = line_drawing::provenanceText(meshes);
+    name = freeName(name, meshes);  // scripts run over a folder
     place = QFile::encodeName(name).toStdString();
-    line_drawing::writeWhole(place, writeSheet(sheet, format));
+    line_drawing::writeWhole(place, writeSheet(sheet, place));
     const QString file = QFileInfo(name).absoluteFilePath();
     const Eigen::Vector3d size = options.mm_per_unit * sizeOf(layers);
     run.say(report(layers, file, sheet, size, options));

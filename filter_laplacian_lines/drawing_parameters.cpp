@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "line_drawing/sheet_file.h"
 #include "line_drawing/words.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
@@ -31,7 +32,7 @@ const std::vector<SheetOption>& filterOptions() {
 TextDescription describeText(const SheetOption& option) {
     const bool is_file = option.text == &DrawingParameters::file;
     return {option.row.key, option.row.label, option.row.help,
-            is_file ? "Drawings (*.svg *.pdf *.dxf *.png)" : ""};
+            is_file ? inQt("Drawings (*" + line_drawing::endingsInWords(" *", " *") + ')') : ""};
 }
 
 /// In world coordinates.

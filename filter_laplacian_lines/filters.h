@@ -11,7 +11,7 @@ meshlab_host::Filter computeFilter();
 /// The lines of a mesh from one view, as a layer of polylines.
 meshlab_host::Filter polylineFilter();
 
-/// A measured drawing, as a file, of layers as they stand in the world.
+/// A measured drawing, as a file, of a layer as it stands in the world.
 meshlab_host::Filter drawingFilter();
 
 /// All, in the order of the plugin's actions.

@@ -112,16 +112,6 @@ void addLayer(const LineSet& lines, const Source& source, const laplacian_lines:
     meshlab_host::showAsLines(document, layer->id());
 }
 
-/// From where it was seen, for scripts.
-void recordView(const meshlab_host::FilterRun& run, PolylineParameters seen,
-                const line_drawing::ViewFrame& frame) {
-    seen.view = frame.eye ? ViewChoice::Perspective : ViewChoice::Orthographic;
-    (frame.eye ? seen.viewpoint : seen.view_direction) = frame.eye.value_or(frame.towards_viewer);
-    RichParameterList recorded;
-    listPolylineParameters(seen, recorded);
-    meshlab_host::recordAs(filter_name, recorded, run.document);
-}
-
 /// "12 Laplacian lines, 1 ridge", without kinds that have none.
 QString kindsInWords(const LineSet& lines) {
     std::array<std::size_t, laplacian_lines::line_kind_count> counts{};
@@ -132,6 +122,16 @@ QString kindsInWords(const LineSet& lines) {
         if (const std::size_t count = counts[std::size_t(kind.kind)])
             parts << QString("%1 %2").arg(count).arg(count == 1 ? kind.one : kind.many);
     return parts.join(", ");
+}
+
+/// From where it was seen, for scripts.
+void recordView(const meshlab_host::FilterRun& run, PolylineParameters seen,
+                const line_drawing::ViewFrame& frame) {
+    seen.view = frame.eye ? ViewChoice::Perspective : ViewChoice::Orthographic;
+    (frame.eye ? seen.viewpoint : seen.view_direction) = frame.eye.value_or(frame.towards_viewer);
+    RichParameterList recorded;
+    listPolylineParameters(seen, recorded);
+    meshlab_host::recordAs(filter_name, recorded, run.document);
 }
 
 void listParameters(const MeshModel* mesh, RichParameterList& list) {

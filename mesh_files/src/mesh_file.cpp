@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "readers.h"
+#include "mesh_builder.h"
 #include "text.h"
 
 namespace mesh_files {

@@ -2,7 +2,7 @@
 // Geomview's OFF: words, as a rule with a vertex or a face per line, colours and normals behind.
 #include <algorithm>
 
-#include "readers.h"
+#include "mesh_builder.h"
 #include "text.h"
 
 namespace mesh_files {

@@ -2,8 +2,7 @@
 // 3D Systems' STL: text, or 50 bytes per triangle after a header of 84.
 #include <algorithm>
 
-#include "binary.h"
-#include "readers.h"
+#include "mesh_builder.h"
 #include "text.h"
 
 namespace mesh_files {

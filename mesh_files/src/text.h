@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -64,5 +65,13 @@ std::size_t words_in(std::string_view line);
 std::string quoted(std::string_view word);
 /// A remark on bytes after those that the header promises; "" if they are blank.
 std::string unread(std::string_view rest);
+
+/// A number at any address. MeshLab's machines all are little-endian.
+template <class Number>
+Number little_endian(const char* bytes) {
+    Number number;
+    std::memcpy(&number, bytes, sizeof number);
+    return number;
+}
 
 }  // namespace mesh_files

@@ -5,11 +5,18 @@
 #include <optional>
 #include <string>
 
-#include "earlier_drawing.h"
 #include "line_drawing/sheet_choices.h"
+#include "line_drawing/sheet_file.h"
 #include "line_drawing/words.h"
 
 using line_drawing::Words;
+
+/// What a drawing says of how it was made, see line_drawing::provenanceText().
+struct EarlierDrawing {
+    std::string version;
+    std::vector<line_drawing::SourceMesh> meshes;
+    line_drawing::Words options;
+};
 
 struct CommandLine {
     bool help = false, version = false;
@@ -28,6 +35,10 @@ struct CommandLine {
 /// @throws laplacian_lines::Error(InvalidOption)
 CommandLine parseCommandLine(Words arguments);
 std::string usage();
+
+/// Says what is not as it was: the meshes, or this program.
+void sayWhatDiffers(const EarlierDrawing& earlier,
+                    const std::vector<line_drawing::SourceMesh>& meshes);
 
 /// A whole line at once, also from several threads.
 void say(FILE* stream, const std::string& line);

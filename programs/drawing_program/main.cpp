@@ -5,40 +5,8 @@
 
 #include "drawings.h"
 #include "laplacian_lines/version.h"
-#include "line_drawing/make_sheet.h"
-#include "line_drawing/whole_file.h"
 
 namespace {
-
-/// Scans come in metres, too, and files do not tell.
-void saySize(const std::vector<ReadMesh>& meshes, const CommandLine& commands) {
-    Eigen::AlignedBox3d box;
-    for (const ReadMesh& read : meshes)
-        box.extend(line_drawing::boundsOf(read.mesh));
-    if (box.isEmpty()) return;
-    const double unit = commands.options.mm_per_unit;
-    const Eigen::Vector3d size = unit * box.sizes();
-    const bool is_given =
-        std::find(commands.words.begin(), commands.words.end(), "--unit") != commands.words.end();
-    const char* advice = is_given              ? ""
-                         : size.maxCoeff() < 1 ? "; if it is in metres, say --unit m"
-                                               : "; --unit says otherwise";
-    say(stdout, (meshes.size() > 1 ? "together the objects are " : "the object is ") +
-                    line_drawing::sizeInWords(size, " x ") + " in size, with " +
-                    line_drawing::inDigits(unit) + " mm to the unit of the mesh" + advice);
-}
-
-void drawOne(const CommandLine& commands) {
-    line_drawing::formatOf(commands.drawing);
-    line_drawing::checkWritable(commands.drawing);
-    std::vector<ReadMesh> meshes;
-    for (const std::string& file : commands.meshes)
-        meshes.push_back(readAloud(file, commands));
-    if (commands.like) sayWhatDiffers(*commands.like, sourcesOf(meshes));
-    saySize(meshes, commands);
-    drawInto(commands.drawing, meshes, commands);
-    say(stdout, "the drawing is " + commands.drawing);
-}
 
 int run(const Words& arguments) {
     const CommandLine commands = parseCommandLine(arguments);

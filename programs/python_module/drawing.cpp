@@ -66,19 +66,19 @@ nb::list sheet_options() {
 
 Drawing draw(const DrawnMeshes& drawn, const Words& words, const std::string& ending,
              const laplacian_lines::Progress& progress) {
-    const SheetFormat format = formatOf('.' + ending);
+    const std::string file = '.' + ending;
     SheetChoices choices = readChoices(words);
-    choices.file = '.' + ending;
+    choices.file = file;
     SheetOptions options = sheetOptions(choices);
     name_sources(drawn.sources, options);
-    const std::vector<std::string> of_texts = checkTexts(options, format);
+    const std::vector<std::string> of_texts = checkTexts(options, file);
     Objects objects;
     for (std::size_t i = 0; i < drawn.meshes.size(); ++i)
         objects.push_back({drawn.meshes[i], nullptr, drawn.sources[i].name});
     Sheet sheet = makeSheets(objects, {options}, progress).front();
     sheet.provenance = provenanceText(drawn.sources, words);
     sheet.remarks.insert(sheet.remarks.begin(), of_texts.begin(), of_texts.end());
-    return {writeSheet(sheet, format, choices.dpi),
+    return {writeSheet(sheet, file, choices.dpi),
             sheet.size.x(),
             sheet.size.y(),
             sheet.scale,

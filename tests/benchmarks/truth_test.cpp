@@ -2,11 +2,8 @@
 // Scores of drawings whose faults are known: they fall where a line is missing, or one too many.
 #include <gtest/gtest.h>
 
-#include "flat_drawing.h"
-#include "item_buffer.h"
-#include "part_file.h"
 #include "places.h"
-#include "truth_scores.h"
+#include "truth_measures.h"
 
 namespace {
 

@@ -7,7 +7,6 @@
 
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "segmented_head.h"
 
 namespace {
 

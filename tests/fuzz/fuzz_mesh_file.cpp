@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/sheet_file.h"
 #include "sample_files.h"
 
 namespace {
@@ -25,10 +25,10 @@ void draw(const laplacian_lines::TriangleMesh& mesh) {
     options.area = line_drawing::OutlineArea::Filled;
     try {
         const auto sheets = line_drawing::makeSheets({{mesh}}, {options});
-        const std::string svg = line_drawing::writeSvg(sheets.front());
+        const std::string svg = line_drawing::writeSheet(sheets.front(), ".svg");
         if (svg.find("nan") != svg.npos || svg.find("inf ") != svg.npos)
             refuse("a drawing without numbers");
-        line_drawing::writeDxf(sheets.front());
+        line_drawing::writeSheet(sheets.front(), ".dxf");
     } catch (const laplacian_lines::Error&) {
     }
 }

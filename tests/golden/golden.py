@@ -4,8 +4,7 @@ drawings/ have them. --update writes anew those that differ: look at them before
 drawings and a PNG of each are left in the build folder, in golden/.
 
 Files are compared byte for byte, but for the program's version and for how streams of PNG and PDF are packed, with the
-lengths and places that follow from it: another zlib packs otherwise. DXF is kept packed, for it is large. The widest
-vectors are not used, since they round otherwise."""
+lengths and places that follow from it: another zlib packs otherwise. DXF is kept packed, for it is large."""
 
 import gzip
 import math

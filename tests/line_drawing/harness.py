@@ -19,12 +19,6 @@ os.chdir(WORK)
 atexit.register(shutil.rmtree, WORK, ignore_errors=True)
 
 
-def skip(reason):
-    """Ends the test, as a failure where LAPLACIAN_LINES_REQUIRED is true."""
-    print(f"skipped: {reason}")
-    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") == "true" else 77)
-
-
 def fail(message):
     sys.exit(f"failed: {message}")
 

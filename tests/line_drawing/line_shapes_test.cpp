@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines are smoothed within a part of their pen; specks go; curves stay near lines.
-#include "strokes/line_easing.h"
+// Lines are smoothed within a part of their pen; specks go; curves stay near lines. Lines that
+// double others go, hooks at ends too; ends meet the lines that they head for.
+#include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
-
-#include "strokes/curve_fitting.h"
-#include "strokes/strokes.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;
@@ -61,15 +59,6 @@ TEST(LineEasing, TakesTheTurnsOutAndStaysWithinReach) {
         EXPECT_LE(distanceTo(before, point.position), reach + 1e-9);
     EXPECT_EQ(lines[0].points.front().position, before.points.front().position);
     EXPECT_EQ(lines[0].points.back().position, before.points.back().position);
-}
-
-TEST(LineEasing, KeepsEdgesOfTheForm) {
-    const DrawnLine before = zigzag(0.1, 41, true);
-    std::vector<DrawnLine> lines = {before};
-    easeLines(lines, reach);
-    ASSERT_EQ(lines[0].points.size(), before.points.size());
-    for (std::size_t i = 0; i < before.points.size(); ++i)
-        EXPECT_EQ(lines[0].points[i].position, before.points[i].position);
 }
 
 TEST(LineEasing, HasEndsFollow) {
@@ -156,27 +145,12 @@ TEST(SlightLines, AreShortContoursThatEndInNothing) {
 
 constexpr double tolerance = 0.02;
 
-int curvesOf(const Path& path) {
-    return int(std::count_if(path.pieces.begin(), path.pieces.end(), [](const Path::Piece& piece) {
-        return piece.step == Path::Step::Curve;
-    }));
-}
-
 double largestDistance(const Points& points, const Path& path) {
     const Points line = path.flattened(0.0005).at(0);
     double largest = 0;
     for (const Vector2d& p : points)
         largest = std::max(largest, distanceTo(line, p));
     return largest;
-}
-
-Points circle(int n, double radius) {
-    Points points;
-    for (int i = 0; i <= n; ++i) {
-        const double a = i % n * 2 * M_PI / n;
-        points.emplace_back(radius * std::cos(a), radius * std::sin(a));
-    }
-    return points;
 }
 
 /// There and back: something seen edge-on.
@@ -187,15 +161,6 @@ TEST(CurveFitting, ReachesTheEndsOfFlatLoops) {
         fitCurve(points, true, tolerance, path);
         EXPECT_LT(largestDistance(points, path), 1.1 * tolerance) << height;
     }
-}
-
-TEST(CurveFitting, OfACircleTakesFewCurvesAndStaysWithinTheTolerance) {
-    const Points points = circle(500, 20);
-    Path path;
-    fitCurve(points, true, tolerance, path);
-    EXPECT_LE(largestDistance(points, path), 1.01 * tolerance);
-    EXPECT_LE(curvesOf(path), 12);
-    EXPECT_EQ(path.pieces.front().end, path.pieces.back().end);
 }
 
 /// Between points, too: long handles could leap there.
@@ -218,6 +183,120 @@ TEST(CurveFitting, StaysNearLinesOfAnyShape) {
         for (const Vector2d& p : curve)
             largest = std::max(largest, distanceTo(points, p));
         ASSERT_LT(largest, 3 * tolerance) << line;
+    }
+}
+
+constexpr double double_reach = 0.2;
+
+DrawnLine line(LineClass line_class, std::initializer_list<Eigen::Vector2d> positions) {
+    DrawnLine result{line_class, false, {}};
+    for (const Eigen::Vector2d& p : positions)
+        result.points.push_back({p, 1});
+    return result;
+}
+
+TEST(Overlaps, ALineAlongAnOutlineIsLeftOutThereOnly) {
+    const auto rest = withoutDoubles({line(LineClass::Inner, {{0, 5}, {0, 0.1}, {20, 0.1}}),
+                                      line(LineClass::Outline, {{-10, 0}, {30, 0}})},
+                                     double_reach);
+    ASSERT_EQ(rest.size(), 2u);
+    EXPECT_EQ(rest[0].line_class, LineClass::Outline);
+    EXPECT_EQ(rest[0].points.size(), 2u);
+    EXPECT_EQ(rest[1].points.front().position, Eigen::Vector2d(0, 5));
+    EXPECT_LT(rest[1].points.back().position.y(), 0.4);
+    EXPECT_LE(rest[1].points.back().position.x(), 2 * double_reach);
+}
+
+/// A step between two edges that end on different lines has no white beside it, but joins them.
+/// Also an edge that has passed the line it met, and two that have passed each other, as where a
+/// hub's rims are cut into triangles at different places.
+TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
+    std::vector<DrawnLine> lines = {line(LineClass::Contour, {{0, 0}, {0, 10.05}}),
+                                    line(LineClass::Contour, {{-9, 10}, {0, 10}})};
+    joinLooseEnds(lines, {}, double_reach);
+    EXPECT_EQ(lines[0].points.back().position, Eigen::Vector2d(0, 10));
+    EXPECT_EQ(lines[0].points.size(), 2u) << "without a way back";
+    lines = {line(LineClass::Edge, {{-9, 0}, {0.04, 0.1}}),
+             line(LineClass::Edge, {{0, 0}, {9, -0.1}})};
+    joinLooseEnds(lines, {}, double_reach);
+    EXPECT_EQ(lines[0].points.back().position, lines[1].points.front().position);
+}
+
+/// Short bumps leave no white beside a line; real lines do.
+TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
+    const DrawnLine outline = line(LineClass::Contour, {{0, 0}, {20, 0}});
+    const auto rest_of = [&](const DrawnLine& bump) {
+        return withoutDoubles({outline, bump}, double_reach).size() - 1;
+    };
+    const double near = 1.3 * double_reach, far = 2 * double_reach;
+    const auto bump = [](double x, double height) {
+        return line(LineClass::Contour, {{5, 0.1}, {5.1, height}, {x, height}, {x + 0.1, 0.1}});
+    };
+    EXPECT_EQ(rest_of(bump(5.6, near)), 0u);
+    EXPECT_EQ(rest_of(bump(5.6, far)), 1u);
+    EXPECT_EQ(rest_of(bump(8, near)), 1u);                                             // long
+    EXPECT_EQ(rest_of(line(LineClass::Contour, {{20.12, 0.05}, {20.25, 0.05}})), 1u);  // goes on
+    // from where another line ends
+    EXPECT_EQ(rest_of(line(LineClass::Contour, {{5, near}, {5.5, 0.1}})), 1u);
+}
+
+constexpr double pen = 0.25;
+
+/// 10 mm along x, then `length` at `degrees`, in steps of .1 mm.
+DrawnLine hooked(double length, double degrees) {
+    DrawnLine line{LineClass::Inner, false, {}};
+    const double angle = degrees * 3.141592653589793 / 180;
+    for (int i = 0; i <= 100; ++i)
+        line.points.push_back({{0.1 * i, 0}});
+    for (double at = 0.1; at < length + 0.05; at += 0.1)
+        line.points.push_back({{10 + at * std::cos(angle), at * std::sin(angle)}});
+    for (DrawnPoint& point : line.points)
+        point.is_exact = false;
+    return line;
+}
+
+double lengthWithoutHooks(std::vector<DrawnLine> lines) {
+    cutHooks(lines, pen);
+    return lengthOf(lines[0].points);
+}
+
+TEST(EndHooks, AreCutAtBothEnds) {
+    DrawnLine line = hooked(1, 100);
+    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+    std::reverse(line.points.begin(), line.points.end());
+    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+}
+
+TEST(EndHooks, AreNoBendsOfTheFeature) {
+    EXPECT_NEAR(lengthWithoutHooks({hooked(1, 40)}), 11, 1e-6);   // slight
+    EXPECT_NEAR(lengthWithoutHooks({hooked(5, 100)}), 15, 1e-6);  // long
+}
+
+/// Along x to 10 mm, in steps of .1, towards an outline across the axis at `x`.
+std::vector<DrawnLine> headingFor(double x, double weight = 1) {
+    DrawnLine line = hooked(0, 0);
+    for (DrawnPoint& point : line.points)
+        point.weight = weight;
+    return {line, {LineClass::Outline, false, {{{x, -5}}, {{x, 5}}}}};
+}
+
+TEST(InnerEnds, AreLedToTheLineThatTheyHeadFor) {
+    std::vector<DrawnLine> lines = headingFor(10.7);
+    const std::vector<MetEnd> met = joinEnds(lines, pen);
+    ASSERT_EQ(met.size(), 1u);
+    EXPECT_TRUE(met[0].is_last);
+    EXPECT_EQ(met[0].met, 1u);
+    EXPECT_NEAR(lines[0].points.back().position.x(), 10.7, 1e-9);
+    EXPECT_EQ(lines[0].points.front().position.x(), 0);
+}
+
+TEST(InnerEnds, StayWhereNothingIsMet) {
+    std::vector<DrawnLine> far = headingFor(10.8), faint = headingFor(10.7, 0.4),
+                           aside = headingFor(10.7);
+    aside[1].points = {{{0, 0.6}}, {{20, 0.6}}};
+    for (auto* lines : {&far, &faint, &aside}) {
+        EXPECT_TRUE(joinEnds(*lines, pen).empty());
+        EXPECT_EQ((*lines)[0].points.back().position.x(), 10);
     }
 }
 

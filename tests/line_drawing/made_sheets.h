@@ -37,10 +37,7 @@ inline QRectF paperOf(const Eigen::Vector2d& size) {
 
 /// Along the axes of views.
 inline laplacian_lines::TriangleMesh cubeOf100() {
-    laplacian_lines::TriangleMesh mesh = test_meshes::cube(4);
-    for (Eigen::Vector3d& p : mesh.positions)
-        p *= 50;
-    return mesh;
+    return test_meshes::moved(test_meshes::cube(4), {0, 0, 0}, 50);
 }
 
 inline line_drawing::Sheet sheetOf(const laplacian_lines::TriangleMesh& mesh,
@@ -78,6 +75,16 @@ inline QRectF extentOf(const line_drawing::SheetGroup& group) {
         for (const line_drawing::SheetPath& path : layer.paths)
             extent = extent.united(painterPath(path.path).boundingRect());
     return extent;
+}
+
+/// Of all groups.
+inline line_drawing::Words textsOf(const line_drawing::Sheet& sheet) {
+    line_drawing::Words texts;
+    for (const line_drawing::SheetGroup& group : sheet.groups)
+        for (const line_drawing::SheetLayer& layer : group.layers)
+            for (const line_drawing::SheetText& text : layer.texts)
+                texts.push_back(text.text);
+    return texts;
 }
 
 /// Of closed loops that do not cross, without holes.

@@ -2,7 +2,7 @@
 """others.py PROGRAM: how ezdxf reads DXF files of a cube of 100 mm."""
 
 from harness import *
-from environment.messages import Failure, Obstacle
+from environment.messages import Failure, Obstacle, skip
 from environment.python_environments import ensure_python
 
 try:

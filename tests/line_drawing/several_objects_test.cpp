@@ -142,17 +142,9 @@ TEST(SeveralObjects, AreTheSameOnAnyNumberOfThreads) {
     const auto bumpy = moved(test_meshes::bumpy_sphere(4).mesh, {30, 0, -200}, 60);
     const auto draw = [&](int threads) {
         const test_meshes::WithThreads scope(threads);
-        return writeSheet(sheetOfAll({cubeOf100(), bumpy}, plainViews("six,30,20")),
-                          SheetFormat::Svg);
+        return writeSheet(sheetOfAll({cubeOf100(), bumpy}, plainViews("six,30,20")), ".svg");
     };
     EXPECT_EQ(draw(1), draw(3));
-}
-
-TEST(SeveralObjects, OneIsDrawnAsByItself) {
-    const TriangleMesh cube = cubeOf100();
-    EXPECT_EQ(writeSheet(sheetOfAll({cube}, plainViews("six")), SheetFormat::Svg),
-              writeSheet(made_sheets::sheetOf(cube, plainViews("six")), SheetFormat::Svg));
-    EXPECT_THROW(sheetOfAll({}, plainViews("six")), laplacian_lines::Error);
 }
 
 }  // namespace

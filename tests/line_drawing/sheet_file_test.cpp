@@ -1,13 +1,144 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Paths and texts, and how files have them.
 #include "line_drawing/sheet_file.h"
 
 #include <gtest/gtest.h>
 
-#include "line_drawing/words.h"
+#include <random>
+
+#include "laplacian_lines/error.h"
+#include "made_sheets.h"
 
 using namespace line_drawing;
+using Eigen::Vector2d;
+using made_sheets::painterPath;
 
 namespace {
+
+Vector2d pointAt(double t, const Vector2d& begin, const Path::Piece& curve) {
+    const double s = 1 - t;
+    return s * s * s * begin + 3 * s * s * t * curve.first + 3 * s * t * t * curve.second +
+           t * t * t * curve.end;
+}
+
+TEST(Paths, BoundsAndPointsAreThoseOfCurves) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-10, 10);
+    const auto next = [&] { return Vector2d(place(random), place(random)); };
+    constexpr double tolerance = 0.01;
+    constexpr int steps = 2000;
+    for (int round = 0; round < 200; ++round) {
+        Path path;
+        path.moveTo(next());
+        path.curveTo(next(), next(), next());
+        const auto line = path.flattened(tolerance).at(0);
+        Eigen::AlignedBox2d box;
+        for (int i = 0; i <= steps; ++i) {
+            const Vector2d p = pointAt(i / double(steps), path.pieces[0].end, path.pieces[1]);
+            box.extend(p);
+            double least = INFINITY;
+            for (std::size_t k = 1; k < line.size(); ++k) {
+                const Vector2d way = line[k] - line[k - 1];
+                const double t = std::clamp(way.dot(p - line[k - 1]) / way.squaredNorm(), 0., 1.);
+                least = std::min(least, (line[k - 1] + t * way - p).norm());
+            }
+            ASSERT_LT(least, tolerance) << round;
+        }
+        EXPECT_LT((box.min() - path.bounds().min()).norm(), 1e-3) << round;
+        EXPECT_LT((box.max() - path.bounds().max()).norm(), 1e-3) << round;
+    }
+}
+
+TEST(Texts, AreReadAsUtf8WhateverTheyHold) {
+    EXPECT_EQ(lettersOf("a\xc3\xbc\xe2\x88\x9a\xf0\x9f\x98\x80"), U"a\u00fc\u221a\U0001f600");
+    // cut off, too long, half of a pair, no beginning
+    for (const char* wrong :
+         {"\xc3", "\xe2\x88", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\x88"})
+        EXPECT_EQ(lettersOf(wrong), std::u32string(std::string(wrong).size(), U'\ufffd')) << wrong;
+    EXPECT_EQ(inUtf8(lettersOf("\xf0\x9f\x98\x80 \xc3\xa9")), "\xf0\x9f\x98\x80 \xc3\xa9");
+    EXPECT_EQ(oneLine("a\x7f\xc2\x85\xe2\x80\xa9"
+                      "b"),
+              "a   b");
+}
+
+TEST(Texts, AreNumbersOrNot) {
+    for (const char* number : {"0.5", " .5 ", "+0.5", "5e-1"})
+        EXPECT_EQ(numberIn(number), 0.5) << number;
+    for (const char* none : {"", " ", "+", "+-1", "1,5", "1 2", "0x1", "1e999"})
+        EXPECT_FALSE(numberIn(none)) << none;
+    EXPECT_EQ(inThousandths(-0.0496), "-.05");
+    EXPECT_EQ(inThousandths(0.0004), "0");
+    EXPECT_EQ(inThousandths(120), "120");
+    EXPECT_EQ(inDigits(1e6), "1e+06");
+}
+
+std::string complaintOf(const std::string& title, const std::string& source, const char* file) {
+    SheetOptions options;
+    options.title = title;
+    options.source = source;
+    try {
+        for (const std::string& remark : checkTexts(options, file))
+            return "remark: " + remark;
+    } catch (const laplacian_lines::Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// The outlines of a text of height 1, from (0, 0) on along its base line.
+QPainterPath outlinesOf(const char* text) {
+    Sheet sheet{{10, 10}, "", {}};
+    sheet.groups = {{"a", "A", {{"b", "B", {}, {{{0, 0}, 1, TextAnchor::Left, text}}}}}};
+    outlineTexts(sheet);
+    const SheetLayer& layer = sheet.groups[0].layers[0];
+    EXPECT_TRUE(layer.texts.empty());
+    return layer.paths.empty() ? QPainterPath() : painterPath(layer.paths[0].path);
+}
+
+TEST(Lettering, HasTheFormsOfLetters) {
+    const QPainterPath l = outlinesOf("l"), o = outlinesOf("o");
+    EXPECT_NEAR(l.boundingRect().height(), 0.725, 0.01);
+    EXPECT_NEAR(l.boundingRect().bottom(), 0, 1e-9);
+    EXPECT_TRUE(l.contains(l.boundingRect().center()));
+    EXPECT_FALSE(o.contains(o.boundingRect().center()));
+    EXPECT_TRUE(o.contains({o.boundingRect().left() + 0.03, o.boundingRect().center().y()}));
+    EXPECT_LT(o.boundingRect().height(), 0.6);
+}
+
+/// Also an accent that follows its letter, and the letter after it stands as without.
+TEST(Lettering, PutsAccentsOnLetters) {
+    const double right = outlinesOf("el").boundingRect().right();
+    for (const char* text : {"\xc3\xa9", "e\xcc\x81"}) {  // U+00E9; e and U+0301
+        const QRectF box = outlinesOf(text).boundingRect();
+        EXPECT_LT(box.top(), -0.7) << text;
+        EXPECT_GT(box.left(), 0) << text;
+        EXPECT_NEAR(outlinesOf((text + std::string("l")).c_str()).boundingRect().right(), right,
+                    1e-9);
+    }
+}
+
+TEST(Lettering, HasOtherSignsForLettersThatItLacks) {
+    EXPECT_EQ(outlinesOf("\xe6\x97\xa5"), outlinesOf("\xe2\x96\xa1"));  // a box
+    EXPECT_EQ(outlinesOf("⌀"), outlinesOf("Ø"));
+    EXPECT_EQ(outlinesOf("\xff"), outlinesOf("?"));
+    EXPECT_TRUE(outlinesOf(" ").isEmpty());
+}
+
+TEST(Lettering, RefusesTitlesWithLettersThatItLacks) {
+    const std::string han = "\xe6\x97\xa5", lodz = "\xc5\x81\xc3\xb3\x64\xc5\xba";
+    for (const char* file : {".pdf", ".png"}) {
+        EXPECT_EQ(complaintOf(lodz + " \xd0\x96 \xce\xa9 \xef\xbf\xbd\n", lodz + ".ply", file), "");
+        const std::string of_title = complaintOf(han, "", file),
+                          of_source = complaintOf("", han, file);
+        for (const std::string& said : {of_title, of_source}) {
+            EXPECT_NE(said.find("\"" + han + "\""), said.npos) << said;
+            EXPECT_NE(said.find("SVG"), said.npos) << said;
+        }
+        EXPECT_NE(of_title.find("remark: "), 0u);
+        EXPECT_EQ(of_source.find("remark: "), 0u);
+    }
+    EXPECT_EQ(complaintOf(han, han, ".svg") + complaintOf(han, han, ".dxf"), "");
+}
 
 Sheet smallSheet() {
     Sheet sheet{{100, 50}, "A & B", {}};
@@ -37,11 +168,11 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST(SheetFiles, DashesAreAPropertyOfLines) {
     Sheet sheet = smallSheet();
-    EXPECT_FALSE(has(writeSheet(sheet, SheetFormat::Svg), "dasharray"));
-    EXPECT_FALSE(has(writeSheet(sheet, SheetFormat::Dxf), "DASHED"));
+    EXPECT_FALSE(has(writeSheet(sheet, ".svg"), "dasharray"));
+    EXPECT_FALSE(has(writeSheet(sheet, ".dxf"), "DASHED"));
     sheet.groups[0].layers[0].paths[0].dash = 2;
-    EXPECT_EQ(count(writeSheet(sheet, SheetFormat::Svg), "stroke-dasharray=\"2 1\""), 1);
-    const std::string dxf = writeSheet(sheet, SheetFormat::Dxf);
+    EXPECT_EQ(count(writeSheet(sheet, ".svg"), "stroke-dasharray=\"2 1\""), 1);
+    const std::string dxf = writeSheet(sheet, ".dxf");
     EXPECT_TRUE(has(dxf, "2\nDASHED\n"));
     EXPECT_TRUE(has(dxf, "2\nOUTLINE\n70\n0\n62\n7\n6\nDASHED\n"));
     EXPECT_TRUE(has(dxf, "2\nNAMES\n70\n0\n62\n30\n6\nCONTINUOUS\n"));
@@ -51,16 +182,11 @@ TEST(SheetFiles, DashesAreAPropertyOfLines) {
 TEST(SheetFiles, OfDxfHaveTextsAsData) {
     Sheet sheet = smallSheet();
     SheetText& text = sheet.groups[0].layers[1].texts[0];
-    const std::string before = writeSheet(sheet, SheetFormat::Dxf);
+    const std::string before = writeSheet(sheet, ".dxf");
     text.text = "a\n0\nLINE\r8 100 %c 5%% %° \xc3\xbc \xf0\x9f\x98\x80";
-    const std::string dxf = writeSheet(sheet, SheetFormat::Dxf);
+    const std::string dxf = writeSheet(sheet, ".dxf");
     EXPECT_TRUE(has(dxf, "\n1\na 0 LINE 8 100 %c 5%%%%%% %%%%%d \\U+00FC ?\n"));
     EXPECT_EQ(count(dxf, "\n"), count(before, "\n"));
-}
-
-TEST(SheetFiles, OfDxfHavePlainStrokes) {
-    EXPECT_EQ(strokesIn("plate.DXF", StrokeStyle::Tapered), StrokeStyle::Plain);
-    EXPECT_EQ(strokesIn("dxf.svg", StrokeStyle::Tapered), StrokeStyle::Tapered);
 }
 
 }  // namespace

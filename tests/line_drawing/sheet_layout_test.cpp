@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Where views are on paper; its size decides about kernel and pens.
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "laplacian_lines/error.h"
 #include "made_sheets.h"
@@ -25,22 +28,13 @@ SheetOptions fitting(const char* views, const char* paper = "a4") {
     return options;
 }
 
-SheetPlan planOf(const SheetOptions& options) {
-    return planSheet({{box()}}, options);
-}
-
-std::string complaintOf(const SheetOptions& options) {
-    try {
-        planOf(options);
-    } catch (const laplacian_lines::Error& error) {
-        return error.what();
-    }
-    return {};
+Sheet sheetOf(const SheetOptions& options) {
+    return made_sheets::sheetOf(box(), options);
 }
 
 /// Of the views on the sheet.
 std::vector<QRectF> placesOf(const SheetOptions& options) {
-    const Sheet sheet = made_sheets::sheetOf(box(), options);
+    const Sheet sheet = sheetOf(options);
     std::vector<QRectF> places;
     for (const SheetGroup& group : sheet.groups)
         if (group.key != "sheet") places.push_back(extentOf(group));
@@ -81,29 +75,22 @@ TEST(SheetLayout, ManyViewsStandInRows) {
         SheetOptions options = fitting(views);
         options.sections.resize(30);
         EXPECT_EQ(placesOf(options).size(), options.views.size() + 30);
-        EXPECT_GE(planOf(options).scale, 0.2);
+        EXPECT_GE(sheetOf(options).scale, 0.2);
     }
 }
 
 TEST(SheetLayout, TakesTheLargestUsualScaleThatFits) {
-    EXPECT_EQ(planOf(fitting("front")).scale, 4);  // 240 mm on lying A4
-    EXPECT_EQ(planOf(fitting("front", "a5")).scale, 2);
+    EXPECT_EQ(sheetOf(fitting("front")).scale, 4);  // 240 mm on lying A4
+    EXPECT_EQ(sheetOf(fitting("front", "a5")).scale, 2);
     for (const char* name : paperNames())
-        EXPECT_GT(planOf(fitting("front", name)).paper.x(), 100) << name;
+        EXPECT_GT(sheetOf(fitting("front", name)).size.x(), 100) << name;
 }
 
 TEST(SheetLayout, PaperCanBeAsLargeAsTheDrawing) {
     SheetOptions options = fitting("front", "fit");
     options.scale = 10;
-    EXPECT_NEAR(planOf(options).paper.x(), 600, 50);
-    EXPECT_GT(planOf(options).paper.x(), 600);
-}
-
-TEST(SheetLayout, SaysWhichScaleWouldFit) {
-    SheetOptions options = fitting("front");
-    options.scale = 10;
-    EXPECT_NE(complaintOf(options).find("Take the scale 4:1"), std::string::npos);
-    EXPECT_NE(complaintOf(plainViews("front", "foolscap")), "");
+    EXPECT_NEAR(sheetOf(options).size.x(), 600, 50);
+    EXPECT_GT(sheetOf(options).size.x(), 600);
 }
 
 TEST(SheetLayout, ScalesHaveNames) {
@@ -122,7 +109,7 @@ TEST(SheetFurniture, LongTitlesAreWhole) {
     for (int i = 0; i < 30; ++i)
         options.title += (i ? " word" : "word") + std::to_string(i);
     const auto title_of = [&] {
-        const Sheet sheet = made_sheets::sheetOf(box(), options);
+        const Sheet sheet = sheetOf(options);
         Words lines;
         for (const SheetText& text : made_sheets::layerOf(sheet.groups.back(), "title").texts)
             if (text.text.find("word") != text.text.npos) lines.insert(lines.begin(), text.text);
@@ -133,19 +120,84 @@ TEST(SheetFurniture, LongTitlesAreWhole) {
     EXPECT_TRUE(endsWith(title_of(), "…"));
 }
 
-TEST(SheetPlans, AreWhatIsMade) {
-    for (const char* views : {"six", "30,15 top"})
-        for (const char* paper : {"a4", "fit"})
-            for (const double scale : {0., 0.5})
-                for (const char* sections : {"", "y=0.4 z=0.5"}) {
-                    SheetOptions options = plainViews(views, paper);
-                    options.scale = scale;
-                    options.sections = parseSections(sections);
-                    const Sheet sheet = made_sheets::sheetOf(box(), options);
-                    const SheetPlan plan = planOf(options);
-                    EXPECT_EQ(plan.scale, sheet.scale) << views << paper << scale << sections;
-                    EXPECT_EQ(plan.paper, sheet.size) << views << paper << scale << sections;
-                }
+/// 100 mm wide, mean edges of about 1.3 mm.
+laplacian_lines::TriangleMesh bumpySphere() {
+    return test_meshes::moved(test_meshes::bumpy_sphere(6).mesh, {0, 0, 0}, 50);
+}
+
+SheetOptions optionsAt(double scale) {
+    SheetOptions options = made_sheets::plainViews("front");
+    options.scale = scale;
+    return options;
+}
+
+Sheet draw(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& options) {
+    return makeSheets({{mesh}}, {options}).front();
+}
+
+/// mm on paper, from the sheet's note.
+double kernelOf(const Sheet& sheet) {
+    const std::string texts = joined(made_sheets::textsOf(sheet), "|");
+    const std::size_t at = texts.find("√h ");
+    return at == texts.npos ? 0 : std::stod(texts.substr(at + 5));
+}
+
+double thickest(const Sheet& sheet) {
+    double width = 0;
+    for (const SheetLayer& layer : sheet.groups[0].layers)
+        for (const SheetPath& path : layer.paths)
+            width = std::max(width, path.pen_width);
+    return width;
+}
+
+TEST(PrintedSize, DecidesAboutTheKernel) {
+    const auto mesh = bumpySphere();
+    const double edge = laplacian_lines::measure_scale(mesh, {}).mean_edge;
+    EXPECT_NEAR(kernelOf(draw(mesh, optionsAt(0.4))), 1, 0.03);  // four pens of .25 mm
+    // At least two mean edges.
+    EXPECT_NEAR(kernelOf(draw(mesh, optionsAt(2))), 2 * 2 * edge, 0.05 * 4 * edge);
+}
+
+TEST(PrintedSize, DecidesAboutPens) {
+    const auto mesh = made_sheets::cubeOf100();
+    EXPECT_EQ(thickest(draw(mesh, optionsAt(1))), 0.5);
+    EXPECT_EQ(thickest(draw(mesh, optionsAt(0.41))), 0.5);
+    EXPECT_EQ(thickest(draw(mesh, optionsAt(0.35))), 0.35);
+    EXPECT_EQ(thickest(draw(mesh, optionsAt(0.2))), 0.25);
+    EXPECT_EQ(thickest(draw(mesh, optionsAt(0.01))), 0.25);
+    for (const SheetLayer& layer : draw(mesh, optionsAt(0.1)).groups[0].layers)
+        for (const SheetPath& path : layer.paths)
+            EXPECT_GE(path.pen_width, 0.1);
+}
+
+TEST(PrintedSize, AGivenKernelIsUsedAsItIs) {
+    const auto mesh = bumpySphere();
+    SheetOptions options = optionsAt(0.5);
+    options.kernel = parseDetailSize("2.5mm");
+    EXPECT_NEAR(kernelOf(draw(mesh, options)), 2.5, 0.03);
+    options.kernel = parseDetailSize("2%");
+    const double diagonal = laplacian_lines::measure_scale(mesh, {}).diagonal;
+    EXPECT_NEAR(kernelOf(draw(mesh, options)), 0.02 * diagonal * 0.5, 0.05);
+}
+
+TEST(PrintedSize, AFieldOfTheUsersIsDrawnAsItIs) {
+    const auto mesh = bumpySphere();
+    laplacian_lines::PrecomputeOptions computed;
+    computed.kernel_size = 4;
+    const auto field = laplacian_lines::precompute(mesh, computed);
+    const Sheet sheet = makeSheet(mesh, field, optionsAt(0.5));
+    EXPECT_NEAR(kernelOf(sheet), 2, 0.03);
+    EXPECT_NEAR(sheet.kernel, 2, 1e-3);
+}
+
+TEST(PrintedSize, DetailIsALengthOnPaperOrAShare) {
+    EXPECT_EQ(parseDetailSize(" Auto ").size, 0);
+    EXPECT_EQ(parseDetailSize("1mm").size, 1);
+    EXPECT_FALSE(parseDetailSize("0.35 mm").is_share);
+    EXPECT_TRUE(parseDetailSize("0.9%").is_share);
+    EXPECT_DOUBLE_EQ(parseDetailSize("0.9%").size, 0.009);
+    for (const char* wrong : {"", "1", "mm", "-1mm", "0mm", "1e9mm", "nan%", "1cm"})
+        EXPECT_THROW(parseDetailSize(wrong), laplacian_lines::Error) << wrong;
 }
 
 }  // namespace

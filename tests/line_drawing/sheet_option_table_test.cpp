@@ -94,7 +94,7 @@ TEST(SheetOptions, AreThoseOfASheetByDefault) {
     EXPECT_EQ(read.kernel.size, made.kernel.size);
     EXPECT_EQ(read.smoothing.size, made.smoothing.size);
     EXPECT_TRUE(read.style.shows == made.style.shows);
-    EXPECT_EQ(read.has_notes, made.has_notes);
+    EXPECT_EQ(read.has_furniture, made.has_furniture);
 }
 
 TEST(SheetOptions, AreInTheHelpWithValuesAndDefault) {

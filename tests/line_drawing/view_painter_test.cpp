@@ -10,7 +10,6 @@
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
-#include "thrown_vessel.h"
 
 using namespace line_drawing;
 
@@ -79,7 +78,7 @@ double shareIn(const QImage& of, const QImage& in) {
 SheetOptions plain(const char* views) {
     SheetOptions options;
     options.views = parseViews(views, UpAxis::Z);
-    options.has_notes = options.has_scale_bar = false;
+    options.has_furniture = false;
     return options;
 }
 
@@ -87,7 +86,7 @@ SheetOptions plain(const char* views) {
 QImage printed(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& options) {
     const Sheet sheet = makeSheets({{mesh}}, {options}).front();
     return QImage::fromData(
-        QByteArray::fromStdString(writeSheet(sheet, SheetFormat::Png, 25.4 * pixels_per_mm)));
+        QByteArray::fromStdString(writeSheet(sheet, ".png", 25.4 * pixels_per_mm)));
 }
 
 void expectEqual(const QImage& a, const QImage& b) {
@@ -100,6 +99,7 @@ TEST(ViewPainter, PaintsWhatIsPrinted) {
     const laplacian_lines::TriangleMesh mesh = vessel();
     SheetOptions options = plain("20,30");
     options.scale = 1;
+    options.paper = "a3";
     const QImage sheet = printed(mesh, options);
     ViewPainter painter({{mesh}});
     const WindowView window =

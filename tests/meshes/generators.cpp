@@ -4,7 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <tuple>
+#include <utility>
 
 #include "laplacian_lines/precompute.h"
 
@@ -57,6 +60,40 @@ TriangleMesh icosahedron() {
                       {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
                       {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
     return mesh;
+}
+
+/// An icosphere, jittered by up to `jitter` edges, then mapped.
+AnalyticMesh mapped_icosphere(int level, double jitter,
+                              const std::function<SurfacePoint(const Eigen::Vector3d&)>& point) {
+    AnalyticMesh result{icosphere(level), {}};
+    std::mt19937 random(7);
+    const double edge = 1.1 / (1 << level);
+    for (Eigen::Vector3d& p : result.mesh.positions) {
+        const Eigen::Vector3d d = p;
+        for (int k = 0; k < 3; ++k)
+            p[k] = d[k] + jitter * edge * signed_unit(random);
+        result.truth.push_back(point(p.normalized()));
+        p = result.truth.back().position;
+    }
+    return result;
+}
+
+/// Merges vertices at exactly the same place and drops unused ones.
+TriangleMesh welded(const TriangleMesh& mesh) {
+    std::map<std::tuple<double, double, double>, std::uint32_t> place;
+    TriangleMesh result;
+    for (Triangle t : mesh.triangles) {
+        for (std::uint32_t& v : t) {
+            const Eigen::Vector3d p =
+                mesh.positions[v] + Eigen::Vector3d::Zero();  // -0 and 0 are one place
+            const auto [found, is_new] = place.try_emplace(std::make_tuple(p.x(), p.y(), p.z()),
+                                                           std::uint32_t(result.positions.size()));
+            if (is_new) result.positions.push_back(p);
+            v = found->second;
+        }
+        result.triangles.push_back(t);
+    }
+    return result;
 }
 
 }  // namespace
@@ -127,36 +164,20 @@ TriangleMesh with_noise(TriangleMesh mesh, double share, unsigned seed) {
     return mesh;
 }
 
-AnalyticMesh mapped_icosphere(int level, const DirectionMap& map, double jitter) {
-    AnalyticMesh result{icosphere(level), {}};
-    std::mt19937 random(7);
-    const double edge = 1.1 / (1 << level);
-    for (Eigen::Vector3d& p : result.mesh.positions) {
-        const Eigen::Vector3d d = p;
-        for (int k = 0; k < 3; ++k)
-            p[k] = d[k] + jitter * edge * signed_unit(random);
-        result.truth.push_back(surface_point(map, p.normalized()));
-        p = result.truth.back().position;
-    }
-    return result;
-}
-
 AnalyticMesh sphere(int level, double radius, double jitter) {
-    return mapped_icosphere(
-        level, [=](const JetVector& d) { return sphere_map(d, radius); }, jitter);
+    return mapped_icosphere(level, jitter, [=](const Eigen::Vector3d& d) {
+        return ellipsoid_point(d, Eigen::Vector3d::Constant(radius));
+    });
 }
 
 AnalyticMesh ellipsoid(int level, double jitter) {
-    return mapped_icosphere(
-        level,
-        [](const JetVector& d) {
-            return ellipsoid_map(d, {1, 0.8, 0.6});
-        },
-        jitter);
+    return mapped_icosphere(level, jitter, [](const Eigen::Vector3d& d) {
+        return ellipsoid_point(d, {1, 0.8, 0.6});
+    });
 }
 
 AnalyticMesh bumpy_sphere(int level, double jitter) {
-    return mapped_icosphere(level, bumpy_map, jitter);
+    return mapped_icosphere(level, jitter, bumpy_point);
 }
 
 AnalyticMesh torus(int columns, int rows, double jitter) {
@@ -190,6 +211,182 @@ AnalyticMesh cylinder(int columns, int rows) {
 TriangleMesh plane(int cells, double jitter) {
     return grid_mesh({cells, cells, false, false, jitter},
                      [](double u, double v) { return Eigen::Vector3d(2 * u - 1, 2 * v - 1, 0); });
+}
+
+// ---- meshes that are not smooth closed surfaces
+
+TriangleMesh cube(int cells) {
+    TriangleMesh faces;
+    for (int axis = 0; axis < 3; ++axis)
+        for (double side : {-1.0, 1.0})
+            append(faces, grid_mesh({cells, cells}, [&](double u, double v) {
+                       Eigen::Vector3d p;
+                       p[axis] = side;
+                       p[(axis + (side > 0 ? 1 : 2)) % 3] = 2 * u - 1;
+                       p[(axis + (side > 0 ? 2 : 1)) % 3] = 2 * v - 1;
+                       return p;
+                   }));
+    return welded(faces);
+}
+
+TriangleMesh rounded_cube(int cells, double radius) {
+    TriangleMesh mesh = cube(cells);
+    for (Eigen::Vector3d& p : mesh.positions) {
+        const Eigen::Vector3d inner = p.cwiseMax(radius - 1).cwiseMin(1 - radius);
+        p = inner + radius * (p - inner).normalized();
+    }
+    return mesh;
+}
+
+TriangleMesh stacked(const std::vector<Eigen::Vector3d>& rectangles, unsigned diagonals) {
+    TriangleMesh mesh;
+    for (const Eigen::Vector3d& r : rectangles)
+        for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
+            mesh.positions.push_back({x * r.x(), y * r.y(), r.z()});
+    unsigned face = 0;
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        const bool other = diagonals >> (face++ % 32) & 1;
+        mesh.triangles.push_back({a, b, other ? d : c});
+        mesh.triangles.push_back({other ? b : a, c, d});
+    };
+    const std::uint32_t top = std::uint32_t(mesh.positions.size()) - 4;
+    add(3, 2, 1, 0);
+    add(top, top + 1, top + 2, top + 3);
+    for (std::uint32_t ring = 0; ring < top; ring += 4)
+        for (std::uint32_t i = 0; i < 4; ++i)
+            add(ring + i, ring + (i + 1) % 4, ring + 4 + (i + 1) % 4, ring + 4 + i);
+    return mesh;
+}
+
+TriangleMesh moebius_strip(int columns, int rows) {
+    TriangleMesh mesh = grid_mesh({columns, rows}, [](double u, double v) {
+        const double turn = kPi * u, across = 0.6 * (v - 0.5);
+        const double ring = 1 + across * std::cos(turn);
+        return Eigen::Vector3d(ring * std::cos(2 * turn), ring * std::sin(2 * turn),
+                               across * std::sin(turn));
+    });
+    // The last column is the first one upside down.
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t) {
+            const int column = int(v) % (columns + 1), row = int(v) / (columns + 1);
+            if (column == columns) v = std::uint32_t((rows - row) * (columns + 1));
+        }
+    return welded(mesh);
+}
+
+TriangleMesh fan_of_sheets(int sheets, int cells) {
+    TriangleMesh fan;
+    for (int s = 0; s < sheets; ++s) {
+        const double angle = 2 * kPi * s / sheets + 0.2;
+        append(fan, grid_mesh({cells, cells}, [&](double u, double v) {
+                   const double bulge = 0.2 * std::sin(3 * u) * std::sin(4 * v);
+                   return Eigen::Vector3d(u * std::cos(angle + bulge), u * std::sin(angle + bulge),
+                                          2 * v - 1);
+               }));
+    }
+    return welded(fan);
+}
+
+TriangleMesh parallel_sheets(int cells, double distance) {
+    TriangleMesh mesh = plane(cells), top = mesh;
+    for (Triangle& t : mesh.triangles)
+        std::swap(t[1], t[2]);
+    for (Eigen::Vector3d& p : top.positions)
+        p.z() = distance;
+    append(mesh, top);
+    return mesh;
+}
+
+TriangleMesh star(int triangles) {
+    TriangleMesh mesh;
+    const auto count = std::uint32_t(triangles);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double angle = 2 * kPi * i / count;
+        mesh.positions.push_back({std::cos(angle), std::sin(angle), 0.1 * std::sin(5 * angle)});
+        mesh.triangles.push_back({count, i, (i + 1) % count});
+    }
+    mesh.positions.push_back({0, 0, 0.5});
+    return mesh;
+}
+
+TriangleMesh book(int pages) {
+    TriangleMesh mesh{{{0, 0, -1}, {0, 0, 1}}, {}};
+    for (int i = 0; i < pages; ++i) {
+        const double angle = 3.0 * i / pages;
+        mesh.positions.push_back({std::cos(angle), std::sin(angle), 0});
+        mesh.triangles.push_back({0, 1, std::uint32_t(i + 2)});
+    }
+    return mesh;
+}
+
+TriangleMesh cut_apart(const TriangleMesh& mesh) {
+    TriangleMesh apart;
+    for (const Triangle& t : mesh.triangles) {
+        const auto first = std::uint32_t(apart.positions.size());
+        for (std::uint32_t v : t)
+            apart.positions.push_back(mesh.positions[v]);
+        apart.triangles.push_back({first, first + 1, first + 2});
+    }
+    return apart;
+}
+
+void append(TriangleMesh& mesh, const TriangleMesh& other) {
+    const auto first = std::uint32_t(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+    for (const Triangle& t : other.triangles)
+        mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+void flip_triangles(TriangleMesh& mesh, int every) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += std::size_t(every))
+        std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+}
+
+TriangleMesh inside_out(TriangleMesh mesh) {
+    flip_triangles(mesh, 1);
+    return mesh;
+}
+
+TriangleMesh cavity(TriangleMesh mesh) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : mesh.positions)
+        box.extend(p);
+    TriangleMesh around = cube(1);
+    for (Eigen::Vector3d& p : around.positions)
+        p = box.center() + 0.51 * box.sizes().cwiseProduct(p);
+    mesh = inside_out(std::move(mesh));
+    append(mesh, around);
+    return mesh;
+}
+
+TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by, double factor) {
+    for (Eigen::Vector3d& p : mesh.positions)
+        p = factor * p + by;
+    return mesh;
+}
+
+TriangleMesh with_dirt(const TriangleMesh& mesh, std::vector<std::uint32_t>& clean_vertex) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    TriangleMesh dirty;
+    dirty.positions = {{kNaN, 0, 0}, {1e5, 2e5, -3e5}};  // the second one has no triangle
+    clean_vertex.clear();
+    const auto half = mesh.positions.size() / 2;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        if (v == half) dirty.positions.push_back({0, kInfinity, 0});
+        clean_vertex.push_back(std::uint32_t(dirty.positions.size()));
+        dirty.positions.push_back(mesh.positions[v]);
+    }
+    const auto last = std::uint32_t(dirty.positions.size());
+    dirty.positions.push_back({0, 0, -kInfinity});
+    dirty.positions.push_back(mesh.positions[0]);  // used by a triangle without area only
+    const std::uint32_t a = clean_vertex[0], b = clean_vertex[1];
+    dirty.triangles = {{0, a, b}, {a, a, b}, {a, b, last + 1}};
+    for (const Triangle& t : mesh.triangles)
+        dirty.triangles.push_back({clean_vertex[t[0]], clean_vertex[t[1]], clean_vertex[t[2]]});
+    dirty.triangles.push_back({b, last, a});
+    dirty.triangles.push_back({b, b, b});
+    return dirty;
 }
 
 }  // namespace test_meshes

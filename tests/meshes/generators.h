@@ -2,17 +2,47 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <random>
+#include <vector>
 
-#include "analytic_surface.h"
 #include "laplacian_lines/triangle_mesh.h"
 
 namespace test_meshes {
 
 using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
+
+/// The truth at a point; signs as in the core: outward normal, S = dn (sphere: +1/R), Δn = −2/R² n
+/// on a sphere.
+struct SurfacePoint {
+    Eigen::Vector3d position, normal, laplacian_normal;
+    Eigen::Matrix3d shape_operator;  ///< symmetric, S n = 0
+    /// C = ∇S: of axis i, (y, z) -> C(i, y, z). Tangential and symmetric in all places.
+    std::array<Eigen::Matrix3d, 3> shape_derivative;
+};
+
+/// On the ray from the origin.
+SurfacePoint ellipsoid_point(const Eigen::Vector3d& direction, const Eigen::Vector3d& half_axes);
+/// Smooth bumps and grooves of about a tenth of the radius.
+SurfacePoint bumpy_point(const Eigen::Vector3d& direction);
+
+struct Torus {
+    double large = 1, small = 0.4;  ///< radii; the axis is z
+};
+SurfacePoint torus_point(const Torus& torus, double u, double v);
+/// torus_point() by closed formulas.
+SurfacePoint closed_form_torus_point(const Torus& torus, double u, double v);
+
+/// Hills z = f(x, y) with bumps of about 0.1.
+SurfacePoint hills_point(double x, double y);
+
+struct AnalyticMesh {
+    TriangleMesh mesh;
+    std::vector<SurfacePoint> truth;
+};
 
 /// On [0,1]² with `columns` x `rows` cells.
 struct Grid {
@@ -30,8 +60,6 @@ AnalyticMesh grid_mesh(const Grid& grid,
 
 /// An icosahedron's triangles split into 4^level.
 TriangleMesh icosphere(int level);
-/// An icosphere, jittered by up to `jitter` edges, then mapped.
-AnalyticMesh mapped_icosphere(int level, const DirectionMap& map, double jitter = 0);
 
 AnalyticMesh sphere(int level, double radius = 1, double jitter = 0);
 AnalyticMesh ellipsoid(int level, double jitter = 0);  ///< half axes 1, 0.8, 0.6
@@ -71,6 +99,24 @@ TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by,
                    double factor = 1);  ///< scaled first
 /// Each triangle cut in four at the middles of its sides.
 TriangleMesh subdivided(TriangleMesh mesh, int times = 1);
+
+/// A head of soft blobs and hollows, as a surface between size³ voxels: by exact values, or, like
+/// segmented volumes, by labels alone, in terraces. W. Lorensen, H. Cline, "Marching Cubes",
+/// SIGGRAPH 1987, but polygons are followed from face to face instead of a table.
+TriangleMesh smooth_head(int size);
+TriangleMesh terraced_head(int size);
+
+struct VesselShape {
+    int rings = 600, columns = 720;
+    double relief = 1;  ///< height of grooves, wave and traces of throwing; 0: smooth
+};
+
+/// From the underside's middle around the wall to the inside's middle: (radius, height), mm.
+std::vector<Eigen::Vector2d> vessel_profile(int points);
+
+/// A jar of 200 mm around the y axis: closed, a wall of 6 mm, two grooves and an incised wave
+/// on the shoulder, throwing marks inside.
+TriangleMesh thrown_vessel(const VesselShape& shape = {});
 
 inline double signed_unit(std::mt19937& random) {  ///< −1..1
     return 2 * double(random()) / double(std::mt19937::max()) - 1;

@@ -37,12 +37,6 @@ def expect(condition, message):
         raise AssertionError(message)
 
 
-def skip(reason):
-    """Ends the test, as a failure where LAPLACIAN_LINES_REQUIRED is true."""
-    say(f"skipped: {reason}")
-    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") == "true" else 77)
-
-
 def show_failure(*error):
     if (WORK / "log").is_file():
         print(f"--- the end of {WORK}/log", *text_of(WORK / "log").splitlines()[-60:], sep="\n")

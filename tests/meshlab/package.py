@@ -7,6 +7,7 @@ import tempfile
 import zipfile
 
 from harness import *
+from environment.messages import skip
 from product.extra_plugins import has_extra_plugins, install_plugins
 from product.package import make_packages, packages_in
 from product.stage import built_plugins, installed_meshlab, stage_meshlab

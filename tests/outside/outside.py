@@ -9,7 +9,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "scripts"))
-from environment.messages import Failure, Obstacle
+from environment.messages import Failure, Obstacle, skip
 from environment.python_environments import ensure_python
 
 try:
@@ -18,6 +18,5 @@ try:
     python = ensure_python("outside_tools", 1, "0.4 GB", "numpy==2.4.6", "opencv-python-headless==5.0.0.93",
                            "trimesh==5.2.0", "manifold3d==3.5.4", "rtree==1.4.1")
 except (Failure, Obstacle) as reason:
-    print(f"skipped: {reason}")
-    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") == "true" else 77)
+    skip(reason)
 os.execv(python, [python, "-B", HERE / "judge.py", *sys.argv[1:]])

@@ -24,17 +24,6 @@ Sheet makeSheet(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines
 std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOptions>& options,
                               const laplacian_lines::Progress& progress = {});
 
-/// What is known of a sheet before its lines are found.
-struct SheetPlan {
-    Eigen::Vector2d paper;  ///< width and height, mm
-    double scale;           ///< as Sheet's
-};
-
-/// Size and scale of the sheet; ignores fields. Looks at each triangle once per view.
-/// @throws laplacian_lines::Error(InvalidOption) as makeSheets(), but not for eyes inside the
-/// surface
-SheetPlan planSheet(const Objects& objects, const SheetOptions& options);
-
 /// Puts areas of the shape of letters in place of all texts.
 void outlineTexts(Sheet& sheet);
 

@@ -21,12 +21,11 @@ struct SheetChoices {
     int paper = 1;  ///< of paperNames(), and one more: as large as the drawing
     int unit = 0;   ///< of mesh_units
     Weights weights = Weights::Illustrator;
-    bool has_furniture = true;
     bool is_of_all_layers = false;  ///< the visible ones
     int settings = 0;               ///< see settingsNames()
     bool draws_damaged = false;     ///< files that are not whole
     double dpi = 300;               ///< of PNG
-    int format = 0;                 ///< of drawings in a folder: pdf, svg, dxf, png
+    int format = 1;                 ///< of drawings in a folder: PDF of sheet_formats
 };
 
 struct MeshUnit {
@@ -49,14 +48,13 @@ struct SheetOption {
 
     Row row;
     Place place = Place::Both;
-    std::string SheetChoices::*text = nullptr;  ///< of an option that is a text
-    /// The command's name for it, without --; null: the key.
-    const char* command_word = nullptr;
     /// The command's words for a switch, off and on. Choices go by the first words of their labels,
     /// in lower case.
     std::vector<const char*> switch_words = {};
-    /// Placeholder for the value in the command's help.
-    const char* form = "";
+    std::string SheetChoices::*text = nullptr;  ///< of an option that is a text
+    const char* form = "";                      ///< placeholder for a text in the command's help
+    /// The command's name for it, without --; null: the key.
+    const char* command_word = nullptr;
     bool adds_up = false;  ///< the command takes several
 
     bool isOf(Place one) const { return place == Place::Both || place == one; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,23 +12,29 @@
 
 namespace line_drawing {
 
-enum class SheetFormat { Svg, Pdf, Dxf, Png };
+struct SheetFormat {
+    const char* ending;  ///< of files, in lower case
+    std::string (*write)(const Sheet& sheet, double dpi);
+    bool has_any_letter;       ///< of the reader's font, not of ours
+    bool has_tapered_strokes;  ///< DXF readers draw even widths
+};
+extern const std::array<SheetFormat, 4> sheet_formats;
+
+/// ".svg, .pdf, .dxf or .png", of all formats.
+std::string endingsInWords(const char* between, const char* last);
 
 /// By the extension. @throws laplacian_lines::Error(InvalidOption) if it is unknown
-SheetFormat formatOf(const std::string& file);
+const SheetFormat& formatOf(const std::string& file);
 
-/// The bytes of a file at true scale, PNG at `dpi` dots per inch; a function of the sheet alone.
-/// @throws laplacian_lines::Error(InvalidOption) if the picture would be too large, with what to do
-/// instead
-std::string writeSheet(const Sheet& sheet, SheetFormat format, double dpi = 300);
+/// The bytes of such a file at true scale, PNG at `dpi` dots per inch; a function of the sheet
+/// alone. @throws laplacian_lines::Error(InvalidOption) as formatOf(), and if the picture would be
+/// too large, with what to do instead
+std::string writeSheet(const Sheet& sheet, const std::string& file, double dpi = 300);
 
-/// Whether the format has the letters of title and source, asked before the work begins.
+/// Whether the file can have the letters of title and source, asked before the work begins.
 /// @returns a remark if letters of the source become boxes
 /// @throws laplacian_lines::Error(InvalidOption) if the title's do, with what to do instead
-std::vector<std::string> checkTexts(const SheetOptions& options, SheetFormat format);
-
-/// The strokes that a format can have: DXF readers draw even widths.
-StrokeStyle strokesIn(const std::string& file, StrokeStyle wanted);
+std::vector<std::string> checkTexts(const SheetOptions& options, const std::string& file);
 
 struct SourceMesh {
     std::string name;    ///< of its file, without folders
@@ -40,7 +47,10 @@ struct SourceMesh {
 std::string provenanceText(const std::vector<SourceMesh>& meshes,
                            const std::optional<Words>& options = {});
 
-/// How the text begins.
-inline constexpr const char* provenance_begin = "{\"laplacian_lines\":";
+/// That of a file's bytes, with what follows; empty: there is none.
+std::string provenanceIn(std::string bytes);
+
+/// Whether the bytes are of a file that says it was drawn of other meshes.
+bool isOfOthers(const std::string& bytes, const std::vector<SourceMesh>& meshes);
 
 }  // namespace line_drawing

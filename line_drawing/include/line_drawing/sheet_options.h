@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "laplacian_lines/line_style.h"
-#include "line_drawing/section.h"
 #include "line_drawing/view_frame.h"
 
 namespace line_drawing {
@@ -79,6 +78,9 @@ struct SheetLook {
     HiddenLines hidden = HiddenLines::LeftOut;
     OutlineArea area = OutlineArea::None;
     TextStyle text = TextStyle::Letters;
+    /// Names of several views, scale bar with the symbol of the projection, notes of title, scale,
+    /// size and source.
+    bool has_furniture = true;
 };
 
 struct SheetOptions : SheetLook {
@@ -96,11 +98,8 @@ struct SheetOptions : SheetLook {
     DetailSize kernel;
     /// Standard deviation of the smoothing of normals. 0: by the mesh's roughness, at least √h / 4.
     DetailSize smoothing;
-    std::string title;           ///< empty: none
-    std::string source;          ///< name of the file of the object; empty: none
-    bool has_view_names = true;  ///< below the views, if there are several
-    bool has_scale_bar = true;   ///< with the symbol of the projection
-    bool has_notes = true;       ///< title, scale, size of the object, source
+    std::string title;   ///< empty: none
+    std::string source;  ///< name of the file of the object; empty: none
     laplacian_lines::LineStyle style = styleOnPaper();
     /// Towards a distant light for the Laplacian lines, in each view: x right, y up, z to the
     /// viewer. Without one it is at the eye.

@@ -25,12 +25,9 @@ struct ViewFrame {
     /// Left of a vessel's axis the section with what is behind it, right of it the outside.
     bool is_half_section = false;
     /// The eye of a perspective view, mesh coordinates; none: far away, lengths across the view are
-    /// true. The picture ends at tangent_of_sight.
+    /// true. The picture ends 60 degrees off its middle.
     std::optional<Eigen::Vector3d> eye = std::nullopt;
 };
-
-/// Half width of a perspective view at distance 1: 60 degrees.
-constexpr double tangent_of_sight = 1.7320508075688772;
 
 /// From the picture, x right, y up, z to the viewer, to mesh coordinates.
 Eigen::Vector3d inMesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
@@ -46,8 +43,21 @@ ViewFrame frameOfSide(Side side, UpAxis up);
 /// −90 to 90. @throws laplacian_lines::Error(InvalidOption)
 ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis up);
 
-/// A half section from the front.
-ViewFrame frameOfVessel(UpAxis up);
+/// A plane across an axis of the mesh.
+struct Section {
+    int axis = 0;        ///< 0 to 2: x, y, z
+    double share = 0.5;  ///< where across the bounding box, 0 to 1
+};
+
+/// From names such as "y=0.5", separated by commas or spaces.
+/// @throws laplacian_lines::Error(InvalidOption)
+std::vector<Section> parseSections(std::string_view text);
+
+/// "A", "B", ..., "Z", "AA", ...
+std::string letterOf(std::size_t number);
+
+/// Looks along the section's axis: from above, from the front or from the left.
+ViewFrame frameOfSection(const Section& section, UpAxis up);
 
 /// For any view: "toward", the direction to the viewer, that of the picture's upper edge and, in
 /// perspective, "from" and the eye, all in mesh coordinates.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 
 #include "formats/sheet_writers.h"
@@ -37,15 +38,14 @@ public:
 
     std::string write() {
         for (std::size_t i = 0; i < sheet_.provenance.size(); i += comment_length)
-            write(999, sheet_.provenance.substr(i, comment_length));
+            write({{999, sheet_.provenance.substr(i, comment_length)}});
         writeHeader();
         writeLayers();
-        begin("ENTITIES");
+        write({{0, "SECTION"}, {2, "ENTITIES"}});
         forEachMark(sheet_, [&](const auto& mark, const auto& group, const auto& layer) {
             writeMark(mark, nameOf(group, layer));
         });
-        end();
-        write(0, "EOF");
+        write({{0, "ENDSEC"}, {0, "EOF"}});
         return data_;
     }
 
@@ -76,60 +76,39 @@ private:
         layers_.push_back({name, color == colors.end() ? "7" : color->second, dash});
     }
 
-    void write(int code, const std::string& value) {
-        data_ += std::to_string(code) + '\n' + value + '\n';
+    /// Codes and what they announce, a line each.
+    void write(std::initializer_list<std::pair<int, std::string>> groups) {
+        for (const auto& [code, value] : groups)
+            data_ += std::to_string(code) + '\n' + value + '\n';
     }
-    void write(int code, double value) { write(code, inDecimals(value, 4)); }
+    static std::string number(double value) { return inDecimals(value, 4); }
     void writePoint(int code, const Eigen::Vector2d& p) {
-        write(code, p.x());
-        write(code + 10, sheet_.size.y() - p.y());
-        write(code + 20, 0.);
+        write({{code, number(p.x())},
+               {code + 10, number(sheet_.size.y() - p.y())},
+               {code + 20, number(0)}});
     }
-    void begin(const std::string& section) {
-        write(0, "SECTION");
-        write(2, section);
-    }
-    void end() { write(0, "ENDSEC"); }
 
     void writeHeader() {
-        begin("HEADER");
-        write(9, "$ACADVER");
-        write(1, "AC1009");
-        write(9, "$INSUNITS");
-        write(70, "4");  // millimetres
-        write(9, "$EXTMIN");
+        write({{0, "SECTION"}, {2, "HEADER"}, {9, "$ACADVER"}, {1, "AC1009"}});
+        write({{9, "$INSUNITS"}, {70, "4"}, {9, "$EXTMIN"}});  // millimetres
         writePoint(10, {0, sheet_.size.y()});
-        write(9, "$EXTMAX");
+        write({{9, "$EXTMAX"}});
         writePoint(10, {sheet_.size.x(), 0});
-        end();
+        write({{0, "ENDSEC"}});
     }
 
     void writeLayers() {
-        begin("TABLES");
-        write(0, "TABLE");
-        write(2, "LTYPE");
-        write(70, "2");
-        write(0, "LTYPE");
-        write(2, "CONTINUOUS");
-        write(70, "0");
-        write(3, "Solid line");
-        write(72, "65");
-        write(73, "0");
-        write(40, 0.);
+        write({{0, "SECTION"}, {2, "TABLES"}, {0, "TABLE"}, {2, "LTYPE"}, {70, "2"}});
+        write({{0, "LTYPE"}, {2, "CONTINUOUS"}, {70, "0"}, {3, "Solid line"}});
+        write({{72, "65"}, {73, "0"}, {40, number(0)}});
         writeDashes();
-        write(0, "ENDTAB");
-        write(0, "TABLE");
-        write(2, "LAYER");
-        write(70, std::to_string(layers_.size()));
+        const std::string count = std::to_string(layers_.size());
+        write({{0, "ENDTAB"}, {0, "TABLE"}, {2, "LAYER"}, {70, count}});
         for (const Layer& layer : layers_) {
-            write(0, "LAYER");
-            write(2, layer.name);
-            write(70, "0");
-            write(62, layer.color);
-            write(6, layer.dash > 0 ? "DASHED" : "CONTINUOUS");
+            write({{0, "LAYER"}, {2, layer.name}, {70, "0"}, {62, layer.color}});
+            write({{6, layer.dash > 0 ? "DASHED" : "CONTINUOUS"}});
         }
-        write(0, "ENDTAB");
-        end();
+        write({{0, "ENDTAB"}, {0, "ENDSEC"}});
     }
 
     void writeDashes() {
@@ -137,15 +116,8 @@ private:
         for (const Layer& layer : layers_)
             dash = std::max(dash, layer.dash);
         if (dash == 0) return;
-        write(0, "LTYPE");
-        write(2, "DASHED");
-        write(70, "0");
-        write(3, "Hidden lines");
-        write(72, "65");
-        write(73, "2");
-        write(40, 1.5 * dash);
-        write(49, dash);
-        write(49, -dash / 2);
+        write({{0, "LTYPE"}, {2, "DASHED"}, {70, "0"}, {3, "Hidden lines"}, {72, "65"}});
+        write({{73, "2"}, {40, number(1.5 * dash)}, {49, number(dash)}, {49, number(-dash / 2)}});
     }
 
     void writeMark(const SheetPath& path, const std::string& layer) {
@@ -155,18 +127,14 @@ private:
 
     void writePolyline(const std::vector<Eigen::Vector2d>& points, const std::string& layer) {
         const bool closed = points.size() > 2 && points.front() == points.back();
-        write(0, "POLYLINE");
-        write(8, layer);
-        write(66, "1");
+        write({{0, "POLYLINE"}, {8, layer}, {66, "1"}});
         writePoint(10, {0, sheet_.size.y()});
-        write(70, closed ? "1" : "0");
+        write({{70, closed ? "1" : "0"}});
         for (std::size_t i = 0; i < points.size() - std::size_t(closed); ++i) {
-            write(0, "VERTEX");
-            write(8, layer);
+            write({{0, "VERTEX"}, {8, layer}});
             writePoint(10, points[i]);
         }
-        write(0, "SEQEND");
-        write(8, layer);
+        write({{0, "SEQEND"}, {8, layer}});
     }
 
     /// %% begins a code, and %%% is a percent sign, needed only beside another or a code. Codes of
@@ -198,13 +166,11 @@ private:
     }
 
     void writeMark(const SheetText& text, const std::string& layer) {
-        write(0, "TEXT");
-        write(8, layer);
+        write({{0, "TEXT"}, {8, layer}});
         writePoint(10, text.position);
-        write(40, text.height * 0.7);  // of capital letters
-        write(1, inLetters(text.text));
+        write({{40, number(text.height * 0.7)}, {1, inLetters(text.text)}});  // of capital letters
         if (text.anchor == TextAnchor::Left) return;
-        write(72, text.anchor == TextAnchor::Middle ? "1" : "2");
+        write({{72, text.anchor == TextAnchor::Middle ? "1" : "2"}});
         writePoint(11, text.position);
     }
 
@@ -215,7 +181,7 @@ private:
 
 }  // namespace
 
-std::string writeDxf(const Sheet& sheet) {
+std::string writeDxf(const Sheet& sheet, double) {
     return DxfWriter(sheet).write();
 }
 

@@ -2,6 +2,7 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <new>
 
 #include "formats/sheet_writers.h"
 #include "line_drawing/words.h"
@@ -44,6 +45,16 @@ std::string inPng(const Canvas& canvas, int dots_per_metre) {
 }
 
 }  // namespace
+
+std::string deflated(std::string_view bytes) {
+    uLongf size = compressBound(uLong(bytes.size()));
+    std::string result(size, '\0');
+    if (compress(reinterpret_cast<Bytef*>(result.data()), &size,
+                 reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size())) != Z_OK)
+        throw std::bad_alloc();
+    result.resize(size);
+    return result;
+}
 
 std::string writePng(const Sheet& sheet, double dpi) {
     const double scale = dpi / mm_per_inch;

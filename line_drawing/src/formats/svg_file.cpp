@@ -187,7 +187,7 @@ private:
 
 }  // namespace
 
-std::string writeSvg(const Sheet& sheet) {
+std::string writeSvg(const Sheet& sheet, double) {
     return SvgWriter().write(sheet);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "laplacian_lines/option_rows.h"
 #include "line_drawing/sheet_choices.h"
+#include "line_drawing/sheet_file.h"
 
 namespace line_drawing {
 namespace {
@@ -10,8 +11,22 @@ using S = SheetChoices;
 using Place = SheetOption::Place;
 constexpr auto look = &S::look;
 
-SheetOption::Row textRow(const char* key, const char* label, const char* help) {
-    return {key, label, help, laplacian_lines::OptionKind::Choice, 0, 0, {}, nullptr, nullptr};
+SheetOption text(std::string S::*member, const char* key, const char* label, const char* help,
+                 const char* form, Place place = Place::Both) {
+    const SheetOption::Row row = {key, label,   help,   laplacian_lines::OptionKind::Choice, 0, 0,
+                                  {},  nullptr, nullptr};
+    return {row, place, {}, member, form};
+}
+
+SheetOption sections() {
+    SheetOption option = text(
+        &S::sections, "sections", "Sections",
+        "What planes across the axes of the world cut: such as x=0.5 y=0.3, where 0 to 1 runs from "
+        "one end of the object to the other. Empty: none.",
+        "x|y|z=0..1");
+    option.command_word = "section";
+    option.adds_up = true;
+    return option;
 }
 
 std::vector<const char*> papers() {
@@ -20,57 +35,38 @@ std::vector<const char*> papers() {
     return names;
 }
 
-std::vector<const char*> units() {
+template <class Table, class Row>
+std::vector<const char*> columnOf(const Table& table, const char* Row::*name) {
     std::vector<const char*> names;
-    for (const MeshUnit& unit : mesh_units)
-        names.push_back(unit.name);
+    for (const Row& row : table)
+        names.push_back(row.*name);
     return names;
 }
 
 std::vector<SheetOption> makeTable() {
+    static const std::string file_help =
+        "Ends in " + endingsInWords(", ", " or ") + ". {folder}, {name}: the mesh's.";
     return {
-        {textRow("file", "File", "Ends in .svg, .pdf, .dxf or .png. {folder}, {name}: the mesh's."),
-         Place::Filter, &S::file},
-        {textRow("views", "Views",
-                 "With commas: front, back, left, right, top, bottom, six (all of these), vessel "
-                 "(half section, half view), azimuth and elevation, as 30,15; in MeshLab window."),
-         Place::Both,
-         &S::views,
-         nullptr,
-         {},
-         "VIEWS"},
-        {textRow("scale", "Scale",
-                 "Drawn to true length, such as 1:2 or 2:1; fit: the largest usual one that fits "
-                 "the paper."),
-         Place::Both,
-         &S::scale,
-         nullptr,
-         {},
-         "1:2|fit"},
+        text(&S::file, "file", "File", file_help.c_str(), "", Place::Filter),
+        text(&S::views, "views", "Views",
+             "With commas: front, back, left, right, top, bottom, six (all of these), vessel "
+             "(half section, half view), azimuth and elevation, as 30,15; in MeshLab window.",
+             "VIEWS"),
+        text(&S::scale, "scale", "Scale",
+             "Drawn to true length, such as 1:2 or 2:1; fit: the largest usual one that fits "
+             "the paper.",
+             "1:2|fit"),
         {rows::choice<&S::paper>(
             "paper", "Paper", papers(),
             "Upright or lying, whichever takes the drawing larger. fit: as large as the drawing.")},
         {rows::choice<&S::unit>(
-            "unit", "Unit of the Mesh", units(),
+            "unit", "Unit of the Mesh", columnOf(mesh_units, &MeshUnit::name),
             "What a length of 1 is. The dialog begins with m below a size of 10, else mm.")},
         {rows::choice<look, &SheetLook::up>(
             "up", "Upward Axis", {"x", "y", "z"},
             "The axis of the world that points up in named views.")},
-        {textRow("sections", "Sections",
-                 "What planes across the axes of the world cut: such as x=0.5 y=0.3, where 0 to 1 "
-                 "runs from one end of the object to the other. Empty: none."),
-         Place::Both,
-         &S::sections,
-         "section",
-         {},
-         "x|y|z=0..1",
-         true},
-        {textRow("title", "Title", "Above the notes. {name}: the mesh's."),
-         Place::Both,
-         &S::title,
-         nullptr,
-         {},
-         "TEXT"},
+        sections(),
+        text(&S::title, "title", "Title", "Above the notes. {name}: the mesh's.", "TEXT"),
         {rows::choice<&S::is_of_all_layers>(
              "layers", "Layers", {"Current Layer", "All Visible Layers"},
              "All Visible Layers: together, as they stand, hiding each other."),
@@ -99,37 +95,22 @@ std::vector<SheetOption> makeTable() {
             "weights", "Line Weights", {"Illustrator", "ISO 128"},
             "Illustrator: outlines are widest, edges within the form thin. ISO 128: edges that are "
             "seen are as wide as outlines, other lines half as wide.")},
-        {rows::boolean<&S::has_furniture>(
+        {rows::boolean<look, &SheetLook::has_furniture>(
              "furniture", "Scale Bar and Notes",
-             "Names of views, scale bar, symbol of the projection, notes of scale, size and "
-             "file."),
+             "Names of views, scale bar, symbol of the projection, notes of scale, size and file."),
          Place::Both,
-         nullptr,
-         nullptr,
          {"none", "all"}},
-        {textRow("kinds", "Kinds of Lines",
-                 "With the outlines: usual, laplacian_lines, ridges, apparent_ridges and so on, "
-                 "with commas; a wrong one lists all."),
-         Place::Command,
-         &S::kinds,
-         nullptr,
-         {},
-         "NAMES"},
-        {textRow("kernel", "Kernel on Paper",
-                 "Detail of inner lines: a length on paper, or a share of the object's diagonal; "
-                 "auto: four pens of inner lines."),
-         Place::Command,
-         &S::kernel,
-         nullptr,
-         {},
-         "auto|1mm|0.9%"},
-        {textRow("smoothing", "Smoothing on Paper",
-                 "Of the surface before lines are found, likewise."),
-         Place::Command,
-         &S::smoothing,
-         nullptr,
-         {},
-         "auto|0.3mm|0.2%"},
+        text(
+            &S::kinds, "kinds", "Kinds of Lines",
+            "With the outlines: usual, laplacian_lines, apparent_ridges, ridges+creases and so on; "
+            "a wrong one lists all.",
+            "NAMES", Place::Command),
+        text(&S::kernel, "kernel", "Kernel on Paper",
+             "Detail of inner lines: a length on paper, or a share of the object's diagonal; "
+             "auto: four pens of inner lines.",
+             "auto|1mm|0.9%", Place::Command),
+        text(&S::smoothing, "smoothing", "Smoothing on Paper",
+             "Of the surface before lines are found, likewise.", "auto|0.3mm|0.2%", Place::Command),
         {rows::choice<look, &SheetLook::area>(
              "area", "Areas", {"None", "Filled", "Objects"},
              "What the outline of all, or of each object alone, encloses, as areas besides."),
@@ -142,13 +123,8 @@ std::vector<SheetOption> makeTable() {
              "damaged", "Damaged Files", {"Refuse", "Draw"},
              "Files that are not whole; what is drawn of them is called incomplete on the sheet."),
          Place::Command},
-        {rows::real<&S::dpi>("dpi", "Dots per Inch", 20, 2400, "Of PNG files."),
-         Place::Command,
-         nullptr,
-         nullptr,
-         {},
-         "20..2400"},
-        {rows::choice<&S::format>("format", "Format", {"pdf", "svg", "dxf", "png"},
+        {rows::real<&S::dpi>("dpi", "Dots per Inch", 20, 2400, "Of PNG files."), Place::Command},
+        {rows::choice<&S::format>("format", "Format", columnOf(sheet_formats, &SheetFormat::ending),
                                   "Of the drawings in a folder."),
          Place::Command},
     };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_drawing/sheet_options.h"
+#include "line_drawing/sheet_choices.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
+#include "line_drawing/sheet_file.h"
 #include "line_drawing/words.h"
 
 namespace line_drawing {
@@ -23,6 +25,37 @@ constexpr LengthUnit length_units[] = {
 std::string rounded(double x) {
     if (x < 0.0995) return inDigits(std::round(1000 * x) / 1000);
     return inDecimals(x, x < 10 ? 2 : x < 1000 ? 1 : 0);
+}
+
+[[noreturn]] void refuseWord(const SheetOption& option, const std::string& word,
+                             const std::string& allowed) {
+    laplacian_lines::refuse_value(option.command(), "\"" + word + "\"", allowed);
+}
+
+laplacian_lines::LineKindSet kindsIn(const std::string& names) {
+    if (const auto kinds = laplacian_lines::kinds_named(names)) return *kinds;
+    refuse("--kinds is \"" + names + "\". It has to be some of " +
+           laplacian_lines::names_of_kinds() + ", with commas between.");
+}
+
+/// At most `width` characters a line, indented but for the first.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
+    std::string result;
+    std::size_t column = indent;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        if (column > indent && column + 1 + end - begin > width) {
+            result += '\n' + std::string(indent, ' ');
+            column = indent;
+        } else if (column > indent) {
+            result += ' ';
+            ++column;
+        }
+        result += text.substr(begin, end - begin);
+        column += end - begin;
+        begin = end + 1;
+    }
+    return result;
 }
 
 }  // namespace
@@ -72,6 +105,106 @@ std::string sizeInWords(const Eigen::Vector3d& mm, const char* times) {
 
 std::string kernelInWords(double mm) {
     return mm < 100 ? inDigits(mm, 2) : inDecimals(mm, 0);
+}
+
+std::string SheetOption::command() const {
+    return std::string("--") + (command_word ? command_word : row.key);
+}
+
+Words SheetOption::words() const {
+    Words result(switch_words.begin(), switch_words.end());
+    for (const std::string label : row.choices)
+        result.push_back(lower(label.substr(0, label.find(' '))));
+    return result;
+}
+
+std::string SheetOption::valueIn(const SheetChoices& choices) const {
+    if (text) return choices.*text;
+    const double value = row.get(choices);
+    const Words known = words();
+    return std::size_t(value) < known.size() ? known[std::size_t(value)] : inDigits(value);
+}
+
+void SheetOption::read(const std::string& word, SheetChoices& choices) const {
+    if (text) {
+        choices.*text = adds_up ? choices.*text + ' ' + word : word;
+        return;
+    }
+    if (const Words known = words(); !known.empty()) {
+        const auto place = std::find(known.begin(), known.end(), lower(word));
+        if (place == known.end()) refuseWord(*this, word, "one of " + joined(known, ", "));
+        return row.set(choices, double(place - known.begin()));
+    }
+    const std::optional<double> value = numberIn(word);
+    if (!value || !(*value >= row.minimum && *value <= row.maximum))
+        refuseWord(*this, word, laplacian_lines::allowed_values(row));
+    row.set(choices, *value);
+}
+
+const SheetOption* commandOption(const std::string& command) {
+    for (const SheetOption& option : sheetOptionTable())
+        if (option.isOf(SheetOption::Place::Command) && option.command() == command) return &option;
+    return nullptr;
+}
+
+SheetChoices readChoices(const Words& words) {
+    SheetChoices choices;
+    const std::string usual_views = std::exchange(choices.views, "");
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+        const SheetOption* option = commandOption(words[i]);
+        if (!option) refuse("unknown option " + words[i] + "; see --help.");
+        option->read(words[i + 1], choices);
+    }
+    if (choices.views.empty() && trimmed(choices.sections).empty()) choices.views = usual_views;
+    return choices;
+}
+
+std::string titleOf(std::string title, const Words& names) {
+    constexpr std::string_view place = "{name}";
+    const std::string name = joined(names, ", ");
+    for (std::size_t at = 0; (at = title.find(place, at)) != title.npos; at += name.size())
+        title.replace(at, place.size(), name);
+    return title;
+}
+
+std::string sheetOptionsHelp() {
+    constexpr std::size_t column = 23, width = 90;
+    std::string help;
+    for (const SheetOption& option : sheetOptionTable()) {
+        if (!option.isOf(SheetOption::Place::Command)) continue;
+        const Words words = option.words();
+        const std::string value =
+            option.text     ? option.form
+            : words.empty() ? inDigits(option.row.minimum) + ".." + inDigits(option.row.maximum)
+                            : joined(words, "|");
+        const std::string head = "  " + option.command() + ' ' + value;
+        const std::string usual = option.valueIn({});
+        const std::string text = option.row.help + (usual.empty() ? usual : " (" + usual + ')');
+        help += head.size() < column ? head : head + '\n';
+        help += std::string(head.size() < column ? column - head.size() : column, ' ');
+        help += wrapped(text, column, width) + '\n';
+    }
+    return help;
+}
+
+SheetOptions sheetOptions(const SheetChoices& chosen, const NamedViews& others) {
+    SheetOptions options;
+    static_cast<SheetLook&>(options) = chosen.look;
+    options.sections = parseSections(chosen.sections);
+    if (!trimmed(chosen.views).empty() || options.sections.empty())
+        options.views = parseViews(chosen.views, chosen.look.up, others);
+    options.scale = parseScale(chosen.scale);
+    const std::vector<const char*> papers = paperNames();
+    const auto paper = std::size_t(chosen.paper);
+    options.paper = paper < papers.size() ? papers[paper] : "fit";
+    options.mm_per_unit = mesh_units[chosen.unit].mm;
+    if (!formatOf(chosen.file).has_tapered_strokes) options.strokes = StrokeStyle::Plain;
+    options.title = chosen.title;
+    options.pens = pensOf(chosen.weights);
+    options.kernel = parseDetailSize(chosen.kernel);
+    options.smoothing = parseDetailSize(chosen.smoothing);
+    options.style.shows = kindsIn(chosen.kinds);
+    return options;
 }
 
 }  // namespace line_drawing

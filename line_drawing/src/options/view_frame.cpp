@@ -29,6 +29,14 @@ ViewFrame makeFrame(Side side, const std::string& name, const Vector3d& towards_
     return {side, name, up.cross(towards_viewer), up, towards_viewer, false};
 }
 
+/// A half section from the front.
+ViewFrame frameOfVessel(UpAxis axis) {
+    ViewFrame frame = frameOfSide(Side::Front, axis);
+    frame.name = "Vessel";
+    frame.is_half_section = true;
+    return frame;
+}
+
 class ViewWords {
 public:
     ViewWords(std::string_view text, UpAxis up, const NamedViews& others)
@@ -98,6 +106,19 @@ private:
     std::size_t next_ = 0;
 };
 
+constexpr std::string_view axes = "xyz";
+
+Section sectionFrom(const std::string& word) {
+    const std::size_t axis = axes.find(lower(word)[0]);
+    const double share =
+        word.size() > 2 && word[1] == '=' ? numberIn(word.substr(2)).value_or(0) : 0;
+    if (axis == axes.npos || !(share > 0 && share < 1))
+        refuse("\"" + word +
+               "\" is not a section. A section is an axis and a place on it, 0 to 1 of the object, "
+               "such as y=0.5.");
+    return {int(axis), share};
+}
+
 }  // namespace
 
 std::array<const char*, 6> sideNames() {
@@ -128,13 +149,6 @@ ViewFrame frameOfSide(Side side, UpAxis axis) {
     }
 }
 
-ViewFrame frameOfVessel(UpAxis axis) {
-    ViewFrame frame = frameOfSide(Side::Front, axis);
-    frame.name = "Vessel";
-    frame.is_half_section = true;
-    return frame;
-}
-
 ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {
     if (!(std::abs(elevation) <= 90) || !std::isfinite(azimuth))
         refuse(
@@ -148,6 +162,31 @@ ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {
     const std::string name = "View " + inDigits(azimuth) + "°, " + inDigits(elevation) + "°";
     return makeFrame(Side::Other, name, std::cos(e) * outwards + std::sin(e) * up,
                      std::cos(e) * up - std::sin(e) * outwards);
+}
+
+std::vector<Section> parseSections(std::string_view text) {
+    std::vector<Section> sections;
+    for (const std::string& word : wordsOf(text))
+        sections.push_back(sectionFrom(word));
+    return sections;
+}
+
+std::string letterOf(std::size_t number) {
+    constexpr std::size_t letters = 26;
+    const std::string last(1, char('A' + number % letters));
+    return number < letters ? last : letterOf(number / letters - 1) + last;
+}
+
+ViewFrame frameOfSection(const Section& section, UpAxis up) {
+    ViewFrame frame;
+    for (const Side side : {Side::Top, Side::Front, Side::Left}) {
+        frame = frameOfSide(side, up);
+        if (frame.towards_viewer[section.axis] != 0) break;
+    }
+    frame.side = Side::Other;
+    frame.name = std::string("Section ") + axes[std::size_t(section.axis)] + " = " +
+                 inDigits(100 * section.share, 3) + " %";
+    return frame;
 }
 
 std::string frameInWords(const ViewFrame& frame) {

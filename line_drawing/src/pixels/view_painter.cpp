@@ -66,7 +66,7 @@ GrayPicture ViewPainter::paint(const WindowView& view, SheetOptions options,
     options.pens = pensFor(place.sizes().maxCoeff(), options.pens);
     data_->lines.makeReady(options, placement.scale, part(progress, sight_share, lines_share));
     options.kernel = {data_->lines.kernelSize() * options.mm_per_unit * placement.scale, false};
-    const auto lines = observer.linesOf(drawn, options, data_->lines);
+    const auto lines = data_->lines.extract(observer.viewOf(drawn, options), options.style);
     observer.look(drawn, lines, options, part(progress, lines_share, 1));
     Canvas canvas =
         paintGroups({drawView(drawn, 1, placement, place, options)}, view.size, view.pixels_per_mm);

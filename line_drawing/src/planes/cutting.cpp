@@ -13,6 +13,11 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using laplacian_lines::LinePoint;
+using laplacian_lines::LineSet;
+using laplacian_lines::Polyline;
+using laplacian_lines::SightLine;
+using laplacian_lines::SightPoint;
 using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
 using Place = std::array<double, 3>;
@@ -35,13 +40,14 @@ struct Piece {
     bool used = false;
 };
 
-std::vector<Piece> piecesOf(const TriangleMesh& mesh, int axis, double height) {
+std::vector<Piece> piecesOf(const std::vector<Vector3d>& positions,
+                            const std::vector<Triangle>& triangles, int axis, double height) {
     std::vector<Piece> pieces;
-    for (const Triangle& t : laplacian_lines::conforming_triangles(mesh)) {
+    for (const Triangle& t : triangles) {
         std::array<Vector3d, 3> p;
         std::array<bool, 3> above{};
         for (std::size_t k = 0; k < 3; ++k) {
-            p[k] = mesh.positions.at(t[k]);
+            p[k] = positions.at(t[k]);
             above[k] = p[k][axis] >= height;
         }
         Piece piece;
@@ -80,10 +86,56 @@ std::vector<Strip> stripsAt(const std::vector<Loops>& areas, const Vector2d& dir
     return joined;
 }
 
+Vector3d positionOf(const LinePoint& p) {
+    return p.position.cast<double>();
+}
+const Vector3d& positionOf(const Vector3d& p) {
+    return p;
+}
+LinePoint between(const LinePoint& a, const LinePoint& b, double t) {
+    const auto mix = [t](float x, float y) { return float((1 - t) * double(x) + t * double(y)); };
+    return {((1 - t) * positionOf(a) + t * positionOf(b)).cast<float>(), mix(a.weight, b.weight),
+            mix(a.gradient, b.gradient), mix(a.opacity, b.opacity)};
+}
+Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
+    return (1 - t) * a + t * b;
+}
+const Vector3d& positionOf(const SightPoint& p) {
+    return p.position;
+}
+SightPoint between(const SightPoint& a, const SightPoint& b, double t) {
+    const auto mix = [t](float x, float y) { return float((1 - t) * double(x) + t * double(y)); };
+    return {between(a.position, b.position, t), mix(a.weight, b.weight),
+            mix(a.gradient, b.gradient),        mix(a.opacity, b.opacity),
+            laplacian_lines::kNoSightNode,      true};
+}
+
+template <class Point>
+Point crossing(const Point& a, const Point& b, const HalfSpace& inside) {
+    const double at_a = inside.depth(positionOf(a)), at_b = inside.depth(positionOf(b));
+    return between(a, b, at_a / (at_a - at_b));
+}
+
+template <class Point>
+std::vector<std::vector<Point>> runsInside(const Point* points, std::size_t count,
+                                           const HalfSpace& inside) {
+    std::vector<std::vector<Point>> runs;
+    bool was_inside = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool is_inside = inside.depth(positionOf(points[i])) >= 0;
+        if (is_inside && !was_inside) runs.emplace_back();
+        if (i > 0 && is_inside != was_inside)
+            runs.back().push_back(crossing(points[i - 1], points[i], inside));
+        if (is_inside) runs.back().push_back(points[i]);
+        was_inside = is_inside;
+    }
+    return runs;
+}
+
 }  // namespace
 
-std::vector<Cut> cutMesh(const TriangleMesh& mesh, int axis, double height) {
-    std::vector<Piece> pieces = piecesOf(mesh, axis, height);
+std::vector<Cut> CuttableMesh::cut(int axis, double height) const {
+    std::vector<Piece> pieces = piecesOf(positions_, triangles_, axis, height);
     std::multimap<Place, std::pair<std::size_t, bool>> ends;  // begins before others
     for (const bool is_end : {false, true})
         for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -134,22 +186,100 @@ std::vector<double> crossingsAt(const Loops& loops, const Vector2d& direction, d
 std::vector<std::vector<Vector2d>> hatch(const std::vector<Loops>& areas, const Vector2d& direction,
                                          double spacing) {
     const Vector2d across(-direction.y(), direction.x());
-    double low = 0, high = 0;
-    bool any = false;
+    double low = INFINITY, high = -INFINITY;
     for (const Loops& loops : areas)
         for (const auto& loop : loops)
             for (const Vector2d& p : loop) {
-                const double at = across.dot(p);
-                low = any ? std::min(low, at) : at;
-                high = any ? std::max(high, at) : at;
-                any = true;
+                low = std::min(low, across.dot(p));
+                high = std::max(high, across.dot(p));
             }
     std::vector<std::vector<Vector2d>> lines;
-    for (double at = (std::floor(low / spacing) + 0.5) * spacing; any && at < high; at += spacing) {
+    for (double at = (std::floor(low / spacing) + 0.5) * spacing; at < high; at += spacing) {
         for (const auto& [begin, end] : stripsAt(areas, direction, at))
             lines.push_back({at * across + begin * direction, at * across + end * direction});
     }
     return lines;
+}
+
+LineSet clip(const LineSet& lines, const HalfSpace& inside) {
+    LineSet result;
+    for (const Polyline& line : lines.lines)
+        for (const auto& run : runsInside(lines.points.data() + line.first, line.count, inside)) {
+            if (run.size() < 2) continue;
+            Polyline part = line;
+            part.first = std::uint32_t(result.points.size());
+            part.count = std::uint32_t(run.size());
+            part.closed = line.closed && part.count == line.count;
+            result.points.insert(result.points.end(), run.begin(), run.end());
+            result.lines.push_back(part);
+        }
+    return result;
+}
+
+std::vector<SightLine> clip(const std::vector<SightLine>& lines, const HalfSpace& inside) {
+    std::vector<SightLine> result;
+    for (const SightLine& line : lines)
+        for (auto& run : runsInside(line.points.data(), line.points.size(), inside)) {
+            if (run.size() < 2) continue;
+            SightLine part = line;
+            part.closed = line.closed && run.size() == line.points.size();
+            part.points = std::move(run);
+            result.push_back(std::move(part));
+        }
+    return result;
+}
+
+std::vector<Cut> clip(const std::vector<Cut>& lines, const HalfSpace& inside) {
+    std::vector<Cut> result;
+    for (Cut line : lines) {
+        const auto is_outside = [&](const Vector3d& p) { return inside.depth(p) < 0; };
+        const auto first = std::find_if(line.begin(), line.end(), is_outside);
+        if (line.front() == line.back() && first != line.end()) {  // to begin outside
+            line.pop_back();
+            std::rotate(line.begin(), first, line.end());
+            line.push_back(line.front());
+        }
+        for (Cut& run : runsInside(line.data(), line.size(), inside))
+            if (run.size() > 1) result.push_back(std::move(run));
+    }
+    return result;
+}
+
+Cut clipLoop(const Cut& loop, const HalfSpace& inside) {
+    Cut result;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const bool is_inside = inside.depth(loop[i]) >= 0;
+        if (i > 0 && is_inside != (inside.depth(loop[i - 1]) >= 0))
+            result.push_back(crossing(loop[i - 1], loop[i], inside));
+        if (is_inside) result.push_back(loop[i]);
+    }
+    if (!result.empty() && result.front() != result.back()) result.push_back(result.front());
+    return result;
+}
+
+TriangleMesh clip(const TriangleMesh& mesh, const HalfSpace& inside) {
+    TriangleMesh result;
+    result.positions = mesh.positions;
+    for (const Triangle& t : mesh.triangles) {
+        Cut loop;
+        int kept = 0;
+        bool is_finite = true;
+        for (const std::uint32_t v : t) {
+            loop.push_back(mesh.positions.at(v));
+            kept += inside.depth(loop.back()) >= 0;
+            is_finite &= loop.back().allFinite();
+        }
+        if (!is_finite) continue;
+        if (kept == 3) result.triangles.push_back(t);
+        if (kept == 0 || kept == 3) continue;
+        loop.push_back(loop.front());
+        loop = clipLoop(loop, inside);
+        const auto first = std::uint32_t(result.positions.size());
+        result.positions.insert(result.positions.end(), loop.begin(), loop.end() - 1);
+        for (std::uint32_t i = 2; i + 1 < loop.size(); ++i)
+            result.triangles.push_back({first, first + i - 1, first + i});
+    }
+    return result;
 }
 
 }  // namespace line_drawing

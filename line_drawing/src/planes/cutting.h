@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/triangle_mesh.h"
 
 namespace line_drawing {
@@ -11,10 +12,21 @@ namespace line_drawing {
 /// A line where a plane cuts a surface; a closed one repeats its first point.
 using Cut = std::vector<Eigen::Vector3d>;
 
-/// Where the plane at `height` along a mesh axis cuts the mesh, in mesh coordinates and in the
-/// order of the triangles: closed lines of closed surfaces, even if triangles only share places,
-/// not vertices.
-std::vector<Cut> cutMesh(const laplacian_lines::TriangleMesh& mesh, int axis, double height);
+/// A mesh, which outlives it, to be cut by any number of planes.
+class CuttableMesh {
+public:
+    explicit CuttableMesh(const laplacian_lines::TriangleMesh& mesh)
+        : positions_(mesh.positions), triangles_(conforming_triangles(mesh)) {}
+
+    /// Where the plane at `height` along a mesh axis cuts it, in mesh coordinates and in the order
+    /// of the triangles: closed lines of closed surfaces, even if triangles only share places, not
+    /// vertices.
+    std::vector<Cut> cut(int axis, double height) const;
+
+private:
+    const std::vector<Eigen::Vector3d>& positions_;
+    const std::vector<laplacian_lines::Triangle> triangles_;
+};
 
 using Loops = std::vector<std::vector<Eigen::Vector2d>>;
 
@@ -27,5 +39,27 @@ std::vector<double> crossingsAt(const Loops& loops, const Eigen::Vector2d& direc
 /// union of areas.
 std::vector<std::vector<Eigen::Vector2d>> hatch(const std::vector<Loops>& areas,
                                                 const Eigen::Vector2d& direction, double spacing);
+
+/// normal · p >= offset, mesh coordinates.
+struct HalfSpace {
+    Eigen::Vector3d normal;
+    double offset;
+
+    double depth(const Eigen::Vector3d& p) const { return normal.dot(p) - offset; }
+    HalfSpace opposite() const { return {-normal, -offset}; }
+};
+
+/// Parts inside, which end on the plane. Closed lines inside stay closed.
+laplacian_lines::LineSet clip(const laplacian_lines::LineSet& lines, const HalfSpace& inside);
+std::vector<laplacian_lines::SightLine> clip(const std::vector<laplacian_lines::SightLine>& lines,
+                                             const HalfSpace& inside);
+std::vector<Cut> clip(const std::vector<Cut>& lines, const HalfSpace& inside);
+
+/// A loop around what is within both (even-odd); it may run along the plane several times.
+Cut clipLoop(const Cut& loop, const HalfSpace& inside);
+
+/// The surface inside; cuts triangles along the plane.
+laplacian_lines::TriangleMesh clip(const laplacian_lines::TriangleMesh& mesh,
+                                   const HalfSpace& inside);
 
 }  // namespace line_drawing

@@ -85,20 +85,22 @@ double widthOf(char32_t letter) {
     return font().advanceOf(font().drawnGlyphOf(letter));
 }
 
-Lettering letteringOf(const std::string& text) {
-    Lettering result;
-    result.path.fill_rule = FillRule::NonZero;
-    for (const char32_t letter : lettersOf(text)) {
-        const int glyph = font().drawnGlyphOf(letter);
-        font().append(glyph, {result.width, 0}, result.path);
-        result.width += font().advanceOf(glyph);
-    }
-    return result;
+double widthOf(const std::string& text) {
+    double width = 0;
+    for (const char32_t letter : lettersOf(text))
+        width += widthOf(letter);
+    return width;
 }
 
 SheetPath outlinesOf(const SheetText& text) {
-    const Lettering letters = letteringOf(text.text);
-    return {letters.path.placed(text.height, text.begin(letters.width * text.height))};
+    Path path;
+    path.fill_rule = FillRule::NonZero;
+    double width = 0;
+    for (const char32_t letter : lettersOf(text.text)) {
+        font().append(font().drawnGlyphOf(letter), {width, 0}, path);
+        width += widthOf(letter);
+    }
+    return {path.placed(text.height, text.begin(width * text.height))};
 }
 
 std::string lackingLetter(const std::string& text) {

@@ -9,19 +9,13 @@
 
 namespace line_drawing {
 
-/// Outlines of letters of the compiled-in font (../../letters), which has Helvetica's widths:
-/// Latin, Greek, Cyrillic, and signs.
-struct Lettering {
-    Path path;  ///< of height 1, from (0, 0) on along the base line, y down
-    double width = 0;
-};
-
-/// Letters that the font lacks are drawn by others that look alike, such as Ø for ⌀, or become
-/// boxes.
-Lettering letteringOf(const std::string& text);
+// By the compiled-in font (../../letters), which has Helvetica's widths: Latin, Greek, Cyrillic,
+// and signs. Letters that it lacks are drawn by others that look alike, such as Ø for ⌀, or become
+// boxes.
 
 /// For a font of height 1.
 double widthOf(char32_t letter);
+double widthOf(const std::string& text);
 
 SheetPath outlinesOf(const SheetText& text);
 

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "laplacian_lines/triangle_mesh.h"
-#include "line_drawing/object.h"
-#include "planes/clipping.h"
+#include "planes/cutting.h"
 #include "views/drawn_view.h"
 
 namespace line_drawing {
@@ -16,19 +15,11 @@ struct VesselAxis {
     double rim = 0;         ///< share of the way around the axis with surface in the upper tenth
 };
 
-/// The axis around which a vessel was thrown, along the mesh's axis `up`: the normals of a surface
-/// of revolution meet its axis. Handles and spouts count little. Through the middle of the bounding
-/// box if normals do not tell. `looks_up`: upright along `up`, or upside down. By the linear
-/// complex of normals, H. Pottmann, T. Randrup, "Rotational and helical surface approximation for
-/// reverse engineering", Computing 60 (1998), with iterated weights.
-VesselAxis findAxis(const laplacian_lines::TriangleMesh& mesh, int up, bool looks_up = true);
-
 /// Planes through the axis of a vessel.
 class HalfSection {
 public:
-    /// `all` is the objects' joined surface; `frame` looks along a mesh axis. Objects outlive this.
-    HalfSection(const Objects& objects, const laplacian_lines::TriangleMesh& all,
-                const ViewFrame& frame);
+    /// `all` is the objects' joined surface; `frame` looks along a mesh axis.
+    HalfSection(const laplacian_lines::TriangleMesh& all, const ViewFrame& frame);
 
     /// @throws laplacian_lines::Error(InvalidOption) if the axis is not that of a vessel
     void expectVessel() const;
@@ -40,11 +31,11 @@ public:
     HalfSpace right() const { return right_; }
 
     /// Adds the section, the axis and the lines through rim and base to a view, and removes lines
-    /// that show through the wall. `unit` as in project(), `middle` as in Projection.
-    void draw(DrawnView& drawn, const Eigen::Vector3d& middle, double unit) const;
+    /// that show through the objects' walls. `unit` as in project(), `middle` as in Projection.
+    void draw(DrawnView& drawn, const std::vector<CuttableMesh>& objects,
+              const Eigen::Vector3d& middle, double unit) const;
 
 private:
-    const Objects& objects_;
     const VesselAxis axis_;
     HalfSpace behind_, right_;
 };

@@ -8,7 +8,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// mm on the sheet
+constexpr double mark_reach = 9;  // how far marks stand out from the surface, mm on the sheet
+// likewise
 constexpr double mark_gap = 1, mark_length = 4, shaft_length = 3.5, head_length = 2,
                  head_width = 1.2, letter_height = 3.5, letter_distance = 2.2;
 constexpr double capital_height = 0.72;  // of a font's height

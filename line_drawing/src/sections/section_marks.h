@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 
-#include "line_drawing/section.h"
 #include "line_drawing/sheet.h"
 #include "views/drawn_view.h"
 
@@ -13,9 +12,6 @@ namespace line_drawing {
 inline double placeOnAxis(const Section& section, const Eigen::AlignedBox3d& box) {
     return box.min()[section.axis] + section.share * box.sizes()[section.axis];
 }
-
-/// How far marks stand out from the surface, mm on the sheet.
-constexpr double mark_reach = 9;
 
 /// Of the sections seen edge-on. `box` is the mesh's bounding box.
 std::vector<SectionMark> marksOf(const ViewFrame& frame, const SheetOptions& options,

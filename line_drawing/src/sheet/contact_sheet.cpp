@@ -103,7 +103,7 @@ SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh,
                                           : options.views.front()};
     result.sections.clear();
     result.paper = "fit";
-    result.has_view_names = result.has_scale_bar = result.has_notes = false;
+    result.has_furniture = false;
     const Eigen::Vector2d size =
         Projection(result.views[0], Eigen::Vector3d::Zero()).boundsOf(mesh).sizes();
     const double longest = options.mm_per_unit * size.maxCoeff();

@@ -10,9 +10,9 @@
 #include "options/progress_part.h"
 #include "planes/lettering.h"
 #include "sheet/sheet_layout.h"
+#include "sight/object_lines.h"
 #include "sight/observer.h"
 #include "system/parallel.h"
-#include "views/joined_surface.h"
 
 namespace line_drawing {
 namespace {
@@ -77,7 +77,7 @@ struct Draft {
     double kernel = 0;                                              ///< as Sheet's
 };
 
-Draft layOut(const Observer& observer, const SheetOptions& options) {
+Draft layOut(Observer& observer, const SheetOptions& options) {
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : options.views)
         views.push_back(observer.stand(frame, options));
@@ -105,7 +105,8 @@ void findLines(const Observer& observer, ObjectLines& lines, Draft& draft,
     options.kernel = {lines.kernelSize() * options.mm_per_unit * scale, false};
     if (is_given || is_detail) draft.kernel = options.kernel.size;
     for (std::size_t i = 0; i < options.views.size(); ++i)
-        draft.lines.push_back(observer.linesOf(draft.views[i], options, lines));
+        draft.lines.push_back(
+            lines.extract(observer.viewOf(draft.views[i], options), options.style));
 }
 
 /// Adds missing outlines. Returns their length by view, mm.
@@ -201,21 +202,6 @@ std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOpt
         sheets.push_back(draw(observer, draft, own));
     });
     return sheets;
-}
-
-SheetPlan planSheet(const Objects& objects, const SheetOptions& options) {
-    check(options);
-    const JoinedSurface surface(objects);
-    const Eigen::AlignedBox3d bounds = boundsOf(surface.mesh());
-    if (bounds.isEmpty()) refuse("There is nothing to draw: the mesh has no triangles.");
-    std::vector<DrawnView> views;
-    for (const ViewFrame& frame : options.views)
-        views.push_back(standBefore(surface.mesh(), bounds, frame, options));
-    for (const Section& section : options.sections)
-        views.push_back(standBefore(surface.mesh(), bounds, section, options));
-    nameSections(views);
-    const SheetLayout layout = layOut(views, options);
-    return {layout.size, layout.scale};
 }
 
 Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,

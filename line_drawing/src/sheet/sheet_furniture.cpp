@@ -84,6 +84,23 @@ SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& lay
     return layer;
 }
 
+/// The longest usual length, 1, 2 or 5 times a power of ten, drawn at most `most` long; in the
+/// object's mm.
+double barLength(double scale, double most) {
+    double power = std::pow(10, std::floor(std::log10(most / scale) + 1e-9));
+    for (const double first : {5., 2.})
+        if (first * power * scale <= most) return first * power;
+    return power;
+}
+
+/// "5 cm" for 50.
+std::string lengthInWords(double mm) {
+    if (mm >= 1e6) return inDigits(mm / 1e6) + " km";
+    if (mm >= 1000) return inDigits(mm / 1000) + " m";
+    if (mm >= 10) return inDigits(mm / 10) + " cm";
+    return mm < 0.1 ? inDigits(mm * 1000) + " µm" : inDigits(mm) + " mm";
+}
+
 /// Blocks of a tenth, fifth or quarter of the bar, alternately black and white.
 int partsOf(double length) {
     const double first = length / std::pow(10, std::floor(std::log10(length) + 1e-9));
@@ -177,14 +194,7 @@ std::string nameOf(const ViewFrame& frame, bool beside_scale) {
 }
 
 double widthInAnyFont(const std::string& text, double height) {
-    return widest_font * height * letteringOf(text).width;
-}
-
-double barLength(double scale, double most) {
-    double power = std::pow(10, std::floor(std::log10(most / scale) + 1e-9));
-    for (const double first : {5., 2.})
-        if (first * power * scale <= most) return first * power;
-    return power;
+    return widest_font * height * widthOf(text);
 }
 
 std::string elided(const std::string& text, double height, double width) {
@@ -194,22 +204,15 @@ std::string elided(const std::string& text, double height, double width) {
     return inUtf8(letters.substr(0, fitting(letters, height, width - dots))) + "…";
 }
 
-std::string lengthInWords(double mm) {
-    if (mm >= 1e6) return inDigits(mm / 1e6) + " km";
-    if (mm >= 1000) return inDigits(mm / 1000) + " m";
-    if (mm >= 10) return inDigits(mm / 10) + " cm";
-    return mm < 0.1 ? inDigits(mm * 1000) + " µm" : inDigits(mm) + " mm";
-}
-
 SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
                          const Eigen::Vector3d& object_size, const SheetOptions& options,
                          Sheet& sheet) {
     SheetGroup group{"sheet", "Sheet", {}};
-    if (options.has_view_names && views.size() > 1)
-        group.layers.push_back(viewNames(views, layout));
+    if (!options.has_furniture) return group;
+    if (views.size() > 1) group.layers.push_back(viewNames(views, layout));
     const double bottom = layout.size.y() - sheet_margin;
     double right = layout.size.x() - sheet_margin;
-    if (options.has_scale_bar && layout.scale > 0) {
+    if (layout.scale > 0) {
         SheetLayer layer{"scale", "Scale", {}, {}};
         right = addScaleBar({right, bottom}, layout.scale, layer) - strip_gap;
         if (showsSides(views)) {
@@ -219,10 +222,9 @@ SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout&
         }
         group.layers.push_back(std::move(layer));
     }
-    if (options.has_notes)
-        group.layers.push_back(notes({sheet_margin, bottom}, right - sheet_margin,
-                                     noteOf(views, layout, object_size, options, sheet.kernel),
-                                     options.title, sheet.remarks));
+    group.layers.push_back(notes({sheet_margin, bottom}, right - sheet_margin,
+                                 noteOf(views, layout, object_size, options, sheet.kernel),
+                                 options.title, sheet.remarks));
     return group;
 }
 

@@ -166,6 +166,12 @@ double place(Bands& bands, double start, double scale, double gap) {
     return end;
 }
 
+/// No view has a scale.
+bool areInPerspective(const std::vector<DrawnView>& views) {
+    return std::all_of(views.begin(), views.end(),
+                       [](const DrawnView& view) { return view.frame.eye.has_value(); });
+}
+
 class Layout {
 public:
     Layout(const std::vector<DrawnView>& views, const SheetOptions& options,
@@ -176,7 +182,7 @@ public:
             const Vector2d room = roomOfMarks(views[i]);
             Band& column = columns_[cells_[i].column];
             column.hold(-box.min().x(), box.max().x(), room.x());
-            if (options.has_view_names && views.size() > 1)
+            if (options.has_furniture && views.size() > 1)
                 column.name = std::max(
                     column.name, widthInAnyFont(nameOf(views[i].frame, !areInPerspective(views)),
                                                 view_name_height));
@@ -186,7 +192,7 @@ public:
 
     /// Without furniture.
     Vector2d sizeAt(double scale) {
-        const double below = options_.has_view_names ? 2 * view_name_height : 0;
+        const double below = options_.has_furniture ? 2 * view_name_height : 0;
         return {place(columns_, 0, scale, view_gap),
                 place(rows_, 0, scale, view_gap + below) + below};
     }
@@ -328,11 +334,6 @@ std::vector<const char*> paperNames() {
     for (const Paper& paper : papers)
         names.push_back(paper.name);
     return names;
-}
-
-bool areInPerspective(const std::vector<DrawnView>& views) {
-    return std::all_of(views.begin(), views.end(),
-                       [](const DrawnView& view) { return view.frame.eye.has_value(); });
 }
 
 SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {

@@ -17,9 +17,6 @@ struct SheetLayout {
     std::vector<Eigen::AlignedBox2d> places;  ///< of the views' surfaces, mm
 };
 
-/// No view has a scale.
-bool areInPerspective(const std::vector<DrawnView>& views);
-
 /// Rows and columns around the front view, so that equal heights of the object line up; other
 /// directions in rows below. @throws laplacian_lines::Error(InvalidOption) if there is no such
 /// paper or the views do not fit
@@ -39,13 +36,8 @@ std::string nameOf(const ViewFrame& frame, bool beside_scale);
 /// Of a text in the widest usual font, mm: SVG has the reader's.
 double widthInAnyFont(const std::string& text, double height);
 
-/// The longest usual length, 1, 2 or 5 times a power of ten, drawn at most `most` long; in the
-/// object's mm.
-double barLength(double scale, double most);
 /// The text, or its beginning and "…".
 std::string elided(const std::string& text, double height, double width);
-/// "5 cm" for 50.
-std::string lengthInWords(double mm);
 
 /// `number` counts views from 1; `surface_place` is the surface's on the sheet. Thin lines come
 /// first, outlines lie over them.

@@ -6,7 +6,6 @@
 #include "line_drawing/words.h"
 #include "planes/cutting.h"
 #include "sections/section_marks.h"
-#include "strokes/line_easing.h"
 #include "strokes/strokes.h"
 
 namespace line_drawing {

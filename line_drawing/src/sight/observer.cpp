@@ -2,6 +2,7 @@
 #include "sight/observer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/words.h"
@@ -13,6 +14,7 @@
 
 namespace line_drawing {
 
+using Eigen::Vector2d;
 using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
@@ -30,42 +32,171 @@ laplacian_lines::SightOptions sightOf(const SheetOptions& options) {
             options.hidden != HiddenLines::LeftOut, true};
 }
 
+TriangleMesh joinedMesh(const Objects& objects) {
+    TriangleMesh all;
+    for (const Object& object : objects) {
+        const auto first = std::uint32_t(all.positions.size());
+        all.positions.insert(all.positions.end(), object.mesh.positions.begin(),
+                             object.mesh.positions.end());
+        for (const laplacian_lines::Triangle& t : object.mesh.triangles)
+            all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    return all;
+}
+
+constexpr double most_pixels = 4096;  // along a side
+constexpr int reach = 2;              // pixels
+
+class Mask {
+public:
+    Mask(const Eigen::AlignedBox2d& box, double pixel)
+        : pixel_(std::max(pixel, box.sizes().maxCoeff() / most_pixels)),
+          low_(box.min() - Vector2d::Constant((reach + 1) * pixel_)),
+          width_(std::size_t(std::ceil(box.sizes().x() / pixel_)) + 2 * reach + 3),
+          height_(std::size_t(std::ceil(box.sizes().y() / pixel_)) + 2 * reach + 3),
+          is_set_(width_ * height_) {}
+
+    Vector2d inPixels(const Vector2d& p) const { return (p - low_) / pixel_; }
+    Vector2d middleOf(std::size_t x, std::size_t y) const {
+        return low_ + pixel_ * Vector2d(double(x) + 0.5, double(y) + 0.5);
+    }
+    std::size_t width() const { return width_; }
+    std::size_t height() const { return height_; }
+    bool isSet(std::size_t x, std::size_t y) const { return is_set_[y * width_ + x] != 0; }
+
+    void clear() { std::fill(is_set_.begin(), is_set_.end(), 0); }
+
+    void fill(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
+        const double low = std::min({a.y(), b.y(), c.y()}), high = std::max({a.y(), b.y(), c.y()});
+        for (double y = std::ceil(low - 0.5); y + 0.5 <= high; ++y) {
+            double begin = INFINITY, end = -INFINITY;
+            for (const auto& [from, to] :
+                 {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
+                if ((from->y() <= y + 0.5) == (to->y() <= y + 0.5)) continue;
+                const double t = (y + 0.5 - from->y()) / (to->y() - from->y());
+                const double x = from->x() + t * (to->x() - from->x());
+                begin = std::min(begin, x);
+                end = std::max(end, x);
+            }
+            for (double x = std::max(0., std::ceil(begin - 0.5)); x + 0.5 <= end; ++x)
+                set(x, y);
+        }
+    }
+
+    void draw(const Vector2d& from, const Vector2d& to) {
+        const double steps = std::max(1., std::ceil((to - from).norm()));
+        for (double i = 0; i <= steps; ++i) {
+            const Vector2d p = from + i / steps * (to - from);
+            for (int dy = -reach; dy <= reach; ++dy)
+                for (int dx = -reach; dx <= reach; ++dx)
+                    set(std::floor(p.x()) + dx, std::floor(p.y()) + dy);
+        }
+    }
+
+private:
+    void set(double x, double y) {
+        if (x >= 0 && y >= 0 && x < double(width_) && y < double(height_))
+            is_set_[std::size_t(y) * width_ + std::size_t(x)] = 1;
+    }
+
+    const double pixel_;
+    const Vector2d low_;
+    const std::size_t width_, height_;
+    std::vector<char> is_set_;
+};
+
+Mask coverOf(const TriangleMesh& mesh, const Projection& projection, double unit,
+             const Eigen::AlignedBox2d& bounds, double pixel) {
+    Mask cover(bounds.isEmpty() ? Eigen::AlignedBox2d(Vector2d(0, 0)) : bounds, pixel);
+    std::vector<Vector2d> places;  // in pixels; not finite where vertices are not
+    places.reserve(mesh.positions.size());
+    for (const Eigen::Vector3d& p : mesh.positions)
+        places.push_back(cover.inPixels(unit * projection(p)));
+    for (const laplacian_lines::Triangle& t : mesh.triangles) {
+        const Vector2d &a = places[t[0]], &b = places[t[1]], &c = places[t[2]];
+        if (std::isfinite(a.sum() + b.sum() + c.sum())) cover.fill(a, b, c);
+    }
+    return cover;
+}
+
+bool isAtBorder(const Mask& cover, std::size_t x, std::size_t y) {
+    return cover.isSet(x, y) && (!cover.isSet(x - 1, y) || !cover.isSet(x + 1, y) ||
+                                 !cover.isSet(x, y - 1) || !cover.isSet(x, y + 1));
+}
+
+/// Checks a view's outlines by independent means: fills its triangles in pixels of this size, mm of
+/// the object. Returns the middles of border pixels without an outline within two pixels. `bounds`
+/// are the surface's in the view.
+std::vector<Vector2d> borderWithoutOutline(const TriangleMesh& mesh, const Projection& projection,
+                                           double unit, const Eigen::AlignedBox2d& bounds,
+                                           const std::vector<DrawnLine>& lines, double pixel) {
+    const Mask cover = coverOf(mesh, projection, unit, bounds, pixel);
+    Mask outlines = cover;
+    outlines.clear();
+    for (const DrawnLine& line : lines)
+        if (line.line_class == LineClass::Outline)
+            for (std::size_t i = 1; i < line.points.size(); ++i)
+                outlines.draw(outlines.inPixels(line.points[i - 1].position),
+                              outlines.inPixels(line.points[i].position));
+    std::vector<Vector2d> missing;
+    for (std::size_t y = 1; y + 1 < cover.height(); ++y)
+        for (std::size_t x = 1; x + 1 < cover.width(); ++x)
+            if (isAtBorder(cover, x, y) && !outlines.isSet(x, y))
+                missing.push_back(cover.middleOf(x, y));
+    return missing;
+}
+
+/// Segments within two pixels of these places, as outlines.
+std::vector<DrawnLine> linesAt(const std::vector<Vector2d>& places,
+                               const std::vector<DrawnLine>& lines, double pixel) {
+    std::vector<DrawnLine> found;
+    for (const DrawnLine& line : lines)
+        for (std::size_t i = 1; i < line.points.size(); ++i) {
+            const Vector2d &a = line.points[i - 1].position, &b = line.points[i].position;
+            const double squared = (b - a).squaredNorm();
+            const auto is_near = [&](const Vector2d& p) {
+                const double t = squared > 0 ? std::clamp((b - a).dot(p - a) / squared, 0., 1.) : 0;
+                return (a + t * (b - a) - p).norm() <= (reach + 1) * pixel;
+            };
+            if (std::any_of(places.begin(), places.end(), is_near))
+                found.push_back({LineClass::Outline, false, {{a}, {b}}});
+        }
+    return found;
+}
+
 }  // namespace
 
-DrawnView standBefore(const TriangleMesh& surface, const Eigen::AlignedBox3d& bounds,
-                      const ViewFrame& frame, const SheetOptions& options) {
-    const double unit = options.mm_per_unit;
-    const Eigen::AlignedBox2d flat = Projection(frame, bounds.center()).boundsOf(surface);
-    if (frame.eye && flat.isEmpty())
-        refuse("All of the object is behind the eye of a view in perspective.");
-    DrawnView drawn{frame, {unit * flat.min(), unit * flat.max()}};
-    drawn.marks = marksOf(frame, options, bounds);
-    return drawn;
-}
-
-DrawnView standBefore(const TriangleMesh& surface, const Eigen::AlignedBox3d& bounds,
-                      const Section& section, const SheetOptions& options) {
-    DrawnView drawn = standBefore(surface, bounds, frameOfSection(section, options.up), options);
-    drawn.is_section = true;
-    drawn.marks.clear();
-    return drawn;
-}
-
 Observer::Observer(const Objects& objects)
-    : objects_(objects), surface_(objects), box_(boundsOf(surface_.mesh())) {
-    for (const laplacian_lines::Triangle& t : surface_.mesh().triangles)
+    : objects_(objects),
+      joined_(objects.size() == 1 ? TriangleMesh() : joinedMesh(objects)),
+      surface_(objects.size() == 1 ? objects.front().mesh : joined_),
+      box_(boundsOf(surface_)) {
+    for (const laplacian_lines::Triangle& t : surface_.triangles)
         for (const std::uint32_t v : t)
-            if (v >= surface_.mesh().positions.size())
+            if (v >= surface_.positions.size())
                 throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidMesh,
                                              "A triangle names a vertex that is not there.");
 }
 
-DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) const {
-    return standBefore(surface_.mesh(), box_, frame, options);
+void Observer::prepareCuts() {
+    if (cuttable_.empty())
+        for (const Object& object : objects_)
+            cuttable_.emplace_back(object.mesh);
+}
+
+DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) {
+    if (frame.is_half_section) prepareCuts();
+    const double unit = options.mm_per_unit;
+    const Eigen::AlignedBox2d flat = Projection(frame, box_.center()).boundsOf(surface_);
+    if (frame.eye && flat.isEmpty())
+        refuse("All of the object is behind the eye of a view in perspective.");
+    DrawnView drawn{frame, {unit * flat.min(), unit * flat.max()}};
+    drawn.marks = marksOf(frame, options, box_);
+    return drawn;
 }
 
 void Observer::prepare(const std::vector<SheetOptions>& sheets, const Progress& progress) {
-    visibility_.emplace(surface_.mesh(), progress);
+    visibility_.emplace(surface_, progress);
     const bool are_alone = std::any_of(sheets.begin(), sheets.end(), [](const SheetOptions& o) {
         return o.area == OutlineArea::Objects;
     });
@@ -77,12 +208,6 @@ laplacian_lines::View Observer::viewOf(const DrawnView& drawn, const SheetOption
     laplacian_lines::View view = Projection(drawn.frame, box_.center()).view();
     if (options.light) view.light = inMesh(*options.light, drawn.frame);
     return view;
-}
-
-std::vector<laplacian_lines::LineSet> Observer::linesOf(const DrawnView& drawn,
-                                                        const SheetOptions& options,
-                                                        ObjectLines& lines) const {
-    return lines.extract(viewOf(drawn, options), options.style);
 }
 
 void Observer::look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
@@ -118,17 +243,17 @@ std::vector<DrawnLine> Observer::draw(const SightLines& lines, const ViewFrame& 
 void Observer::lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
                         const std::vector<laplacian_lines::LineSet>& lines,
                         const SheetOptions& options, const Progress& progress) const {
-    const HalfSection half(objects_, surface_.mesh(), drawn.frame);
+    const HalfSection half(surface_, drawn.frame);
     half.expectVessel();
     drawn.note = half.words();
-    const laplacian_lines::LineVisibility visibility(clip(surface_.mesh(), half.behind()),
+    const laplacian_lines::LineVisibility visibility(clip(surface_, half.behind()),
                                                      part(progress, 0, 0.3));
     const SightLines inside = visibility.look(view, clipEach(lines, half.behind()),
                                               sightOf(options), part(progress, 0.3, 0.6));
     drawn.lines = draw(clip(inside, half.left()), drawn.frame, options);
     for (DrawnLine& line : drawn.lines)  // the outline of this half is the section's
         if (line.line_class == LineClass::Outline) line.line_class = LineClass::Contour;
-    half.draw(drawn, box_.center(), options.mm_per_unit);
+    half.draw(drawn, cuttable_, box_.center(), options.mm_per_unit);
     const SightLines all = visibility_->look(view, lines, sightOf(options), part(progress, 0.6, 1));
     const std::vector<DrawnLine> outside = draw(clip(all, half.right()), drawn.frame, options);
     drawn.lines.insert(drawn.lines.end(), outside.begin(), outside.end());
@@ -141,7 +266,7 @@ double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, do
         !shows[laplacian_lines::LineKind::Contour] || !shows[laplacian_lines::LineKind::Border])
         return 0;
     const Projection projection(drawn.frame, box_.center());
-    const auto missing = borderWithoutOutline(surface_.mesh(), projection, options.mm_per_unit,
+    const auto missing = borderWithoutOutline(surface_, projection, options.mm_per_unit,
                                               drawn.bounds, drawn.lines, pixel);
     if (missing.empty()) return 0;
     laplacian_lines::SightOptions all = sightOf(options);
@@ -152,13 +277,16 @@ double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, do
     return pixel * double(missing.size());
 }
 
-DrawnView Observer::cut(const Section& section, const SheetOptions& options) const {
-    DrawnView drawn = standBefore(surface_.mesh(), box_, section, options);
+DrawnView Observer::cut(const Section& section, const SheetOptions& options) {
+    prepareCuts();
+    DrawnView drawn = stand(frameOfSection(section, options.up), options);
+    drawn.is_section = true;
+    drawn.marks.clear();
     const Projection projection(drawn.frame, box_.center());
     std::vector<CutObject> objects;
-    for (const Object& object : objects_) {
+    for (const CuttableMesh& object : cuttable_) {
         CutObject parts;
-        for (const Cut& cut : cutMesh(object.mesh, section.axis, placeOnAxis(section, box_))) {
+        for (const Cut& cut : object.cut(section.axis, placeOnAxis(section, box_))) {
             parts.lines.push_back(project(cut, projection, options.mm_per_unit));
             if (parts.lines.back().closed) parts.wall.push_back(positionsOf(parts.lines.back()));
         }

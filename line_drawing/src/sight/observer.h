@@ -7,22 +7,11 @@
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
+#include "line_drawing/object.h"
 #include "line_drawing/sheet_options.h"
-#include "sight/object_lines.h"
 #include "views/drawn_view.h"
-#include "views/joined_surface.h"
-#include "views/projection.h"
 
 namespace line_drawing {
-
-/// A view without its lines.
-DrawnView standBefore(const laplacian_lines::TriangleMesh& surface,
-                      const Eigen::AlignedBox3d& bounds, const ViewFrame& frame,
-                      const SheetOptions& options);
-/// A section without its cut.
-DrawnView standBefore(const laplacian_lines::TriangleMesh& surface,
-                      const Eigen::AlignedBox3d& bounds, const Section& section,
-                      const SheetOptions& options);
 
 /// Looks at objects, which outlive it.
 class Observer {
@@ -30,27 +19,28 @@ public:
     /// @throws laplacian_lines::Error(InvalidMesh)
     explicit Observer(const Objects& objects);
 
-    DrawnView stand(const ViewFrame& frame, const SheetOptions& options) const;
-    /// Lines within faces, by object, before anything hides them.
-    std::vector<laplacian_lines::LineSet> linesOf(const DrawnView& drawn,
-                                                  const SheetOptions& options,
-                                                  ObjectLines& lines) const;
+    Observer(const Observer&) = delete;
+    Observer& operator=(const Observer&) = delete;
+
+    /// A view without its lines.
+    DrawnView stand(const ViewFrame& frame, const SheetOptions& options);
+    /// What a section cuts, without what is behind it.
+    DrawnView cut(const Section& section, const SheetOptions& options);
+    laplacian_lines::View viewOf(const DrawnView& drawn, const SheetOptions& options) const;
     /// Call before look(). @throws laplacian_lines::Error(Cancelled)
     void prepare(const std::vector<SheetOptions>& sheets,
                  const laplacian_lines::Progress& progress);
-    /// Adds what is seen of mesh edges and of linesOf(). Thread-safe for different views, like the
-    /// functions below.
+    /// Adds what is seen of mesh edges and of `lines` within faces, by object. Thread-safe for
+    /// different views, like the functions below.
     void look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
               const SheetOptions& options, const laplacian_lines::Progress& progress) const;
     /// Compares outlines with the pixels that the surface covers, of this size in mm of the object,
     /// and adds missing lines. Returns their length in mm.
     double checkOutlines(DrawnView& drawn, const SheetOptions& options, double pixel) const;
-    /// What a section cuts, without what is behind it.
-    DrawnView cut(const Section& section, const SheetOptions& options) const;
     /// Mesh units.
     Eigen::Vector3d objectSize() const { return box_.sizes(); }
     Eigen::Vector3d middle() const { return box_.center(); }  ///< of the objects' box
-    std::size_t triangleCount() const { return surface_.mesh().triangles.size(); }
+    std::size_t triangleCount() const { return surface_.triangles.size(); }
 
 private:
     using SightLines = std::vector<laplacian_lines::SightLine>;
@@ -59,29 +49,18 @@ private:
                   const std::vector<laplacian_lines::LineSet>& lines, const SheetOptions& options,
                   const laplacian_lines::Progress& progress) const;
 
-    laplacian_lines::View viewOf(const DrawnView& drawn, const SheetOptions& options) const;
+    void prepareCuts();
     void addSilhouettes(DrawnView& drawn, const SheetOptions& options) const;
     std::vector<DrawnLine> draw(const SightLines& lines, const ViewFrame& frame,
                                 const SheetOptions& options) const;
 
     const Objects objects_;
-    const JoinedSurface surface_;
+    const laplacian_lines::TriangleMesh joined_;  ///< empty of a single object, which is not copied
+    const laplacian_lines::TriangleMesh& surface_;  ///< all objects, which hide what is behind
     const Eigen::AlignedBox3d box_;
+    std::vector<CuttableMesh> cuttable_;  ///< objects, once any section wants them
     std::optional<const laplacian_lines::LineVisibility> visibility_;
     std::vector<laplacian_lines::LineVisibility> alone_;  ///< of each object, if wanted
 };
-
-/// Checks a view's outlines by independent means: fills its triangles in pixels of this size, mm of
-/// the object. Returns the middles of border pixels without an outline within two pixels. `bounds`
-/// are the surface's in the view.
-std::vector<Eigen::Vector2d> borderWithoutOutline(const laplacian_lines::TriangleMesh& mesh,
-                                                  const Projection& projection, double unit,
-                                                  const Eigen::AlignedBox2d& bounds,
-                                                  const std::vector<DrawnLine>& lines,
-                                                  double pixel);
-
-/// Segments within two pixels of these places, as outlines.
-std::vector<DrawnLine> linesAt(const std::vector<Eigen::Vector2d>& places,
-                               const std::vector<DrawnLine>& lines, double pixel);
 
 }  // namespace line_drawing

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "strokes/curve_fitting.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "strokes/refining.h"
+#include "strokes/strokes.h"
 
 namespace line_drawing {
 namespace {
@@ -178,8 +177,7 @@ Vector2d directionTo(const Points& points, bool closed, std::size_t i, int step,
     return way.norm() >= reach / 2 ? Vector2d(way.normalized()) : Vector2d(0, 0);
 }
 
-}  // namespace
-
+/// Where `points` turn by more than 25° within `reach`, without the ends of open lines.
 std::vector<std::size_t> findCorners(const Points& points, bool closed, double reach) {
     const std::size_t n = points.size();
     std::vector<double> turns(n, 1);  // cosines
@@ -201,6 +199,8 @@ std::vector<std::size_t> findCorners(const Points& points, bool closed, double r
     }
     return corners;
 }
+
+}  // namespace
 
 void fitCurve(const Points& given, bool closed, double tolerance, Path& path) {
     // So that curves near the points are near the line between them, too.

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+
+#include "laplacian_lines/precompute_options.h"
+#include "strokes/refining.h"
 
 namespace line_drawing {
 namespace {
@@ -21,6 +25,87 @@ Vector2d nearestTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p
 
 double distanceTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
     return (nearestTo(begin, end, p) - p).norm();
+}
+
+constexpr double farthest_next = 2;      // times the white: farther ones do not depend on the first
+constexpr double side_by_side = 0.7;     // of the longer one's length
+constexpr double least_strength = 0.75;  // of the first
+constexpr double kernel = laplacian_lines::kDrawnKernelWidths;  // pens
+constexpr double widest_gap = 4 * kernel;
+constexpr double unevenness = 0.25;    // of a gap's width
+constexpr double least_between = 0.8;  // of a line's length
+constexpr double least_beyond = 1 / 3.;
+
+template <class Visit>
+void forEachPiece(const DrawnLine& line, double step, Visit visit) {
+    const std::vector<Vector2d> points = refine(positionsOf(line), step);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Vector2d piece = points[i] - points[i - 1];
+        visit((points[i] + points[i - 1]) / 2, piece.normalized(), piece.norm());
+    }
+}
+
+Vector2d leftOf(const Vector2d& way) {
+    return {-way.y(), way.x()};
+}
+
+/// Between two lines in the same direction.
+struct Gap {
+    double width;
+    Vector2d way;
+    bool has_third;  ///< a line as far beyond one of them
+};
+
+std::optional<Gap> gapAt(const Vector2d& point, const Vector2d& way, const DrawnLines& kept,
+                         double pen) {
+    const Vector2d left = leftOf(way), right = -left;
+    const DrawnLines::Distances within = {0, widest_gap * pen};
+    const auto on_left = kept.nextOn(point, left, within);
+    const auto on_right = on_left ? kept.nextOn(point, right, within) : std::nullopt;
+    if (!on_right) return {};
+    const double width = (on_left->position - on_right->position).norm();
+    if (width > widest_gap * pen) return {};
+    const auto goes_on = [&](const DrawnLines::Neighbour& line, const Vector2d& side) {
+        return kept.nextOn(line.position, side,
+                           {(1 - unevenness) * width, (1 + unevenness) * width});
+    };
+    const double sign = on_left->way.dot(on_right->way) < 0 ? -1 : 1;
+    const Vector2d along = (on_left->way + sign * on_right->way).normalized();
+    return Gap{width, along.dot(way) < 0 ? Vector2d(-along) : along,
+               goes_on(*on_left, left) || goes_on(*on_right, right)};
+}
+
+/// How far a gap extends from a place in it, up to `most`.
+double lengthFrom(Vector2d point, Vector2d way, double width, double most, const DrawnLines& kept,
+                  double pen) {
+    const double step = kernel * pen / 2;
+    double length = 0;
+    for (; length < most; length += step) {
+        point += step * way;
+        const auto gap = gapAt(point, way, kept, pen);
+        if (!gap || std::abs(gap->width - width) > unevenness * width) break;
+        way = gap->way;
+    }
+    return length;
+}
+
+/// The nearest line beside this one that is not `done`.
+std::optional<std::size_t> nextBeside(const std::vector<DrawnLine>& lines, std::size_t i,
+                                      double sign, const DrawnLines& all, double white,
+                                      const std::vector<bool>& done) {
+    std::map<std::size_t, double> lengths;
+    forEachPiece(lines[i], white, [&](const Vector2d& middle, const Vector2d& way, double length) {
+        const auto next = all.nextOn(middle, sign * leftOf(way), {white, farthest_next * white},
+                                     [&](std::size_t line) { return done[line]; });
+        if (next) lengths[next->line] += length;
+    });
+    const auto longest = std::max_element(lengths.begin(), lengths.end(),
+                                          [](auto& a, auto& b) { return a.second < b.second; });
+    if (longest == lengths.end()) return {};
+    const double longer =
+        std::max(lengthOf(lines[i].points), lengthOf(lines[longest->first].points));
+    if (longest->second < side_by_side * longer) return {};
+    return longest->first;
 }
 
 }  // namespace
@@ -78,18 +163,17 @@ bool DrawnLines::isBeside(const Vector2d& point, double within) const {
     });
 }
 
-bool DrawnLines::isNear(const Vector2d& point, const Numbers& except, double within) const {
+bool DrawnLines::isNear(const Vector2d& point, std::size_t except, double within) const {
     return anyPieceNear(point, within, [&](const Piece& piece) {
-        return (piece.line < except.first || piece.line > except.last) &&
-               distanceTo(piece.begin, piece.end, point) <= within;
+        return piece.line != except && distanceTo(piece.begin, piece.end, point) <= within;
     });
 }
 
-std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, const Numbers& except,
+std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, std::size_t except,
                                                        double within) const {
     std::optional<Place> nearest;
     anyPieceNear(point, within, [&](const Piece& piece) {
-        if (piece.line >= except.first && piece.line <= except.last) return false;
+        if (piece.line == except) return false;
         const Vector2d place = nearestTo(piece.begin, piece.end, point);
         const double distance = (place - point).norm();
         if (distance > within) return false;
@@ -125,6 +209,46 @@ DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach) {
     for (std::size_t i = 0; i < lines.size(); ++i)
         all.add(positionsOf(lines[i]), i);
     return all;
+}
+
+void forEachByFamilies(const std::vector<DrawnLine>& lines, const std::vector<double>& strengths,
+                       double white, const std::function<bool(std::size_t)>& keep) {
+    const DrawnLines all = allOf(lines, farthest_next * white);
+    std::vector<bool> done(lines.size(), false);
+    for (std::size_t first = 0; first < lines.size(); ++first)
+        for (std::vector<std::size_t> next = {first}; !next.empty();) {
+            const std::size_t i = next.back();
+            next.pop_back();
+            if (done[i]) continue;
+            done[i] = true;
+            if (!keep(i)) continue;
+            for (const double sign : {-1., 1.}) {
+                const auto beside = nextBeside(lines, i, sign, all, white, done);
+                if (beside && strengths[*beside] >= least_strength * strengths[first])
+                    next.push_back(*beside);
+            }
+        }
+}
+
+bool isBetweenFolds(const DrawnLine& line, const DrawnLines& kept, double pen) {
+    if (line.closed || line.points.size() < 2) return false;
+    double length = 0, between = 0, third = 0, width = 0;
+    forEachPiece(line, kernel * pen,
+                 [&](const Vector2d& middle, const Vector2d& way, double piece) {
+                     length += piece;
+                     const auto gap = gapAt(middle, way, kept, pen);
+                     if (!gap) return;
+                     between += piece;
+                     width += piece * gap->width;
+                     if (gap->has_third) third += piece;
+                 });
+    if (between < least_between * length || third < between / 2) return false;
+    double beyond = 0;
+    for (const bool is_last : {false, true})
+        beyond += lengthFrom((is_last ? line.points.back() : line.points.front()).position,
+                             outwardsAt(line.points, is_last, kernel * pen), width / between,
+                             length, kept, pen);
+    return beyond > least_beyond * length;
 }
 
 }  // namespace line_drawing

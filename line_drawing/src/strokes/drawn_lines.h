@@ -33,20 +33,14 @@ public:
     /// Whether `point` is this near beside a line in any direction, not beyond its end.
     bool isBeside(const Eigen::Vector2d& point, double within) const;
 
-    /// A range of lines.
-    struct Numbers {
-        Numbers(std::size_t one) : first(one), last(one) {}
-        Numbers(std::size_t from, std::size_t to) : first(from), last(to) {}
-        std::size_t first, last;
-    };
-    /// Whether any but these is this near.
-    bool isNear(const Eigen::Vector2d& point, const Numbers& except, double within) const;
-    /// The nearest place on a line without these numbers, and its number.
+    /// Whether any but that one is this near.
+    bool isNear(const Eigen::Vector2d& point, std::size_t except, double within) const;
+    /// The nearest place on any but that one, and its line.
     struct Place {
         Eigen::Vector2d position;
         std::size_t line;
     };
-    std::optional<Place> nearestOn(const Eigen::Vector2d& point, const Numbers& except,
+    std::optional<Place> nearestOn(const Eigen::Vector2d& point, std::size_t except,
                                    double within) const;
 
     /// The nearest line on the side where the unit vector `side` points, within 20°, that runs
@@ -80,5 +74,17 @@ private:
 };
 
 DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach);
+
+/// Calls `keep` once with the number of each line; it returns whether the line is drawn whole. In
+/// order of `strengths`, largest first, but a drawn line is followed by its nearest neighbour to
+/// each side beyond `white`, mm between middles, that is nearly as long and at least three quarters
+/// as strong as the first: so every second or third of close folds is drawn.
+void forEachByFamilies(const std::vector<DrawnLine>& lines, const std::vector<double>& strengths,
+                       double white, const std::function<bool(std::size_t)>& keep);
+
+/// Whether a line stands in the middle of three evenly spaced folds that go on side by side beyond
+/// its ends, for a third of its length, with nothing between them. Folds less than four √h apart
+/// are even anyway. `kept`: drawn lines; `pen` of inner lines, mm.
+bool isBetweenFolds(const DrawnLine& line, const DrawnLines& kept, double pen);
 
 }  // namespace line_drawing

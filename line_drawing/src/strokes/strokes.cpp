@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "strokes/curve_fitting.h"
-
 namespace line_drawing {
 namespace {
 

@@ -61,6 +61,20 @@ std::vector<MetEnd> joinEnds(std::vector<DrawnLine>& lines, double pen);
 /// Moves ends with the line they met, if that has moved by less than a pen.
 void followMet(const std::vector<MetEnd>& ends, double pen, std::vector<DrawnLine>& lines);
 
+/// Smooths the triangles' edges out of contours of curved surfaces: between exact points lines bend
+/// as little as they can within `reach`, on the sheet, and lines that end at them follow.
+/// Afterwards all points of contours are eased.
+void easeLines(std::vector<DrawnLine>& lines, double reach);
+
+/// The same for inner lines as drawn; what continues them stays.
+void easeInnerLines(std::vector<DrawnLine>& lines, double reach);
+
+/// Appends cubic Bézier curves to `path`, after a moveTo(), that pass within `tolerance` of all
+/// points, with corners where the points turn sharply. A closed line repeats its first point. P. J.
+/// Schneider, "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems (1990).
+void fitCurve(const std::vector<Eigen::Vector2d>& points, bool closed, double tolerance,
+              Path& path);
+
 /// In the sheet's coordinates; none if the line is too short or too thin.
 std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& options);
 

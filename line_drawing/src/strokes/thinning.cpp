@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "strokes/drawn_lines.h"
-#include "strokes/families.h"
 #include "strokes/refining.h"
 
 namespace line_drawing {

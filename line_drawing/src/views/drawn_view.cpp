@@ -8,11 +8,15 @@
 namespace line_drawing {
 namespace {
 
+using Eigen::Vector2d;
+using Eigen::Vector3d;
 using laplacian_lines::LineKind;
 using laplacian_lines::SightLine;
 using laplacian_lines::SightPoint;
 using laplacian_lines::TriangleMesh;
 
+/// Half width of a perspective view at distance 1: 60 degrees.
+constexpr double tangent_of_sight = 1.7320508075688772;
 constexpr double faintest_inner_line = 0.5;  // mean share of the full width
 
 double widthOf(const SightPoint& point) {
@@ -37,8 +41,65 @@ LineClass classOf(const SightLine& line) {
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line) {
-    std::vector<Eigen::Vector2d> positions;
+Projection::Projection(const ViewFrame& frame, const Vector3d& middle)
+    : frame_(frame), origin_(frame.eye.value_or(middle)) {
+    if (!frame.eye) return;
+    const Vector3d ray = middle - origin_;
+    distance_ = depth(middle) > 0 ? depth(middle) : ray.norm();
+    if (depth(middle) > 0) middle_ = {frame.right.dot(ray), frame.up.dot(ray)};
+}
+
+double Projection::depth(const Vector3d& p) const {
+    return -frame_.towards_viewer.dot(p - origin_);
+}
+
+Vector2d Projection::operator()(const Vector3d& p) const {
+    const Vector2d flat(frame_.right.dot(p - origin_), frame_.up.dot(p - origin_));
+    return frame_.eye ? Vector2d(distance_ / depth(p) * flat - middle_) : flat;
+}
+
+Eigen::AlignedBox2d Projection::boundsOf(const TriangleMesh& mesh) const {
+    const Vector2d reach = Vector2d::Constant(tangent_of_sight * distance_);
+    Eigen::AlignedBox2d box;
+    bool is_ahead = false;
+    const auto extend = [&](const Vector3d& p) {
+        is_ahead |= !frame_.eye || depth(p) > 0;
+        if (!frame_.eye) {
+            box.extend((*this)(p));
+        } else if (depth(p) > 0) {
+            const Vector2d ahead = (*this)(p) + middle_;
+            box.extend(ahead.cwiseMax(-reach).cwiseMin(reach) - middle_);
+        } else {  // its triangle may reach anywhere
+            box.extend(reach - middle_);
+            box.extend(-reach - middle_);
+        }
+    };
+    std::vector<char> is_used(mesh.positions.size());
+    for (const laplacian_lines::Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t)
+            if (v < is_used.size()) is_used[v] = 1;
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+        if (is_used[v] && mesh.positions[v].allFinite()) extend(mesh.positions[v]);
+    return is_ahead ? box : Eigen::AlignedBox2d();
+}
+
+std::vector<SightLine> Projection::inSight(std::vector<SightLine> lines) const {
+    if (!frame_.eye) return lines;
+    for (const Vector3d& aside :
+         {frame_.right, frame_.up, Vector3d(-frame_.right), Vector3d(-frame_.up)}) {
+        const Vector3d normal = -tangent_of_sight * frame_.towards_viewer - aside;
+        lines = clip(lines, {normal, normal.dot(origin_)});
+    }
+    return lines;
+}
+
+laplacian_lines::View Projection::view() const {
+    return frame_.eye ? laplacian_lines::View::perspective(*frame_.eye)
+                      : laplacian_lines::View::orthographic(frame_.towards_viewer);
+}
+
+std::vector<Vector2d> positionsOf(const DrawnLine& line) {
+    std::vector<Vector2d> positions;
     for (const DrawnPoint& point : line.points)
         positions.push_back(point.position);
     return positions;
@@ -51,8 +112,8 @@ double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin) {
     return length;
 }
 
-Eigen::Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, double reach) {
-    const auto at = [&](std::size_t k) -> const Eigen::Vector2d& {
+Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, double reach) {
+    const auto at = [&](std::size_t k) -> const Vector2d& {
         return points[is_last ? points.size() - 1 - k : k].position;
     };
     std::size_t k = 1;
@@ -61,12 +122,11 @@ Eigen::Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, 
     return (at(0) - at(k)).stableNormalized();
 }
 
-void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Eigen::Vector2d& shift,
-              double reach) {
+void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Vector2d& shift, double reach) {
     double length = 0;
     for (std::size_t k = 0; k < points.size() && length < reach; ++k) {
         const std::size_t i = is_last ? points.size() - 1 - k : k;
-        const Eigen::Vector2d before = points[i].position;
+        const Vector2d before = points[i].position;
         points[i].position += (1 - length / reach) * shift;
         if (k + 1 < points.size())
             length += (points[is_last ? i - 1 : i + 1].position - before).norm();
@@ -102,11 +162,10 @@ Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {
         [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) { return a.merged(b); });
 }
 
-DrawnLine project(const std::vector<Eigen::Vector3d>& section, const Projection& projection,
-                  double unit) {
+DrawnLine project(const std::vector<Vector3d>& section, const Projection& projection, double unit) {
     DrawnLine drawn{
         LineClass::Section, section.size() > 3 && section.front() == section.back(), {}};
-    for (const Eigen::Vector3d& p : section)
+    for (const Vector3d& p : section)
         drawn.points.push_back({unit * projection(p), 1});
     return drawn;
 }

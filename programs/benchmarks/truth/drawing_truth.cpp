@@ -10,10 +10,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "flat_drawing.h"
-#include "item_buffer.h"
-#include "part_file.h"
-#include "truth_scores.h"
+#include "truth_measures.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "flat_drawing.h"
+#include "truth_measures.h"
 
 #include <Eigen/Geometry>
 
@@ -22,7 +22,7 @@ line_drawing::SheetOptions options_of(const ViewFrame& frame) {
     options.scale = 1;
     options.paper = "fit";
     options.strokes = line_drawing::StrokeStyle::Plain;
-    options.has_view_names = options.has_scale_bar = options.has_notes = false;
+    options.has_furniture = false;
     options.style.shows = {};
     for (const LineKind kind : {LineKind::Contour, LineKind::Border, LineKind::Crease})
         options.style.shows[kind] = true;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "item_buffer.h"
+#include "truth_measures.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <utility>
-
-#include "flat_drawing.h"
 
 namespace benchmarks {
 namespace {

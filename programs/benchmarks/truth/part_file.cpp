@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "part_file.h"
+#include "truth_measures.h"
 
-#include <QByteArray>
+#include <zlib.h>
+
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -11,10 +12,24 @@
 namespace benchmarks {
 namespace {
 
+/// Packed bytes begin with the length of what they hold, its highest byte first.
+std::string unpacked(const std::string& packed) {
+    constexpr std::size_t head = 4, most_growth = 1032;
+    uLongf size = 0;
+    for (const char c : packed.substr(0, head))
+        size = size << 8 | static_cast<unsigned char>(c);
+    if (packed.size() < head || size > most_growth * packed.size()) return {};
+    std::string bytes(size, '\0');
+    const int code = uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                                reinterpret_cast<const Bytef*>(packed.data() + head),
+                                uLong(packed.size() - head));
+    return code == Z_OK ? bytes : std::string();
+}
+
 /// Of processors whose lowest byte comes first.
 class PartReader {
 public:
-    explicit PartReader(const QByteArray& bytes) : bytes_(bytes) {}
+    explicit PartReader(std::string bytes) : bytes_(std::move(bytes)) {}
 
     CadPart read() {
         if (text(8) != "LLTRUTH1") throw std::runtime_error("it is no file of a part");
@@ -26,10 +41,9 @@ public:
 
 private:
     std::string text(std::size_t size) {
-        if (size > std::size_t(bytes_.size()) - place_)
-            throw std::runtime_error("it ends too early");
+        if (size > bytes_.size() - place_) throw std::runtime_error("it ends too early");
         place_ += size;
-        return {bytes_.data() + place_ - size, size};
+        return bytes_.substr(place_ - size, size);
     }
     template <class Number>
     Number number() {
@@ -77,7 +91,7 @@ private:
         });
     }
 
-    const QByteArray bytes_;
+    const std::string bytes_;
     std::size_t place_ = 0;
 };
 
@@ -87,9 +101,7 @@ CadPart read_part(const std::string& name) {
     std::ifstream file(name, std::ios::binary);
     const std::string packed{std::istreambuf_iterator<char>(file), {}};
     try {
-        CadPart part = PartReader(qUncompress(reinterpret_cast<const uchar*>(packed.data()),
-                                              int(packed.size())))
-                           .read();
+        CadPart part = PartReader(unpacked(packed)).read();
         part.name = std::filesystem::path(name).stem().string();
         return part;
     } catch (const std::runtime_error& error) {

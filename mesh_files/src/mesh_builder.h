@@ -2,6 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
@@ -37,11 +39,11 @@ private:
     std::vector<std::size_t> ends_;       // in corners_, by face
 };
 
-/// Cuts ears (Meisters 1975) off a polygon in its plane; one that crosses itself is cut up somehow.
-/// One that is not planar, unless it has many corners, is cut into the triangles of least area.
-/// `work`, in looks at a corner, is what may still be spent; false if it ran out.
-bool triangulate(const std::vector<Eigen::Vector3d>& positions, const std::uint32_t* corners,
-                 std::size_t count, std::size_t& work,
-                 std::vector<laplacian_lines::Triangle>& triangles);
+// Feed the builder, and say in a part of a sentence what they skip. @throws Defect where the bytes
+// are malformed
+std::string read_ply(std::string_view bytes, MeshBuilder& mesh);
+std::string read_stl(std::string_view bytes, MeshBuilder& mesh);
+std::string read_obj(std::string_view bytes, MeshBuilder& mesh);
+std::string read_off(std::string_view bytes, MeshBuilder& mesh);
 
 }  // namespace mesh_files

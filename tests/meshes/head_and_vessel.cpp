@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "segmented_head.h"
+#include "generators.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -11,9 +12,9 @@
 namespace test_meshes {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3i;
-using laplacian_lines::TriangleMesh;
 
 /// `height` at the centre, times exp(-1/2) at its half axes.
 struct Blob {
@@ -164,6 +165,38 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> vertices_;  // by edge of the grid
 };
 
+constexpr double kTau = 6.283185307179586;
+
+constexpr double kHeight = 200, kWall = 6, kFoot = 5, kFloor = kFoot + kWall;  // mm
+
+double outer_radius(double height) {
+    return 70 + 20 * std::sin(kTau * height / 160 - 1.2);
+}
+
+/// `t`: 0..1, nearly as the way along it.
+Vector2d on_profile(double t) {
+    const double at = 560 * t;
+    if (at < 50) return {at / 50 * outer_radius(0), kFoot * (1 - std::pow(at / 50, 4))};
+    if (at < 280) return {outer_radius((at - 50) / 230 * kHeight), (at - 50) / 230 * kHeight};
+    if (at < 290) return {outer_radius(kHeight) - (at - 280) / 10 * kWall, kHeight};
+    if (at > 510) return {(560 - at) / 50 * (outer_radius(kFloor) - kWall), kFloor};
+    const double height = kHeight - (at - 290) / 220 * (kHeight - kFloor);
+    return {outer_radius(height) - kWall, height};
+}
+
+double bump(double x) {
+    return std::exp(-x * x / 2);
+}
+
+/// Relief, mm.
+double relief_at(const Vector2d& p, double angle, bool is_inside) {
+    if (is_inside) return p.x() > 20 ? 0.35 * std::sin(kTau * (p.y() / 9 + angle / kTau)) : 0;
+    if (p.y() < 90 || p.y() > 160) return 0;
+    const double wave = 137 + 4 * std::sin(10 * angle);
+    return -0.9 *
+           (bump((p.y() - 128) / 0.9) + bump((p.y() - 146) / 0.9) + bump((p.y() - wave) / 0.8));
+}
+
 }  // namespace
 
 TriangleMesh smooth_head(int size) {
@@ -172,6 +205,25 @@ TriangleMesh smooth_head(int size) {
 
 TriangleMesh terraced_head(int size) {
     return std::move(Cells(Volume(size, true)).mesh);
+}
+
+std::vector<Vector2d> vessel_profile(int points) {
+    std::vector<Vector2d> profile;
+    for (int i = 0; i < points; ++i)
+        profile.push_back(on_profile(double(i) / (points - 1)));
+    return profile;
+}
+
+TriangleMesh thrown_vessel(const VesselShape& shape) {
+    const std::vector<Vector2d> profile = vessel_profile(shape.rings);
+    const auto rim = std::max_element(profile.begin(), profile.end(),
+                                      [](auto& a, auto& b) { return a.y() < b.y(); });
+    return grid_mesh({shape.columns, shape.rings - 1, true, false}, [&](double u, double v) {
+        const auto ring = profile.begin() + std::lround(v * (shape.rings - 1));
+        const double angle = -kTau * u;
+        const double radius = ring->x() + shape.relief * relief_at(*ring, angle, ring > rim);
+        return Eigen::Vector3d(radius * std::cos(angle), ring->y(), radius * std::sin(angle));
+    });
 }
 
 }  // namespace test_meshes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "polygons.h"
+#include "mesh_builder.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -172,8 +172,9 @@ private:
     std::vector<std::size_t> next_, before_, reflex_;
 };
 
-}  // namespace
-
+/// Cuts ears (Meisters 1975) off a polygon in its plane; one that crosses itself is cut up somehow.
+/// One that is not planar, unless it has many corners, is cut into the triangles of least area.
+/// `work`, in looks at a corner, is what may still be spent; false if it ran out.
 bool triangulate(const std::vector<Vector3d>& positions, const std::uint32_t* corners,
                  std::size_t count, std::size_t& work, std::vector<Triangle>& triangles) {
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -195,6 +196,8 @@ bool triangulate(const std::vector<Vector3d>& positions, const std::uint32_t* co
     LeastArea(polygon, normal).cut(0, count - 1, add);
     return true;
 }
+
+}  // namespace
 
 std::uint32_t MeshBuilder::vertex(std::int64_t number) const {
     constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
