@@ -14,7 +14,7 @@ from environment.build import CHECKOUT, build_folder, build_targets, ctest, proc
 from environment.files import cache_folder
 from environment.messages import Failure, output, quietly, run, run_together, say
 
-PACKAGES = "clang libclang-rt-dev llvm cppcheck shellcheck python3-pyflakes".split()
+PACKAGES = "clang libclang-rt-dev llvm cppcheck git shellcheck python3-pyflakes".split()
 LEAST_COVERAGE = 97  # percent of the core's lines
 # Under sanitizers these take minutes: accuracy, many meshes, triangles, options or threads. Others run the same code.
 SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Large* *KindsOnSurface* *ClosedOutlines* EndlessSum.* Determinism.*

@@ -40,11 +40,19 @@ def processors():
     return len(os.sched_getaffinity(0))
 
 
+def compiling(checkout=CHECKOUT, **environment):
+    """The environment in which ccache compiles nothing twice, not even in another checkout; the sloppiness is for
+    precompiled headers."""
+    launcher = {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache"} if shutil.which("ccache") else {}
+    return {**launcher, "CCACHE_DIR": str(compiled_folder()), "CCACHE_MAXSIZE": "4G", **os.environ, "CCACHE_BASEDIR": str(checkout),
+            "CCACHE_NOHASHDIR": "1", "CCACHE_SLOPPINESS": "pch_defines,time_macros", **environment}
+
+
 def build_targets(*targets, preset=None, options=(), extra_packages=None, checkout=CHECKOUT, build=None, **environment):
     """Configures by a preset of CMakePresets.json and compiles all targets, or those named. With extra_packages,
     installs these and all that building takes first. Without MESHLAB_SOURCE_DIR: as configured before, or the core
-    alone. With ccache nothing is compiled twice, not even in another checkout; the sloppiness is for precompiled headers."""
-    build = build or build_folder(checkout)
+    alone."""
+    build, environment = build or build_folder(checkout), compiling(checkout, **environment)
     with turn(build):
         if extra_packages is not None:
             ensure_toolchain(*extra_packages)
@@ -53,14 +61,10 @@ def build_targets(*targets, preset=None, options=(), extra_packages=None, checko
         words = [*(["--preset", preset] if preset else []), *options]
         if headers := os.environ.get("MESHLAB_SOURCE_DIR"):
             words.append(f"-DMESHLAB_SOURCE_DIR={headers}")
-        if not os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER") and shutil.which("ccache"):
-            words.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
-        if not quietly(build / "configure.log", ["cmake", "-S", checkout, "-B", build, *words]):
+        if not quietly(build / "configure.log", ["cmake", "-S", checkout, "-B", build, *words], env=environment):
             raise Failure("cmake could not configure the build")
-        ccache = {"CCACHE_DIR": str(compiled_folder()), "CCACHE_MAXSIZE": "4G", **os.environ, "CCACHE_BASEDIR": str(checkout),
-                  "CCACHE_NOHASHDIR": "1", "CCACHE_SLOPPINESS": "pch_defines,time_macros", **environment}
         command = ["cmake", "--build", build, "--parallel", str(processors()), *(["--target", *targets] if targets else [])]
-        if not quietly(build / "build.log", command, env=ccache):
+        if not quietly(build / "build.log", command, env=environment):
             raise Failure(f"the build failed; its whole output is in {build / 'build.log'}")
 
 

@@ -21,7 +21,7 @@ def build():
     """Tests the plugins of the .zip, stripped; the driver is built here, too."""
     packages.ensure_packages(*packages.BUILD, *packages.DISPLAY, *packages.TEST)
     portable.package_portable()
-    portable.build_portable(options=["-DLAPLACIAN_LINES_BUILD_TESTS=ON"])
+    portable.build_portable("-DLAPLACIAN_LINES_BUILD_TESTS=ON")
     archive, = (BUILD / "packages").glob("*.zip")
     shutil.unpack_archive(archive, BUILD / "unpacked")
     for plugin in built_plugins(BUILD, "unpacked"):

@@ -2,7 +2,7 @@
 """./run --picture: MeshLab with Laplacian lines switched on, on a picture, or several on a sheet: of meshes, from
 several views, of several kinds of lines. The GUI driver does the clicking."""
 
-import dataclasses
+import argparse
 import os
 import re
 import subprocess
@@ -20,52 +20,41 @@ WARNING = "meshlab_driver: warning: "
 NUMBER = r"[0-9]+(\.[0-9]+)?"
 
 
-@dataclasses.dataclass
-class Column:
+class Column(typing.NamedTuple):
     """A column of a sheet: its title, the driver's commands before a picture."""
 
     label: str = ""
     before: str = ""
 
 
-# What the value of an option has to look like, and what is said otherwise.
-VALUES = {
-    "--size": ("[1-9][0-9]*x[1-9][0-9]*", "WIDTHxHEIGHT, such as 1200x900"),
-    "--view": (rf"{'|'.join(VIEWS)}|-?{NUMBER},-?(0*[1-8]?[0-9](\.[0-9]+)?|0*90(\.0+)?)",
-               "front, back, left, right, top or bottom, or AZIMUTH,ELEVATION in degrees, such as 30,15; the elevation is from -90 to 90"),
-    "--up": ("[xyz]", "the axis that points upwards: x, y or z"),
-    "--zoom": (r"0\.[1-9][0-9]*|[1-9](\.[0-9]+)?|10(\.0+)?", "a factor from 0.1 to 10"),
-    "--kinds": ("[^-].*", "names of kinds of lines with commas between, such as all or apparent_ridges,valleys")}
+def matching(pattern, what):
+    """A type of argparse."""
+    def take(text):
+        if not re.fullmatch(pattern, text):
+            raise argparse.ArgumentTypeError(f"it needs {what}")
+        return text
+    return take
 
 
-@dataclasses.dataclass
-class Options:
-    """What the options of a picture say."""
-
-    size: str = "1200x900"
-    views: list = dataclasses.field(default_factory=list)
-    up: str = "y"
-    zoom: str = "1"
-    projection: str = "perspective"
-    kinds: str = ""
-
-    OPTIONS: typing.ClassVar = ("--orthographic", *VALUES)
-
-    def take(self, words):
-        """Takes an option from the beginning of the words."""
-        option = words.pop(0)
-        if option == "--orthographic":
-            self.projection = "orthographic"
-            return
-        value, (pattern, what) = words.pop(0) if words else "", VALUES[option]
-        check(re.fullmatch(pattern, value), f"{option} needs {what}")
-        if option == "--view":
-            self.views.append(value)
-        else:
-            setattr(self, option[2:], value)
-
-    def width_and_height(self):
-        return tuple(map(int, self.size.split("x")))
+def add_options(parser):
+    """Options of pictures; their names."""
+    size = matching("[1-9][0-9]*x[1-9][0-9]*", "WIDTHxHEIGHT, such as 1200x900")
+    view = matching(rf"{'|'.join(VIEWS)}|-?{NUMBER},-?(0*[1-8]?[0-9](\.[0-9]+)?|0*90(\.0+)?)", f"one of {', '.join(VIEWS)}, or "
+                    "AZIMUTH,ELEVATION in degrees, such as 30,15; the elevation is from -90 to 90")
+    zoom = matching(r"0\.[1-9][0-9]*|[1-9](\.[0-9]+)?|10(\.0+)?", "a factor from 0.1 to 10")
+    kinds = matching(".+", "names of kinds of lines with commas between, such as all or apparent_ridges,valleys")
+    added = [
+        parser.add_argument("--size", type=size, default="1200x900", metavar="WxH", help="in pixels (1200x900); above 900, lines "
+                            "get wider with the shorter side"),
+        parser.add_argument("--view", type=view, default=[], action="append", help=f"from the {', '.join(VIEWS)}, or "
+                            "AZIMUTH,ELEVATION, degrees to the right around the mesh and up, -90 to 90; once for each drawing"),
+        parser.add_argument("--up", choices=list("xyz"), default="y", help="the axis of the mesh that points upwards (y)"),
+        parser.add_argument("--zoom", type=zoom, default="1", metavar="FACTOR", help="the middle of the drawing, larger "
+                            "(0.1 to 10)"),
+        parser.add_argument("--orthographic", action="store_true", help="without perspective"),
+        parser.add_argument("--kinds", type=kinds, metavar="NAME,NAME...", help="a drawing on the sheet for each kind of lines, "
+                            "such as all, usual, apparent_ridges, ridges+valleys")]
+    return [option.dest for option in added]
 
 
 def check(condition, complaint):
@@ -73,11 +62,14 @@ def check(condition, complaint):
         raise Failure(complaint)
 
 
-def check_picture(name):
-    check(name.endswith(".png"), f"the picture has to be a .png file, not {name}")
-    check(not os.path.isdir(name), f"the picture cannot be {name}, which is a folder")
+def picture_file(name):
+    """A type of argparse."""
     folder = os.path.dirname(name) or "."
-    check(os.path.isdir(folder) and os.access(folder, os.W_OK), f"cannot write into the folder of {name}")
+    for refused, why in ((not name.endswith(".png"), "it has to be a .png file"), (os.path.isdir(name), "it is a folder"),
+                         (not (os.path.isdir(folder) and os.access(folder, os.W_OK)), "its folder cannot be written into")):
+        if refused:
+            raise argparse.ArgumentTypeError(f"{name}: {why}")
+    return name
 
 
 def columns_of(build, kinds):
@@ -97,7 +89,8 @@ class Pictures:
     def __init__(self, stage, folder, options, columns=None, settings=()):
         self.stage, self.folder, self.options = stage, folder, options
         self.columns, self.settings = columns or [Column()], settings
-        self.views = options.views or [""]
+        self.size = tuple(map(int, options.size.split("x")))
+        self.views = options.view or [""]
         self.rows, self.failed = [], []  # pairs of file and name
 
     def take(self, picture, meshes):
@@ -105,9 +98,8 @@ class Pictures:
         which then ends with an error."""
         target = os.path.join(os.path.realpath(os.path.dirname(picture) or "."), os.path.basename(picture))
         self.add_rows(meshes)
-        width, height = self.options.width_and_height()
         # room for the window around the view and dialogs beside it
-        with display(width + 600, height + 300):
+        with display(self.size[0] + 600, self.size[1] + 300):
             say(f"drawing {len(self.rows) * len(self.views) * len(self.columns)} times {self.options.size} in MeshLab")
             self.draw_rows()
         self.put_together(target)
@@ -136,10 +128,11 @@ class Pictures:
         yield from loading(self.rows[number][0])
         yield f"size {options.size}"
         scale = [] if options.kinds else ["setdeco Scale = With the View"]
+        projection = "orthographic" if options.orthographic else "perspective"
         commands = ["draw-lines", "setdeco Surface = Paper", *scale, *self.settings]
         for v, view in enumerate(self.views):
             angles = VIEWS.get(view or "front", view).replace(",", " ")
-            commands.append(f"frame {angles} {options.up} {options.zoom} {options.projection}")
+            commands.append(f"frame {angles} {options.up} {options.zoom} {projection}")
             for c, column in enumerate(self.columns):
                 commands += filter(None, (column.before, f"grab {self.drawing(number, v, c)}"))
         yield "together " + " ; ".join([*commands, "trigger Delete Current Mesh"])
@@ -189,6 +182,6 @@ class Pictures:
             put_file(cells[0][1], target)
         else:
             sheet = self.folder / "sheet.png"
-            make_sheet(sheet, self.options.width_and_height(), len(self.columns) if len(self.columns) > 1 else len(self.views), cells)
+            make_sheet(sheet, self.size, len(self.columns) if len(self.columns) > 1 else len(self.views), cells)
             put_file(sheet, target)
         say(f"the picture is {target}")

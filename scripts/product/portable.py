@@ -35,14 +35,14 @@ def unpack_library(folder):
         return True
 
 
-def build_portable(*targets, options=()):
-    """Into build/portable."""
+def build_portable(*options):
+    """Into build/portable, with these options of CMake."""
     libraries = cache_folder() / "libraries" / MESHLAB
     if not (libraries / LIBRARY).exists() and not publish_into(libraries, unpack_library):
         raise Failure(f"the library of MeshLab {MESHLAB} could not be fetched")
     pymeshlab.ensure_meshlab_headers()
     try:
-        build_targets("meshlab_plugins", *targets, preset="portable", build=BUILD,
+        build_targets("meshlab_plugins", preset="portable", build=BUILD,
                       options=[f"-DMESHLAB_COMMON_LIBRARY={libraries / LIBRARY}", *options])
     finally:
         del os.environ["MESHLAB_SOURCE_DIR"]

@@ -18,7 +18,7 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(CHECKOUT / "scripts"))
 
 from environment.files import cache_folder
-from environment.messages import Failure, exit_code, say
+from environment.messages import Failure, exit_code, say, skip
 from environment.packages import meshlab_version
 from product.display import SETTINGS, private_home, start_display, stop_display
 from product.models import bumpy_torus
@@ -35,12 +35,6 @@ SECONDS = float(os.environ.get("DRIVE_SECONDS",
 def expect(condition, message):
     if not condition:
         raise AssertionError(message)
-
-
-def skip(reason):
-    """Ends the test, as a failure where LAPLACIAN_LINES_REQUIRED is true."""
-    say(f"skipped: {reason}")
-    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") == "true" else 77)
 
 
 def show_failure(*error):
