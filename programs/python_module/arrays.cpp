@@ -8,6 +8,7 @@
 namespace python_module {
 
 namespace nb = nanobind;
+using namespace nb::literals;
 using namespace laplacian_lines;
 
 namespace {
@@ -56,18 +57,13 @@ struct LineArrays {
         outline.push_back(is_outline);
     }
     nb::dict hand_over() {
-        nb::dict result;
-        result["points"] = array(std::move(points), 3);
-        result["weights"] = array(std::move(weights));
-        result["gradients"] = array(std::move(gradients));
-        result["opacities"] = array(std::move(opacities));
-        result["strengths"] = array(std::move(strengths));
-        result["offsets"] = array(std::move(offsets));
-        result["kinds"] = array(std::move(kinds));
-        result["closed"] = array(std::move(closed));
-        result["hidden"] = array(std::move(hidden));
-        result["outline"] = array(std::move(outline));
-        return result;
+        return dict_of(
+            "points"_a = array(std::move(points), 3), "weights"_a = array(std::move(weights)),
+            "gradients"_a = array(std::move(gradients)),
+            "opacities"_a = array(std::move(opacities)),
+            "strengths"_a = array(std::move(strengths)), "offsets"_a = array(std::move(offsets)),
+            "kinds"_a = array(std::move(kinds)), "closed"_a = array(std::move(closed)),
+            "hidden"_a = array(std::move(hidden)), "outline"_a = array(std::move(outline)));
     }
 };
 

@@ -151,14 +151,22 @@ def fuzz_alone(seconds):
     return fuzz(seconds, "corpus")
 
 
+def core_tests(build, names, **environment):
+    """What GoogleTest says last of those tests of the core."""
+    log = build / "core_tests.log"
+    if not quietly(log, [build / "tests/core/core_tests", "--gtest_brief=1", f"--gtest_filter={names}"],
+                   env={**os.environ, **environment}):
+        raise Failure(f"a test has failed; the log is {log}")
+    passed = log.read_text().splitlines()[-1]
+    if " 0 tests" in passed:
+        raise Failure(f"there is no such test: {names}")
+    return passed
+
+
 def check_large_meshes():
     """The tests of meshes that take seconds and up to 2.2 GB."""
-    log = build_folder() / "large_meshes.log"
     build_targets("core_tests", preset="tests", extra_packages=packages.TEST)
-    if not quietly(log, [build_folder() / "tests/core/core_tests", "--gtest_filter=Meshes/Large.*"],
-                   env={**os.environ, "LAPLACIAN_LINES_LARGE": "1"}):
-        raise Failure(f"a large mesh took too much time or memory, or was not refused; the log is {log}")
-    return re.findall(r"PASSED\s*\] (\d+)", log.read_text())[0] + " meshes"
+    return core_tests(build_folder(), "Meshes/Large.*", LAPLACIAN_LINES_LARGE="1")
 
 
 def test_gui(regexes):
@@ -171,7 +179,7 @@ def test_gui(regexes):
     shutil.rmtree(reports, ignore_errors=True)
     reports.mkdir(parents=True)
     library = output("clang", f"-print-file-name=libclang_rt.asan-{platform.machine()}.so")
-    code = run(ctest(folder, "meshlab", "--tests-regex", "|".join(regexes or GUI_TESTS)), env={
+    code = run(ctest(folder, "meshlab", regexes or GUI_TESTS), env={
         "DRIVE_SECONDS": "900", **os.environ, "SANITIZER_LIBRARY": library, "LLVM_PROFILE_FILE": "/dev/null",
         "ASAN_OPTIONS": f"log_path={reports}/of:detect_leaks=1:malloc_context_size=2:stack_trace_format='    #%n %f %S %M'",
         "UBSAN_OPTIONS": f"log_path={reports}/of:print_stacktrace=1",
@@ -191,12 +199,5 @@ def test_gui(regexes):
 def test_threads(filters):
     """Of GoogleTest."""
     build_with_clang("threads", "core_tests")
-    log = checks_folder("threads") / "tests.log"
-    if not quietly(log, [checks_folder("threads") / "tests/core/core_tests", "--gtest_brief=1",
-                         f"--gtest_filter={':'.join(filters or THREADED_TESTS)}:-{UNTHREADED_TESTS}"],
-                   env={**os.environ, "LAPLACIAN_LINES_THREADS": "4", "TSAN_OPTIONS": "halt_on_error=1"}):
-        raise Failure(f"a race or a failed test is in {log}")
-    passed = log.read_text().splitlines()[-1]
-    if " 0 tests" in passed:
-        raise Failure(f"there is no such test: {' '.join(filters)}")
-    return passed
+    return core_tests(checks_folder("threads"), f"{':'.join(filters or THREADED_TESTS)}:-{UNTHREADED_TESTS}",
+                      LAPLACIAN_LINES_THREADS="4", TSAN_OPTIONS="halt_on_error=1")

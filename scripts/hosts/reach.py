@@ -32,7 +32,7 @@ def build():
 
 def test_in_root():
     """Runs the build's tests in the root, which has nothing else of this machine."""
-    run_in_root(portable.SUITE, BUILD, ctest(BUILD, "meshlab", "--parallel", str(processors()), "--tests-regex", GUI_TESTS))
+    run_in_root(portable.SUITE, BUILD, ctest(BUILD, "meshlab", [GUI_TESTS], processors()))
 
 
 def check_packages():

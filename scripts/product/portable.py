@@ -3,7 +3,6 @@
 library of the same MeshLab from the release of Debian that packages it. They may need nothing that a system of its age
 lacks, so this system must not be newer than that."""
 
-import os
 import pathlib
 import shutil
 import subprocess
@@ -12,9 +11,8 @@ import tempfile
 
 from environment.build import CHECKOUT, build_targets
 from environment.files import cache_folder, publish_into
-from environment.headers import apt_get, private_apt
+from environment.headers import apt_get, ensure_headers, private_apt
 from environment.messages import Failure
-from product import pymeshlab
 from product.package import make_packages
 from product.pymeshlab import MESHLAB, SUITE
 from product.stage import built_plugins, multiarch
@@ -40,12 +38,9 @@ def build_portable(*options):
     libraries = cache_folder() / "libraries" / MESHLAB
     if not (libraries / LIBRARY).exists() and not publish_into(libraries, unpack_library):
         raise Failure(f"the library of MeshLab {MESHLAB} could not be fetched")
-    pymeshlab.ensure_meshlab_headers()
-    try:
-        build_targets("meshlab_plugins", preset="portable", build=BUILD,
-                      options=[f"-DMESHLAB_COMMON_LIBRARY={libraries / LIBRARY}", *options])
-    finally:
-        del os.environ["MESHLAB_SOURCE_DIR"]
+    build_targets("meshlab_plugins", preset="portable", build=BUILD,
+                  options=[f"-DMESHLAB_COMMON_LIBRARY={libraries / LIBRARY}",
+                           f"-DMESHLAB_SOURCE_DIR={ensure_headers(MESHLAB, SUITE)}", *options])
 
 
 def package_portable():

@@ -45,7 +45,7 @@ class Surface:
     @options.takes(options.FIELD)
     def __init__(self, mesh: Any, **field_options: Unpack[FieldOptions]) -> None:
         vertices, faces = as_arrays(mesh)
-        self._core = _core.Surface(vertices, faces, *options.values(dict(field_options), options.FIELD))
+        self._core = _core.Surface(vertices, faces, options.values(dict(field_options), options.FIELD))
         used = vertices[numpy.isfinite(vertices).all(axis=1)]
         self._centre = (used.min(axis=0) + used.max(axis=0)) / 2
 
@@ -115,7 +115,7 @@ def _light(light):
 
 def _style(kinds, given):
     """The style as numbers by key: `kinds` sets all switches, and options named by kinds change them."""
-    [style] = options.values(dict(given), options.LINES)
+    style = options.values(given, options.LINES)
     if kinds is None:
         return style
     chosen = set(_core.keys_of_kinds(kinds if isinstance(kinds, str) else ",".join(kinds)))
@@ -124,8 +124,8 @@ def _style(kinds, given):
 
 def _surface(mesh, given):
     """The surface of a mesh with those of the options that are the field's, and the others."""
-    of_field = {key: given[key] for key in given if key in options.FIELD}
-    others = {key: given[key] for key in given if key not in options.FIELD}
+    others = dict(given)
+    of_field = {key: others.pop(key) for key in given if key in options.FIELD}
     if not isinstance(mesh, Surface):
         return Surface(mesh, **of_field), others
     if of_field:
