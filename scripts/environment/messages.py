@@ -56,6 +56,7 @@ def started(command, **options):
     finally:
         if process.poll() is None:
             os.killpg(process.pid, signal.SIGTERM)
+            process.wait()
 
 
 def run(command, interactive=False, **options):

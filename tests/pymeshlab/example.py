@@ -2,18 +2,20 @@
 """The example plots a mesh without a display, and says in a sentence what it cannot do."""
 
 import os
+import pathlib
 import subprocess
 import sys
 
 import matplotlib.image
-from harness import EXAMPLES, MESH, work_folder
 
-FILE = work_folder("example") / "laplacian.png"
+EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "docs/examples/plot_laplacian.py"
+TESTING = pathlib.Path(os.environ["LAPLACIAN_LINES_BUILD"], "Testing")
+MESH, FILE = TESTING / "reference/torus.ply", TESTING / "laplacian.png"
 
 
 def run(*arguments):
     environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    return subprocess.run([sys.executable, "-B", EXAMPLES / "plot_laplacian.py", *arguments], env=environment,
+    return subprocess.run([sys.executable, "-B", EXAMPLE, *arguments], env=environment,
                           capture_output=True, text=True)
 
 
