@@ -9,7 +9,6 @@
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field.h"
-#include "laplacian_lines/line_set.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/progress.h"
 
@@ -27,7 +26,6 @@ nanobind::tuple arrays_of(const laplacian_lines::TriangleMesh& mesh);
 /// By attribute names of field_columns.h: (vertices, 3) or (vertices,).
 nanobind::dict arrays_of(const laplacian_lines::Field& field);
 /// By the names in laplacian_lines/polylines.py.
-nanobind::dict arrays_of(const laplacian_lines::LineSet& lines);
 nanobind::dict arrays_of(const std::vector<laplacian_lines::SightLine>& lines);
 
 /// Options of measured drawings that do not concern files, for laplacian_lines/options.py.

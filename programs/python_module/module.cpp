@@ -167,15 +167,14 @@ NB_MODULE(_core, m) {
     m.attr("sheet_options") = sheet_options();
     m.attr("columns") = columns();
     m.attr("kinds") = kinds();
-    m.def("keys_of_kinds", keys_of_kinds, "names"_a);
-    m.def("draw", draw, "meshes"_a, "words"_a, "ending"_a);
-    m.def("read_mesh", read_mesh, "ending"_a, "content"_a);
-    m.def("write_whole", write_whole, "file"_a, "content"_a);
+    m.def("keys_of_kinds", keys_of_kinds);
+    m.def("draw", draw);
+    m.def("read_mesh", read_mesh);
+    m.def("write_whole", write_whole);
     nb::class_<Surface>(m, "Surface")
-        .def("__init__", make_surface, "positions"_a, "triangles"_a, "options"_a)
+        .def("__init__", make_surface)
         .def("field", field)
         .def("measures", measures)
-        .def("lines", lines, "eye"_a, "w"_a, "light"_a.none(), "options"_a)
-        .def("visible_lines", visible_lines, "eye"_a, "w"_a, "light"_a.none(), "options"_a,
-             "hidden"_a, "in_picture"_a);
+        .def("lines", lines)
+        .def("visible_lines", visible_lines);
 }

@@ -39,12 +39,25 @@ public:
     const FieldScale& scale() const { return field_.scale; }
     const MeshReport& report() const { return field_.report; }
 
-    /// All lines of a view, hidden or not, as LineExtractor::extract().
-    LineSet lines(const View& view, const LineStyle& style, const Progress& progress) {
+    /// All lines of a view as LineExtractor::extract(), none of them called hidden or an outline.
+    std::vector<SightLine> lines(const View& view, const LineStyle& style,
+                                 const Progress& progress) {
         const std::lock_guard using_parts(parts_);
         ExtractionScratch scratch;
-        LineSet lines;
-        extractor(style, progress).extract(view, style, scratch, lines);
+        LineSet set;
+        extractor(style, progress).extract(view, style, scratch, set);
+        std::vector<SightLine> lines;
+        for (const Polyline& line : set.lines) {
+            SightLine& found = lines.emplace_back();
+            found.kind = line.kind;
+            found.closed = line.closed;
+            found.strength = line.strength;
+            for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
+                const LinePoint& point = set.points[i];
+                found.points.push_back(
+                    {set.place(point), point.weight, point.gradient, point.opacity, 0, false});
+            }
+        }
         return lines;
     }
 

@@ -4,7 +4,6 @@
 import os
 import pathlib
 import re
-import resource
 import subprocess
 import sys
 import tempfile
@@ -45,12 +44,3 @@ class ScriptTest(unittest.TestCase):
         """The function fails with a sentence that matches."""
         with self.assertRaisesRegex(Failure, regex):
             function(*words, **options)
-
-    def within(self, kilobytes, regex, function, *words):
-        """The same for files that get larger, whose end is only found when they are written."""
-        most = resource.getrlimit(resource.RLIMIT_FSIZE)[1]
-        resource.setrlimit(resource.RLIMIT_FSIZE, (kilobytes << 10, most))
-        try:
-            self.refused(regex, function, *words)
-        finally:
-            resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
