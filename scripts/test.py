@@ -6,7 +6,7 @@ import time
 
 from checks import checks
 from environment.files import cache_folder
-from environment.messages import Failure, Obstacle, duration, run_main, say
+from environment.messages import Failure, Obstacle, run_main, say
 from environment.options import Parser
 from environment.packages import meshlab_version
 from hosts import aarch64, hosts, reach
@@ -55,7 +55,7 @@ class Stages:
             self.failed |= self.required
         except Failure as failure:
             result, self.failed = f"FAILED {failure}", True
-        self.lines.append(f"{name}: {result}, {duration(time.monotonic() - began)}")
+        self.lines.append(f"{name}: {result}, {time.monotonic() - began:.0f} s")
         say(self.lines[-1])
         return succeeded
 
@@ -64,14 +64,6 @@ class Stages:
         for line in self.lines if len(self.lines) > 1 else ():
             say(line)
         return int(self.failed)
-
-
-def test_hosts(stage, options):
-    if options.host == "all":
-        stage(f"core and MeshLab {meshlab_version()}", hosts.test_here, options.regex)
-    for name in hosts.NAMES if options.host == "all" else [options.host]:
-        if not (options.host == "all" and hosts.is_here(name)):
-            stage(name, hosts.test_host, name, options.regex, options.versions)
 
 
 def main():
@@ -92,8 +84,11 @@ def main():
         raise Failure("--checks, --reach and --aarch64 take no names of tests")
 
     stage = Stages(options.required)
-    if options.host:
-        test_hosts(stage, options)
+    if options.host == "all":
+        stage(f"core and MeshLab {meshlab_version()}", hosts.test_here, options.regex)
+    for name in hosts.NAMES:
+        if name == options.host or options.host == "all" and not hosts.is_here(name):
+            stage(name, hosts.test_host, name, options.regex, options.versions)
     if options.checks:
         checks.run_checks(stage, options.nightly)
     if options.reach:

@@ -45,7 +45,7 @@ def run_checks(stage, nightly):
 
 
 def checks_folder(preset="sanitizers"):
-    return build_folder() / {"sanitizers": "checks"}.get(preset, preset)
+    return build_folder() / preset
 
 
 def build_with_clang(preset, *targets):

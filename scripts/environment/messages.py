@@ -99,8 +99,3 @@ def output(*command, **options):
     except OSError:
         return None
     return os.fsdecode(done.stdout).rstrip("\n") if done.returncode == 0 else None
-
-
-def duration(seconds):
-    """In words."""
-    return f"{seconds:.0f} s" if seconds < 60 else f"{int(seconds) // 60} min {int(seconds) % 60} s"

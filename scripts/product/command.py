@@ -87,50 +87,39 @@ def build_and_stage(target, *extra_packages):
     return stage
 
 
-def run_server(words, work):
-    packages.ensure_packages("meshlab")
-    if has_extra_plugins():  # of a version without meshlabserver
-        return pymeshlab.run_server(words)
-    return meshlabserver.run_server(build_and_stage("meshlab_plugins"), words, work)
-
-
-def install():
-    packages.ensure_packages("meshlab")
-    expect_extra_plugins(build_folder() / "packages")
-    build_targets("meshlab_plugins", preset="product", extra_packages=())
-    install_plugins(built_plugins(build_folder(), "plugins"))
-
-
-def package():
-    build_targets("meshlab_plugins", "laplacian_lines_drawing", preset="product", extra_packages=packages.PACKAGING)
-    make_packages(build_folder(), build_folder() / "packages")
-
-
-def take_picture(options, work):
-    is_sheet = options.kinds or len(options.meshes) > 1 or len(options.view) > 1
+def show(options, work):
+    """In a window or a picture."""
+    build, meshes = build_folder(), options.meshes or [""]
+    if not options.picture:
+        stage = build_and_stage("meshlab_plugins")
+        return open_window(stage, work, meshes, settings_commands(build, options.set))
+    is_sheet = options.kinds or len(meshes) > 1 or len(options.view) > 1
     stage = build_and_stage("picture_plugins", *packages.DISPLAY, *(["imagemagick"] if is_sheet else []))
-    settings = settings_commands(build_folder(), options.set)
-    columns = picture.columns_of(build_folder(), options.kinds)
-    picture.Pictures(stage, work, options, columns, settings).take(options.picture, options.meshes or [""])
+    columns = picture.columns_of(build, options.kinds)
+    return picture.Pictures(stage, work, options, columns, settings_commands(build, options.set)).take(options.picture, meshes)
 
 
 def run_command(words, work):
     """The exit code, None for 0; the folder is for temporary files."""
-    options = parse(words)
+    options, build = parse(words), build_folder()
     if options.server is not None:
-        return run_server(options.server, work)
+        packages.ensure_packages("meshlab")
+        if has_extra_plugins():  # of a version without meshlabserver
+            return pymeshlab.run_server(options.server)
+        return meshlabserver.run_server(build_and_stage("meshlab_plugins"), options.server, work)
     if options.python is not None:
         return pymeshlab.run_python(options.python)
     if options.install:
-        return install()
+        packages.ensure_packages("meshlab")
+        expect_extra_plugins(build / "packages")
+        build_targets("meshlab_plugins", preset="product", extra_packages=())
+        return install_plugins(built_plugins(build, "plugins"))
     if options.uninstall:
         return uninstall_plugins()
     if options.portable:
         ensure_toolchain(*packages.PACKAGING)
         return package_portable()
     if options.package:
-        return package()
-    if options.picture:
-        return take_picture(options, work)
-    stage = build_and_stage("meshlab_plugins")
-    return open_window(stage, work, options.meshes or [""], settings_commands(build_folder(), options.set))
+        build_targets("meshlab_plugins", "laplacian_lines_drawing", preset="product", extra_packages=packages.PACKAGING)
+        return make_packages(build, build / "packages")
+    return show(options, work)

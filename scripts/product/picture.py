@@ -5,13 +5,12 @@ several views, of several kinds of lines. The GUI driver does the clicking."""
 import argparse
 import os
 import re
-import subprocess
 import typing
 
 from environment.files import put_file
 from environment.messages import Failure, say
 from product.display import display, private_home
-from product.meshlab import DRIVER_ERROR, LIMIT, drivable_mesh, explain_failure, loading, log_lines, run_meshlab
+from product.meshlab import DRIVER_ERROR, LIMIT, drivable_mesh, explain_failure, loading, log_lines, run_meshlab, settings_commands
 from product.sheet import make_sheet, plain_label
 
 LINE_SIDE = 900  # pixels of a picture's shorter side, above which lines get wider with it
@@ -23,8 +22,8 @@ NUMBER = r"[0-9]+(\.[0-9]+)?"
 class Column(typing.NamedTuple):
     """A column of a sheet: its title, the driver's commands before a picture."""
 
-    label: str = ""
-    before: str = ""
+    label: str
+    before: str
 
 
 def matching(pattern, what):
@@ -73,22 +72,16 @@ def picture_file(name):
 
 
 def columns_of(build, kinds):
-    """Columns for kinds of lines by their names, from a program built on the decoration's table."""
-    if not kinds:
-        return [Column()]
-    done = subprocess.run([build / "bin/decoration_settings", "--kinds", kinds], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT)
-    table = os.fsdecode(done.stdout).rstrip("\n")
-    check(done.returncode == 0, f"--kinds: {table}")
-    return [Column(*line.split("\t")) for line in table.split("\n")]
+    """Columns for kinds of lines by their names."""
+    rows = [line.split("\t") for line in settings_commands(build, ["--kinds", kinds])] if kinds else [["", ""]]
+    return [Column(*row) for row in rows]
 
 
 class Pictures:
     """The drawings of a sheet, in files of a folder."""
 
-    def __init__(self, stage, folder, options, columns=None, settings=()):
-        self.stage, self.folder, self.options = stage, folder, options
-        self.columns, self.settings = columns or [Column()], settings
+    def __init__(self, stage, folder, options, columns, settings):
+        self.stage, self.folder, self.options, self.columns, self.settings = stage, folder, options, columns, settings
         self.size = tuple(map(int, options.size.split("x")))
         self.views = options.view or [""]
         self.rows, self.failed = [], []  # pairs of file and name
@@ -173,15 +166,14 @@ class Pictures:
 
     def put_together(self, target):
         """The only drawing, or a sheet that keeps a drawing's kinds, or a mesh's views, together."""
-        numbers = range(len(self.columns))
+        last = len(self.columns) - 1
         cells = [(self.label(row, view, column), self.drawing(row, view, column))
                  for row in range(len(self.rows)) for view in range(len(self.views))
-                 if self.drawing(row, view, numbers[-1]).exists() for column in numbers]
+                 if self.drawing(row, view, last).exists() for column in range(last + 1)]
         check(cells, "no picture was written")
-        if len(self.rows) + len(self.failed) == 1 and len(cells) == 1:
-            put_file(cells[0][1], target)
-        else:
-            sheet = self.folder / "sheet.png"
-            make_sheet(sheet, self.size, len(self.columns) if len(self.columns) > 1 else len(self.views), cells)
-            put_file(sheet, target)
+        result = cells[0][1]
+        if len(self.rows) + len(self.failed) > 1 or len(cells) > 1:
+            result = self.folder / "sheet.png"
+            make_sheet(result, self.size, last + 1 if last else len(self.views), cells)
+        put_file(result, target)
         say(f"the picture is {target}")

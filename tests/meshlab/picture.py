@@ -100,4 +100,4 @@ small, large = (float(convert(f"usual_{size}.png", "-alpha", "off", "-colorspace
                               "%[fx:mean]")) for size in ("900", "1800"))
 expect(0.85 * small < large < 1.15 * small, f"ink of large drawings is {large}, that of small ones {small}")
 expect(said_by(columns_of, BUILD, "ridge") == 1, "there are no lines called ridge")
-expect_text("log", '^laplacian-lines: --kinds: there is no picture of lines "ridge". Name some of usual, ')
+expect_text("log", '^laplacian-lines: there is no picture of lines "ridge". Name some of usual, ')
