@@ -6,7 +6,7 @@ from unittest import mock
 
 from harness import *
 
-from environment.files import publish_into, put_file, umask
+from environment.files import publish_into, put_file
 from product import extra_plugins, stage
 from product.meshlab import drivable_mesh
 from product.sheet import lay_out, plain_label
@@ -27,7 +27,7 @@ class WholeFiles(ScriptTest):
         target.parent.mkdir()
         put_file(new, target)
         self.assertEqual(target.read_bytes(), ZEROS)
-        self.assertEqual(target.stat().st_mode & 0o777, 0o666 & ~umask())
+        self.assertEqual(target.stat().st_mode, new.stat().st_mode)
         target.write_text("old")
         most = resource.getrlimit(resource.RLIMIT_FSIZE)[1]
         self.addCleanup(resource.setrlimit, resource.RLIMIT_FSIZE, (most, most))
