@@ -112,37 +112,31 @@ def check_coverage():
     return f"{covered} % of the lines"
 
 
-def fuzz_job(part, seconds, corpus):
-    """Inputs made up by libFuzzer; interesting new ones go to CORPUS/PART."""
-    folder, work = checks_folder(), checks_folder() / "fuzz" / part
-    for place in (work, corpus / part):
-        place.mkdir(parents=True, exist_ok=True)
-    environment = {"ASAN_OPTIONS": "detect_leaks=0", "LAPLACIAN_LINES_THREADS": "1", "LLVM_PROFILE_FILE": "/dev/null"}
-    command = [folder / f"tests/fuzz/fuzz_{part}", f"-max_total_time={seconds}", "-max_len=16384", "-len_control=0",
-               "-seed=1", "-timeout=60", "-rss_limit_mb=3000", f"-artifact_prefix={work}/", "-print_final_stats=1",
-               corpus / part, folder / "fuzz/seeds" / part, CHECKOUT / "tests/fuzz/found"]
-    return work / "log", command, {"env": {**os.environ, **environment}}
-
-
-def found_by(part, log, succeeded):
-    text = log.read_text(errors="replace")
-    if not succeeded:
-        lines = re.findall("(?m)^.*(?:ERROR|runtime error|Test unit written).*$|^[a-z]+: .*$", text) or text.splitlines()[-20:]
-        os.write(2, ("\n".join(lines) + "\n").encode())
-        raise Failure("an input broke something: copy the file named above to tests/fuzz/found, where a test runs it, and fix the code")
-    return f"{part}: {(re.findall(r'stat::number_of_executed_units: *([0-9]+)', text) or [0])[-1]} inputs"
-
-
 def fuzz(seconds, corpus):
-    """From fixed seeds and the corpus of this name; "new" is what is forgotten, so that runs are alike."""
-    folder = checks_folder() / "fuzz"
+    """From fixed seeds and the corpus of this name; "new" is what is forgotten, so that runs are alike. Inputs made up by
+    libFuzzer; interesting new ones go to the corpus."""
+    folder, programs, jobs, counts = checks_folder() / "fuzz", checks_folder() / "tests/fuzz", [], []
+    options = {"env": {**os.environ, "ASAN_OPTIONS": "detect_leaks=0", "LAPLACIAN_LINES_THREADS": "1",
+                       "LLVM_PROFILE_FILE": "/dev/null"}}
     for name in ("seeds", "new"):
         shutil.rmtree(folder / name, ignore_errors=True)
-    if run([checks_folder() / "tests/fuzz/write_seeds", folder / "seeds"], env={**os.environ, "LLVM_PROFILE_FILE": "/dev/null"}):
+    if run([programs / "write_seeds", folder / "seeds"], **options):
         raise Failure("the fuzzers' seeds could not be written")
     say(f"fuzzing for {seconds} seconds")
-    jobs = [fuzz_job(part, seconds, folder / corpus) for part in FUZZED]
-    return "; ".join(found_by(part, log, succeeded) for part, (log, *_), succeeded in zip(FUZZED, jobs, run_together(jobs)))
+    for part in FUZZED:
+        (folder / corpus / part).mkdir(parents=True, exist_ok=True)
+        jobs.append((folder / part / "log", [
+            programs / f"fuzz_{part}", f"-max_total_time={seconds}", "-max_len=16384", "-len_control=0", "-seed=1", "-timeout=60",
+            "-rss_limit_mb=3000", f"-artifact_prefix={folder / part}/", "-print_final_stats=1", folder / corpus / part,
+            folder / "seeds" / part, CHECKOUT / "tests/fuzz/found"], options))
+    for part, (log, *_), succeeded in zip(FUZZED, jobs, run_together(jobs)):
+        text = log.read_text(errors="replace")
+        if not succeeded:
+            lines = re.findall("(?m)^.*(?:ERROR|runtime error|Test unit written).*$|^[a-z]+: .*$", text) or text.splitlines()[-20:]
+            os.write(2, ("\n".join(lines) + "\n").encode())
+            raise Failure("an input broke something: copy the file named above to tests/fuzz/found, where a test runs it, and fix the code")
+        counts.append(f"{part}: {(re.findall(r'stat::number_of_executed_units: *([0-9]+)', text) or [0])[-1]} inputs")
+    return "; ".join(counts)
 
 
 def fuzz_alone(seconds):
