@@ -38,7 +38,7 @@ nanobind::dict draw(const nanobind::list& meshes, const std::vector<std::string>
 template <class... Named>
 nanobind::dict dict_of(Named&&... named) {
     const nanobind::handle dict(reinterpret_cast<PyObject*>(&PyDict_Type));
-    return nanobind::dict(dict(std::forward<Named>(named)...));
+    return nanobind::cast<nanobind::dict>(dict(std::forward<Named>(named)...));
 }
 
 template <class Items>

@@ -6,7 +6,6 @@ lacks, so this system must not be newer than that."""
 import pathlib
 import shutil
 import subprocess
-import sys
 import tempfile
 
 from environment.build import CHECKOUT, build_targets
@@ -14,12 +13,12 @@ from environment.files import cache_folder, publish_into
 from environment.headers import apt_get, ensure_headers, private_apt
 from environment.messages import Failure
 from product.package import make_packages
+from product.plugin_needs import excess
 from product.pymeshlab import MESHLAB, SUITE
 from product.stage import built_plugins, multiarch
 
 BUILD = CHECKOUT / "build/portable"
 LIBRARY = "libmeshlab-common.so"
-NEEDS = pathlib.Path(__file__).with_name("plugin_needs.py")
 
 
 def unpack_library(folder):
@@ -46,8 +45,7 @@ def build_portable(*options):
 def package_portable():
     """Into build/portable/packages."""
     build_portable()
-    with open(BUILD / "needs.txt", "w", encoding="utf-8") as needs:
-        if subprocess.run([sys.executable, NEEDS, *built_plugins(BUILD, "plugins")], stdout=needs).returncode != 0:
-            raise Failure("built on this system, the plugins would not load on others; build them on Debian 12, or another "
-                          "one as old")
+    if found := excess(built_plugins(BUILD, "plugins")):
+        raise Failure("built on this system, the plugins would not load on others; build them on Debian 12, or another one as "
+                      "old:\n" + "\n".join(found))
     make_packages(BUILD, BUILD / "packages", ["ZIP"])

@@ -69,20 +69,20 @@ class Surface:
     def lines(self, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
               light: Point | None = None, kinds: Kinds = None, **line_options: Unpack[LineOptions]) -> Polylines:
         """All lines of a view, also those that the surface hides; see the function lines()."""
-        plane, place = self._view(direction, eye, up)
-        return Polylines.of_core(self._core.lines(*place, _light(light), _style(kinds, line_options)), plane)
+        plane, view = self._view(direction, eye, up, light)
+        return Polylines.of_core(self._core.lines(*view, _style(kinds, line_options)), plane)
 
     @options.takes(options.LINES, told="lines()")
     def visible_lines(self, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
                       light: Point | None = None, kinds: Kinds = None, hidden: bool = False,
                       joined_in_picture: bool = False, **line_options: Unpack[LineOptions]) -> Polylines:
         """The parts of lines that are seen; see the function visible_lines()."""
-        plane, place = self._view(direction, eye, up)
-        arrays = self._core.visible_lines(*place, _light(light), _style(kinds, line_options), hidden, joined_in_picture)
+        plane, view = self._view(direction, eye, up, light)
+        arrays = self._core.visible_lines(*view, _style(kinds, line_options), hidden, joined_in_picture)
         return Polylines.of_core(arrays, plane)
 
-    def _view(self, direction, eye, up):
-        """The plane of the picture, and the eye as the core has it."""
+    def _view(self, direction, eye, up, light):
+        """The plane of the picture; the eye and the light as the core has them."""
         if direction is None and eye is None:
             raise TypeError("Say from where: direction=(0, 0, 1), to a viewer far away, or eye=(x, y, z), a place.")
         eye = None if eye is None else _vector(eye, "eye")
@@ -92,7 +92,8 @@ class Surface:
             up = numpy.roll(up, 1)
         right = _unit(numpy.cross(up, back), "up")
         plane = Page(right, numpy.cross(back, right), back, eye)
-        return plane, ((back if eye is None else eye).tolist(), float(eye is not None))
+        light = None if light is None else _vector(light, "light").tolist()
+        return plane, ((back if eye is None else eye).tolist(), float(eye is not None), light)
 
 
 def _vector(values, name):
@@ -107,10 +108,6 @@ def _unit(vector, name):
     if length == 0:
         raise ValueError(f"{name} has no length: an eye has to be outside the middle of the mesh, or needs a direction.")
     return vector / length
-
-
-def _light(light):
-    return None if light is None else _vector(light, "light").tolist()
 
 
 def _style(kinds, given):
