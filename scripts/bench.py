@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures how fast the core is, and how true drawings are: ./bench --help."""
 
-import argparse
-import contextlib
-import sys
 import tempfile
 
 from environment import packages
 from environment.build import CHECKOUT, build_folder, build_targets
-from environment.messages import output, run, run_main, started
+from environment.messages import output, run, run_main
+from environment.options import Parser
 from product.models import check_mesh, prepare_mesh
 
 ABOUT = """\
@@ -23,21 +21,6 @@ meshes cover, in ten seconds; ./test drawing_truth has the bounds.
 """
 MEDIANS = ["--benchmark_repetitions=5", "--benchmark_enable_random_interleaving", "--benchmark_min_time=0.2",
            "--benchmark_report_aggregates_only"]
-STREAM = "a, b = bytearray(1 << 28), bytearray(1 << 28)\nwhile True:\n    a[:] = b"  # more than caches hold
-
-
-def parse(words):
-    parser = argparse.ArgumentParser("./bench", description=ABOUT, allow_abbrev=False,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="MESH|PART", help="a part's name, such as knob")
-    parser.add_argument("--busy", action="store_true", help="beside a process that streams memory")
-    parser.add_argument("--truth", action="store_true", help="measures drawings, not times")
-    parser.add_argument("--pictures", metavar="FOLDER", help="with --truth: gets SVG files of what is missed or wrong")
-    options, others = parser.parse_known_args(words)
-    unknown = [word for word in others if not word.startswith("--benchmark_")]
-    if unknown or len(options.names) > 1 and not options.truth:
-        parser.error(f"not understood: {' '.join(unknown or options.names[1:])}")
-    return options, others
 
 
 def truth(options):
@@ -49,25 +32,27 @@ def truth(options):
     return run([build_folder() / "programs/benchmarks/truth/drawing_truth", *pictures, *parts])
 
 
-def speed(options, others):
+def speed(names, others):
+    for mesh in names:
+        check_mesh(mesh)
     packages.ensure_packages(*packages.CORE, "libbenchmark-dev")
     build_targets("speed", preset="benchmarks")
     commit = output("git", "-C", CHECKOUT, "describe", "--always", "--dirty", "--abbrev=12") or "unknown"
-    with tempfile.TemporaryDirectory() as work, contextlib.ExitStack() as neighbours:
-        mesh = prepare_mesh(*options.names or [""], work)
-        if options.busy:
-            neighbours.enter_context(started([sys.executable, "-c", STREAM]))
-        program = build_folder() / "programs/benchmarks/speed"
-        return run([program, *MEDIANS, f"--benchmark_context=commit={commit}", *others, mesh])
+    with tempfile.TemporaryDirectory() as work:
+        mesh = prepare_mesh(*names or [""], work)
+        return run([build_folder() / "programs/benchmarks/speed", *MEDIANS, f"--benchmark_context=commit={commit}", *others, mesh])
 
 
 def main():
-    options, others = parse(sys.argv[1:])
-    if options.truth:
-        return truth(options)
-    for mesh in options.names:
-        check_mesh(mesh)
-    return speed(options, others)
+    parser = Parser("./bench", description=ABOUT)
+    parser.add_argument("names", nargs="*", metavar="MESH|PART", help="a part's name, such as knob")
+    parser.add_argument("--truth", action="store_true", help="measures drawings, not times")
+    parser.add_argument("--pictures", metavar="FOLDER", help="with --truth: gets SVG files of what is missed or wrong")
+    options, others = parser.parse_known_args()
+    unknown = [word for word in others if not word.startswith("--benchmark_")]
+    if unknown or len(options.names) > 1 and not options.truth:
+        parser.error(f"not understood: {' '.join(unknown or options.names[1:])}")
+    return truth(options) if options.truth else speed(options.names, others)
 
 
 run_main(main)

@@ -17,9 +17,9 @@ def main():
             os.environ["XDG_RUNTIME_DIR"] = f"{work}/runtime"
         if words[:1] == ["--drawing"]:
             from product.drawing import run_drawing
-            return run_drawing(pathlib.Path(work), words[1:])
-        from product.command import Command
-        return Command(words).run(pathlib.Path(work))
+            return run_drawing(words[1:], pathlib.Path(work))
+        from product.command import run_command
+        return run_command(words, pathlib.Path(work))
 
 
 run_main(main)

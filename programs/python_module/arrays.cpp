@@ -1,75 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.h"
 
-#include <utility>
-
 #include "laplacian_lines/field_columns.h"
 
 namespace python_module {
 
 namespace nb = nanobind;
+using namespace nb::literals;
 using namespace laplacian_lines;
 
 namespace {
 
-/// Owns its numbers; flat if it has one column.
-template <class Number>
-nb::object array(std::vector<Number>&& numbers, std::size_t columns = 1) {
-    auto* kept = new std::vector<Number>(std::move(numbers));
-    const nb::capsule owner(kept,
+/// Of the numbers read(row, column), which it owns; flat if it has one column.
+template <class Number, class Read>
+nb::object array(std::size_t rows, std::size_t columns, const Read& read) {
+    auto* numbers = new std::vector<Number>;
+    const nb::capsule owner(numbers,
                             [](void* p) noexcept { delete static_cast<std::vector<Number>*>(p); });
-    const std::size_t shape[] = {kept->size() / columns, columns};
+    numbers->reserve(rows * columns);
+    for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t j = 0; j < columns; ++j)
+            numbers->push_back(Number(read(i, j)));
+    const std::size_t shape[] = {rows, columns};
     return nb::cast(
-        nb::ndarray<nb::numpy, Number>(kept->data(), columns == 1 ? 1 : 2, shape, owner));
+        nb::ndarray<nb::numpy, Number>(numbers->data(), columns == 1 ? 1 : 2, shape, owner));
 }
 
-template <class Number, class Rows>
-nb::object array_of_rows(const Rows& rows) {
-    std::vector<Number> numbers;
-    numbers.reserve(3 * rows.size());
-    for (const auto& row : rows)
-        for (int i = 0; i < 3; ++i)
-            numbers.push_back(row[i]);
-    return array(std::move(numbers), 3);
+template <class Number, class Row, class Value>
+nb::object array_of(const std::vector<Row>& rows, Value Row::*member) {
+    return array<Number>(rows.size(), 1,
+                         [&](std::size_t i, std::size_t) { return rows[i].*member; });
 }
-
-struct LineArrays {
-    std::vector<double> points;
-    std::vector<float> weights, gradients, opacities, strengths;
-    std::vector<std::int64_t> offsets{0};
-    std::vector<std::uint8_t> kinds, closed, hidden, outline;
-
-    template <class Point>
-    void add_point(const Eigen::Vector3d& place, const Point& point) {
-        points.insert(points.end(), place.begin(), place.end());
-        weights.push_back(point.weight);
-        gradients.push_back(point.gradient);
-        opacities.push_back(point.opacity);
-    }
-    template <class Line>
-    void end_line(const Line& line, bool is_hidden, bool is_outline) {
-        offsets.push_back(std::int64_t(weights.size()));
-        strengths.push_back(line.strength);
-        kinds.push_back(std::uint8_t(line.kind));
-        closed.push_back(line.closed);
-        hidden.push_back(is_hidden);
-        outline.push_back(is_outline);
-    }
-    nb::dict hand_over() {
-        nb::dict result;
-        result["points"] = array(std::move(points), 3);
-        result["weights"] = array(std::move(weights));
-        result["gradients"] = array(std::move(gradients));
-        result["opacities"] = array(std::move(opacities));
-        result["strengths"] = array(std::move(strengths));
-        result["offsets"] = array(std::move(offsets));
-        result["kinds"] = array(std::move(kinds));
-        result["closed"] = array(std::move(closed));
-        result["hidden"] = array(std::move(hidden));
-        result["outline"] = array(std::move(outline));
-        return result;
-    }
-};
 
 }  // namespace
 
@@ -87,48 +48,48 @@ TriangleMesh mesh_of(const Positions& positions, const Triangles& triangles) {
 }
 
 nb::tuple arrays_of(const TriangleMesh& mesh) {
-    return nb::make_tuple(array_of_rows<double>(mesh.positions),
-                          array_of_rows<std::uint32_t>(mesh.triangles));
+    const auto position = [&](std::size_t i, std::size_t j) { return mesh.positions[i][j]; };
+    const auto corner = [&](std::size_t i, std::size_t j) { return mesh.triangles[i][j]; };
+    return nb::make_tuple(array<double>(mesh.positions.size(), 3, position),
+                          array<std::uint32_t>(mesh.triangles.size(), 3, corner));
 }
 
 nb::dict arrays_of(const Field& field) {
     nb::dict result;
     for (const FieldColumn& column : present_columns(field)) {
-        const std::size_t entries = column.size(field);
-        int first = 0;
+        const float* numbers = column.read(field);
         for (const FieldAttribute& attribute : column.attributes) {
             if (attribute.floats == 0) continue;
-            std::vector<float> numbers;
-            numbers.reserve(entries * attribute.floats);
-            for (std::size_t i = 0; i < entries; ++i) {
-                const float* entry = column.read(field) + i * column.floats + first;
-                numbers.insert(numbers.end(), entry, entry + attribute.floats);
-            }
-            result[attribute.name] = array(std::move(numbers), attribute.floats);
-            first += attribute.floats;
+            result[attribute.name] = array<float>(
+                column.size(field), attribute.floats,
+                [&](std::size_t i, std::size_t j) { return numbers[i * column.floats + j]; });
+            numbers += attribute.floats;
         }
     }
     return result;
 }
 
-nb::dict arrays_of(const LineSet& set) {
-    LineArrays arrays;
-    for (const Polyline& line : set.lines) {
-        for (std::uint32_t i = 0; i < line.count; ++i)
-            arrays.add_point(set.place(set.points[line.first + i]), set.points[line.first + i]);
-        arrays.end_line(line, false, false);
-    }
-    return arrays.hand_over();
-}
-
 nb::dict arrays_of(const std::vector<SightLine>& lines) {
-    LineArrays arrays;
+    std::vector<SightPoint> points;
+    std::vector<std::size_t> offsets{0};
     for (const SightLine& line : lines) {
-        for (const SightPoint& point : line.points)
-            arrays.add_point(point.position, point);
-        arrays.end_line(line, line.is_hidden, line.is_outline);
+        points.insert(points.end(), line.points.begin(), line.points.end());
+        offsets.push_back(points.size());
     }
-    return arrays.hand_over();
+    using Flag = std::uint8_t;
+    return dict_of(
+        "points"_a = array<double>(
+            points.size(), 3, [&](std::size_t i, std::size_t j) { return points[i].position[j]; }),
+        "weights"_a = array_of<float>(points, &SightPoint::weight),
+        "gradients"_a = array_of<float>(points, &SightPoint::gradient),
+        "opacities"_a = array_of<float>(points, &SightPoint::opacity),
+        "offsets"_a = array<std::int64_t>(offsets.size(), 1,
+                                          [&](std::size_t i, std::size_t) { return offsets[i]; }),
+        "kinds"_a = array_of<std::uint8_t>(lines, &SightLine::kind),
+        "strengths"_a = array_of<float>(lines, &SightLine::strength),
+        "closed"_a = array_of<Flag>(lines, &SightLine::closed),
+        "hidden"_a = array_of<Flag>(lines, &SightLine::is_hidden),
+        "outline"_a = array_of<Flag>(lines, &SightLine::is_outline));
 }
 
 }  // namespace python_module

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drawing.h"
-
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 
+#include "arrays.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/sheet_choices.h"
 #include "line_drawing/sheet_file.h"
@@ -10,32 +10,15 @@
 namespace python_module {
 
 namespace nb = nanobind;
+using namespace nb::literals;
 using namespace line_drawing;
 
 namespace {
 
-bool is_of_files(const SheetOption& option) {
-    const std::string_view key = option.row.key;
-    return key == "damaged" || key == "format";
-}
-
-nb::list list_of(const Words& words) {
-    nb::list list;
-    for (const std::string& word : words)
-        list.append(word);
-    return list;
-}
-
-/// File names, and {name} without folder and extension.
-void name_sources(const std::vector<SourceMesh>& sources, SheetOptions& options) {
-    Words files, names;
-    for (const SourceMesh& source : sources) {
-        if (source.name.empty()) continue;
-        files.push_back(source.name);
-        names.push_back(source.name.substr(0, source.name.rfind('.')));
-    }
-    options.source = joined(files, ", ");
-    options.title = titleOf(options.title, names);
+const char* kind_of(const SheetOption& option) {
+    if (option.text) return "text";
+    if (!option.switch_words.empty()) return "boolean";
+    return option.row.choices.empty() ? "real" : "choice";
 }
 
 }  // namespace
@@ -43,47 +26,54 @@ void name_sources(const std::vector<SourceMesh>& sources, SheetOptions& options)
 nb::list sheet_options() {
     nb::list rows;
     for (const SheetOption& option : sheetOptionTable()) {
-        if (!option.isOf(SheetOption::Place::Command) || is_of_files(option)) continue;
-        const bool is_switch = !option.switch_words.empty();
+        const std::string key = option.row.key;
+        if (!option.isOf(SheetOption::Place::Command) || key == "damaged" || key == "format")
+            continue;  // of files
         const Words words = option.words();
-        nb::dict d;
-        d["key"] = option.row.key;
-        d["help"] = option.row.help;
-        d["kind"] = option.text                  ? "text"
-                    : is_switch                  ? "boolean"
-                    : option.row.choices.empty() ? "real"
-                                                 : "choice";
-        d["minimum"] = option.row.minimum;
-        d["maximum"] = option.row.maximum;
-        d["choices"] = list_of(is_switch ? Words() : words);
-        d["words"] = list_of(words);
-        d["command"] = option.command();
-        d["default"] = option.text ? nb::cast(option.valueIn({})) : nb::cast(option.row.get({}));
-        rows.append(d);
+        rows.append(dict_of("key"_a = key, "help"_a = option.row.help, "kind"_a = kind_of(option),
+                            "minimum"_a = option.row.minimum, "maximum"_a = option.row.maximum,
+                            "choices"_a = list_of(option.switch_words.empty() ? words : Words()),
+                            "words"_a = list_of(words), "command"_a = option.command(),
+                            "default"_a = option.text ? nb::cast(option.valueIn({}))
+                                                      : nb::cast(option.row.get({}))));
     }
     return rows;
 }
 
-Drawing draw(const DrawnMeshes& drawn, const Words& words, const std::string& ending,
-             const laplacian_lines::Progress& progress) {
-    const std::string file = '.' + ending;
+nb::dict draw(const nb::list& meshes, const Words& words, const std::string& ending) {
+    std::vector<SourceMesh> sources;
+    std::vector<laplacian_lines::TriangleMesh> read;
+    Words files, names;
+    for (const nb::handle mesh : meshes) {
+        const auto [positions, triangles, file, hash] =
+            nb::cast<std::tuple<Positions, Triangles, std::string, std::string>>(mesh);
+        read.push_back(mesh_of(positions, triangles));
+        sources.push_back({file, hash});
+        if (file.empty()) continue;
+        files.push_back(file);
+        names.push_back(file.substr(0, file.rfind('.')));
+    }
+    const std::string format = '.' + ending;
     SheetChoices choices = readChoices(words);
-    choices.file = file;
+    choices.file = format;
     SheetOptions options = sheetOptions(choices);
-    name_sources(drawn.sources, options);
-    const std::vector<std::string> of_texts = checkTexts(options, file);
+    options.source = joined(files, ", ");
+    options.title = titleOf(options.title, names);
+    const std::vector<std::string> of_texts = checkTexts(options, format);
     Objects objects;
-    for (std::size_t i = 0; i < drawn.meshes.size(); ++i)
-        objects.push_back({drawn.meshes[i], nullptr, drawn.sources[i].name});
-    Sheet sheet = makeSheets(objects, {options}, progress).front();
-    sheet.provenance = provenanceText(drawn.sources, words);
+    for (std::size_t i = 0; i < read.size(); ++i)
+        objects.push_back({read[i], nullptr, sources[i].name});
+    Sheet sheet;
+    const std::string content = unlocked([&](const laplacian_lines::Progress& progress) {
+        sheet = makeSheets(objects, {options}, progress).front();
+        sheet.provenance = provenanceText(sources, words);
+        return writeSheet(sheet, format, choices.dpi);
+    });
     sheet.remarks.insert(sheet.remarks.begin(), of_texts.begin(), of_texts.end());
-    return {writeSheet(sheet, file, choices.dpi),
-            sheet.size.x(),
-            sheet.size.y(),
-            sheet.scale,
-            sheet.kernel,
-            sheet.remarks};
+    return dict_of("content"_a = nb::bytes(content.data(), content.size()),
+                   "paper"_a = nb::make_tuple(sheet.size.x(), sheet.size.y()),
+                   "scale"_a = sheet.scale, "kernel"_a = sheet.kernel,
+                   "remarks"_a = nb::tuple(list_of(sheet.remarks)));
 }
 
 }  // namespace python_module

@@ -6,18 +6,17 @@
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
-#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <limits>
 
 #include "arrays.h"
-#include "drawing.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/version.h"
+#include "line_drawing/whole_file.h"
 #include "mesh_files/mesh_file.h"
 #include "surface.h"
 
@@ -31,36 +30,24 @@ namespace {
 using Values = std::map<std::string, double>;
 using Direction = std::array<double, 3>;
 
-const char* name_of(OptionKind kind) {
-    constexpr const char* names[] = {"real", "length", "boolean", "choice"};
-    return names[std::size_t(kind)];
-}
-
 template <class Options>
 nb::list rows_of(const std::vector<OptionDescription<Options>>& table) {
+    constexpr const char* kinds[] = {"real", "length", "boolean", "choice"};
     nb::list rows;
     for (const auto& row : table) {
-        nb::dict d;
-        d["key"] = row.key;
-        d["help"] = row.help;
-        d["kind"] = name_of(row.kind);
-        d["minimum"] = row.minimum;
-        d["maximum"] =
-            row.maximum == std::numeric_limits<double>::max() ? nb::none() : nb::cast(row.maximum);
-        nb::list choices;
-        for (const char* choice : row.choices)
-            choices.append(choice);
-        d["choices"] = choices;
-        d["default"] = row.get(Options());
-        rows.append(d);
+        const bool is_limited = row.maximum != std::numeric_limits<double>::max();
+        rows.append(dict_of("key"_a = row.key, "help"_a = row.help,
+                            "kind"_a = kinds[std::size_t(row.kind)], "minimum"_a = row.minimum,
+                            "maximum"_a = is_limited ? nb::cast(row.maximum) : nb::none(),
+                            "choices"_a = list_of(row.choices), "default"_a = row.get(Options())));
     }
     return rows;
 }
 
 /// Unknown keys are a bug of the package: it looks them up before.
 template <class Options>
-Options options_of(const std::vector<OptionDescription<Options>>& table, const Values& values,
-                   Options options = {}) {
+Options options_of(const std::vector<OptionDescription<Options>>& table, const Values& values) {
+    Options options;
     for (const auto& row : table)
         if (const auto found = values.find(row.key); found != values.end())
             row.set(options, found->second);
@@ -71,31 +58,20 @@ Options options_of(const std::vector<OptionDescription<Options>>& table, const V
 nb::list columns() {
     nb::list rows;
     for (const FieldColumn& column : field_columns)
-        for (const FieldAttribute& attribute : column.attributes) {
-            if (attribute.floats == 0) continue;
-            nb::dict d;
-            d["name"] = attribute.name;
-            d["numbers"] = attribute.floats;
-            d["help"] = column.help;
-            d["unit"] = column.unit;
-            d["optional"] = column.optional;
-            rows.append(d);
-        }
+        for (const FieldAttribute& attribute : column.attributes)
+            if (attribute.floats > 0)
+                rows.append(dict_of("name"_a = attribute.name, "numbers"_a = attribute.floats,
+                                    "help"_a = column.help, "unit"_a = column.unit,
+                                    "optional"_a = column.optional));
     return rows;
 }
 
 nb::list kinds() {
     nb::list rows;
-    for (const LineKindDescription& kind : line_kinds) {
-        nb::dict d;
-        d["key"] = kind.key;
-        d["one"] = kind.one;
-        d["many"] = kind.many;
-        d["outline"] = kind.is_outline;
-        d["color"] = kind.color;
-        d["width"] = kind.width;
-        rows.append(d);
-    }
+    for (const LineKindDescription& kind : line_kinds)
+        rows.append(dict_of("key"_a = kind.key, "one"_a = kind.one, "many"_a = kind.many,
+                            "outline"_a = kind.is_outline, "color"_a = kind.color,
+                            "width"_a = kind.width));
     return rows;
 }
 
@@ -110,22 +86,6 @@ nb::list keys_of_kinds(const std::string& names) {
     for (const LineKindDescription& kind : line_kinds)
         if ((*set)[kind.kind]) keys.append(kind.key);
     return keys;
-}
-
-/// Runs the core without Python's lock, and stops when Python is interrupted.
-template <class Work>
-auto unlocked(const Work& work) {
-    const Progress until_interrupted = [](double, const char*) {
-        const nb::gil_scoped_acquire locked;
-        return PyErr_CheckSignals() == 0;
-    };
-    try {
-        const nb::gil_scoped_release released;
-        return work(until_interrupted);
-    } catch (const Error&) {
-        if (PyErr_Occurred()) throw nb::python_error();
-        throw;
-    }
 }
 
 View view_of(const Direction& eye, double w, const std::optional<Direction>& light) {
@@ -172,19 +132,15 @@ nb::dict field(const Surface& surface) {
 nb::dict measures(const Surface& surface) {
     const FieldScale& scale = surface.scale();
     const MeshReport& report = surface.report();
-    nb::dict d;
-    d["diagonal"] = scale.diagonal;
-    d["mean_edge"] = scale.mean_edge;
-    d["kernel_size"] = scale.kernel_size;
-    d["normal_sigma"] = scale.normal_sigma;
-    d["roughness"] = report.roughness;
-    d["non_finite_vertices"] = report.non_finite_vertices;
-    d["unreferenced_vertices"] = report.unreferenced_vertices;
-    d["degenerate_triangles"] = report.degenerate_triangles;
-    d["welded_vertices"] = report.welded_vertices;
-    d["turned_triangles"] = report.turned_triangles;
-    d["undone_subdivisions"] = report.undone_subdivisions;
-    return d;
+    return dict_of("diagonal"_a = scale.diagonal, "mean_edge"_a = scale.mean_edge,
+                   "kernel_size"_a = scale.kernel_size, "normal_sigma"_a = scale.normal_sigma,
+                   "roughness"_a = report.roughness,
+                   "non_finite_vertices"_a = report.non_finite_vertices,
+                   "unreferenced_vertices"_a = report.unreferenced_vertices,
+                   "degenerate_triangles"_a = report.degenerate_triangles,
+                   "welded_vertices"_a = report.welded_vertices,
+                   "turned_triangles"_a = report.turned_triangles,
+                   "undone_subdivisions"_a = report.undone_subdivisions);
 }
 
 nb::object read_mesh(const std::string& ending, const nb::bytes& bytes) {
@@ -196,25 +152,9 @@ nb::object read_mesh(const std::string& ending, const nb::bytes& bytes) {
     return arrays_of(read.mesh) + nb::make_tuple(read.defect, read.remark);
 }
 
-/// `meshes`: positions, triangles, file name and file hash of each.
-nb::dict draw_meshes(const nb::list& meshes, const std::vector<std::string>& words,
-                     const std::string& ending) {
-    DrawnMeshes drawn;
-    for (const nb::handle mesh : meshes) {
-        const auto [positions, triangles, name, hash] =
-            nb::cast<std::tuple<Positions, Triangles, std::string, std::string>>(mesh);
-        drawn.meshes.push_back(mesh_of(positions, triangles));
-        drawn.sources.push_back({name, hash});
-    }
-    const Drawing drawing =
-        unlocked([&](const Progress& progress) { return draw(drawn, words, ending, progress); });
-    nb::dict d;
-    d["content"] = nb::bytes(drawing.content.data(), drawing.content.size());
-    d["paper"] = nb::make_tuple(drawing.width, drawing.height);
-    d["scale"] = drawing.scale;
-    d["kernel"] = drawing.kernel;
-    d["remarks"] = nb::tuple(nb::cast(drawing.remarks));
-    return d;
+/// Whole or not at all.
+void write_whole(const nb::bytes& file, const nb::bytes& content) {
+    line_drawing::writeWhole({file.c_str(), file.size()}, {content.c_str(), content.size()});
 }
 
 }  // namespace
@@ -227,14 +167,14 @@ NB_MODULE(_core, m) {
     m.attr("sheet_options") = sheet_options();
     m.attr("columns") = columns();
     m.attr("kinds") = kinds();
-    m.def("keys_of_kinds", keys_of_kinds, "names"_a);
-    m.def("draw", draw_meshes, "meshes"_a, "words"_a, "ending"_a);
-    m.def("read_mesh", read_mesh, "ending"_a, "content"_a);
+    m.def("keys_of_kinds", keys_of_kinds);
+    m.def("draw", draw);
+    m.def("read_mesh", read_mesh);
+    m.def("write_whole", write_whole);
     nb::class_<Surface>(m, "Surface")
-        .def("__init__", make_surface, "positions"_a, "triangles"_a, "options"_a)
+        .def("__init__", make_surface)
         .def("field", field)
         .def("measures", measures)
-        .def("lines", lines, "eye"_a, "w"_a, "light"_a.none(), "options"_a)
-        .def("visible_lines", visible_lines, "eye"_a, "w"_a, "light"_a.none(), "options"_a,
-             "hidden"_a, "in_picture"_a);
+        .def("lines", lines)
+        .def("visible_lines", visible_lines);
 }

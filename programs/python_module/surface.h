@@ -3,48 +3,96 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_style.h"
 #include "laplacian_lines/line_visibility.h"
-#include "laplacian_lines/precompute_options.h"
+#include "laplacian_lines/precompute.h"
 #include "laplacian_lines/progress.h"
 
 namespace python_module {
+
+using namespace laplacian_lines;
 
 /// A mesh, its field, and what lines need of them, made on demand. Thread-safe.
 class Surface {
 public:
     /// @throws laplacian_lines::Error as precompute()
-    Surface(laplacian_lines::TriangleMesh mesh, const laplacian_lines::PrecomputeOptions& options,
-            const laplacian_lines::Progress& progress);
+    Surface(TriangleMesh mesh, const PrecomputeOptions& options, const Progress& progress)
+        : mesh_(std::move(mesh)),
+          field_(precompute(mesh_, options, progress)),
+          wants_derivatives_(options.curvature_derivatives) {}
 
     /// Optional columns only if the options asked for them.
-    laplacian_lines::Field field() const;
-    const laplacian_lines::FieldScale& scale() const { return field_.scale; }
-    const laplacian_lines::MeshReport& report() const { return field_.report; }
-    /// All lines of a view, hidden or not, as LineExtractor::extract().
-    laplacian_lines::LineSet lines(const laplacian_lines::View& view,
-                                   const laplacian_lines::LineStyle& style,
-                                   const laplacian_lines::Progress& progress);
+    Field field() const {
+        const std::lock_guard using_parts(parts_);
+        Field field = field_;
+        if (!wants_derivatives_) {
+            field.smooth_curvatures.clear();
+            field.curvature_derivatives.clear();
+        }
+        return field;
+    }
+    const FieldScale& scale() const { return field_.scale; }
+    const MeshReport& report() const { return field_.report; }
+
+    /// All lines of a view as LineExtractor::extract(), none of them called hidden or an outline.
+    std::vector<SightLine> lines(const View& view, const LineStyle& style,
+                                 const Progress& progress) {
+        const std::lock_guard using_parts(parts_);
+        ExtractionScratch scratch;
+        LineSet set;
+        extractor(style, progress).extract(view, style, scratch, set);
+        std::vector<SightLine> lines;
+        for (const Polyline& line : set.lines) {
+            SightLine& found = lines.emplace_back();
+            found.kind = line.kind;
+            found.closed = line.closed;
+            found.strength = line.strength;
+            for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
+                const LinePoint& point = set.points[i];
+                found.points.push_back(
+                    {set.place(point), point.weight, point.gradient, point.opacity, 0, false});
+            }
+        }
+        return lines;
+    }
+
     /// The visible lines, and the hidden ones if asked for, see LineVisibility::look(). The style
     /// has the kinds and the smoothing.
-    std::vector<laplacian_lines::SightLine> visible_lines(
-        const laplacian_lines::View& view, const laplacian_lines::LineStyle& style,
-        laplacian_lines::SightOptions options, const laplacian_lines::Progress& progress);
+    std::vector<SightLine> visible_lines(const View& view, const LineStyle& style,
+                                         SightOptions options, const Progress& progress) {
+        const std::lock_guard using_parts(parts_);
+        if (!visibility_) visibility_ = std::make_unique<LineVisibility>(mesh_, progress);
+        ExtractionScratch scratch;
+        const LineSet lines = extract_on_surface(extractor(style, progress), view, style, scratch);
+        options.shows = style.shows;
+        options.line_smoothing = style.line_smoothing;
+        options.shortest_contour = style.shortest_contour;
+        return visibility_->look(view, {lines}, options, progress);
+    }
 
 private:
     /// With derivatives if the style needs them.
-    const laplacian_lines::LineExtractor& extractor(const laplacian_lines::LineStyle& style,
-                                                    const laplacian_lines::Progress& progress);
+    const LineExtractor& extractor(const LineStyle& style, const Progress& progress) {
+        if (!extractor_) extractor_ = std::make_unique<LineExtractor>(mesh_, field_, progress);
+        if (style.shows.needs_derivatives() && !field_.has_derivatives()) {
+            Field field = field_;  // as a whole or not at all
+            add_curvature_derivatives(mesh_, field, progress);
+            extractor_->add_derivatives(mesh_, field);
+            field_ = std::move(field);
+        }
+        return *extractor_;
+    }
 
-    const laplacian_lines::TriangleMesh mesh_;
-    laplacian_lines::Field field_;
+    const TriangleMesh mesh_;
+    Field field_;
     const bool wants_derivatives_;
-    std::unique_ptr<laplacian_lines::LineExtractor> extractor_;
-    std::unique_ptr<const laplacian_lines::LineVisibility> visibility_;
+    std::unique_ptr<LineExtractor> extractor_;
+    std::unique_ptr<const LineVisibility> visibility_;
     mutable std::mutex parts_;  // one view at a time, which the core computes on all processors
 };
 

@@ -14,7 +14,7 @@ from environment.build import CHECKOUT, build_folder, build_targets, ctest, proc
 from environment.files import cache_folder
 from environment.messages import Failure, output, quietly, run, run_together, say
 
-PACKAGES = "clang libclang-rt-dev llvm cppcheck shellcheck python3-pyflakes".split()
+PACKAGES = "clang libclang-rt-dev llvm cppcheck git shellcheck python3-pyflakes".split()
 LEAST_COVERAGE = 97  # percent of the core's lines
 # Under sanitizers these take minutes: accuracy, many meshes, triangles, options or threads. Others run the same code.
 SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Large* *KindsOnSurface* *ClosedOutlines* EndlessSum.* Determinism.*
@@ -45,7 +45,7 @@ def run_checks(stage, nightly):
 
 
 def checks_folder(preset="sanitizers"):
-    return build_folder() / {"sanitizers": "checks"}.get(preset, preset)
+    return build_folder() / preset
 
 
 def build_with_clang(preset, *targets):
@@ -112,37 +112,31 @@ def check_coverage():
     return f"{covered} % of the lines"
 
 
-def fuzz_job(part, seconds, corpus):
-    """Inputs made up by libFuzzer; interesting new ones go to CORPUS/PART."""
-    folder, work = checks_folder(), checks_folder() / "fuzz" / part
-    for place in (work, corpus / part):
-        place.mkdir(parents=True, exist_ok=True)
-    environment = {"ASAN_OPTIONS": "detect_leaks=0", "LAPLACIAN_LINES_THREADS": "1", "LLVM_PROFILE_FILE": "/dev/null"}
-    command = [folder / f"tests/fuzz/fuzz_{part}", f"-max_total_time={seconds}", "-max_len=16384", "-len_control=0",
-               "-seed=1", "-timeout=60", "-rss_limit_mb=3000", f"-artifact_prefix={work}/", "-print_final_stats=1",
-               corpus / part, folder / "fuzz/seeds" / part, CHECKOUT / "tests/fuzz/found"]
-    return work / "log", command, {"env": {**os.environ, **environment}}
-
-
-def found_by(part, log, succeeded):
-    text = log.read_text(errors="replace")
-    if not succeeded:
-        lines = re.findall("(?m)^.*(?:ERROR|runtime error|Test unit written).*$|^[a-z]+: .*$", text) or text.splitlines()[-20:]
-        os.write(2, ("\n".join(lines) + "\n").encode())
-        raise Failure("an input broke something: copy the file named above to tests/fuzz/found, where a test runs it, and fix the code")
-    return f"{part}: {(re.findall(r'stat::number_of_executed_units: *([0-9]+)', text) or [0])[-1]} inputs"
-
-
 def fuzz(seconds, corpus):
-    """From fixed seeds and the corpus of this name; "new" is what is forgotten, so that runs are alike."""
-    folder = checks_folder() / "fuzz"
+    """From fixed seeds and the corpus of this name; "new" is what is forgotten, so that runs are alike. Inputs made up by
+    libFuzzer; interesting new ones go to the corpus."""
+    folder, programs, jobs, counts = checks_folder() / "fuzz", checks_folder() / "tests/fuzz", [], []
+    options = {"env": {**os.environ, "ASAN_OPTIONS": "detect_leaks=0", "LAPLACIAN_LINES_THREADS": "1",
+                       "LLVM_PROFILE_FILE": "/dev/null"}}
     for name in ("seeds", "new"):
         shutil.rmtree(folder / name, ignore_errors=True)
-    if run([checks_folder() / "tests/fuzz/write_seeds", folder / "seeds"], env={**os.environ, "LLVM_PROFILE_FILE": "/dev/null"}):
+    if run([programs / "write_seeds", folder / "seeds"], **options):
         raise Failure("the fuzzers' seeds could not be written")
     say(f"fuzzing for {seconds} seconds")
-    jobs = [fuzz_job(part, seconds, folder / corpus) for part in FUZZED]
-    return "; ".join(found_by(part, log, succeeded) for part, (log, *_), succeeded in zip(FUZZED, jobs, run_together(jobs)))
+    for part in FUZZED:
+        (folder / corpus / part).mkdir(parents=True, exist_ok=True)
+        jobs.append((folder / part / "log", [
+            programs / f"fuzz_{part}", f"-max_total_time={seconds}", "-max_len=16384", "-len_control=0", "-seed=1", "-timeout=60",
+            "-rss_limit_mb=3000", f"-artifact_prefix={folder / part}/", "-print_final_stats=1", folder / corpus / part,
+            folder / "seeds" / part, CHECKOUT / "tests/fuzz/found"], options))
+    for part, (log, *_), succeeded in zip(FUZZED, jobs, run_together(jobs)):
+        text = log.read_text(errors="replace")
+        if not succeeded:
+            lines = re.findall("(?m)^.*(?:ERROR|runtime error|Test unit written).*$|^[a-z]+: .*$", text) or text.splitlines()[-20:]
+            os.write(2, ("\n".join(lines) + "\n").encode())
+            raise Failure("an input broke something: copy the file named above to tests/fuzz/found, where a test runs it, and fix the code")
+        counts.append(f"{part}: {(re.findall(r'stat::number_of_executed_units: *([0-9]+)', text) or [0])[-1]} inputs")
+    return "; ".join(counts)
 
 
 def fuzz_alone(seconds):
@@ -151,14 +145,22 @@ def fuzz_alone(seconds):
     return fuzz(seconds, "corpus")
 
 
+def core_tests(build, names, **environment):
+    """What GoogleTest says last of those tests of the core."""
+    log = build / "core_tests.log"
+    if not quietly(log, [build / "tests/core/core_tests", "--gtest_brief=1", f"--gtest_filter={names}"],
+                   env={**os.environ, **environment}):
+        raise Failure(f"a test has failed; the log is {log}")
+    passed = log.read_text().splitlines()[-1]
+    if " 0 tests" in passed:
+        raise Failure(f"there is no such test: {names}")
+    return passed
+
+
 def check_large_meshes():
     """The tests of meshes that take seconds and up to 2.2 GB."""
-    log = build_folder() / "large_meshes.log"
     build_targets("core_tests", preset="tests", extra_packages=packages.TEST)
-    if not quietly(log, [build_folder() / "tests/core/core_tests", "--gtest_filter=Meshes/Large.*"],
-                   env={**os.environ, "LAPLACIAN_LINES_LARGE": "1"}):
-        raise Failure(f"a large mesh took too much time or memory, or was not refused; the log is {log}")
-    return re.findall(r"PASSED\s*\] (\d+)", log.read_text())[0] + " meshes"
+    return core_tests(build_folder(), "Meshes/Large.*", LAPLACIAN_LINES_LARGE="1")
 
 
 def test_gui(regexes):
@@ -171,7 +173,7 @@ def test_gui(regexes):
     shutil.rmtree(reports, ignore_errors=True)
     reports.mkdir(parents=True)
     library = output("clang", f"-print-file-name=libclang_rt.asan-{platform.machine()}.so")
-    code = run(ctest(folder, "meshlab", "--tests-regex", "|".join(regexes or GUI_TESTS)), env={
+    code = run(ctest(folder, "meshlab", regexes or GUI_TESTS), env={
         "DRIVE_SECONDS": "900", **os.environ, "SANITIZER_LIBRARY": library, "LLVM_PROFILE_FILE": "/dev/null",
         "ASAN_OPTIONS": f"log_path={reports}/of:detect_leaks=1:malloc_context_size=2:stack_trace_format='    #%n %f %S %M'",
         "UBSAN_OPTIONS": f"log_path={reports}/of:print_stacktrace=1",
@@ -191,12 +193,5 @@ def test_gui(regexes):
 def test_threads(filters):
     """Of GoogleTest."""
     build_with_clang("threads", "core_tests")
-    log = checks_folder("threads") / "tests.log"
-    if not quietly(log, [checks_folder("threads") / "tests/core/core_tests", "--gtest_brief=1",
-                         f"--gtest_filter={':'.join(filters or THREADED_TESTS)}:-{UNTHREADED_TESTS}"],
-                   env={**os.environ, "LAPLACIAN_LINES_THREADS": "4", "TSAN_OPTIONS": "halt_on_error=1"}):
-        raise Failure(f"a race or a failed test is in {log}")
-    passed = log.read_text().splitlines()[-1]
-    if " 0 tests" in passed:
-        raise Failure(f"there is no such test: {' '.join(filters)}")
-    return passed
+    return core_tests(checks_folder("threads"), f"{':'.join(filters or THREADED_TESTS)}:-{UNTHREADED_TESTS}",
+                      LAPLACIAN_LINES_THREADS="4", TSAN_OPTIONS="halt_on_error=1")

@@ -1,12 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# add_room(FOLDER): if this checkout has it.
-function(add_room folder)
-  if(EXISTS "${PROJECT_SOURCE_DIR}/${folder}/CMakeLists.txt")
-    add_subdirectory("${PROJECT_SOURCE_DIR}/${folder}" "${PROJECT_BINARY_DIR}/${folder}")
-  endif()
-endfunction()
-
 # add_room_library(NAME [SOURCES...]): a static library of these sources, or of all in src/, for the plugins.
 function(add_room_library name)
   set(sources ${ARGN})

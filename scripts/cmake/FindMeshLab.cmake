@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Finds the installed MeshLab and the headers of the same version. For the MeshLab inside PyMeshLab, name its library:
-# MESHLAB_COMMON_LIBRARY=.../pymeshlab/lib/libmeshlab-common.so
-#
-# No distribution packages MeshLab's headers; name a folder with its unpacked source by MESHLAB_SOURCE_DIR, or let
-# ./run or ./test fetch one into the cache folder, where this looks too.
+# Finds the installed MeshLab, or that of the library MESHLAB_COMMON_LIBRARY, such as PyMeshLab's, and the headers of the
+# same version: MESHLAB_SOURCE_DIR is a folder with its unpacked source, such as ./run has fetched into the cache folder.
 #
 # Sets  MeshLab_FOUND, MeshLab_VERSION ("2020.09"), MESHLAB_API (2020, 2022 or 2025: which plugin API the headers
 #       speak), MESHLAB_SCALAR (float or double), MESHLAB_LIBRARY_DIR, MESHLAB_PLUGIN_DIR (where MeshLab looks for
@@ -13,18 +10,12 @@
 find_library(MESHLAB_COMMON_LIBRARY meshlab-common PATH_SUFFIXES meshlab
              DOC "MeshLab's shared library")
 
-set(_meshlab_cache "$ENV{LAPLACIAN_LINES_CACHE}")
-if(NOT _meshlab_cache)
-  set(_meshlab_cache "$ENV{XDG_CACHE_HOME}/laplacian-lines")
-  if("$ENV{XDG_CACHE_HOME}" STREQUAL "")
-    set(_meshlab_cache "$ENV{HOME}/.cache/laplacian-lines")
-  endif()
-endif()
 # only the installed version's headers will do, whatever else the cache holds
 execute_process(COMMAND dpkg-query -W "-f=\${Version}" meshlab
                 OUTPUT_VARIABLE _meshlab_package_version ERROR_QUIET)
-find_path(MESHLAB_SOURCE_DIR src/common/mlexception.h
-          PATHS "${_meshlab_cache}/headers/${_meshlab_package_version}" NO_DEFAULT_PATH
+set(_meshlab_headers "$ENV{LAPLACIAN_LINES_CACHE}" "$ENV{XDG_CACHE_HOME}/laplacian-lines" "$ENV{HOME}/.cache/laplacian-lines")
+list(TRANSFORM _meshlab_headers APPEND "/headers/${_meshlab_package_version}")
+find_path(MESHLAB_SOURCE_DIR src/common/mlexception.h PATHS ${_meshlab_headers} NO_DEFAULT_PATH
           DOC "Folder with the unpacked source of the installed MeshLab")
 
 # Which API: by what the headers hold, so that a wrong folder cannot claim another version.

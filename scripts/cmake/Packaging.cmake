@@ -7,20 +7,12 @@ if(NOT MeshLab_FOUND OR MESHLAB_IN_PYTHON)
 endif()
 
 # for the .deb alone: "cmake --install" brings none of it
-set(documents /usr/share/doc/meshlab-laplacian-lines)
-set(made "${PROJECT_BINARY_DIR}/package_files")
+set(made "${PROJECT_BINARY_DIR}/share")
 install(TARGETS laplacian_lines_drawing RUNTIME DESTINATION /usr/bin COMPONENT command EXCLUDE_FROM_ALL)
 install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/scripts/product/package_files.py\"
   \"$<TARGET_FILE:laplacian_lines_drawing>\" \"${PROJECT_SOURCE_DIR}/docs/changelog.md\" \"${made}\" COMMAND_ERROR_IS_FATAL ANY)"
   COMPONENT command EXCLUDE_FROM_ALL)
-install(FILES "${made}/laplacian-lines.1.gz" DESTINATION /usr/share/man/man1 COMPONENT command EXCLUDE_FROM_ALL)
-install(FILES "${made}/laplacian-lines" DESTINATION /usr/share/bash-completion/completions
-  COMPONENT command EXCLUDE_FROM_ALL)
-install(FILES "${made}/changelog.gz" DESTINATION ${documents} COMPONENT command EXCLUDE_FROM_ALL)
-install(FILES "${PROJECT_SOURCE_DIR}/scripts/product/copyright" DESTINATION ${documents}
-  COMPONENT command EXCLUDE_FROM_ALL)
-install(FILES "${PROJECT_SOURCE_DIR}/scripts/product/lintian_overrides" RENAME meshlab-laplacian-lines
-  DESTINATION /usr/share/lintian/overrides COMPONENT command EXCLUDE_FROM_ALL)
+install(DIRECTORY "${made}/" DESTINATION /usr/share COMPONENT command EXCLUDE_FROM_ALL)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION . COMPONENT loose EXCLUDE_FROM_ALL)
 
 set(CPACK_GENERATOR DEB ZIP)

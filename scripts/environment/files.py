@@ -48,30 +48,21 @@ def put_file(data, target, mode=None):
     if place.is_dir() or not place.parent.is_dir():
         raise Failure(f"cannot write {target}: {'it is a folder' if place.is_dir() else 'there is no such folder'}")
     content = data if isinstance(data, bytes) else pathlib.Path(data).read_bytes()
-    beside = None
     try:
         if place.exists() and not place.is_file():
             place.write_bytes(content)
             return
-        handle, beside = tempfile.mkstemp(prefix=".laplacian_lines_", dir=place.parent)
-        with open(handle, "wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(handle)
-        os.chmod(beside, 0o666 & ~umask() if mode is None else mode)
-        os.rename(beside, place)
-        beside = None
+        with tempfile.TemporaryDirectory(prefix=".laplacian_lines_", dir=place.parent) as scratch:
+            beside = pathlib.Path(scratch, place.name)
+            with beside.open("wb") as file:
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
+            if mode is not None:
+                beside.chmod(mode)
+            beside.rename(place)
     except OSError as error:
         raise Failure(f"cannot write {target}: {error.strerror}; what was there is unchanged") from None
-    finally:
-        if beside:
-            os.unlink(beside)
-
-
-def umask():
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 @contextlib.contextmanager

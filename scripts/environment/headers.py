@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 
 from environment.files import cache_folder, publish_into
-from environment.messages import Failure, output, say
+from environment.messages import Obstacle, output, say
 from environment.packages import meshlab_version
 
 KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
@@ -69,14 +69,16 @@ def unpack_source(package, folder, suite=None):
                                 "--strip-components=1", "--wildcards", *HEADERS]).returncode == 0)
 
 
-def ensure_headers():
-    """Sets MESHLAB_SOURCE_DIR."""
-    version = meshlab_version()
-    folder = cache_folder() / "headers" / version
-    os.environ["MESHLAB_SOURCE_DIR"] = str(folder)
-    if (folder / "src/common").is_dir():
-        return
-    say(f"fetching the headers of MeshLab {version} from the distribution's source package")
-    if not publish_into(folder, lambda scratch: unpack_source(f"meshlab={version}", scratch)):
-        raise Failure(f"could not fetch the source package of meshlab {version}; unpack it yourself and name its folder: "
-                      "cmake -DMESHLAB_SOURCE_DIR=FOLDER")
+def ensure_headers(version="", suite=None):
+    """The folder of those of the installed MeshLab, or of a version that another release of Debian packages. Raises Obstacle."""
+    package = "meshlab" if suite else f"meshlab={meshlab_version()}"
+    folder = cache_folder() / "headers" / (version or meshlab_version())
+
+    def fill(scratch):
+        return unpack_source(package, scratch, suite) and (scratch / "ML_VERSION").read_text().startswith(version)
+
+    if not (folder / "src/common").is_dir():
+        say(f"fetching the headers of MeshLab {folder.name} from its source package")
+        if not publish_into(folder, fill):
+            raise Obstacle(f"the source of MeshLab {folder.name} could not be fetched; unpack it yourself to {folder}")
+    return folder

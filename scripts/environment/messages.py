@@ -23,6 +23,12 @@ def say(text):
     os.write(2, f"laplacian-lines: {text}\n".encode("utf-8", "surrogateescape"))
 
 
+def skip(reason):
+    """Ends a test, as a failure where LAPLACIAN_LINES_REQUIRED is set."""
+    say(f"skipped: {reason}")
+    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") else 77)
+
+
 def exit_code(returncode):
     """As in shells: 128 plus the signal."""
     return returncode if returncode >= 0 else 128 - returncode
@@ -56,6 +62,7 @@ def started(command, **options):
     finally:
         if process.poll() is None:
             os.killpg(process.pid, signal.SIGTERM)
+            process.wait()
 
 
 def run(command, interactive=False, **options):
@@ -98,8 +105,3 @@ def output(*command, **options):
     except OSError:
         return None
     return os.fsdecode(done.stdout).rstrip("\n") if done.returncode == 0 else None
-
-
-def duration(seconds):
-    """In words."""
-    return f"{seconds:.0f} s" if seconds < 60 else f"{int(seconds) // 60} min {int(seconds) % 60} s"

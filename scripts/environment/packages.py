@@ -10,10 +10,10 @@ from environment.messages import Failure, output, say
 
 BUILD = """meshlab g++ make cmake xz-utils qtbase5-dev libqt5opengl5-dev libglew-dev libeigen3-dev zlib1g-dev
     libstb-dev libgl-dev libglu1-mesa-dev libgl1-mesa-dri""".split()
-DISPLAY = "xvfb libgl1-mesa-dri fonts-dejavu-core".split()
+DISPLAY = "xvfb fonts-dejavu-core".split()
 CORE = "g++ make cmake libeigen3-dev zlib1g-dev libstb-dev".split()  # enough without MeshLab
 PACKAGING = ["dpkg-dev", "file"]  # CPack asks them what is a library, and whose
-TEST = "python3 git libgtest-dev libbenchmark-dev imagemagick ccache librsvg2-bin locales poppler-utils".split() + PACKAGING
+TEST = "libgtest-dev libbenchmark-dev imagemagick ccache librsvg2-bin poppler-utils".split() + PACKAGING
 # meshlab 2022 and later show a modal box at start when a bundled plugin misses one of these Recommends; 2020.09 depends
 # on all it needs. Unknown names are skipped.
 MESHLAB_RECOMMENDS = """lib3ds-1-3 libgomp1 libmuparser2v5 libopenctm1 libqhull-r8.0 libxerces-c3.2t64 libmpfr6

@@ -35,18 +35,13 @@ def run_there(*command):
     run_in_root(SUITES["2020"], BUILD, command, "-arm64", install)
 
 
-def write_bits(build, folder, emulator, execute):
-    """Hashes and drawings into the folder, by the programs of a build."""
+def bits(build, folder, emulator=""):
+    """A command that writes hashes and drawings into the folder, by the programs of a build."""
     folder.mkdir(parents=True)
     programs = [f"{emulator} {build}/tests/core/print_bits {' '.join(MESHES)} >bits.txt"]
     programs += [f"{emulator} {build}/bin/laplacian-lines {name} {' '.join(options)} ../torus.ply"
                  for name, options in DRAWINGS.items()]
-    execute("sh", "-ec", "; ".join([f"cd {folder}", *programs]))
-
-
-def run_here(*command):
-    if run(command) != 0:
-        raise Failure("here, there are no bits")
+    return "sh", "-ec", "; ".join([f"cd {folder}", *programs])
 
 
 def test():
@@ -55,10 +50,10 @@ def test():
     build_targets(*TARGETS, preset="tests", extra_packages=[*packages.DISPLAY, *packages.TEST])
     work, names = BUILD / "bits", ["bits.txt", *DRAWINGS]
     shutil.rmtree(work, ignore_errors=True)
-    work.mkdir()
-    run_here(build_folder() / "tests/meshes/write_reference", "torus", work)
-    write_bits(build_folder(), work / "here", "", run_here)
-    write_bits(BUILD, work / "there", "qemu-aarch64", run_there)
+    here = bits(build_folder(), work / "here")
+    if run([build_folder() / "tests/meshes/write_reference", "torus", work]) != 0 or run(here) != 0:
+        raise Failure("here, there are no bits")
+    run_there(*bits(BUILD, work / "there", "qemu-aarch64"))
     _, different, missing = filecmp.cmpfiles(work / "here", work / "there", names, shallow=False)
     if different or missing:
         raise Failure(f"{', '.join(different + missing)} in {work}/here and there differ")

@@ -45,10 +45,8 @@ def run_in_root(suite, build, command, kind="", install=None):
         for folder in (build, compiled_folder()):
             folder.mkdir(parents=True, exist_ok=True)
         binds = [f"ro:{CHECKOUT}", f"rw:{build}", f"rw:{compiled_folder()}"]
-        models = CHECKOUT.parent / "shared/models"  # scanned models that may lie beside the repository
-        for place, name in ((cache_folder() / "headers", ""), (cache_folder() / "models", ""), (models.resolve(), f"={models}")):
-            if place.is_dir():
-                binds.append(f"ro:{place}{name}")
+        if (headers := cache_folder() / "headers").is_dir():
+            binds.append(f"ro:{headers}")
         environment = {**os.environ, "LAPLACIAN_LINES_CACHE": str(cache_folder()), "LAPLACIAN_LINES_BUILD": str(build)}
         if enter(root, "ro", binds, command, env=environment) != 0:
             raise Failure(f"{' '.join(map(str, command[:4]))} failed in {root}")

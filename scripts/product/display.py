@@ -5,7 +5,7 @@ import contextlib
 import os
 import subprocess
 
-from environment.messages import Failure
+from environment.messages import Failure, started
 
 # Keeps MeshLab from asking whether it may send statistics.
 SETTINGS = "[General]\ninformativeShown=true\n"
@@ -13,38 +13,22 @@ QT_LOOKS = """QT_STYLE_OVERRIDE QT_QPA_PLATFORMTHEME QT_SCALE_FACTOR QT_AUTO_SCR
     QT_SCREEN_SCALE_FACTORS""".split()
 
 
-def start_display(width, height):
-    """The process of an Xvfb of this size; DISPLAY names it."""
-    told, tells = os.pipe()
-    # Xvfb picks a free display itself and writes it to the descriptor once it accepts clients.
-    process = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{width}x{height}x24", "+extension", "GLX",
-                                "-nolisten", "tcp", "-noreset"], pass_fds=[tells], stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-    os.close(tells)
-    with open(told, encoding="ascii") as answer:
-        number = answer.readline().strip()
-    if not number:
-        stop_display(process)
-        raise Failure("the virtual display Xvfb did not start")
-    os.environ["DISPLAY"] = f":{number}"
-    for name in ("XAUTHORITY", "WAYLAND_DISPLAY"):
-        os.environ.pop(name, None)
-    os.environ["QT_QPA_PLATFORM"] = "xcb"
-    return process
-
-
-def stop_display(process):
-    process.terminate()
-    process.wait()
-
-
 @contextlib.contextmanager
 def display(width, height):
-    process = start_display(width, height)
-    try:
+    """An Xvfb of this size; DISPLAY names it."""
+    told, tells = os.pipe()
+    # Xvfb picks a free display itself and writes it to the descriptor once it accepts clients.
+    with started(["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{width}x{height}x24", "+extension", "GLX", "-nolisten", "tcp",
+                  "-noreset"], pass_fds=[tells], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
+        os.close(tells)
+        with open(told, encoding="ascii") as answer:
+            number = answer.readline().strip()
+        if not number:
+            raise Failure("the virtual display Xvfb did not start")
+        for name in ("XAUTHORITY", "WAYLAND_DISPLAY"):
+            os.environ.pop(name, None)
+        os.environ.update(DISPLAY=f":{number}", QT_QPA_PLATFORM="xcb")
         yield
-    finally:
-        stop_display(process)
 
 
 def private_home(home):

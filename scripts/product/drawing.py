@@ -18,7 +18,7 @@ def unpack_mesh(name, folder):
     return prepare_mesh(name, folder)
 
 
-def run_drawing(folder, words):
+def run_drawing(words, folder):
     """The program's words, but MESH may be missing or gzipped; each is unpacked into a folder of its own, since names
     may be equal."""
     program = build_folder() / "bin/laplacian-lines"

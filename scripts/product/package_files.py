@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""package_files.py PROGRAM CHANGELOG FOLDER: what a package has beside the program laplacian-lines, made from what its
---help and the changelog say: the manual page laplacian-lines.1.gz, the completion of bash laplacian-lines, and
-changelog.gz as Debian has it."""
+"""package_files.py PROGRAM CHANGELOG FOLDER: what a package has in /usr/share for the program laplacian-lines, into the
+folder: its manual page and its completion for bash, made from what its --help says, and what Debian wants."""
 import datetime
 import gzip
 import pathlib
@@ -76,16 +75,24 @@ def debian_changelog(text):
     return "\n".join(entries)
 
 
+def packed(text):
+    return gzip.compress(text.encode(), 9, mtime=0)
+
+
 def main(program, changelog, folder):
     said, version = (subprocess.run([program, option], check=True, capture_output=True, text=True).stdout
                      for option in ("--help", "--version"))
     calls, options = parse(said)
-    folder = pathlib.Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, text in ((f"{NAME}.1.gz", manual(version.split()[1], calls, options)),
-                       ("changelog.gz", debian_changelog(pathlib.Path(changelog).read_text(encoding="utf-8")))):
-        (folder / name).write_bytes(gzip.compress(text.encode(), 9, mtime=0))
-    (folder / NAME).write_text(completion(options), encoding="utf-8")
+    here = pathlib.Path(__file__).parent
+    for name, content in {
+            f"man/man1/{NAME}.1.gz": packed(manual(version.split()[1], calls, options)),
+            f"bash-completion/completions/{NAME}": completion(options).encode(),
+            f"doc/meshlab-{NAME}/changelog.gz": packed(debian_changelog(pathlib.Path(changelog).read_text(encoding="utf-8"))),
+            f"doc/meshlab-{NAME}/copyright": (here / "copyright").read_bytes(),
+            f"lintian/overrides/meshlab-{NAME}": (here / "lintian_overrides").read_bytes()}.items():
+        file = pathlib.Path(folder, name)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(content)
 
 
 main(*sys.argv[1:])

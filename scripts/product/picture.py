@@ -2,16 +2,15 @@
 """./run --picture: MeshLab with Laplacian lines switched on, on a picture, or several on a sheet: of meshes, from
 several views, of several kinds of lines. The GUI driver does the clicking."""
 
-import dataclasses
+import argparse
 import os
 import re
-import subprocess
 import typing
 
 from environment.files import put_file
 from environment.messages import Failure, say
 from product.display import display, private_home
-from product.meshlab import DRIVER_ERROR, LIMIT, drivable_mesh, explain_failure, loading, log_lines, run_meshlab
+from product.meshlab import DRIVER_ERROR, LIMIT, drivable_mesh, explain_failure, loading, log_lines, run_meshlab, settings_commands
 from product.sheet import make_sheet, plain_label
 
 LINE_SIDE = 900  # pixels of a picture's shorter side, above which lines get wider with it
@@ -20,52 +19,41 @@ WARNING = "meshlab_driver: warning: "
 NUMBER = r"[0-9]+(\.[0-9]+)?"
 
 
-@dataclasses.dataclass
-class Column:
+class Column(typing.NamedTuple):
     """A column of a sheet: its title, the driver's commands before a picture."""
 
-    label: str = ""
-    before: str = ""
+    label: str
+    before: str
 
 
-# What the value of an option has to look like, and what is said otherwise.
-VALUES = {
-    "--size": ("[1-9][0-9]*x[1-9][0-9]*", "WIDTHxHEIGHT, such as 1200x900"),
-    "--view": (rf"{'|'.join(VIEWS)}|-?{NUMBER},-?(0*[1-8]?[0-9](\.[0-9]+)?|0*90(\.0+)?)",
-               "front, back, left, right, top or bottom, or AZIMUTH,ELEVATION in degrees, such as 30,15; the elevation is from -90 to 90"),
-    "--up": ("[xyz]", "the axis that points upwards: x, y or z"),
-    "--zoom": (r"0\.[1-9][0-9]*|[1-9](\.[0-9]+)?|10(\.0+)?", "a factor from 0.1 to 10"),
-    "--kinds": ("[^-].*", "names of kinds of lines with commas between, such as all or apparent_ridges,valleys")}
+def matching(pattern, what):
+    """A type of argparse."""
+    def take(text):
+        if not re.fullmatch(pattern, text):
+            raise argparse.ArgumentTypeError(f"it needs {what}")
+        return text
+    return take
 
 
-@dataclasses.dataclass
-class Options:
-    """What the options of a picture say."""
-
-    size: str = "1200x900"
-    views: list = dataclasses.field(default_factory=list)
-    up: str = "y"
-    zoom: str = "1"
-    projection: str = "perspective"
-    kinds: str = ""
-
-    OPTIONS: typing.ClassVar = ("--orthographic", *VALUES)
-
-    def take(self, words):
-        """Takes an option from the beginning of the words."""
-        option = words.pop(0)
-        if option == "--orthographic":
-            self.projection = "orthographic"
-            return
-        value, (pattern, what) = words.pop(0) if words else "", VALUES[option]
-        check(re.fullmatch(pattern, value), f"{option} needs {what}")
-        if option == "--view":
-            self.views.append(value)
-        else:
-            setattr(self, option[2:], value)
-
-    def width_and_height(self):
-        return tuple(map(int, self.size.split("x")))
+def add_options(parser):
+    """Options of pictures; their names."""
+    size = matching("[1-9][0-9]*x[1-9][0-9]*", "WIDTHxHEIGHT, such as 1200x900")
+    view = matching(rf"{'|'.join(VIEWS)}|-?{NUMBER},-?(0*[1-8]?[0-9](\.[0-9]+)?|0*90(\.0+)?)", f"one of {', '.join(VIEWS)}, or "
+                    "AZIMUTH,ELEVATION in degrees, such as 30,15; the elevation is from -90 to 90")
+    zoom = matching(r"0\.[1-9][0-9]*|[1-9](\.[0-9]+)?|10(\.0+)?", "a factor from 0.1 to 10")
+    kinds = matching(".+", "names of kinds of lines with commas between, such as all or apparent_ridges,valleys")
+    added = [
+        parser.add_argument("--size", type=size, default="1200x900", metavar="WxH", help="in pixels (1200x900); above 900, lines "
+                            "get wider with the shorter side"),
+        parser.add_argument("--view", type=view, default=[], action="append", help=f"from the {', '.join(VIEWS)}, or "
+                            "AZIMUTH,ELEVATION, degrees to the right around the mesh and up, -90 to 90; once for each drawing"),
+        parser.add_argument("--up", choices=list("xyz"), default="y", help="the axis of the mesh that points upwards (y)"),
+        parser.add_argument("--zoom", type=zoom, default="1", metavar="FACTOR", help="the middle of the drawing, larger "
+                            "(0.1 to 10)"),
+        parser.add_argument("--orthographic", action="store_true", help="without perspective"),
+        parser.add_argument("--kinds", type=kinds, metavar="NAME,NAME...", help="a drawing on the sheet for each kind of lines, "
+                            "such as all, usual, apparent_ridges, ridges+valleys")]
+    return [option.dest for option in added]
 
 
 def check(condition, complaint):
@@ -73,31 +61,29 @@ def check(condition, complaint):
         raise Failure(complaint)
 
 
-def check_picture(name):
-    check(name.endswith(".png"), f"the picture has to be a .png file, not {name}")
-    check(not os.path.isdir(name), f"the picture cannot be {name}, which is a folder")
+def picture_file(name):
+    """A type of argparse."""
     folder = os.path.dirname(name) or "."
-    check(os.path.isdir(folder) and os.access(folder, os.W_OK), f"cannot write into the folder of {name}")
+    for refused, why in ((not name.endswith(".png"), "it has to be a .png file"), (os.path.isdir(name), "it is a folder"),
+                         (not (os.path.isdir(folder) and os.access(folder, os.W_OK)), "its folder cannot be written into")):
+        if refused:
+            raise argparse.ArgumentTypeError(f"{name}: {why}")
+    return name
 
 
 def columns_of(build, kinds):
-    """Columns for kinds of lines by their names, from a program built on the decoration's table."""
-    if not kinds:
-        return [Column()]
-    done = subprocess.run([build / "bin/decoration_settings", "--kinds", kinds], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT)
-    table = os.fsdecode(done.stdout).rstrip("\n")
-    check(done.returncode == 0, f"--kinds: {table}")
-    return [Column(*line.split("\t")) for line in table.split("\n")]
+    """Columns for kinds of lines by their names."""
+    rows = [line.split("\t") for line in settings_commands(build, ["--kinds", kinds])] if kinds else [["", ""]]
+    return [Column(*row) for row in rows]
 
 
 class Pictures:
     """The drawings of a sheet, in files of a folder."""
 
-    def __init__(self, stage, folder, options, columns=None, settings=()):
-        self.stage, self.folder, self.options = stage, folder, options
-        self.columns, self.settings = columns or [Column()], settings
-        self.views = options.views or [""]
+    def __init__(self, stage, folder, options, columns, settings):
+        self.stage, self.folder, self.options, self.columns, self.settings = stage, folder, options, columns, settings
+        self.size = tuple(map(int, options.size.split("x")))
+        self.views = options.view or [""]
         self.rows, self.failed = [], []  # pairs of file and name
 
     def take(self, picture, meshes):
@@ -105,9 +91,8 @@ class Pictures:
         which then ends with an error."""
         target = os.path.join(os.path.realpath(os.path.dirname(picture) or "."), os.path.basename(picture))
         self.add_rows(meshes)
-        width, height = self.options.width_and_height()
         # room for the window around the view and dialogs beside it
-        with display(width + 600, height + 300):
+        with display(self.size[0] + 600, self.size[1] + 300):
             say(f"drawing {len(self.rows) * len(self.views) * len(self.columns)} times {self.options.size} in MeshLab")
             self.draw_rows()
         self.put_together(target)
@@ -136,10 +121,11 @@ class Pictures:
         yield from loading(self.rows[number][0])
         yield f"size {options.size}"
         live = ["setdeco At Rest = Live Lines"] if options.kinds else []
+        projection = "orthographic" if options.orthographic else "perspective"
         commands = ["draw-lines", "setdeco Surface = Paper", *live, *self.settings]
         for v, view in enumerate(self.views):
             angles = VIEWS.get(view or "front", view).replace(",", " ")
-            commands.append(f"frame {angles} {options.up} {options.zoom} {options.projection}")
+            commands.append(f"frame {angles} {options.up} {options.zoom} {projection}")
             for c, column in enumerate(self.columns):
                 commands += filter(None, (column.before, f"grab {self.drawing(number, v, c)}"))
         yield "together " + " ; ".join([*commands, "trigger Delete Current Mesh"])
@@ -180,15 +166,14 @@ class Pictures:
 
     def put_together(self, target):
         """The only drawing, or a sheet that keeps a drawing's kinds, or a mesh's views, together."""
-        numbers = range(len(self.columns))
+        last = len(self.columns) - 1
         cells = [(self.label(row, view, column), self.drawing(row, view, column))
                  for row in range(len(self.rows)) for view in range(len(self.views))
-                 if self.drawing(row, view, numbers[-1]).exists() for column in numbers]
+                 if self.drawing(row, view, last).exists() for column in range(last + 1)]
         check(cells, "no picture was written")
-        if len(self.rows) + len(self.failed) == 1 and len(cells) == 1:
-            put_file(cells[0][1], target)
-        else:
-            sheet = self.folder / "sheet.png"
-            make_sheet(sheet, self.options.width_and_height(), len(self.columns) if len(self.columns) > 1 else len(self.views), cells)
-            put_file(sheet, target)
+        result = cells[0][1]
+        if len(self.rows) + len(self.failed) > 1 or len(cells) > 1:
+            result = self.folder / "sheet.png"
+            make_sheet(result, self.size, last + 1 if last else len(self.views), cells)
+        put_file(result, target)
         say(f"the picture is {target}")

@@ -1,20 +1,15 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""plugin_needs.py [--here] PLUGIN...: what plugins need of the system that loads them, and what they show to it; fails
-where that is more than upstream's MeshLab 2025.07 and the systems that it runs on have. With --here, versions of
-symbols may be as new as they are on this system."""
+"""What plugins need of the system that loads them, and what they show to it."""
+
 import re
-import subprocess
 import sys
+
+from environment.messages import output
 
 LIBRARIES = {f"libQt5{name}.so.5" for name in ("Core", "Gui", "Widgets", "OpenGL", "Xml")} | {
     "libmeshlab-common.so", "libGL.so.1", "libstdc++.so.6", "libgcc_s.so.1", "libm.so.6", "libc.so.6", "ld-linux-x86-64.so.2"}
 VERSIONS = {"GLIBC": (2, 35), "GLIBCXX": (3, 4, 29), "CXXABI": (1, 3, 13), "Qt": (5, 15), "GCC": (4, 0, 0)}
 EXPORTS = {"qt_plugin_query_metadata", "qt_plugin_instance"}
-
-
-def output(*command):
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
 def needed_versions(plugin):
@@ -23,25 +18,16 @@ def needed_versions(plugin):
             for family, digits in re.findall(r"\(([A-Za-z_0-9]*?)_(\d[\d.]*|PRIVATE\w*)\)", output("objdump", "-T", plugin))}
 
 
-def excess(plugin, any_version):
-    """What the plugin needs, or shows, too much or too little, a sentence each."""
-    libraries = set(re.findall(r"\(NEEDED\).*\[(.*)\]", output("readelf", "-dW", plugin)))
-    names = {line.split()[-1].split("@")[0] for line in output("nm", "-D", "--defined-only", plugin).splitlines()}
-    versions = [] if any_version else [f"{family}_{'.'.join(map(str, number))}" for family, number in needed_versions(plugin)
-                                       if number > VERSIONS.get(family, ())]
-    found = [f"needs {what}" for what in sorted(libraries - LIBRARIES) + sorted(versions)]
-    found += [f"exports {name}" for name in sorted(names - EXPORTS)[:5]]
-    found += [f"does not export {name}" for name in sorted(EXPORTS - names)]
-    print(f"{plugin.split('/')[-1]} needs {' '.join(sorted(libraries))}")
-    return [f"{plugin} {what}" for what in found]
-
-
-def main(arguments):
-    any_version = arguments[:1] == ["--here"]
-    plugins = arguments[1 if any_version else 0:]
-    if not plugins:
-        sys.exit(__doc__)
-    sys.exit("\n".join(what for plugin in plugins for what in excess(plugin, any_version)) or 0)
-
-
-main(sys.argv[1:])
+def excess(plugins, any_version=False):
+    """What they need, or show, too much or too little for upstream's MeshLab 2025.07 and the systems that it runs on, a
+    sentence each. With any_version, symbols may be as new as they are on this system."""
+    found = []
+    for plugin in plugins:
+        libraries = set(re.findall(r"\(NEEDED\).*\[(.*)\]", output("readelf", "-dW", plugin)))
+        names = {line.split()[-1].split("@")[0] for line in output("nm", "-D", "--defined-only", plugin).splitlines()}
+        versions = {f"{family}_{'.'.join(map(str, number))}" for family, number in needed_versions(plugin)
+                    if not any_version and number > VERSIONS.get(family, ())}
+        found += [f"{plugin} {verb} {what}" for verb, all_of in (
+            ("needs", libraries - LIBRARIES | versions), ("exports", names - EXPORTS), ("does not export", EXPORTS - names))
+            for what in sorted(all_of)[:5]]
+    return found

@@ -3,25 +3,22 @@
 library of the same MeshLab from the release of Debian that packages it. They may need nothing that a system of its age
 lacks, so this system must not be newer than that."""
 
-import os
 import pathlib
 import shutil
 import subprocess
-import sys
 import tempfile
 
 from environment.build import CHECKOUT, build_targets
 from environment.files import cache_folder, publish_into
-from environment.headers import apt_get, private_apt
+from environment.headers import apt_get, ensure_headers, private_apt
 from environment.messages import Failure
-from product import pymeshlab
 from product.package import make_packages
+from product.plugin_needs import excess
 from product.pymeshlab import MESHLAB, SUITE
 from product.stage import built_plugins, multiarch
 
 BUILD = CHECKOUT / "build/portable"
 LIBRARY = "libmeshlab-common.so"
-NEEDS = pathlib.Path(__file__).with_name("plugin_needs.py")
 
 
 def unpack_library(folder):
@@ -35,24 +32,20 @@ def unpack_library(folder):
         return True
 
 
-def build_portable(*targets, options=()):
-    """Into build/portable."""
+def build_portable(*options):
+    """Into build/portable, with these options of CMake."""
     libraries = cache_folder() / "libraries" / MESHLAB
     if not (libraries / LIBRARY).exists() and not publish_into(libraries, unpack_library):
         raise Failure(f"the library of MeshLab {MESHLAB} could not be fetched")
-    pymeshlab.ensure_meshlab_headers()
-    try:
-        build_targets("meshlab_plugins", *targets, preset="portable", build=BUILD,
-                      options=[f"-DMESHLAB_COMMON_LIBRARY={libraries / LIBRARY}", *options])
-    finally:
-        del os.environ["MESHLAB_SOURCE_DIR"]
+    build_targets("meshlab_plugins", preset="portable", build=BUILD,
+                  options=[f"-DMESHLAB_COMMON_LIBRARY={libraries / LIBRARY}",
+                           f"-DMESHLAB_SOURCE_DIR={ensure_headers(MESHLAB, SUITE)}", *options])
 
 
 def package_portable():
     """Into build/portable/packages."""
     build_portable()
-    with open(BUILD / "needs.txt", "w", encoding="utf-8") as needs:
-        if subprocess.run([sys.executable, NEEDS, *built_plugins(BUILD, "plugins")], stdout=needs).returncode != 0:
-            raise Failure("built on this system, the plugins would not load on others; build them on Debian 12, or another "
-                          "one as old")
+    if found := excess(built_plugins(BUILD, "plugins")):
+        raise Failure("built on this system, the plugins would not load on others; build them on Debian 12, or another one as "
+                      "old:\n" + "\n".join(found))
     make_packages(BUILD, BUILD / "packages", ["ZIP"])

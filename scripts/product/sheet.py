@@ -27,16 +27,15 @@ def lay_out(size, count, together):
     equal length; otherwise as many rows as columns. And the size of cells, smaller than the pictures if the sheet would
     be too high."""
     width, height = size
-    while True:
-        most = max(1, WIDTH // (width + 2 * GAP))
-        if 1 < together < count:
-            columns = whole_share(together, whole_share(together, most))
-        else:
-            columns = next(c for c in range(1, most + 1) if c * c >= count or c == most)
-        rows = whole_share(count, together) * whole_share(together, columns) if together > 1 else whole_share(count, columns)
-        if width <= 100 or rows * (height + LABEL_HEIGHT + 2 * GAP) <= HEIGHT:
-            return columns, (width, height)
-        width, height = width * 4 // 5, height * 4 // 5
+    most = max(1, WIDTH // (width + 2 * GAP))
+    if 1 < together < count:
+        columns = whole_share(together, whole_share(together, most))
+    else:
+        columns = next(c for c in range(1, most + 1) if c * c >= count or c == most)
+    rows = whole_share(count, together) * whole_share(together, columns) if together > 1 else whole_share(count, columns)
+    if width <= 100 or rows * (height + LABEL_HEIGHT + 2 * GAP) <= HEIGHT:
+        return columns, size
+    return lay_out((width * 4 // 5, height * 4 // 5), count, together)
 
 
 def make_sheet(file, size, together, cells):
@@ -47,7 +46,6 @@ def make_sheet(file, size, together, cells):
         words += ["-label", label, picture]
         if together > 1 and number % together == 0:
             words += ["-label", "", "null:"] * (-together % columns)  # empty cells after those that stand together
-    command = ["montage", "-font", FONT, "-pointsize", "18", *words, "-tile", f"{columns}x", "-geometry",
-               f"{width}x{height}+{GAP}+{GAP}", file]
-    if subprocess.run(command).returncode != 0:
+    if subprocess.run(["montage", "-font", FONT, "-pointsize", "18", *words, "-tile", f"{columns}x", "-geometry",
+                       f"{width}x{height}+{GAP}+{GAP}", file]).returncode != 0:
         raise Failure("ImageMagick's montage could not put the sheet together")

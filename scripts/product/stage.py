@@ -37,13 +37,12 @@ def stage_meshlab(stage, plugins):
         link_all(libraries / "plugins", [*installed.glob("plugins/*.so"), *plugins])
         link_all(system / "lib", [libraries])  # where MeshLab looks that was not built by a distribution
         link_all(system / "share", [pathlib.Path("/usr/share/meshlab")])
-        for name in ("meshlab", "meshlabserver"):
-            program, copy = pathlib.Path("/usr/bin", name), system / "bin" / name
-            if program.exists():
-                # a running MeshLab may hold the old copy: replace it, do not write into it
-                if not (copy.exists() and filecmp.cmp(program, copy, shallow=False)):
-                    put_file(program, copy, 0o755)
-                write_start(stage, name)
+        for program in filter(pathlib.Path.exists, (pathlib.Path("/usr/bin/meshlab"), pathlib.Path("/usr/bin/meshlabserver"))):
+            copy = system / "bin" / program.name
+            # a running MeshLab may hold the old copy: replace it, do not write into it
+            if not (copy.exists() and filecmp.cmp(program, copy, shallow=False)):
+                put_file(program, copy, 0o755)
+            write_start(stage, program.name)
 
 
 def link_all(folder, files):

@@ -14,17 +14,11 @@ complaints = []
 
 def tables():
     """By heading: the rows of the tables whose first column is "room", as {room: cells}, in their order."""
-    found, heading, rows = {}, "", None
-    for line in (root / "docs/architecture.md").read_text().splitlines():
-        cells = [cell.strip() for cell in line.strip("|").split("|")] if line.startswith("|") else []
-        if line.startswith("#"):
-            heading = line.lstrip("# ")
-        if not cells:
-            rows = None
-        elif cells[0] == "room":
-            rows = found.setdefault(heading, {})
-        elif rows is not None and not cells[0].startswith("-"):
-            rows[cells[0]] = cells[1:]
+    found = {}
+    for section in re.split(r"(?m)^#+ ", (root / "docs/architecture.md").read_text()):
+        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in section.splitlines() if line.startswith("|")]
+        if rows and rows[0][0] == "room":
+            found[section.splitlines()[0]] = {room: cells for room, *cells in rows[2:]}
     return found
 
 
@@ -37,17 +31,11 @@ def includes(file):
 
 
 def check_folders(folder, rooms):
-    """Folders with code that no room holds, and rooms that are not there."""
-    for room in rooms:
-        if not (folder / room).is_dir():
-            complaints.append(f"there is no room {room} in {folder.relative_to(root) or '.'}")
-    held = [folder / room for room in rooms]
-    for entry in sorted(folder.iterdir()):
-        if not entry.is_dir() or entry.name.startswith((".", "build")):
-            continue
-        parts = [entry] if entry in held else sorted(p for p in entry.iterdir() if p.is_dir()) if entry.name == "programs" else [entry]
-        complaints.extend(f"{part.relative_to(root)} is in no table of rooms" for part in parts
-                          if part not in held and sources(part))
+    """Files of code that no room holds, and rooms that are not there."""
+    complaints.extend(f"there is no room {folder / room}" for room in rooms if not (folder / room).is_dir())
+    for entry in folder.iterdir():
+        complaints.extend(f"{file} is in no room" for file in (() if entry.name.startswith((".", "build")) else sources(entry))
+                          if not any(file.is_relative_to(folder / room) for room in rooms))
 
 
 def owner_of(name, file, rooms, headers):
@@ -80,7 +68,7 @@ def check_top(rooms):
                 if owner and owner not in allowed:
                     complaints.append(f"{file.relative_to(root)} includes {name} of {owner}, which its room may not")
         readme = root / room / "README.md"
-        if not readme.is_file() or not {"In scope:", "Out of scope:"} <= set(re.findall(r"In scope:|Out of scope:", readme.read_text())):
+        if not readme.is_file() or not re.search("(?s)In scope:.*Out of scope:", readme.read_text()):
             complaints.append(f"{room}/README.md does not say what is in scope and what is out of scope")
     return count
 
@@ -102,7 +90,7 @@ def check_library(library, rooms):
 
 found = tables()
 top = found.pop("Rooms")
-check_folders(root, {**top, "tests": [], "programs/benchmarks": [], "docs": [], "scripts": []})
+check_folders(root, [*top, "tests", "programs/benchmarks", "docs", "scripts"])
 count = check_top(top)
 for heading, rooms in found.items():
     count += check_library(heading.removeprefix("Rooms of "), rooms)

@@ -4,6 +4,7 @@ afterwards for a look, with a display and a home folder. The first thing that is
 log. Functions that "print" commands of the driver return them."""
 
 import atexit
+import contextlib
 import filecmp
 import os
 import pathlib
@@ -18,9 +19,9 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(CHECKOUT / "scripts"))
 
 from environment.files import cache_folder
-from environment.messages import Failure, exit_code, say
+from environment.messages import Failure, exit_code, say, skip
 from environment.packages import meshlab_version
-from product.display import SETTINGS, private_home, start_display, stop_display
+from product.display import SETTINGS, display, private_home
 from product.models import bumpy_torus
 
 EXAMPLES = CHECKOUT / "docs/examples"
@@ -53,8 +54,9 @@ def begin_test():
     os.chdir(WORK)
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, lambda *_: sys.exit(143))
-    display = start_display(1700, 1000)
-    atexit.register(stop_display, display)
+    shown = contextlib.ExitStack()
+    atexit.register(shown.close)
+    shown.enter_context(display(1700, 1000))
     os.environ["LAPLACIAN_LINES_CACHE"] = str(cache_folder())  # the user's: models are fetched once
     environment = private_home(WORK / "home")
     os.environ.clear()

@@ -5,21 +5,19 @@ go with the size."""
 import gzip
 
 from harness import *
+from product.command import parse
 from product.meshlab import settings_commands
-from product.picture import Options, Pictures, check_picture, columns_of
+from product.picture import Pictures, columns_of
 
 os.environ.pop("DISPLAY")  # pictures have displays of their own
 
 
 def take(file, meshes, *words, settings=(), code=0, said=()):
     """./run --picture FILE MESH...; its drawings are in the folder drawings."""
-    options, words = Options(), list(words)
-    while words:
-        options.take(words)
+    options = parse(["--picture", file, *words])
     shutil.rmtree("drawings", ignore_errors=True)
     os.mkdir("drawings")
     pathlib.Path(file).unlink(missing_ok=True)
-    check_picture(file)
     pictures = Pictures(STAGE, WORK / "drawings", options, columns_of(BUILD, options.kinds),
                         settings_commands(BUILD, settings))
     ended = said_by(pictures.take, file, meshes)
@@ -102,4 +100,4 @@ small, large = (float(convert(f"usual_{size}.png", "-alpha", "off", "-colorspace
                               "%[fx:mean]")) for size in ("900", "1800"))
 expect(0.85 * small < large < 1.15 * small, f"ink of large drawings is {large}, that of small ones {small}")
 expect(said_by(columns_of, BUILD, "ridge") == 1, "there are no lines called ridge")
-expect_text("log", '^laplacian-lines: --kinds: there is no picture of lines "ridge". Name some of usual, ')
+expect_text("log", '^laplacian-lines: there is no picture of lines "ridge". Name some of usual, ')

@@ -8,7 +8,7 @@ from harness import *
 
 from environment.build import build_targets
 
-BUILD = 'quietly("log", ["sh", "-c", "echo $$ >sleeping.part; mv sleeping.part sleeping; exec sleep 600"])'
+BUILD = 'quietly("log", ["sh", "-c", "sleep 0.5; echo $$ >sleeping.part; mv sleeping.part sleeping; exec sleep 600"])'
 
 
 def await_file(file):

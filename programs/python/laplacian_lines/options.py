@@ -40,41 +40,34 @@ def takes(*tables: dict[str, dict[str, Any]], told: str = "") -> Callable[[_Func
     return show
 
 
-def values(given: dict[str, Any], *tables: dict[str, dict[str, Any]]) -> list[dict[str, float]]:
-    """The given options as numbers for the core, by table. Raises TypeError if one is in none or is of a wrong type."""
-    found: list[dict[str, float]] = [{} for _ in tables]
-    for key, value in given.items():
-        for table, numbers_of_table in zip(tables, found):
-            if key in table:
-                numbers_of_table[key] = _number(table[key], value)
-                break
-        else:
-            _refuse(key, [name for table in tables for name in table])
-    return found
+def values(given: dict[str, Any], table: dict[str, dict[str, Any]]) -> dict[str, float]:
+    """The given options as numbers for the core. Raises TypeError if one is not in the table or is of a wrong type."""
+    return {key: _number(_row(key, table), value) for key, value in given.items()}
 
 
 def words(given: dict[str, Any], table: dict[str, dict[str, Any]]) -> list[str]:
     """The given options as the command has them, "--paper", "a3". Raises as values()."""
-    found: list[str] = []
-    for key, value in given.items():
-        row = table.get(key) or _refuse(key, list(table))
-        if row["kind"] == "real":
-            found += [row["command"], repr(_number(row, value)).removesuffix(".0")]
-            continue
-        if row["kind"] != "text":
-            found += [row["command"], row["words"][int(_number(row, value))]]
-            continue
-        parts = [value] if isinstance(value, str) else list(value)
-        if not all(isinstance(part, str) for part in parts):
-            raise TypeError(f"{key} is {value!r}, but must be a text or several.")
-        found += [row["command"], ",".join(parts)]
-    return found
+    rows = {key: _row(key, table) for key in given}
+    return [word for key, row in rows.items() for word in (row["command"], _word(row, given[key]))]
 
 
-def _refuse(key, known):
-    close = difflib.get_close_matches(key, known, 3, 0.5)
+def _row(key, table):
+    if key in table:
+        return table[key]
+    close = difflib.get_close_matches(key, list(table), 3, 0.5)
     raise TypeError(f"There is no option {key!r}. {'Did you mean' if close else 'Options are'} "
-                    f"{', '.join(close or known)}{'?' if close else '.'}")
+                    f"{', '.join(close or table)}{'?' if close else '.'}")
+
+
+def _word(row, value):
+    if row["kind"] == "real":
+        return repr(_number(row, value)).removesuffix(".0")
+    if row["kind"] != "text":
+        return row["words"][int(_number(row, value))]
+    parts = [value] if isinstance(value, str) else list(value)
+    if not all(isinstance(part, str) for part in parts):
+        raise TypeError(f"{row['key']} is {value!r}, but must be a text or several.")
+    return ",".join(parts)
 
 
 def _number(row, value):

@@ -11,7 +11,6 @@ from typing import Any
 
 from . import _core, options
 from .meshes import as_arrays, mesh_in
-from .whole_file import write_whole
 
 if typing.TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -53,7 +52,10 @@ def write_drawing(file: str | os.PathLike[str], *meshes: Any, **sheet_options: U
     A file that was there is replaced, once the drawing is there as a whole. Returns the Drawing.
     """
     drawing = make_drawing(*meshes, format=pathlib.Path(file).suffix[1:].lower(), **sheet_options)
-    write_whole(file, drawing.content)
+    try:
+        _core.write_whole(os.fsencode(file), drawing.content)
+    except _core.Error as error:
+        raise OSError(str(error)) from None
     return drawing
 
 

@@ -45,7 +45,7 @@ class Surface:
     @options.takes(options.FIELD)
     def __init__(self, mesh: Any, **field_options: Unpack[FieldOptions]) -> None:
         vertices, faces = as_arrays(mesh)
-        self._core = _core.Surface(vertices, faces, *options.values(dict(field_options), options.FIELD))
+        self._core = _core.Surface(vertices, faces, options.values(dict(field_options), options.FIELD))
         used = vertices[numpy.isfinite(vertices).all(axis=1)]
         self._centre = (used.min(axis=0) + used.max(axis=0)) / 2
 
@@ -69,20 +69,20 @@ class Surface:
     def lines(self, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
               light: Point | None = None, kinds: Kinds = None, **line_options: Unpack[LineOptions]) -> Polylines:
         """All lines of a view, also those that the surface hides; see the function lines()."""
-        plane, place = self._view(direction, eye, up)
-        return Polylines.of_core(self._core.lines(*place, _light(light), _style(kinds, line_options)), plane)
+        plane, view = self._view(direction, eye, up, light)
+        return Polylines.of_core(self._core.lines(*view, _style(kinds, line_options)), plane)
 
     @options.takes(options.LINES, told="lines()")
     def visible_lines(self, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
                       light: Point | None = None, kinds: Kinds = None, hidden: bool = False,
                       joined_in_picture: bool = False, **line_options: Unpack[LineOptions]) -> Polylines:
         """The parts of lines that are seen; see the function visible_lines()."""
-        plane, place = self._view(direction, eye, up)
-        arrays = self._core.visible_lines(*place, _light(light), _style(kinds, line_options), hidden, joined_in_picture)
+        plane, view = self._view(direction, eye, up, light)
+        arrays = self._core.visible_lines(*view, _style(kinds, line_options), hidden, joined_in_picture)
         return Polylines.of_core(arrays, plane)
 
-    def _view(self, direction, eye, up):
-        """The plane of the picture, and the eye as the core has it."""
+    def _view(self, direction, eye, up, light):
+        """The plane of the picture; the eye and the light as the core has them."""
         if direction is None and eye is None:
             raise TypeError("Say from where: direction=(0, 0, 1), to a viewer far away, or eye=(x, y, z), a place.")
         eye = None if eye is None else _vector(eye, "eye")
@@ -92,7 +92,8 @@ class Surface:
             up = numpy.roll(up, 1)
         right = _unit(numpy.cross(up, back), "up")
         plane = Page(right, numpy.cross(back, right), back, eye)
-        return plane, ((back if eye is None else eye).tolist(), float(eye is not None))
+        light = None if light is None else _vector(light, "light").tolist()
+        return plane, ((back if eye is None else eye).tolist(), float(eye is not None), light)
 
 
 def _vector(values, name):
@@ -109,13 +110,9 @@ def _unit(vector, name):
     return vector / length
 
 
-def _light(light):
-    return None if light is None else _vector(light, "light").tolist()
-
-
 def _style(kinds, given):
     """The style as numbers by key: `kinds` sets all switches, and options named by kinds change them."""
-    [style] = options.values(dict(given), options.LINES)
+    style = options.values(given, options.LINES)
     if kinds is None:
         return style
     chosen = set(_core.keys_of_kinds(kinds if isinstance(kinds, str) else ",".join(kinds)))
@@ -124,8 +121,8 @@ def _style(kinds, given):
 
 def _surface(mesh, given):
     """The surface of a mesh with those of the options that are the field's, and the others."""
-    of_field = {key: given[key] for key in given if key in options.FIELD}
-    others = {key: given[key] for key in given if key not in options.FIELD}
+    others = dict(given)
+    of_field = {key: others.pop(key) for key in given if key in options.FIELD}
     if not isinstance(mesh, Surface):
         return Surface(mesh, **of_field), others
     if of_field:

@@ -9,33 +9,22 @@ import numpy
 REFERENCE = pathlib.Path(os.environ["LAPLACIAN_LINES_REFERENCE"])
 
 
-def grid(point, m, n):
-    """A closed surface of m times n quadrilaterals, two faces each, of periodic functions of two angles."""
+def torus(m=96, n=48, bumps=0.0):
+    """Of the radii 1 and 0.4 around z; along its axis it has two outlines, circles of the radii 1.4 and 0.6."""
     u, v = numpy.meshgrid(*(2 * numpy.pi * numpy.arange(k) / k for k in (m, n)), indexing="ij")
+    small = 0.4 + bumps * numpy.cos(8 * u) * numpy.cos(4 * v)
+    r = 1 + small * numpy.cos(v)
     number = numpy.arange(m * n).reshape(m, n)
     right, above = numpy.roll(number, -1, axis=0), numpy.roll(number, -1, axis=1)
     both = numpy.roll(above, -1, axis=0)
     faces = [numpy.stack(corners, axis=-1).reshape(-1, 3) for corners in ((number, right, both), (number, both, above))]
-    return numpy.stack(point(u, v), axis=-1).reshape(-1, 3), numpy.concatenate(faces)
+    points = numpy.stack([r * numpy.cos(u), r * numpy.sin(u), small * numpy.sin(v)], axis=-1)
+    return points.reshape(-1, 3), numpy.concatenate(faces)
 
 
-def torus(m=96, n=48, large=1.0, small=0.4):
-    """Around z; along its axis it has two outlines, circles of the radii large + small and large - small."""
-    def point(u, v):
-        r = large + small * numpy.cos(v)
-        return r * numpy.cos(u), r * numpy.sin(u), small * numpy.sin(v)
-
-    return grid(point, m, n)
-
-
-def bumpy(m=192, n=96):
-    """A torus with bumps, which have Laplacian lines at their feet."""
-    def point(u, v):
-        small = 0.4 + 0.06 * numpy.cos(8 * u) * numpy.cos(4 * v)
-        r = 1 + small * numpy.cos(v)
-        return r * numpy.cos(u), r * numpy.sin(u), small * numpy.sin(v)
-
-    return grid(point, m, n)
+def bumpy():
+    """With Laplacian lines at the feet of its bumps."""
+    return torus(192, 96, 0.06)
 
 
 def sphere(radius=2.0, steps=4):

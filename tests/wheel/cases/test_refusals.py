@@ -30,10 +30,9 @@ class Refusals(unittest.TestCase):
         self.expect(TypeError, "no option 'detail'", ll.field, mesh, detail=1)
         self.expect(ll.Error, "\"Kernel Size\" is -1. It has to be at least 0", ll.field, mesh, kernel_size=-1)
         self.expect(ll.Error, "\"Detail\" is nan. It has to be between 0 and 100", ll.lines, mesh, detail=float("nan"), **FRONT)
-        self.expect(TypeError, "'Uniform', 'Adaptive'", ll.field, mesh, kernel_mode="round")
-        self.expect(TypeError, "'Uniform', 'Adaptive'", ll.field, mesh, kernel_mode=2)
-        self.expect(TypeError, "must be of type bool", ll.field, mesh, weld_duplicates=0.5)
-        self.expect(TypeError, "must be of type float", ll.field, mesh, kernel_size="1 mm")
+        for given, words in (({"kernel_mode": "round"}, "'Uniform', 'Adaptive'"), ({"kernel_mode": 2}, "'Uniform', 'Adaptive'"),
+                             ({"weld_duplicates": 0.5}, "of type bool"), ({"kernel_size": "1 mm"}, "of type float")):
+            self.expect(TypeError, words, ll.field, mesh, **given)
         self.expect(ll.Error, '"rigdes" are not kinds of lines.*ridges', ll.lines, mesh, kinds="rigdes", **FRONT)
         self.expect(TypeError, r"give kernel_size to Surface", ll.lines, ll.Surface(mesh), kernel_size=1, **FRONT)
 
@@ -48,13 +47,11 @@ class Refusals(unittest.TestCase):
     def test_meshes(self):
         vertices, faces = sphere(steps=2)
         self.expect(TypeError, "A int is no mesh", ll.field, 3)
-        self.expect(ll.Error, r"shape \(66, 2\)", ll.field, (vertices[:, :2], faces))
-        self.expect(ll.Error, "split into triangles", ll.field, (vertices, numpy.zeros((2, 4), int)))
-        self.expect(ll.Error, "whole", ll.field, (vertices, faces.astype(float)))
-        self.expect(ll.Error, "vertex -1", ll.field, (vertices, faces - 1))
-        self.expect(ll.Error, "vertex", ll.field, (vertices, faces + 1))
-        self.expect(ll.Error, "triangle", ll.field, (vertices, faces[:0]))
-        self.expect(ll.Error, "triangle", ll.field, (numpy.full_like(vertices, numpy.nan), faces))
+        for words, mesh in ((r"shape \(66, 2\)", (vertices[:, :2], faces)),
+                            ("split into triangles", (vertices, numpy.zeros((2, 4), int))),
+                            ("whole", (vertices, faces.astype(float))), ("vertex -1", (vertices, faces - 1)),
+                            ("vertex", (vertices, faces + 1)), ("triangle", (vertices, faces[:0]))):
+            self.expect(ll.Error, words, ll.field, mesh)
 
     def test_files(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -74,7 +71,6 @@ class Refusals(unittest.TestCase):
         else:
             self.expect(ImportError, "./run --python builds it", ll.load)
 
-    @unittest.skipIf(threading.current_thread() is not threading.main_thread(), "signals go to the main thread")
     def test_interrupts(self):
         mesh = torus(2000, 1000)
         threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
