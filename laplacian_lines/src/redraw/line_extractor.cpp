@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
-#include "clusters/coarse_horizon.h"
 #include "clusters/extractor_data.h"
 #include "clusters/planes.h"
 #include "fixed/fixed_lines.h"
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/kernel_levels.h"
 #include "redraw/horizon.h"
-#include "redraw/kinds/strip_kinds.h"
 #include "redraw/line_finishing.h"
+#include "redraw/strip_rules.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
@@ -109,21 +110,47 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     set_eye(light, task.light);
     task.light_at_eye = !view.light;
     for (unsigned number = 0; number < kStripKindCount; ++number) {
-        const StripKind* const kind = strip_kinds()[number];
-        LineRules rules = kind->rules(style, task.light_at_eye);
+        const LineKind kind = kStripKinds[number];
+        LineRules rules = strip_rules(kind, style, task.light_at_eye);
         const float own_size = data.laplacians.kernel_size;
         rules.kernel_size = own_size;
-        if (kind->kind == LineKind::Laplacian) {
+        if (kind == LineKind::Laplacian) {
             rules.kernel_size = laplacian.kernel_size;
             if (laplacian.kernel_size > own_size) rules.least_concavity = -1;  // S is finer
         }
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
-        const bool possible = has_needs_of(kind->kind, data);
-        task.kinds[number] = {possible && kind->is_wanted(style), least_facing, rules};
+        const bool wanted = style.shows[kind] && has_needs_of(kind, data);
+        task.kinds[number] = {wanted, least_facing, rules};
     }
     return task;
+}
+
+/// Appends the Laplacian lines of another set, with this share of their width and opacity.
+void append_faded(const LineSet& others, float share, LineSet& lines) {
+    for (Polyline line : others.lines) {
+        if (line.kind != LineKind::Laplacian) continue;
+        const auto first = others.points.begin() + line.first;
+        line.first = std::uint32_t(lines.points.size());
+        lines.lines.push_back(line);
+        std::transform(first, first + line.count, std::back_inserter(lines.points),
+                       [=](LinePoint point) {
+                           point.weight *= share;
+                           point.opacity *= share;
+                           return point;
+                       });
+    }
+}
+
+/// Laplacian lines, and the contours that they must keep clear of.
+LineStyle laplacian_lines_of(LineStyle style) {
+    const bool has_contours = style.shows[LineKind::Contour];
+    style.shows = {};
+    style.shows[LineKind::Laplacian] = true;
+    style.shows[LineKind::Contour] = has_contours;
+    style.exact_outlines = false;
+    return style;
 }
 
 }  // namespace
@@ -149,6 +176,15 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
     lines.origin = data_->origin;
     finish_lines(*data_, memory.traced, memory.finishing, lines);
     data_->fixed_lines.append(*data_, eye, style, lines);
+}
+
+void extract_kernels(const LineExtractor& extractor, const View& view, const LineStyle& style,
+                     const std::vector<DrawnKernel>& kernels, ExtractionScratch& scratch,
+                     LineSet& others, LineSet& lines) {
+    extractor.extract(view, style, scratch, lines, kernels.at(0).laplacian);
+    if (kernels.size() < 2 || !style.shows[LineKind::Laplacian]) return;
+    extractor.extract(view, laplacian_lines_of(style), scratch, others, kernels[1].laplacian);
+    append_faded(others, float(kernels[1].share), lines);
 }
 
 }  // namespace laplacian_lines

@@ -90,19 +90,23 @@ struct ClusterSigns {
     bool any_mixed = false;
 };
 
-/// Fills in the values of a kind, whose signs count for what is not surely away.
+/// Fills in the values of a kind, whose signs count for what is not surely away. `facing`: where
+/// n·eye is negative.
 template <class Kinds, class Kind>
 static inline void find_signs(const ExtractionTask& task, const ClusterInSlot& place, unsigned kind,
                               bool test_facing, const BelowBound& facing, Batch& batch,
                               ClusterSigns& signs) {
-    BelowBound away;
-    if (Kind::kHasLeastFacing && test_facing) {
+    const unsigned groups = form_groups(place.cluster);
+    BelowBound away, negative = facing;
+    if (!Kind::kIsFacing) {
         const float least = task.kinds[Kinds::kFirst + kind].least_scaled_facing;
-        away = least == 0 ? facing
-                          : below(in_slot(batch.facing, place), form_groups(place.cluster), least);
+        if (test_facing)
+            away = least == 0 ? facing : below(in_slot(batch.facing, place), groups, least);
+        if (away.all) return;
+        float* const values = in_slot(batch.values[kind], place);
+        Kind::evaluate(task, place, values);
+        negative = below(values, groups, 0);
     }
-    if (away.all) return;
-    const BelowBound negative = Kind::find_signs(task, place, facing, batch.values[kind]);
     if (!negative.any || negative.all) return;
     signs.mixed[kind] = signs.any_mixed = true;
     signs.vertices.set(kind, negative.bits);
@@ -117,7 +121,7 @@ static inline ClusterSigns find_all_signs(const ExtractionTask& task, const Kept
     if (kept.test_facing) {
         const unsigned groups = form_groups(place.cluster);
         float* values = in_slot(batch.facing, place);
-        evaluate(facing_of(place), groups, task.eye, values);
+        evaluate_forms(reinterpret_cast<const FormGroup*>(place.memory), groups, task.eye, values);
         facing = below(values, groups, 0);
     }
     ClusterSigns signs;

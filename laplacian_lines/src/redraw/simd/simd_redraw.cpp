@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <initializer_list>
 
-#include "redraw/kinds/apparent_ridges_simd.h"
 #include "redraw/simd/simd_active.h"
-#include "redraw/simd/simd_culling.h"
+#include "redraw/simd/simd_apparent.h"
 #include "redraw/simd/simd_finishing.h"
-#include "redraw/simd/simd_strips.h"
 #include "system/simd_sets.h"
 
 namespace laplacian_lines {
