@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <algorithm>
 
-#include "scene.h"
+#include "meshlab_host/scene.h"
 
 namespace meshlab_host {
 

@@ -16,7 +16,7 @@
 #include <cstring>
 
 #include "command_table.h"
-#include "scene.h"
+#include "meshlab_host/scene.h"
 
 namespace driver {
 namespace {
