@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "clusters/cluster_data.h"
 #include "system/large_array.h"
@@ -13,243 +14,217 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::uint32_t kFewTriangles =
-    8192; // not worth cutting for other threads
-constexpr unsigned kBins = 1024;
+constexpr std::uint32_t kFewTriangles = 8192;  // not worth cutting for other threads
 constexpr std::uint32_t kNoNumber = 0xffffffffu;
 
 struct TriangleCentre {
-  float at[3]; // times 3
-  std::uint32_t triangle;
-};
-
-/// Equal parts of an axis.
-struct Bins {
-  int axis;
-  float begin, scale;
-
-  unsigned of(const TriangleCentre &centre) const {
-    return std::min(unsigned((centre.at[axis] - begin) * scale), kBins - 1);
-  }
+    float at[3];  // times 3
+    std::uint32_t triangle;
 };
 
 /// Numbers of vertices within one cluster after the other.
 class LocalNumbers {
 public:
-  explicit LocalNumbers(std::size_t vertices) : number_(vertices, kNoNumber) {
-    used_.reserve(kClusterVertices + 1);
-  }
-
-  void clear() {
-    for (std::uint32_t v : used_)
-      number_[v] = kNoNumber;
-    used_.clear();
-  }
-  std::uint32_t of(std::uint32_t vertex) {
-    std::uint32_t &number = number_[vertex];
-    if (number == kNoNumber) {
-      number = std::uint32_t(used_.size());
-      used_.push_back(vertex);
+    explicit LocalNumbers(std::size_t vertices) : number_(vertices, kNoNumber) {
+        used_.reserve(kClusterVertices + 1);
     }
-    return number;
-  }
-  std::size_t count() const { return used_.size(); }
+
+    void clear() {
+        for (std::uint32_t v : used_)
+            number_[v] = kNoNumber;
+        used_.clear();
+    }
+    std::uint32_t of(std::uint32_t vertex) {
+        std::uint32_t& number = number_[vertex];
+        if (number == kNoNumber) {
+            number = std::uint32_t(used_.size());
+            used_.push_back(vertex);
+        }
+        return number;
+    }
+    std::size_t count() const { return used_.size(); }
 
 private:
-  std::vector<std::uint32_t> number_, used_;
+    std::vector<std::uint32_t> number_, used_;
 };
+
+/// Whether a redraw goes on from a triangle to the next without an edge's number: within a cluster,
+/// one orientation and coarseness. Else lines are joined at the number.
+bool goes_on_within(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse,
+                    std::uint32_t side, std::uint32_t across) {
+    return begin_of(mesh.triangles, side) != begin_of(mesh.triangles, across) &&
+           coarse[side / 3] == coarse[across / 3];
+}
 
 class Partitioner {
 public:
-  Partitioner(const PreparedMesh &mesh, const CornerTable &sides,
-              const std::vector<std::uint8_t> &coarse, Partition &result)
-      : mesh_(mesh), sides_(sides), coarse_(coarse), result_(result),
-        centres_(large_array<TriangleCentre>(mesh.triangles.size())),
-        spare_(large_array<TriangleCentre>(mesh.triangles.size())),
-        places_(mesh.triangles.size()),
-        vertex_count_at_(mesh.triangles.size(), 0) {
-    const std::size_t triangles = mesh.triangles.size();
-    result.order = large_array<std::uint32_t>(triangles);
-    result.corners = large_array<std::uint8_t>(3 * triangles);
-    in_blocks(triangles, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t)
-        centres_[t] = centre(std::uint32_t(t));
-    });
-  }
-
-  void run() {
-    const auto all = std::uint32_t(centres_.size());
-    const std::vector<Range> ranges =
-        halve_in_parallel(Range{0, all}, kFewTriangles,
-                          [this](const Range &range) { return cut(range); });
-    const std::size_t cuts = ranges.size() / 2, rest = ranges.size() - cuts;
-    share(rest, workers_for(rest), [&](unsigned, Blocks &shared) {
-      LocalNumbers numbers(mesh_.size());
-      for (std::size_t i; shared.take(i);)
-        split(ranges[cuts + i], numbers);
-    });
-    for (std::uint32_t i = 0; i < all; ++i) {
-      if (vertex_count_at_[i] == 0)
-        continue;
-      if (!result_.ranges.empty())
-        result_.ranges.back().end = i;
-      result_.ranges.push_back({i, all, vertex_count_at_[i]});
+    Partitioner(const PreparedMesh& mesh, const CornerTable& sides,
+                const std::vector<std::uint8_t>& coarse, Partition& result)
+        : mesh_(mesh),
+          sides_(sides),
+          coarse_(coarse),
+          result_(result),
+          centres_(large_array<TriangleCentre>(mesh.triangles.size())),
+          places_(mesh.triangles.size()),
+          vertex_count_at_(mesh.triangles.size(), 0) {
+        const std::size_t triangles = mesh.triangles.size();
+        result.order = large_array<std::uint32_t>(triangles);
+        result.corners = large_array<std::uint8_t>(3 * triangles);
+        for_each_element(triangles, [&](std::size_t t) { centres_[t] = centre(std::uint32_t(t)); });
     }
-    result_.places.assign(places_.begin(), places_.end());
-  }
+
+    void run() {
+        const auto all = std::uint32_t(centres_.size());
+        const std::vector<Range> ranges = halve_in_parallel(
+            Range{0, all}, kFewTriangles, [this](const Range& range) { return cut(range); });
+        const std::size_t cuts = ranges.size() / 2, rest = ranges.size() - cuts;
+        share(rest, workers_for(rest), [&](unsigned, Blocks& shared) {
+            LocalNumbers numbers(mesh_.size());
+            for (std::size_t i; shared.take(i);)
+                split(ranges[cuts + i], numbers);
+        });
+        for (std::uint32_t i = 0; i < all; ++i) {
+            if (vertex_count_at_[i] == 0) continue;
+            if (!result_.ranges.empty()) result_.ranges.back().end = i;
+            result_.ranges.push_back({i, all, vertex_count_at_[i]});
+        }
+        result_.places.assign(places_.begin(), places_.end());
+    }
 
 private:
-  /// A range of places in centres_.
-  struct Range {
-    std::uint32_t begin, end;
-    std::uint32_t size() const { return end - begin; }
-  };
-  TriangleCentre centre(std::uint32_t t) const {
-    const Triangle &corners = mesh_.triangles[t];
-    const Eigen::Vector3f sum =
-        (mesh_.positions[corners[0]] + mesh_.positions[corners[1]] +
-         mesh_.positions[corners[2]])
-            .cast<float>();
-    return {{sum.x(), sum.y(), sum.z()}, t};
-  }
-
-  void split(const Range &range, LocalNumbers &numbers) {
-    if (range.size() <= kClusterTriangles && becomes_cluster(range, numbers))
-      return;
-    const auto [left, right] = cut(range);
-    split(left, numbers);
-    split(right, numbers);
-  }
-
-  std::pair<Range, Range> cut(const Range &range) {
-    // Full clusters on the left keep all but the last ones full.
-    const std::uint32_t half = range.size() / 2;
-    const std::uint32_t full = half / kClusterTriangles * kClusterTriangles;
-    const std::uint32_t middle = range.begin + (full > 0 ? full : half);
-    order_by_longest_axis(range.begin, middle, range.end);
-    return {{range.begin, middle}, {middle, range.end}};
-  }
-
-  void order_by_longest_axis(std::uint32_t begin, std::uint32_t middle,
-                             std::uint32_t end) {
-    Eigen::AlignedBox3f box;
-    for (std::uint32_t i = begin; i < end; ++i)
-      box.extend(Eigen::Map<const Eigen::Vector3f>(centres_[i].at));
-    int axis;
-    const float length = box.sizes().maxCoeff(&axis);
-    const Bins bins = {axis, box.min()[axis], float(kBins) / length};
-    std::uint32_t low = begin, high = end; // of those in the bin of the middle
-    if (std::isfinite(bins.scale))
-      divide(bins, middle, low, high);
-    std::nth_element(centres_.begin() + low, centres_.begin() + middle,
-                     centres_.begin() + high,
-                     [axis](const TriangleCentre &a, const TriangleCentre &b) {
-                       return a.at[axis] != b.at[axis]
-                                  ? a.at[axis] < b.at[axis]
-                                  : a.triangle < b.triangle;
-                     });
-  }
-
-  /// Puts those in lower bins than the middle's first and those in higher ones
-  /// last, without branches that a processor could not foresee. `low` and
-  /// `high` close in on the others.
-  void divide(const Bins &bins, std::uint32_t middle, std::uint32_t &low,
-              std::uint32_t &high) {
-    const std::uint32_t begin = low, end = high;
-    std::uint32_t counts[kBins] = {};
-    for (std::uint32_t i = begin; i < end; ++i)
-      ++counts[bins.of(centres_[i])];
-    unsigned bin = 0;
-    for (std::uint32_t before = begin; before + counts[bin] <= middle; ++bin)
-      before += counts[bin];
-    std::uint32_t right = begin,
-                  others = end; // written to spare_ upwards and downwards
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const TriangleCentre centre = centres_[i];
-      const unsigned its = bins.of(centre);
-      if (its == bin) {
-        spare_[--others] = centre;
-        continue;
-      }
-      centres_[low] = spare_[right] = centre;
-      low += its < bin;
-      right += its > bin;
+    /// A range of places in centres_.
+    struct Range {
+        std::uint32_t begin, end;
+        std::uint32_t size() const { return end - begin; }
+    };
+    TriangleCentre centre(std::uint32_t t) const {
+        const Triangle& corners = mesh_.triangles[t];
+        const Eigen::Vector3f sum = (mesh_.positions[corners[0]] + mesh_.positions[corners[1]] +
+                                     mesh_.positions[corners[2]])
+                                        .cast<float>();
+        return {{sum.x(), sum.y(), sum.z()}, t};
     }
-    high = end - (right - begin);
-    std::copy(spare_.begin() + others, spare_.begin() + end,
-              centres_.begin() + low);
-    std::copy(spare_.begin() + begin, spare_.begin() + right,
-              centres_.begin() + high);
-  }
 
-  /// Unless the triangles exceed a cluster's numbers of vertices or of numbers.
-  bool becomes_cluster(const Range &range, LocalNumbers &numbers) {
-    const auto [begin, end] = range;
-    std::uint32_t *order = result_.order.data();
-    for (std::uint32_t i = begin; i < end; ++i)
-      order[i] = centres_[i].triangle;
-    std::sort(order + begin,
-              order + end); // the input's order often has some sense
-    std::uint8_t *corners = result_.corners.data() + 3 * std::size_t(begin);
-    numbers.clear();
-    for (std::uint32_t i = begin; i < end; ++i) {
-      places_[order[i]].store(i, std::memory_order_relaxed);
-      for (std::uint32_t v : mesh_.triangles[order[i]]) {
-        const std::uint32_t number = numbers.of(v);
-        if (number >= kClusterVertices)
-          return false;
-        *corners++ = std::uint8_t(number);
-      }
+    void split(const Range& range, LocalNumbers& numbers) {
+        if (range.size() <= kClusterTriangles && becomes_cluster(range, numbers)) return;
+        const auto [left, right] = cut(range);
+        split(left, numbers);
+        split(right, numbers);
     }
-    if (count_numbers(range) > kClusterNumbers)
-      return false;
-    vertex_count_at_[begin] = std::uint8_t(numbers.count());
-    return true;
-  }
 
-  /// How many numbers, see kClusterNumbers, a cluster may take.
-  unsigned count_numbers(const Range &range) const {
-    unsigned numbers = range.size();
-    for (std::uint32_t i = range.begin; i < range.end; ++i)
-      for (std::uint32_t side = 3 * result_.order[i], k = 0; k < 3;
-           ++side, ++k) {
-        const std::uint32_t across = sides_.across(side);
-        if (across == CornerTable::kMany)
-          continue;
-        numbers += across == CornerTable::kBorder ||
-                   !is_in(range, across / 3) ||
-                   !goes_on_within(mesh_, coarse_, side, across);
-      }
-    return numbers;
-  }
+    std::pair<Range, Range> cut(const Range& range) {
+        // Full clusters on the left keep all but the last ones full.
+        const std::uint32_t half = range.size() / 2;
+        const std::uint32_t full = half / kClusterTriangles * kClusterTriangles;
+        const std::uint32_t middle = range.begin + (full > 0 ? full : half);
+        order_by_longest_axis(range.begin, middle, range.end);
+        return {{range.begin, middle}, {middle, range.end}};
+    }
 
-  /// Places that were tried before are not of these triangles any more.
-  bool is_in(const Range &range, std::uint32_t triangle) const {
-    const std::uint32_t place =
-        places_[triangle].load(std::memory_order_relaxed);
-    return place >= range.begin && place < range.end &&
-           result_.order[place] == triangle;
-  }
+    void order_by_longest_axis(std::uint32_t begin, std::uint32_t middle, std::uint32_t end) {
+        Eigen::AlignedBox3f box;
+        for (std::uint32_t i = begin; i < end; ++i)
+            box.extend(Eigen::Map<const Eigen::Vector3f>(centres_[i].at));
+        int axis;
+        box.sizes().maxCoeff(&axis);
+        std::nth_element(
+            centres_.begin() + begin, centres_.begin() + middle, centres_.begin() + end,
+            [axis](const TriangleCentre& a, const TriangleCentre& b) {
+                return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.triangle < b.triangle;
+            });
+    }
 
-  const PreparedMesh &mesh_;
-  const CornerTable &sides_;
-  const std::vector<std::uint8_t> &coarse_;
-  Partition &result_;
-  std::vector<TriangleCentre> centres_, spare_;
-  std::vector<std::atomic<std::uint32_t>>
-      places_; // by triangle, of the last try
-  std::vector<std::uint8_t>
-      vertex_count_at_; // of the cluster that begins at a place, or 0
+    /// Unless the triangles exceed a cluster's numbers of vertices or of numbers.
+    bool becomes_cluster(const Range& range, LocalNumbers& numbers) {
+        const auto [begin, end] = range;
+        std::uint32_t* order = result_.order.data();
+        for (std::uint32_t i = begin; i < end; ++i)
+            order[i] = centres_[i].triangle;
+        std::sort(order + begin, order + end);  // the input's order often has some sense
+        std::uint8_t* corners = result_.corners.data() + 3 * std::size_t(begin);
+        numbers.clear();
+        for (std::uint32_t i = begin; i < end; ++i) {
+            places_[order[i]].store(i, std::memory_order_relaxed);
+            for (std::uint32_t v : mesh_.triangles[order[i]]) {
+                const std::uint32_t number = numbers.of(v);
+                if (number >= kClusterVertices) return false;
+                *corners++ = std::uint8_t(number);
+            }
+        }
+        if (count_numbers(range) > kClusterNumbers) return false;
+        vertex_count_at_[begin] = std::uint8_t(numbers.count());
+        return true;
+    }
+
+    /// How many numbers, see kClusterNumbers, a cluster may take.
+    unsigned count_numbers(const Range& range) const {
+        unsigned numbers = range.size();
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            for (std::uint32_t side = 3 * result_.order[i], k = 0; k < 3; ++side, ++k) {
+                const std::uint32_t across = sides_.across(side);
+                if (across == CornerTable::kMany) continue;
+                numbers += across == CornerTable::kBorder || !is_in(range, across / 3) ||
+                           !goes_on_within(mesh_, coarse_, side, across);
+            }
+        return numbers;
+    }
+
+    /// Places that were tried before are not of these triangles any more.
+    bool is_in(const Range& range, std::uint32_t triangle) const {
+        const std::uint32_t place = places_[triangle].load(std::memory_order_relaxed);
+        return place >= range.begin && place < range.end && result_.order[place] == triangle;
+    }
+
+    const PreparedMesh& mesh_;
+    const CornerTable& sides_;
+    const std::vector<std::uint8_t>& coarse_;
+    Partition& result_;
+    std::vector<TriangleCentre> centres_;
+    std::vector<std::atomic<std::uint32_t>> places_;  // by triangle, of the last try
+    std::vector<std::uint8_t> vertex_count_at_;       // of the cluster that begins at a place, or 0
 };
 
-} // namespace
+}  // namespace
 
-Partition partition(const PreparedMesh &mesh, const CornerTable &sides,
-                    const std::vector<std::uint8_t> &coarse) {
-  Partition result;
-  if (!mesh.triangles.empty())
-    Partitioner(mesh, sides, coarse, result).run();
-  return result;
+Partition partition(const PreparedMesh& mesh, const CornerTable& sides,
+                    const std::vector<std::uint8_t>& coarse) {
+    Partition result;
+    if (!mesh.triangles.empty()) Partitioner(mesh, sides, coarse, result).run();
+    return result;
 }
 
-} // namespace laplacian_lines
+ClusterLinks link_clusters(const PreparedMesh& mesh, const CornerTable& sides,
+                           const std::vector<std::uint8_t>& coarse, const Partition& partition) {
+    ClusterLinks links;
+    links.across = large_array(sides.side_count(), ClusterLinks::kNobody);
+    std::vector<std::uint32_t> numbers(partition.ranges.size() + 1, 0);  // of edges, by cluster
+    // Calls number(place, other) for each edge to others, in the cluster that comes first, with the
+    // places of both sides.
+    const auto for_each_numbered = [&](std::size_t c, const auto& number) {
+        const ClusterRange& range = partition.ranges[c];
+        for (std::uint32_t place = 3 * range.begin; place < 3 * range.end; ++place) {
+            const std::uint32_t side = 3 * partition.order[place / 3] + place % 3;
+            if (!sides.has_neighbour(side)) continue;
+            const std::uint32_t across = sides.across(side),
+                                triangle = partition.places[across / 3];
+            if (triangle >= range.begin && triangle < range.end &&
+                goes_on_within(mesh, coarse, side, across))
+                links.across[place] = triangle;
+            else if (const std::uint32_t other = 3 * triangle + across % 3; place < other)
+                number(place, other);
+        }
+    };
+    in_parallel(partition.ranges.size(), [&](std::size_t c) {
+        for_each_numbered(c, [&](std::uint32_t, std::uint32_t) { ++numbers[c + 1]; });
+    });
+    std::partial_sum(numbers.begin(), numbers.end(), numbers.begin());
+    links.number_count = numbers.back();
+    in_parallel(partition.ranges.size(), [&](std::size_t c) {
+        for_each_numbered(c, [&](std::uint32_t place, std::uint32_t other) {
+            links.across[place] = links.across[other] = ClusterLinks::kNumber + numbers[c]++;
+        });
+    });
+    return links;
+}
+
+}  // namespace laplacian_lines

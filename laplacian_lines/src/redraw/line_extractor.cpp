@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "clusters/extractor_data.h"
-#include "clusters/planes.h"
 #include "fixed/fixed_lines.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/kernel_levels.h"
@@ -18,9 +17,7 @@
 namespace laplacian_lines {
 
 struct LineExtractor::Data : ExtractorData {
-    explicit Data(ExtractorData&& data)
-        : ExtractorData(std::move(data)), horizon(find_coarse_horizon(*this)) {}
-    const CoarseHorizon horizon;
+    explicit Data(ExtractorData&& data) : ExtractorData(std::move(data)) {}
     mutable FixedLines fixed_lines;  // thread-safe
 };
 
@@ -64,7 +61,7 @@ void LineExtractor::add_derivatives(const TriangleMesh& mesh, const Field& field
 }
 
 std::size_t LineExtractor::memory() const {
-    return data_->memory() + data_->horizon.memory();
+    return data_->memory();
 }
 
 namespace {

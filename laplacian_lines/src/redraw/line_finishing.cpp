@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "rules/line_acceptance.h"
 #include "rules/opacity.h"
@@ -111,24 +110,13 @@ constexpr std::size_t kColumns = 7;
 constexpr std::uint32_t kStripsAhead = 4;
 static_assert(sizeof(LinePoint) == 6 * sizeof(float), "finish_line() writes six floats a point");
 
-/// Floats of a column for a line of up to `count` points: whole cache units, one of them before the
-/// first point.
-constexpr std::size_t kFloatsOfUnit = kCacheUnit / sizeof(float);
-std::size_t column_size(std::uint32_t count) {
-    return (count + kColumnMargin + 2 * kFloatsOfUnit - 1) / kFloatsOfUnit * kFloatsOfUnit;
+/// Of a column for a line of up to `count` points: one of them before the first point.
+std::size_t column_units(std::uint32_t count) {
+    return (count + kColumnMargin - 1) / FinishingThread::kUnitFloats + 2;
 }
 
-void reserve_columns(std::vector<float>& memory, std::size_t size) {
-    const std::size_t needed = kColumns * size + kFloatsOfUnit;
-    if (memory.size() < needed) memory.resize(needed);
-}
-
-LineColumns make_columns(std::vector<float>& memory, std::size_t size) {
-    void* begin = memory.data();
-    std::size_t bytes = memory.size() * sizeof(float);
-    std::align(kCacheUnit, kColumns * size * sizeof(float), begin, bytes);
-    float* first = static_cast<float*>(begin) + kFloatsOfUnit;
-    const auto column = [&](std::size_t i) { return first + i * size; };
+LineColumns make_columns(std::vector<FinishingThread::Unit>& columns, std::size_t units) {
+    const auto column = [&](std::size_t i) { return columns[i * units + 1].floats; };
     return {column(0), column(1), column(2), column(3), column(4), column(5), column(6)};
 }
 
@@ -151,23 +139,21 @@ void set_point(const LineColumns& c, std::size_t i, const StripPoint& p, float s
 /// Copies all strips of a line one behind the other; neighbours share a point.
 void collect_points(const TracedLines& traced, const TracedLines::Line& line,
                     const LineColumns& columns) {
-    const auto append = fastest<RedrawLoops>().append_points;
     std::size_t place = 0;
     const std::uint32_t* ends = traced.ends.data() + line.first_end;
     for (std::uint32_t i = 0; i < line.end_count; ++i) {
         if (i + kStripsAhead < line.end_count)
             prefetch_points(line.strips[ends[i + kStripsAhead] / 2]);
         const JoinedStrip& strip = line.strips[ends[i] / 2];
+        const StripPoint* const points = strip.points;
         const std::uint32_t last = strip.count - 1;
-        if (ends[i] % 2 == 0) {
-            if (i == 0) set_point(columns, place++, strip.points[0], 0);
-            append(strip.points + 1, last, columns, place);
-            place += last;
-        } else {  // backwards
-            if (i == 0) set_point(columns, place++, strip.points[last], 0);
-            for (std::uint32_t k = last; k > 0; --k)
-                set_point(columns, place++, strip.points[k - 1], strip.points[k].slope);
-        }
+        const bool backwards = ends[i] % 2 == 1;
+        if (i == 0) set_point(columns, place++, points[backwards ? last : 0], 0);
+        for (std::uint32_t k = 1; k <= last; ++k)
+            if (backwards)
+                set_point(columns, place++, points[last - k], points[last - k + 1].slope);
+            else
+                set_point(columns, place++, points[k], points[k].slope);
     }
 }
 
@@ -241,10 +227,10 @@ void finish_part(const TracedLines& traced, const TracedLines::Line& line, const
 
 /// A traced line, to its place.
 void finish_line(const ExtractorData& data, const TracedLines& traced,
-                 const TracedLines::Line& line, std::size_t size, FinishingThread& thread,
+                 const TracedLines::Line& line, std::size_t units, FinishingThread& thread,
                  LinePoint* points) {
     const Polyline& p = line.polyline;
-    LineColumns columns = make_columns(thread.columns, size);
+    LineColumns columns = make_columns(thread.columns, units);
     collect_points(traced, line, columns);
     if (p.closed) close_line(p.count, columns);
     if (line.rules->whole) finish_part(traced, line, columns, thread);
@@ -293,13 +279,13 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
     std::uint32_t longest = 0;
     for (const TracedLines::Line& line : traced.lines)
         longest = std::max(longest, line.polyline.count);
-    const std::size_t size = column_size(longest);
+    const std::size_t units = column_units(longest);
     const std::size_t count = traced.lines.size();
     const std::size_t blocks = (count + kLinesAtOnce - 1) / kLinesAtOnce;
     const unsigned workers = traced.point_count < kLeastParallelPoints ? 1 : workers_for(blocks);
     if (memory.size() < workers) memory.resize(workers);
     for (FinishingThread& thread : memory) {
-        reserve_columns(thread.columns, size);
+        if (thread.columns.size() < kColumns * units) thread.columns.resize(kColumns * units);
         thread.cut_lines.clear();
         thread.cut_parts.clear();
     }
@@ -308,7 +294,7 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
             for (std::size_t i = block * kLinesAtOnce;
                  i < std::min(count, (block + 1) * kLinesAtOnce); ++i) {
                 const TracedLines::Line& line = traced.lines[i];
-                finish_line(data, traced, line, size, memory[worker],
+                finish_line(data, traced, line, units, memory[worker],
                             &lines.points[line.polyline.first]);
                 lines.lines[i] = line.polyline;
             }

@@ -41,7 +41,11 @@ private:
 
 /// What a thread finishes lines in; keeps its memory.
 struct FinishingThread {
-    std::vector<float> columns;
+    static constexpr std::size_t kUnitFloats = kCacheUnit / sizeof(float);
+    struct alignas(kCacheUnit) Unit {
+        float floats[kUnitFloats];
+    };
+    std::vector<Unit> columns;
     Hairpins hairpins;
     std::vector<std::uint32_t> cut_lines;  ///< first points of lines that hairpins cut
     std::vector<Polyline> cut_parts;       ///< what is left of them

@@ -7,34 +7,18 @@
 #include "system/simd_sets.h"
 
 namespace laplacian_lines {
-
 namespace {
 
 constexpr std::size_t kChunk = 4 * kFormGroup;  // clusters that a thread takes at a time
 
 /// Makes place for so many strips and points and those of a batch, with some to spare.
-void reserve(ThreadStrips& s, std::size_t strips, std::size_t points) {
-    if (s.strips.size() < strips + kStripsOfBatch)
-        s.strips.resize(strips + strips / 2 + kStripsOfBatch);
-    if (s.points.size() < points + kPointsOfBatch + kPointMargin)
-        s.points.resize(points + points / 2 + kPointsOfBatch + kPointMargin);
-}
-
-void find_batch(const ClusterStore& store, const ExtractionTask& task, unsigned pass,
-                const KeptCluster* clusters, std::size_t count, FindingThread& thread) {
-    const StripPass kinds = kStripPasses[pass];
-    StripOutput outputs[kMostKindsOfPass];
-    for (unsigned kind = 0; kind < kinds.count; ++kind) {
-        ThreadStrips& s = thread.strips[kinds.first + kind];
-        reserve(s, s.strip_count, s.point_count);
-        outputs[kind] = {s.strips.data(), s.points.data(), s.strip_count, s.point_count};
-    }
-    fastest<RedrawLoops>().passes[pass].extract_strips(store, task, clusters, count, *thread.memory,
-                                                       outputs);
-    for (unsigned kind = 0; kind < kinds.count; ++kind) {
-        thread.strips[kinds.first + kind].strip_count = outputs[kind].strip_count;
-        thread.strips[kinds.first + kind].point_count = outputs[kind].point_count;
-    }
+void reserve(FindingThread& thread, unsigned kind, std::size_t strips, std::size_t points) {
+    const auto grow = [](auto& array, std::size_t used, std::size_t batch) {
+        if (array.size() < used + batch) array.resize(used + used / 2 + batch);
+        return array.data();
+    };
+    thread.output[kind].strips = grow(thread.strips[kind], strips, kStripsOfBatch);
+    thread.output[kind].points = grow(thread.points[kind], points, kPointsOfBatch);
 }
 
 bool is_wanted(const ExtractionTask& task, const StripPass& pass) {
@@ -46,36 +30,39 @@ void find_chunk(const ClusterStore& store, std::size_t cluster_count, const Extr
                 std::size_t index, FindingThread& thread, ChunkOfStrips& chunk) {
     const std::size_t begin = index * kChunk, end = std::min(begin + kChunk, cluster_count);
     for (unsigned kind = 0; kind < kStripKindCount; ++kind)
-        chunk.begin[kind] = thread.strips[kind].strip_count;
+        chunk.begin[kind] = thread.output[kind].strip_count;
     for (unsigned pass = 0; pass < kStripPassCount; ++pass) {
-        if (!is_wanted(task, kStripPasses[pass])) continue;
-        const std::size_t kept =
-            fastest<RedrawLoops>().passes[pass].cull(store, task, begin, end, thread.kept.data());
-        for (std::size_t i = 0; i < kept; i += kBatch)
-            find_batch(store, task, pass, &thread.kept[i], std::min<std::size_t>(kBatch, kept - i),
-                       thread);
+        const StripPass kinds = kStripPasses[pass];
+        if (!is_wanted(task, kinds)) continue;
+        const StripFunctions& functions = fastest<RedrawLoops>().passes[pass];
+        const std::size_t kept = functions.cull(store, task, begin, end, thread.kept.data());
+        for (std::size_t i = 0; i < kept; i += kBatch) {
+            for (unsigned kind = kinds.first; kind < kinds.first + kinds.count; ++kind)
+                reserve(thread, kind, thread.output[kind].strip_count,
+                        thread.output[kind].point_count);
+            functions.extract_strips(store, task, &thread.kept[i],
+                                     std::min<std::size_t>(kBatch, kept - i), *thread.memory,
+                                     thread.output + kinds.first);
+        }
     }
     for (unsigned kind = 0; kind < kStripKindCount; ++kind)
-        chunk.end[kind] = thread.strips[kind].strip_count;
-}
-
-void even_out(unsigned kind, FoundStrips& found) {
-    std::size_t strips = 0, points = 0;
-    for (const FindingThread& thread : found.threads) {
-        strips += thread.strips[kind].strip_count;
-        points += thread.strips[kind].point_count;
-    }
-    for (FindingThread& thread : found.threads)
-        reserve(thread.strips[kind], strips, points);
+        chunk.end[kind] = thread.output[kind].strip_count;
 }
 
 /// Any thread may find any part of the strips next time, or its first part; then none of them has
 /// to allocate, for kinds that share a pass with a wanted one either.
 void even_out(const ExtractionTask& task, FoundStrips& found) {
     for (const StripPass& pass : kStripPasses)
-        if (is_wanted(task, pass))
-            for (unsigned kind = pass.first; kind < pass.first + pass.count; ++kind)
-                even_out(kind, found);
+        for (unsigned kind = pass.first; kind < pass.first + pass.count; ++kind) {
+            if (!is_wanted(task, pass)) continue;
+            std::size_t strips = 0, points = 0;
+            for (const FindingThread& thread : found.threads) {
+                strips += thread.output[kind].strip_count;
+                points += thread.output[kind].point_count;
+            }
+            for (FindingThread& thread : found.threads)
+                reserve(thread, kind, strips, points);
+        }
 }
 
 constexpr std::uint32_t kStripsAhead = 8;
@@ -104,12 +91,12 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
             continue;
         }
         std::uint32_t& waiting = memory.end_at_edge[edge];
-        if (waiting < memory.first_end) {
-            waiting = memory.first_end + end;
+        if (waiting == kNoEnd) {
+            waiting = end;
             continue;
         }
-        join(waiting - memory.first_end, end);
-        waiting = 0;
+        join(waiting, end);
+        waiting = kNoEnd;
     }
 }
 
@@ -118,12 +105,12 @@ template <class Visit>
 void for_each_strip(const FoundStrips& found, unsigned kind,
                     const std::vector<std::uint32_t>& end_at_edge, Visit visit) {
     for (const ChunkOfStrips& chunk : found.chunks) {
-        const ThreadStrips& thread = found.threads[chunk.thread].strips[kind];
+        const StripOutput& thread = found.threads[chunk.thread].output[kind];
         for (std::uint32_t i = chunk.begin[kind]; i < chunk.end[kind]; ++i) {
             const Strip& later = thread.strips[std::min(i + kStripsAhead, chunk.end[kind] - 1)];
             for (const std::uint32_t edge : later.edges)
                 if (edge < Strip::kContinued) __builtin_prefetch(&end_at_edge[edge], 1);
-            visit(thread.strips[i], thread.points.data());
+            visit(thread.strips[i], thread.points);
         }
     }
 }
@@ -140,8 +127,8 @@ void find_strips(const ExtractorData& data, const LaplacianForms& laplacians,
     for (FindingThread& thread : found.threads) {
         if (!thread.memory) thread.memory = std::make_unique<SimdMemory>();
         thread.kept.resize(kChunk + 1);
-        for (ThreadStrips& s : thread.strips)
-            s.strip_count = s.point_count = 0;
+        for (StripOutput& output : thread.output)
+            output.strip_count = output.point_count = 0;
     }
     share(chunks, workers, [&](unsigned worker, Blocks& shared) {
         for (std::size_t i; shared.take(i);) {
@@ -155,17 +142,13 @@ void find_strips(const ExtractorData& data, const LaplacianForms& laplacians,
 
 void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_edge_count,
                  JoiningMemory& memory) {
-    std::uint32_t ends = 0;
+    std::size_t strips = 0;
     for (const ChunkOfStrips& chunk : found.chunks)
-        ends += 2 * (chunk.end[kind] - chunk.begin[kind]);
-    if (memory.end_at_edge.size() < border_edge_count || memory.next_end > kNoEnd - ends) {
-        memory.end_at_edge.assign(border_edge_count, 0);
-        memory.next_end = 1;
-    }
-    memory.first_end = memory.next_end;
-    memory.next_end += ends;
+        strips += chunk.end[kind] - chunk.begin[kind];
     memory.strips[kind].clear();
-    memory.strips[kind].reserve(ends / 2);
+    if (strips == 0) return;
+    memory.strips[kind].reserve(strips);
+    memory.end_at_edge.assign(border_edge_count, kNoEnd);
     std::uint32_t loop = kNoEnd;
     for_each_strip(found, kind, memory.end_at_edge,
                    [&](const Strip& strip, const StripPoint* points) {

@@ -10,17 +10,13 @@
 
 namespace laplacian_lines {
 
-/// The strips of one kind that a thread found.
-struct ThreadStrips {
-    std::vector<Strip> strips;  // longer than what is in use, to keep resize() from clearing
-    std::vector<StripPoint> points;
-    std::uint32_t strip_count = 0, point_count = 0;
-};
-
+/// What a thread finds, by kind.
 struct FindingThread {
     std::unique_ptr<SimdMemory> memory;
     std::vector<KeptCluster> kept;
-    ThreadStrips strips[kStripKindCount];
+    std::vector<Strip> strips[kStripKindCount];  ///< longer than what is in use, see `output`
+    std::vector<StripPoint> points[kStripKindCount];
+    StripOutput output[kStripKindCount];
 };
 
 /// The strips of successive clusters, all found by one thread.
@@ -58,9 +54,7 @@ struct OpenEnd {
 
 struct JoiningMemory {
     std::vector<JoinedStrip> strips[kStripKindCount];
-    /// The end that waits at an edge, plus first_end; what is less is of an earlier use.
-    std::vector<std::uint32_t> end_at_edge;
-    std::uint32_t first_end = 1, next_end = 1;  ///< of the last use, and of the next one
+    std::vector<std::uint32_t> end_at_edge;  ///< that waits there, or kNoEnd
     std::vector<OpenEnd> open_ends;
 };
 

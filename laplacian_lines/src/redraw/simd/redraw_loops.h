@@ -64,8 +64,6 @@ struct Strip {
     float concave;                  ///< of whole lines, see LinePiece
 };
 
-constexpr unsigned kPointMargin = 3;
-
 /// Where extract_strips() appends. There must be place for kStripsOfBatch and kPointsOfBatch more.
 struct StripOutput {
     Strip* strips;
@@ -144,8 +142,8 @@ struct CrossingMemory {
     alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends
     alignas(64) float share[kPlaces];                  ///< of the positive end, 0..1
     alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye, n·light
-    alignas(64) float x[kPlaces], y[kPlaces], z[kPlaces];
-    alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];
+    alignas(64) float position[3][kPlaces];
+    alignas(64) float g[3][kPlaces];  ///< ∇I = S l
     alignas(64) float gradient[kPlaces], opacity[kPlaces];
     alignas(64) float concave[kPlaces];        ///< of whole lines: −l·Sl/‖w‖, see LinePiece
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
@@ -159,15 +157,15 @@ struct SegmentMemory {
     static constexpr std::uint16_t kNone = 0xffff;
     std::uint16_t triangle[kPlaces];  ///< place in ActiveTriangles, and of the crossing at the end
     std::uint16_t begin[kPlaces];     ///< crossing
-    alignas(64) float gx[kPlaces], gy[kPlaces], gz[kPlaces];  ///< sum of the ends' gradients
-    alignas(64) float ux[kPlaces], uy[kPlaces], uz[kPlaces];  ///< first to second corner
-    alignas(64) float vx[kPlaces], vy[kPlaces], vz[kPlaces];  ///< first to third corner
-    alignas(64) float fu[kPlaces], fv[kPlaces];               ///< differences of the function
-    alignas(64) float scale[kPlaces];                         ///< sum of slope_scale
-    alignas(64) float slope[kPlaces];                         ///< < 0: refused
-    alignas(64) float sums[kPlaces][4];                       ///< as in Strip
-    std::uint16_t next[kPlaces];                              ///< segment, or kNone
-    std::uint16_t first[kPlaces];                             ///< segments that follow on none
+    alignas(64) float g[3][kPlaces];  ///< sum of the ends' gradients
+    alignas(64) float u[3][kPlaces];  ///< first to second corner
+    alignas(64) float v[3][kPlaces];  ///< first to third corner
+    alignas(64) float fu[kPlaces], fv[kPlaces];  ///< differences of the function
+    alignas(64) float scale[kPlaces];            ///< sum of slope_scale
+    alignas(64) float slope[kPlaces];            ///< < 0: refused
+    alignas(64) float sums[kPlaces][4];          ///< as in Strip
+    std::uint16_t next[kPlaces];                 ///< segment, or kNone
+    std::uint16_t first[kPlaces];                ///< segments that follow on none
     /// What ends at a crossing: a segment, or kNone.
     alignas(64) std::uint16_t ending[CrossingMemory::kPlaces];
     /// The place in ActiveTriangles by place in the batch, or kNone.
@@ -223,10 +221,6 @@ struct StripFunctions {
 /// See simd_sets.h.
 struct RedrawLoops {
     StripFunctions passes[kStripPassCount];
-    /// Appends the points of a strip to a line's columns at a place, as `weight` their slopes.
-    /// Reads up to kPointMargin points more.
-    void (*append_points)(const StripPoint* points, std::uint32_t count, const LineColumns& columns,
-                          std::size_t place);
     /// Weights, opacities and smoothed positions of a line, written as LinePoint's six floats in
     /// mesh coordinates. Overwrites the columns.
     void (*finish_line)(const LineRules& rules, const LineSums& line, LineColumns& columns,

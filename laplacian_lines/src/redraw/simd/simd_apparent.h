@@ -299,10 +299,10 @@ static inline void find_apparent_crossings(const LineRules& rules, const Extract
     }
     find_points(batch, task.eye, m, count);
     for (std::size_t i = 0; i < count; i += kLanes) {
-        const Towards v = towards(task.eye, m, i);
+        const Vectors v = towards(task.eye, m, i);
         const Floats q = load(apparent.crossing_q + i), facing = load(m.lit + i);
         accept(
-            (q >= least_curvature(rules)) & (facing >= rules.least_facing * square_root(v.squared)),
+            (q >= least_curvature(rules)) & (facing >= rules.least_facing * square_root(dot(v, v))),
             m, i);
         store(m.opacity + i, opacity_beside_contours(rules, facing, load(m.gradient + i)));
         store(m.gradient + i, q);
@@ -329,13 +329,15 @@ static inline void collect_apparent_corners(const Batch& batch, const ActiveTria
             direction += sign * load4(vector);
         }
         const Float4 u = p[1] - p[0], v = p[2] - p[0];
-        s.ux[i] = u[0], s.uy[i] = u[1], s.uz[i] = u[2];
-        s.vx[i] = v[0], s.vy[i] = v[1], s.vz[i] = v[2];
         s.fu[i] = values[1] - values[0];
         s.fv[i] = values[2] - values[0];
         const Float4 squares = direction * direction;
         const float unit = 2 / __builtin_sqrtf(squares[0] + squares[1] + squares[2]);  // two ends
-        s.gx[i] = unit * direction[0], s.gy[i] = unit * direction[1], s.gz[i] = unit * direction[2];
+        for (int k = 0; k < 3; ++k) {
+            s.u[k][i] = u[k];
+            s.v[k][i] = v[k];
+            s.g[k][i] = unit * direction[k];
+        }
         s.scale[i] = scale;
     }
 }
@@ -367,16 +369,13 @@ static void extract_apparent_strips(const ClusterStore& store, const ExtractionT
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
     const unsigned crossings = list_crossings(active, m, s);
-    fill_up(m, crossings);
     find_apparent_crossings(rules, task, batch, memory.apparent, m, crossings);
     unsigned kept = keep_accepted(m, s, active.count);
     collect_apparent_corners(batch, active, memory.apparent, s, kept);
     test_segments<SegmentSlope::AlongOnce>(rules, s, kept);
     kept = keep_steep(rules, s, kept);
     measure_segments(rules, m, s, kept);
-    const std::uint32_t begin = outputs->strip_count;
     StripWriter(store, batch, active, m, s, kept, *outputs).write_all(rules);
-    name_edges(store, begin, *outputs);
 }
 
 }  // namespace SIMD_SET

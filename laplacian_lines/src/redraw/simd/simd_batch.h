@@ -15,29 +15,24 @@ constexpr float kRoundingMargin = 1e-5f;
 struct FacingRange {
     alignas(kCacheUnit) float low[kFormGroup], high[kFormGroup];
 };
-static inline FacingRange bound_facing(const FacingBounds& bounds, const float eye[4],
-                                       std::size_t first) {
+static inline FacingRange bound_facing(const FacingBounds& bounds, const float eye[4]) {
     const float w = eye[3], summed = __builtin_fabsf(eye[0]) + __builtin_fabsf(eye[1]) +
                                      __builtin_fabsf(eye[2]) + __builtin_fabsf(w);
     const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
     FacingRange range;
     for (unsigned i = 0; i < kFormGroup; i += kLanes) {
-        const std::size_t c = first + i;
-        const auto row = [&](const float* const vector[3]) {
-            return Vectors{load_anywhere(vector[0] + c), load_anywhere(vector[1] + c),
-                           load_anywhere(vector[2] + c)};
-        };
-        const Vectors n = row(bounds.normal), towards = e - row(bounds.centre) * (Floats{} + w);
-        Floats reach = w * load_anywhere(bounds.height_range + c);
+        const Vectors n = load_vectors(bounds.normal, i),
+                      towards = e - load_vectors(bounds.centre, i) * (Floats{} + w);
+        Floats reach = w * load(bounds.height_range + i);
         Floats size = absolute(n.x) + absolute(n.y) + absolute(n.z);
         for (const auto& axis : bounds.axes) {
-            const Vectors a = row(axis);
+            const Vectors a = load_vectors(axis, i);
             reach += absolute(dot(a, towards));
             size += absolute(a.x) + absolute(a.y) + absolute(a.z);
         }
         // The forms are summed from e and n·p, which may be larger than what is left of them.
         reach += kRoundingMargin * size * summed;
-        const Floats middle = dot(n, towards) - w * load_anywhere(bounds.height + c);
+        const Floats middle = dot(n, towards) - w * load(bounds.height + i);
         store(range.low + i, middle - reach);
         store(range.high + i, middle + reach);
     }
@@ -49,7 +44,7 @@ static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, s
                         std::size_t end, KeptCluster* kept) {
     std::size_t count = 0;
     for (std::size_t first = begin; first < end; first += kFormGroup) {
-        const FacingRange facing = bound_facing(store.facing, task.eye, first);
+        const FacingRange facing = bound_facing(store.facing[first / kFormGroup], task.eye);
         for (unsigned i = 0; i < kFormGroup && first + i < end; ++i) {
             const float low = facing.low[i], high = facing.high[i];
             KeptCluster& cluster = kept[count];

@@ -97,6 +97,16 @@ private:
 
 // ---- crossings ----
 
+template <std::size_t Count>
+static inline void store_vectors(const Vectors& v, float (&to)[3][Count], std::size_t lane) {
+    store(to[0] + lane, v.x);
+    store(to[1] + lane, v.y);
+    store(to[2] + lane, v.z);
+}
+static inline Vectors cross(const Vectors& a, const Vectors& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 /// Where crossings [0, count) are on their edges, from the values at the ends.
 static inline void find_shares(const float* values, CrossingMemory& m, std::size_t count) {
     count = whole_vectors(count);
@@ -151,9 +161,10 @@ static inline void find_points(const Batch& batch, const float eye_of_light[4], 
         EdgePoints points = find_edge_points(batch, eye_of_light, m, i);
         auto& [p, g] = points;
         p[3] = square_root(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-        store(m.x + i, p[0]), store(m.y + i, p[1]), store(m.z + i, p[2]);
-        store(m.gx + i, g[0]), store(m.gy + i, g[1]), store(m.gz + i, g[2]);
-        store(m.lit + i, g[3]), store(m.gradient + i, p[3]);
+        store_vectors({p[0], p[1], p[2]}, m.position, i);
+        store_vectors({g[0], g[1], g[2]}, m.g, i);
+        store(m.lit + i, g[3]);
+        store(m.gradient + i, p[3]);
         store_as_rows(p, [&](unsigned lane) { return m.points[i + lane]; });
         store_as_rows(g, [&](unsigned lane) { return m.gradients[i + lane]; });
     }
@@ -178,19 +189,16 @@ static inline void accept(Ints accepted, CrossingMemory& m, std::size_t i) {
 /// Columns of gradients that a kind has changed, as rows.
 static inline void store_gradients(CrossingMemory& m, std::size_t count) {
     for (std::size_t i = 0; i < count; i += kLanes) {
-        Floats rows[4] = {load(m.gx + i), load(m.gy + i), load(m.gz + i), load(m.lit + i)};
+        const Vectors g = load_vectors(m.g, i);
+        Floats rows[4] = {g.x, g.y, g.z, load(m.lit + i)};
         store_as_rows(rows, [&](unsigned lane) { return m.gradients[i + lane]; });
     }
 }
 
-/// From crossings [i, i + kLanes) to an eye or light, and the square of the distance.
-struct Towards {
-    Floats x, y, z, squared;
-};
-static inline Towards towards(const float eye[4], const CrossingMemory& m, std::size_t i) {
-    const Floats x = eye[0] - eye[3] * load(m.x + i), y = eye[1] - eye[3] * load(m.y + i),
-                 z = eye[2] - eye[3] * load(m.z + i);
-    return {x, y, z, x * x + y * y + z * z};
+/// From crossings [i, i + kLanes) to an eye or light.
+static inline Vectors towards(const float eye[4], const CrossingMemory& m, std::size_t i) {
+    const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
+    return e - load_vectors(m.position, i) * (Floats{} + eye[3]);
 }
 
 /// What the slope of a segment is, of whole lines less than 0 where ∇f·d > 0: with ∇f of the linear

@@ -36,10 +36,8 @@ struct Contours {
     static inline void test(const LineRules& rules, const ExtractionTask& task, const Batch&,
                             CrossingMemory& m, std::size_t count) {
         for (std::size_t i = 0; i < count; i += kLanes) {
-            const Towards v = towards(task.eye, m, i);
-            const Floats product =
-                v.x * load(m.gx + i) + v.y * load(m.gy + i) + v.z * load(m.gz + i);
-            const Floats distance = square_root(v.squared);
+            const Vectors v = towards(task.eye, m, i);
+            const Floats product = dot(v, load_vectors(m.g, i)), distance = square_root(dot(v, v));
             const Floats gradient = load(m.gradient + i) + LineRules::kFlat * distance;
             const Floats concavity = -product / (distance * gradient);
             store(m.opacity + i, 1 - clamp01(concavity / rules.concave_thinning));  // 1 for NaN
@@ -74,11 +72,11 @@ static inline Floats opacity_beside_contours(const LineRules& rules, Floats faci
 struct Concavity {
     Floats product, tangential;
 };
-static inline Concavity concavity_towards(Towards light, const CrossingMemory& m, std::size_t i) {
+static inline Concavity concavity_towards(const Vectors& light, const CrossingMemory& m,
+                                          std::size_t i) {
     const Floats lit = load(m.lit + i);
-    const Floats product =
-        light.x * load(m.gx + i) + light.y * load(m.gy + i) + light.z * load(m.gz + i);
-    return {-product, square_root(at_least(light.squared - lit * lit, 0))};
+    return {-dot(light, load_vectors(m.g, i)),
+            square_root(at_least(dot(light, light) - lit * lit, 0))};
 }
 
 /// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
@@ -90,8 +88,8 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
     const float least = -rules.fading / 4, range = rules.fading / 2 - least;
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Floats facing = load(facings + i), gradient = load(m.gradient + i);
-        const Towards eye = towards(task.eye, m, i);
-        Ints accepted = facing >= rules.least_facing * square_root(eye.squared);
+        const Vectors eye = towards(task.eye, m, i);
+        Ints accepted = facing >= rules.least_facing * square_root(dot(eye, eye));
         Floats opacity = opacity_beside_contours(rules, facing, gradient);
         if (rules.concave_only) {
             const Concavity concave =
@@ -173,8 +171,7 @@ struct PhoticExtrema : FacingKind {
         LaplacianLines::test(rules, task, batch, m, count);
         for (std::size_t i = 0; i < count; i += kLanes) {
             const Floats g = load(m.gradient + i), factor = 1 / (g * g * g);
-            for (float* const column : {m.gx, m.gy, m.gz})
-                store(column + i, load(column + i) * factor);
+            store_vectors(load_vectors(m.g, i) * factor, m.g, i);
         }
         store_gradients(m, count);
     }
@@ -209,16 +206,14 @@ struct RadialZeros : FacingKind {
     static inline void test(const LineRules& rules, const ExtractionTask& task, const Batch&,
                             CrossingMemory& m, std::size_t count) {
         for (std::size_t i = 0; i < count; i += kLanes) {
-            const Towards v = towards(task.eye, m, i);
-            const Floats facing = load(m.lit + i);
-            const Floats distance = square_root(v.squared), cosine = facing / distance;
+            const Vectors v = towards(task.eye, m, i);
+            const Floats facing = load(m.lit + i), squared = dot(v, v);
+            const Floats distance = square_root(squared), cosine = facing / distance;
             store(m.opacity + i, opacity_beside_contours(rules, facing, load(m.gradient + i)));
-            const Floats factor = -float(sign) / (v.squared * distance *
+            const Floats factor = -float(sign) / (squared * distance *
                                                   at_least(1 - cosine * cosine, kLeastSquaredSine) *
                                                   at_least(cosine, kLeastCosine));
-            store(m.gx + i, v.x * factor);
-            store(m.gy + i, v.y * factor);
-            store(m.gz + i, v.z * factor);
+            store_vectors(v * factor, m.g, i);
             accept(cosine >= rules.least_facing, m, i);
         }
         store_gradients(m, count);

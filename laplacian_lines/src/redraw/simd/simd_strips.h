@@ -9,7 +9,8 @@ namespace SIMD_SET {
 
 /// Lists the crossings of a batch's active triangles. A triangle owns the crossing where its line
 /// leaves, which gets the triangle's place; the one where the line enters is that of the triangle
-/// before, or one of its own if that one is elsewhere. Returns the number of crossings.
+/// before, or one of its own if that one is elsewhere. Returns the number of crossings; what is
+/// done with them writes to whole vectors of places.
 static inline unsigned list_crossings(const ActiveTriangles& active, CrossingMemory& m,
                                       SegmentMemory& s) {
     const auto list = [&](unsigned crossing, const std::uint16_t ends[2]) {
@@ -29,6 +30,7 @@ static inline unsigned list_crossings(const ActiveTriangles& active, CrossingMem
         s.begin[i] = std::uint16_t(own ? crossings : previous);
         crossings += own;
     }
+    __builtin_memset(m.ends[crossings], 0, kLanes * sizeof m.ends[0]);  // something valid
     return crossings;
 }
 
@@ -111,9 +113,9 @@ static inline void collect_corners(const Batch& batch, const ActiveTriangles& ac
         transpose(u);
         transpose(v);
         transpose(g);
-        store_columns(u, s.ux + i, s.uy + i, s.uz + i);
-        store_columns(v, s.vx + i, s.vy + i, s.vz + i);
-        store_columns(g, s.gx + i, s.gy + i, s.gz + i);
+        store_columns(u, s.u[0] + i, s.u[1] + i, s.u[2] + i);
+        store_columns(v, s.v[0] + i, s.v[1] + i, s.v[2] + i);
+        store_columns(g, s.g[0] + i, s.g[1] + i, s.g[2] + i);
         __builtin_memcpy(s.scale + i, &g[3], sizeof(Float4));
     }
 }
@@ -124,16 +126,10 @@ template <SegmentSlope Slope>
 static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::size_t count) {
     const float largest_product = rules.reject_phantoms ? 0 : FLT_MAX;
     for (std::size_t i = 0; i < count; i += kLanes) {
-        const Floats ux = load(s.ux + i), uy = load(s.uy + i), uz = load(s.uz + i);
-        const Floats vx = load(s.vx + i), vy = load(s.vy + i), vz = load(s.vz + i);
-        const Floats nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+        const Vectors u = load_vectors(s.u, i), v = load_vectors(s.v, i), n = cross(u, v);
         // ∇f of the linear interpolant: (fu·(v × N) + fv·(N × u)) / |N|², N = u × v.
-        const Floats fu = load(s.fu + i), fv = load(s.fv + i);
-        const Floats squared = nx * nx + ny * ny + nz * nz;
-        const Floats x = fu * (vy * nz - vz * ny) + fv * (ny * uz - nz * uy);
-        const Floats y = fu * (vz * nx - vx * nz) + fv * (nz * ux - nx * uz);
-        const Floats z = fu * (vx * ny - vy * nx) + fv * (nx * uy - ny * ux);
-        const Floats product = x * load(s.gx + i) + y * load(s.gy + i) + z * load(s.gz + i);
+        const Vectors f = cross(v, n) * load(s.fu + i) + cross(n, u) * load(s.fv + i);
+        const Floats squared = dot(n, n), product = dot(f, load_vectors(s.g, i));
         if (Slope != SegmentSlope::Scaled) {
             const Floats change = -product / (2 * squared);  // d summed over both ends
             const Floats size = absolute(change);
@@ -147,7 +143,7 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
                 store(s.slope + i, kept ? most : Floats{} - 1);
             continue;
         }
-        const Floats steepness = square_root(x * x + y * y + z * z) / squared;
+        const Floats steepness = square_root(dot(f, f)) / squared;
         const Floats slope = steepness * (load(s.scale + i) / 3);
         if (rules.whole) {  // nothing of a sliver's NaN
             store(s.slope + i, slope >= 0 ? (product <= 0 ? slope : -slope) : Floats{});
@@ -225,15 +221,14 @@ private:
         return active_.triangles[segments_.triangle[segment]];
     }
 
-    /// The place in border_edges of the edge that a segment's neighbour is behind, if it leads out
-    /// of the cluster. For name_edges(), since what lies there has to be waited for.
+    /// The edge that a segment's neighbour is behind, if it leads out of the cluster.
     std::uint32_t edge_to_elsewhere(unsigned neighbour) const {
         const Cluster& cluster = *batch_.clusters[neighbour / kNumbersOfSlot];
         const unsigned number = neighbour % kNumbersOfSlot;
         const bool leads_out = number >= cluster.triangle_count && number != kNoNeighbour;
-        const std::uint32_t place = cluster.first_border_edge + number - cluster.triangle_count;
-        __builtin_prefetch(&border_edges_[leads_out ? place : 0]);
-        return leads_out ? place : Strip::kNoEdge;
+        return leads_out
+                   ? border_edges_[cluster.first_border_edge + number - cluster.triangle_count]
+                   : Strip::kNoEdge;
     }
 
     void write_point(unsigned crossing, float slope, StripPoint* point) {
@@ -303,31 +298,7 @@ private:
     StripOutput& output_;
 };
 
-/// Makes edges of places in border_edges, in strips from `begin` on.
-static inline void name_edges(const ClusterStore& store, std::uint32_t begin,
-                              const StripOutput& output) {
-    for (std::uint32_t i = begin; i < output.strip_count; ++i)
-        for (std::uint32_t& edge : output.strips[i].edges)
-            if (edge < Strip::kContinued) edge = store.border_edges[edge];
-}
-
-/// Makes the places after crossings [0, count) something valid.
-static inline void fill_up(CrossingMemory& m, std::size_t count) {
-    __builtin_memset(m.ends[count], 0, kLanes * sizeof m.ends[0]);
-}
-
-/// Computes crossings [0, count) of a kind from their ends. As the functions that it calls, it
-/// writes to whole vectors of places.
-template <class Kinds, class Kind>
-static inline void find_crossings(const ExtractionTask& task, const Batch& batch, unsigned kind,
-                                  CrossingMemory& m, std::size_t count) {
-    fill_up(m, count);
-    find_shares(values_of<Kind>(batch, kind), m, count);
-    find_points(batch, Kind::source(task), m, count);
-    Kind::test(task.kinds[Kinds::kFirst + kind].rules, task, batch, m, count);
-}
-
-/// Appends the strips of a kind in a batch, their edges for name_edges().
+/// Appends the strips of a kind in a batch.
 template <class Kinds, class Kind>
 static inline void append_strips(const ClusterStore& store, const ExtractionTask& task,
                                  unsigned kind, SimdMemory& memory, StripOutput& output) {
@@ -337,7 +308,10 @@ static inline void append_strips(const ClusterStore& store, const ExtractionTask
     const LineRules& rules = task.kinds[Kinds::kFirst + kind].rules;
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
-    find_crossings<Kinds, Kind>(task, batch, kind, m, list_crossings(active, m, s));
+    const unsigned crossings = list_crossings(active, m, s);
+    find_shares(values_of<Kind>(batch, kind), m, crossings);
+    find_points(batch, Kind::source(task), m, crossings);
+    Kind::test(rules, task, batch, m, crossings);
     unsigned count = active.count;
     if (rules.use_slope) {
         count = keep_accepted(m, s, count);
